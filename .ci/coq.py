@@ -144,6 +144,19 @@ def changed(text: str) -> list[tuple[str, str]]:
             again = tail.split("Qed.", 1)[0]
             fixed = again.replace(f"({statement[1]} # {statement[2]})", f"({number} # {statement[2]})")
             found.append((f"{kind}, its number", head + str(number) + fixed + tail[len(again) :]))
+    # At natural parameters: the shift, where the data leave it no room, and the bound plus 1, which no distance of spread 1 exceeds there.
+    natural = re.compile(
+        r"^\(\* \w+ at natural parameters .*\nTheorem \w+ :\s+exceeds_(\w+) (?:scheme_\d+ )+(\((-?\d+) # (\d+)\)).* \((\d+) # (\d+)\)\.$", re.MULTILINE
+    ).search(bare)
+    if natural:
+        end = bare.index("Qed.", natural.start())
+        kind, shift, top, bottom, over, under = natural.groups()
+        bound = f"({over} # {under})"
+        ways = [("the natural bound", bound, f"({int(over) + int(under)} # {under})")]
+        if kind == "distance":
+            ways.append(("the natural shift", shift, f"({int(top) - 1} # {bottom})"))
+        for what, old, new in ways:
+            found.append((what, bare[: natural.start()] + bare[natural.start() : end].replace(old, new) + bare[end:]))
     depth = re.search(r"^Theorem \w+ :\s+sufficient_depth .* (\d+)\.$", bare, re.MULTILINE)
     if depth and int(depth[1]) > 0:
         put(*depth.span(1), str(int(depth[1]) - 1), "sufficient_depth, its level")

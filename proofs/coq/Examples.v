@@ -121,63 +121,84 @@ Qed.
 (** * Distances *)
 
 (** Chaikin's polygon lies 1/4 apart from the polygon of the next level, at most. *)
-Example chaikin_step : bounds_step chaikin 0 (1 # 4).
+Example chaikin_step : bounds_step chaikin 0 0 (1 # 4).
 Proof.
-  intros x b t H. eapply Qle_trans; [apply (bounds_step_by chaikin 0 1); [|apply bounds_differences_zero | exact H]|].
+  intros x b t H. eapply Qle_trans; [apply (bounds_step_by chaikin 0 0 1); [|apply bounds_differences_zero | exact H]|].
   - now apply is_affine_correct.
-  - assert (E : displacement chaikin * 1 == 1 # 4) by reflexivity. rewrite E. apply Qle_refl.
+  - assert (E : displacement chaikin 0 * 1 == 1 # 4) by reflexivity. rewrite E. apply Qle_refl.
 Qed.
 
-Example chaikin_distance : bounds_distance chaikin 3 (1 # 16).
-Proof. apply (bounds_distance_by chaikin 1 1). vm_compute. reflexivity. Qed.
+Example chaikin_distance : bounds_distance chaikin 0 3 (1 # 16).
+Proof. apply (bounds_distance_by chaikin 0 1 1). vm_compute. reflexivity. Qed.
 
 (** Blocks of three levels, of the four constants T_1 to T_4. *)
-Example four_point_distance : bounds_distance four_point 0 (125 # 427).
-Proof. apply (bounds_distance_by four_point 4 3). vm_compute. reflexivity. Qed.
+Example four_point_distance : bounds_distance four_point 0 0 (125 # 427).
+Proof. apply (bounds_distance_by four_point 0 4 3). vm_compute. reflexivity. Qed.
 
-Example chaikin_depth : sufficient_depth chaikin 10 (1 # 100) 9.
-Proof. apply (sufficient_depth_by chaikin 1 1). vm_compute. reflexivity. Qed.
+Example chaikin_depth : sufficient_depth chaikin 0 10 (1 # 100) 9.
+Proof. apply (sufficient_depth_by chaikin 0 1 1). vm_compute. reflexivity. Qed.
 
-Example chaikin_least_depth : sufficient_depth chaikin 10 (1 # 100) 9.
-Proof. apply (least_depth_by chaikin 1 1). vm_compute. reflexivity. Qed.
+Example chaikin_least_depth : sufficient_depth chaikin 0 10 (1 # 100) 9.
+Proof. apply (least_depth_by chaikin 0 1 1). vm_compute. reflexivity. Qed.
 
-Example chaikin_too_few_levels : ~ sufficient_depth chaikin 10 (1 # 100) 8.
+Example chaikin_too_few_levels : ~ sufficient_depth chaikin 0 10 (1 # 100) 8.
 Proof.
-  apply depth_refuted. apply (exceeds_distance_by chaikin 8 0 [0; 10]%Z 0 10 (1 # 100) 20 1 1 (1 # 10000)).
+  apply depth_refuted. apply (exceeds_distance_by chaikin 0 8 0 [0; 10]%Z 0 10 (1 # 100) 20 1 1 (1 # 10000)).
   vm_compute. reflexivity.
 Qed.
 
 (** The same rules compared at another offset: the new point moves by 21/25. *)
-Example quinary_step : exceeds_step (Scheme 25 0 (rules quinary)) 0 1 (20 # 25).
-Proof. apply (exceeds_step_by (Scheme 25 0 (rules quinary)) 0 0 [0; 1; 0]%Z 0). vm_compute. reflexivity. Qed.
+Example quinary_step : exceeds_step (Scheme 25 0 (rules quinary)) 0 0 1 (20 # 25).
+Proof. apply (exceeds_step_by (Scheme 25 0 (rules quinary)) 0 0 0 [0; 1; 0]%Z 0). vm_compute. reflexivity. Qed.
+
+(** * Natural parameters, and the least constant *)
+
+(** With x^k_i at (i - 1/2)/2^k, Chaikin's new points are on the polygon before, and its own points are 1/4 off at most. *)
+Example chaikin_natural_step : bounds_step chaikin (-1 # 2) 0 (1 # 4).
+Proof.
+  intros x b t H. eapply Qle_trans; [apply (bounds_step_by chaikin (-1 # 2) 0 1); [|apply bounds_differences_zero | exact H]|].
+  - now apply is_affine_correct.
+  - assert (E : displacement chaikin (-1 # 2) * 1 == 1 # 4) by reflexivity. rewrite E. apply Qle_refl.
+Qed.
+
+Example chaikin_natural_distance : bounds_distance chaikin (-1 # 2) 3 (1 # 16).
+Proof. apply (bounds_distance_by chaikin (-1 # 2) 1 1). vm_compute. reflexivity. Qed.
+
+(** C_0 = 1/2 at i/n^k, up to 2^-19. *)
+Example chaikin_least_constant : least_constant chaikin 0 0 (262143 # 524288) (1 # 2).
+Proof. apply (least_constant_by chaikin 0 1 1 0 0 [0; 1]%Z 0 19 1 1 (1 # 1048576)). vm_compute. reflexivity. Qed.
+
+(** C_0 = 1/4 at natural parameters (THEOREMS.md, 84), which the bound of single steps does not reach. *)
+Example chaikin_natural_least_constant : least_constant chaikin (-1 # 2) 0 (255 # 1024) (1 # 2).
+Proof. apply (least_constant_by chaikin (-1 # 2) 1 1 0 0 [0; 1; 0]%Z (1 # 2) 11 1 1 (1 # 4096)). vm_compute. reflexivity. Qed.
 
 (** * Nets *)
 
-Example quinary_net_step : exceeds_net_step (Scheme 25 0 (rules quinary)) chaikin 0 1 1.
+Example quinary_net_step : exceeds_net_step (Scheme 25 0 (rules quinary)) chaikin 0 0 0 1 1.
 Proof.
-  apply (exceeds_net_step_by (Scheme 25 0 (rules quinary)) chaikin 0 0 [0; 1; 0]%Z 0 [0; 1]%Z 0 0).
+  apply (exceeds_net_step_by (Scheme 25 0 (rules quinary)) chaikin 0 0 0 0 [0; 1; 0]%Z 0 [0; 1]%Z 0 0).
   vm_compute. reflexivity.
 Qed.
 
-Example chaikin_net_distance : exceeds_net_distance chaikin chaikin 0 1 (9 # 10).
+Example chaikin_net_distance : exceeds_net_distance chaikin chaikin 0 0 0 1 (9 # 10).
 Proof.
-  apply (exceeds_net_distance_by chaikin chaikin 0 0 [0; 1]%Z 0 [0; 1]%Z 0 0 1 (9 # 10) 9 1 1 (1 # 100) 1 1 (1 # 100)).
+  apply (exceeds_net_distance_by chaikin chaikin 0 0 0 0 [0; 1]%Z 0 [0; 1]%Z 0 0 1 (9 # 10) 9 1 1 (1 # 100) 1 1 (1 # 100)).
   vm_compute. reflexivity.
 Qed.
 
 (** The bound of all nets is nearly attained: 9/10 is exceeded by the net above, so that the bound is not 9/10. *)
-Example chaikin_net_bound : bounds_net_distance chaikin chaikin 0 1.
-Proof. apply (bounds_net_distance_by chaikin chaikin 1). vm_compute. reflexivity. Qed.
+Example chaikin_net_bound : bounds_net_distance chaikin chaikin 0 0 0 1.
+Proof. apply (bounds_net_distance_by chaikin chaikin 0 0 1). vm_compute. reflexivity. Qed.
 
-Example chaikin_net_no_bound : ~ bounds_net_distance chaikin chaikin 0 (9 # 10).
-Proof. apply (net_distance_refuted chaikin chaikin 0 1). exact chaikin_net_distance. Qed.
+Example chaikin_net_no_bound : ~ bounds_net_distance chaikin chaikin 0 0 0 (9 # 10).
+Proof. apply (net_distance_refuted chaikin chaikin 0 0 0 1). exact chaikin_net_distance. Qed.
 
 (** Arities 3 and 5, at level 3; negative weights make T_c Λ_c larger than T_c. *)
-Example ternary_net_bound : bounds_net_distance ternary ternary 3 (92 # 100).
-Proof. apply (bounds_net_distance_by ternary ternary 3). vm_compute. reflexivity. Qed.
+Example ternary_net_bound : bounds_net_distance ternary ternary 0 0 3 (92 # 100).
+Proof. apply (bounds_net_distance_by ternary ternary 0 0 3). vm_compute. reflexivity. Qed.
 
-Example quinary_net_bound : bounds_net_distance quinary quinary 3 (87 # 100).
-Proof. apply (bounds_net_distance_by quinary quinary 2). vm_compute. reflexivity. Qed.
+Example quinary_net_bound : bounds_net_distance quinary quinary 0 0 3 (87 # 100).
+Proof. apply (bounds_net_distance_by quinary quinary 0 0 2). vm_compute. reflexivity. Qed.
 
 (** * Rings *)
 

@@ -243,7 +243,7 @@ fn of_paper(file: &Toml) -> Result<&str, String> {
 
 /// Compares files of theorems of Coq with their claim file: masks, numbers, levels and places
 /// (FORMAT.md, Theorems of Coq). Certificates recover the values of parameters that the paper does not
-/// state; they are checked. Whether the theorems are true, Coq checks.
+/// state; they are checked. Of several files about one claim, the first one that agrees counts. Whether the theorems are true, Coq checks.
 ///
 /// # Errors
 /// The claim file is wrong, or is about a project; the message says why.
@@ -265,7 +265,14 @@ pub fn check_theorems(
         let meter = Meter::default();
         let library = Library::new(file.list("scheme"), &known, &meter);
         let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
-        Ok(files.iter().map(|text| kernel::agree(&paper, key, &recovered, text)).collect())
+        let mut known = BTreeSet::new();
+        let of_file = |text: &&str| {
+            let agreement = kernel::agree(&paper, key, &recovered, text)?;
+            let first = known.insert((agreement.kind.clone(), agreement.id.clone()));
+            reject::require(first, Reason::OtherFile).map_err(|rejection| rejection.at(1))?;
+            Ok(agreement)
+        };
+        Ok(files.iter().map(of_file).collect())
     };
     std::thread::scope(|scope| {
         let worker = Builder::new().stack_size(STACK).spawn_scoped(scope, compare);

@@ -37,7 +37,7 @@ pub enum KernelStatement {
         /// The constant.
         value: Rational,
     },
-    /// The distance of level k to all later levels is at most the bound times the spread.
+    /// The distance of level k to all later levels is at most the bound times the spread, for points at i/n^k.
     Distance {
         /// The mask.
         mask: Mask,
@@ -48,7 +48,7 @@ pub enum KernelStatement {
         /// M and c.
         block: (usize, u32),
     },
-    /// From level k on, polygons of a spread keep a tolerance.
+    /// From level k on, polygons of a spread keep a tolerance, for points at i/n^k.
     Depth {
         /// The mask.
         mask: Mask,
@@ -65,6 +65,8 @@ pub enum KernelStatement {
     Exceeds {
         /// The mask.
         mask: Mask,
+        /// τ: the points of level k are at (i + τ)/n^k.
+        shift: Rational,
         /// k.
         level: u32,
         /// The index of the first point.
@@ -80,6 +82,8 @@ pub enum KernelStatement {
     Net {
         /// The masks of both indices.
         masks: [Mask; 2],
+        /// τ for both indices.
+        shifts: [Rational; 2],
         /// k.
         level: u32,
         /// a and b, with the indices of their first points.
