@@ -49,7 +49,10 @@ pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
     let mut file: PaperFile = from_toml(source).map_err(Errors::from)?;
     let reader = Reader { source };
     let mut errors = Collected::default();
-    reader.cells_of_regularity(&mut file, &mut errors);
+    for cells in errors.all(&file.regularity, |table| reader.regularity(table)) {
+        file.smoothness.extend(cells.smoothness);
+        file.exponent.extend(cells.exponents);
+    }
     errors.take(reader.id(&file.key));
     errors.take(reader.ids(&file));
     let ids = file.claims().map(|claim| claim.id.get_ref().as_str()).collect();

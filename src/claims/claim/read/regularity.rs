@@ -2,11 +2,10 @@
 
 use super::axis::AxisTable;
 use super::fields::{Formulas, NumberField, claim_table};
-use super::file::PaperFile;
 use super::reader::Reader;
 use super::smoothness::{ExponentTable, SmoothnessTable};
 use crate::claim::{Headers, RegularityCell, RegularityTable};
-use crate::diagnostic::{Collected, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use toml::Spanned;
@@ -29,9 +28,9 @@ const EXAMPLE: &str = "rows = { schemes = [\"chaikin\", \"four-point:w=1/16\"] }
 
 /// The claims of the cells.
 #[derive(Default)]
-struct Cells {
-    smoothness: Vec<SmoothnessTable>,
-    exponents: Vec<ExponentTable>,
+pub(super) struct Cells {
+    pub(super) smoothness: Vec<SmoothnessTable>,
+    pub(super) exponents: Vec<ExponentTable>,
 }
 
 /// A row: its header as printed and with its name, its scheme, and the value of the parameter.
@@ -43,16 +42,8 @@ struct Row {
 }
 
 impl Reader<'_> {
-    /// Appends the claim of each cell to those of the file.
-    pub(super) fn cells_of_regularity(&self, file: &mut PaperFile, errors: &mut Collected) {
-        for table in &file.regularity {
-            let Some(cells) = errors.take(self.regularity(table)) else { continue };
-            file.smoothness.extend(cells.smoothness);
-            file.exponent.extend(cells.exponents);
-        }
-    }
-
-    fn regularity(&self, file: &RegularityFile) -> Result<Cells, Diagnostic> {
+    /// Reads a table.
+    pub(super) fn regularity(&self, file: &RegularityFile) -> Result<Cells, Diagnostic> {
         self.id(&file.id)?;
         let (label, rows) = self.regularity_rows(file)?;
         let columns = self.regularity_columns(&file.columns)?;
