@@ -44,14 +44,14 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
             continue;
         }
         sheet.heading(3, titled(&[&table.locus, &table.title, &table.id]));
-        let cell = |finding: &Option<&SmoothnessFinding<'_>>| {
+        let cell = |finding: Option<&SmoothnessFinding<'_>>| {
             finding.map_or_else(
                 || "·".to_owned(),
                 |finding| format!("{} {}", printed(finding), mark(finding.verdict.name())),
             )
         };
         let row = |(header, cells): (&String, &Vec<Option<&SmoothnessFinding<'_>>>)| {
-            [header.clone()].into_iter().chain(cells.iter().map(cell)).collect()
+            [header.clone()].into_iter().chain(cells.iter().copied().map(cell)).collect()
         };
         let header = [table.label.clone()].into_iter().chain(table.columns.clone()).collect();
         let rows = table.rows.iter().zip(&cells).map(row).collect();

@@ -65,7 +65,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
 pub(super) fn scheme(claim: &SmoothnessClaim) -> Option<String> {
     let SmoothnessBody::Statement(scheme, _) = &claim.body else { return None };
     let values = claim.given.iter().map(|(name, value)| format!(", {name} = {}", value.text));
-    Some(format!("{}{}", scheme.reference, values.collect::<String>()))
+    Some(format!("{}{}", scheme.reference, values.collect::<Vec<String>>().concat()))
 }
 
 /// What the paper states.

@@ -96,7 +96,7 @@ fn ranges(all: Vec<AnyRange>) -> (Vec<RangeClaim>, Vec<SmoothnessClaim>) {
     for range in all {
         match range {
             AnyRange::Value(claim) => values.push(*claim),
-            AnyRange::Smoothness(claim) => smoothness.push(claim),
+            AnyRange::Smoothness(claim) => smoothness.push(*claim),
         }
     }
     (values, smoothness)

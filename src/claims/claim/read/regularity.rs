@@ -214,11 +214,11 @@ impl Cells {
                 title,
                 scheme,
                 note,
-                given,
                 continuous,
                 not_continuous,
                 valences,
                 absent,
+                given,
                 cell,
             });
         } else {
@@ -232,13 +232,13 @@ impl Cells {
                 title,
                 scheme,
                 note,
-                given,
                 value,
                 printed,
                 at_least,
                 at_most,
                 attained,
                 absent,
+                given,
                 cell,
             });
         }
