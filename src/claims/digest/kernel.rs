@@ -116,7 +116,9 @@ pub(crate) fn kernel(audit: &mut PaperAudit<'_>) {
     }
     let of = |claim: &str, place: Option<(usize, usize)>| {
         let proved = own.iter().filter(|(_, id, at, _)| *id == claim && *at == place);
-        proved.map(|(.., proof)| *proof).collect::<Vec<KernelProof>>()
+        let mut proofs: Vec<KernelProof> = proved.map(|(.., proof)| *proof).collect();
+        proofs.sort_unstable();
+        proofs
     };
     for finding in &mut audit.tables {
         let id = &finding.table.id;

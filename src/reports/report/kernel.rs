@@ -55,9 +55,9 @@ pub(super) fn grid(audits: &[PaperAudit<'_>]) -> Option<Grid> {
         "values of cells",
         "sound bounds",
         "broken promises",
-        "at natural parameters",
+        "broken at natural parameters",
         "refuted theorems",
-        "at natural parameters",
+        "refuted at natural parameters",
         "others",
         "all findings",
     ];
