@@ -11,6 +11,7 @@
 // Texts, and the reasons to reject them.
 mod certificate;
 mod cursor;
+mod regularity;
 mod reject;
 mod shape;
 mod toml;
@@ -83,6 +84,7 @@ use library::Library;
 use meter::Meter;
 use paper::Paper;
 pub use radius::{Radius, check_radius};
+use regularity::expanded;
 use reject::Checked;
 pub use reject::{RadiusReason, RadiusRejection, Reason, Rejection, Stop, Text};
 use rules::{Given, Recovered, Verdict};
@@ -135,7 +137,7 @@ pub fn is_formula(text: &str) -> bool {
 /// # Errors
 /// The claim file is wrong; the message says why.
 pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
-    let file = Toml::read(claims)?;
+    let file = expanded(Toml::read(claims)?)?;
     if file.get("project").is_some() {
         return check_project(&file, certificates);
     }
@@ -144,7 +146,8 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let library = Library::new(file.list("scheme"), &known, &meter);
     let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
     let mut ids = BTreeSet::new();
-    for id in paper.claims().into_iter().map(|(_, id)| id).chain([&key[..]]) {
+    let tables = file.list("regularity").iter().map(|table| table.text("id").unwrap_or(""));
+    for id in paper.claims().into_iter().map(|(_, id)| id).chain(tables).chain([&key[..]]) {
         if !is_id(id) {
             return Err(format!("{id:?} cannot be an id"));
         }
@@ -252,7 +255,7 @@ pub fn check_theorems(
     certificates: &[&str],
     files: &[&str],
 ) -> Result<Vec<Result<Agreement, Rejection>>, String> {
-    let file = Toml::read(claims)?;
+    let file = expanded(Toml::read(claims)?)?;
     if file.get("project").is_some() {
         return Err("there are no theorems about the constants of a project".to_owned());
     }

@@ -11,6 +11,7 @@ mod equation;
 mod function;
 mod paper;
 mod read;
+mod regularity;
 mod smoothness;
 mod table;
 mod theorem;
@@ -22,6 +23,7 @@ pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
 pub use function::{FunctionClaim, Limit, RangeClaim};
 pub use paper::{Alternative, Bibliography, Paper, SchemeSource};
 pub use read::{MAX_CLAIM_FILE_BYTES, is_id, read_paper, read_paper_file, read_whole_paper};
+pub use regularity::{RegularityCell, RegularityTable};
 pub use smoothness::{
     ExponentStatement, PrintedExponent, PrintedValences, RangeEnd, SmoothRangeStatement,
     SmoothnessBody, SmoothnessClaim, SmoothnessKind, SmoothnessStatement,

@@ -1,7 +1,10 @@
 //! Claims about the smoothness of the limits of a scheme.
 
+use super::regularity::RegularityCell;
 use super::table::LocatedReference;
 use crate::exact::{Decimal, LogSum, RealAlgebraic};
+use crate::formula::LocatedFormula;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// A claim about the limits of a scheme: of curves, or at a vertex or on a face.
@@ -17,6 +20,10 @@ pub struct SmoothnessClaim {
     pub kind: SmoothnessKind,
     /// What it says of which scheme.
     pub body: SmoothnessBody,
+    /// Values that it states itself for parameters; they hide those of the paper.
+    pub given: BTreeMap<String, LocatedFormula>,
+    /// The cell of a printed table that it is.
+    pub cell: Option<RegularityCell>,
     /// A note for the reader.
     pub note: Option<String>,
 }

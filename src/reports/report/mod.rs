@@ -23,6 +23,7 @@ mod overview;
 mod parts;
 mod promise;
 mod reading;
+mod regularity;
 mod set;
 mod sheet;
 mod shift;
