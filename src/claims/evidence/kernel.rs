@@ -75,7 +75,8 @@ fn refuted(
         (bound, limit),
         points,
     );
-    let values: String = values.iter().map(|(name, value)| format!(", {name} = {value}")).collect();
+    let values = values.iter().map(|(name, value)| format!(", {name} = {value}"));
+    let values = values.collect::<Vec<String>>().concat();
     let (at, by) = (naturally(points), &by.text);
     Ok(statement.map(|statement| KernelFinding {
         kind: "theorem",
