@@ -47,8 +47,8 @@ fn what_is_noted_is_what_is_compiled() {
     let shares = [broken, broken_naturally, refuted].map(|Share { proved, all }| (proved, all));
     assert_eq!(shares, [(164, 164), (64, 80), (6, 8)]);
     let theorem = |id: &str| {
-        let theorems = audit_of("mustafa2020-nary").theorems.iter();
-        let finding = theorems.filter(|finding| finding.theorem.id == id).next();
+        let mut theorems = audit_of("mustafa2020-nary").theorems.iter();
+        let finding = theorems.find(|finding| finding.theorem.id == id);
         finding.expect("a theorem").by_kernel.clone()
     };
     assert_eq!(theorem("theorem-5"), [KernelProof::Refuted, KernelProof::RefutedNaturally]);
