@@ -91,7 +91,7 @@ fn a_table_of_orders_and_exponents_has_its_shape_and_a_verdict_in_each_cell() {
     assert!(errata.contains("## 1. Table 1 (DD4, order) · ✗ refuted"), "{errata}");
     let page = audit_page(&audits[0], None).expect("a page");
     assert!(
-        page.contains("<td class=\"cell wrong\"><a class=\"open\" href=\"#t.2.order\">C² "),
+        page.contains("<td class=\"cell wrong\"><a class=\"leads\" href=\"#t.2.order\">C² "),
         "{page}"
     );
 }

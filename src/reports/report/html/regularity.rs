@@ -43,7 +43,7 @@ fn cell(finding: Option<&SmoothnessFinding<'_>>) -> Markup {
     let verdict = finding.verdict.name();
     html! {
         td.cell.(Look::of(verdict).class) {
-            a.open href={ "#" (finding.claim.id) } { (printed(finding)) " " (badge(verdict)) }
+            a.leads href={ "#" (finding.claim.id) } { (printed(finding)) " " (badge(verdict)) }
         }
     }
 }
