@@ -14,7 +14,7 @@ use toml::Spanned;
 pub(super) struct AxisTable {
     pub(super) name: Option<Spanned<String>>,
     label: Option<String>,
-    values: Option<Spanned<Vec<Spanned<NumberField>>>>,
+    pub(super) values: Option<Spanned<Vec<Spanned<NumberField>>>>,
     pub(super) schemes: Option<Spanned<Vec<Spanned<SchemeField>>>>,
     from: Option<Spanned<String>>,
     to: Option<Spanned<String>>,
