@@ -1,7 +1,7 @@
 (** Every definition at work: none of them is empty, and none holds of everything. *)
 
 Require Import ZArith QArith Qabs Qround List Lia Lqa.
-From Subcert Require Import Definitions Core Error Depth Refutation Net NetBound Ring.
+From Subcert Require Import Definitions Core Error Natural Depth Refutation Net NetBound Ring.
 Import ListNotations.
 Local Open Scope Q_scope.
 
@@ -84,7 +84,7 @@ Proof. apply backwards_constant_by. vm_compute. reflexivity. Qed.
 
 Definition diverging := Scheme 1 0 [[2; -1]; [2; -1]]%Z.
 
-Definition peak : points := fun i => if Z.eqb i 0 then 1 else 0.
+Definition edge : points := fun i => if Z.ltb i 0 then 0 else 1.
 
 Lemma diverging_step x : refine diverging x 0%Z == 2 * x 0%Z - x 1%Z /\
   refine diverging x 1%Z == 2 * x 0%Z - x 1%Z /\ refine diverging x (-1)%Z == 2 * x (-1)%Z - x 0%Z.
@@ -95,24 +95,30 @@ Proof.
   change (inject_Z 2) with 2. change (inject_Z (-1)) with (-(1)). change (1 # 1) with 1. repeat split; ring.
 Qed.
 
-Lemma diverging_levels k : level diverging (S k) peak 0%Z == 2 /\ level diverging (S k) peak 1%Z == 2 /\
-  level diverging (S k) peak (-1)%Z == inject_Z (2 - 3 * 2 ^ Z.of_nat k).
+Lemma diverging_levels k : level diverging k edge 0%Z == 1 /\ level diverging k edge 1%Z == 1 /\
+  level diverging k edge (-1)%Z == inject_Z (1 - 2 ^ Z.of_nat k).
 Proof.
   induction k as [|k (A & B & C)]; [repeat split; reflexivity|].
-  change (level diverging (S (S k)) peak) with (refine diverging (level diverging (S k) peak)).
-  destruct (diverging_step (level diverging (S k) peak)) as (-> & -> & ->). rewrite A, B, C.
+  cbn [level]. destruct (diverging_step (level diverging k edge)) as (-> & -> & ->). rewrite A, B, C.
   split; [reflexivity|]. split; [reflexivity|].
   rewrite Nat2Z.inj_succ, Z.pow_succ_r by lia. unfold Z.sub.
-  rewrite !inject_Z_plus, !inject_Z_opp, !inject_Z_mult. change (inject_Z 2) with 2. change (inject_Z 3) with 3. ring.
+  rewrite !inject_Z_plus, !inject_Z_opp, !inject_Z_mult. change (inject_Z 1) with 1. change (inject_Z 2) with 2. ring.
 Qed.
 
-Theorem rules_that_sum_to_1_are_not_enough : affine diverging /\ at_most peak 1 /\
-  forall B, exists k, B < Qabs (level diverging k peak (-1)%Z).
+(** The difference of x_(-1) and x_0 doubles from level to level. *)
+Theorem diverging_differences k : difference (level diverging k edge) (-1)%Z == inject_Z (2 ^ Z.of_nat k).
+Proof.
+  unfold difference. change (-1 + 1)%Z with 0%Z. destruct (diverging_levels k) as (-> & _ & ->).
+  unfold Z.sub. rewrite inject_Z_plus, inject_Z_opp. change (inject_Z 1) with 1. ring.
+Qed.
+
+Theorem rules_that_sum_to_1_are_not_enough : affine diverging /\ at_most edge 1 /\
+  forall B, exists k, B < Qabs (difference (level diverging k edge) (-1)%Z).
 Proof.
   split; [now apply is_affine_correct|]. split.
-  - intros i. unfold peak. destruct (Z.eqb i 0); discriminate.
-  - intros B. set (n := Z.to_nat (Z.max 2 (Qround.Qceiling B))). exists (S n).
-    destruct (diverging_levels n) as (_ & _ & ->). rewrite inject_Z_abs.
+  - intros i. unfold edge. destruct (Z.ltb i 0); discriminate.
+  - intros B. set (n := Z.to_nat (Z.max 0 (Qround.Qceiling B))). exists n.
+    rewrite (diverging_differences n), inject_Z_abs.
     pose proof (Z.pow_gt_lin_r 2 (Z.of_nat n) ltac:(lia) ltac:(lia)).
     apply Qle_lt_trans with (inject_Z (Qround.Qceiling B)); [apply Qround.Qle_ceiling|].
     rewrite <- Zlt_Qlt. lia.
@@ -152,6 +158,19 @@ Example quinary_step : exceeds_step (Scheme 25 0 (rules quinary)) 0 0 1 (20 # 25
 Proof. apply (exceeds_step_by (Scheme 25 0 (rules quinary)) 0 0 0 [0; 1; 0]%Z 0). vm_compute. reflexivity. Qed.
 
 (** * Natural parameters, and the least constant *)
+
+Example chaikin_keeps_lines : keeps_lines chaikin (-1 # 2).
+Proof. apply keeps_lines_by. vm_compute. reflexivity. Qed.
+
+Example ternary_keeps_lines : keeps_lines (Scheme 6 0 [[5; 1]; [3; 3]; [1; 5]]%Z) (-1 # 4).
+Proof. apply keeps_lines_by. vm_compute. reflexivity. Qed.
+
+Example quinary_keeps_lines : keeps_lines (Scheme 25 0 (rules quinary)) (-3 # 4).
+Proof. apply keeps_lines_by. vm_compute. reflexivity. Qed.
+
+(** At i/n^k the points of a line are not on it. *)
+Example chaikin_indexed_lines : ~ keeps_lines chaikin 0.
+Proof. intros H. specialize (H 0%Z). vm_compute in H. discriminate H. Qed.
 
 (** With x^k_i at (i - 1/2)/2^k, Chaikin's new points are on the polygon before, and its own points are 1/4 off at most. *)
 Example chaikin_natural_step : bounds_step chaikin (-1 # 2) 0 (1 # 4).

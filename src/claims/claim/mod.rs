@@ -17,6 +17,7 @@ mod table;
 mod theorem;
 
 pub use contents::{Item, Label, MAX_LABELS};
+pub(crate) use embedded::embedded_paper;
 pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
 pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
 pub use function::{FunctionClaim, Limit, RangeClaim};

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 /// A printed table of orders of smoothness and of Hölder exponents. Each cell is a claim of its own
 /// ([`super::SmoothnessClaim`]).
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RegularityTable {
     /// Its id within the paper.
     pub id: String,
@@ -23,7 +23,7 @@ pub struct RegularityTable {
 }
 
 /// A cell of such a table.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RegularityCell {
     /// The table.
     pub table: Arc<RegularityTable>,

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// A claim about the limits of a scheme: of curves, or at a vertex or on a face.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SmoothnessClaim {
     /// Its id within the paper.
     pub id: String,
@@ -43,7 +43,7 @@ impl SmoothnessClaim {
 }
 
 /// What a claim about smoothness says, or why nothing can be checked.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum SmoothnessBody {
     /// A statement about the limits of a scheme, whose parameters may depend on the variable of a range.
     Statement(LocatedReference, Box<SmoothnessStatement>),
@@ -75,7 +75,7 @@ impl SmoothnessKind {
 }
 
 /// A statement about the limits of a scheme.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum SmoothnessStatement {
     /// One of the two, or both.
     Continuity {
@@ -110,7 +110,7 @@ pub struct PrintedValences {
 }
 
 /// A statement about the Hölder exponent.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ExponentStatement {
     /// It is this number.
     Value(PrintedExponent),
@@ -140,7 +140,7 @@ pub struct PrintedExponent {
 }
 
 /// All limits are C^m for the values of a parameter in an interval.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SmoothRangeStatement {
     /// The parameter's name in formulas.
     pub variable: String,
@@ -159,7 +159,7 @@ pub struct SmoothRangeStatement {
 }
 
 /// An end of a printed interval.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RangeEnd {
     /// The end as printed.
     pub text: String,

@@ -14,6 +14,7 @@ mod headers;
 mod headline;
 pub mod html;
 pub mod json;
+mod kernel;
 mod latex;
 mod latex_document;
 mod latex_table;
