@@ -164,7 +164,10 @@ impl<'a> TableContext<'a> {
     ) -> Result<Result<Quantities<'s>, Outcome>, Diagnostic> {
         match self.resolved(at) {
             Ok(quantities) => Ok(Ok(quantities)),
-            Err((located, error)) => Self::unresolved(located, error).map(Err),
+            Err(failure) => {
+                let (located, error) = *failure;
+                Self::unresolved(located, error).map(Err)
+            }
         }
     }
 
@@ -173,7 +176,7 @@ impl<'a> TableContext<'a> {
     pub(crate) fn resolved<'s>(
         &'s self,
         at: At<'s>,
-    ) -> Result<Quantities<'s>, (&'a LocatedReference, Unresolved)> {
+    ) -> Result<Quantities<'s>, Box<(&'a LocatedReference, Unresolved)>> {
         let mut quantities = Quantities {
             library: self.library,
             scheme: None,
@@ -191,7 +194,7 @@ impl<'a> TableContext<'a> {
                 quantities.scheme = Some(scheme);
                 Ok(quantities)
             }
-            Err(error) => Err((located, error)),
+            Err(error) => Err(Box::new((located, error))),
         }
     }
 

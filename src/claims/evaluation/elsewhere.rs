@@ -85,10 +85,13 @@ impl Evaluator<'_> {
                     return Ok(value);
                 }
             }
-            Err((_, Unresolved::Formula(error))) if !TableContext::is_outcome(error) => {
-                return Err(missing(name));
+            Err(failure) => {
+                if let Unresolved::Formula(error) = &failure.1
+                    && !TableContext::is_outcome(error)
+                {
+                    return Err(missing(name));
+                }
             }
-            Err(_) => {}
         }
         let definitions = at.settings.definitions.as_deref().unwrap_or(&self.paper.definitions);
         match self.evaluate(&definitions[name], at) {
