@@ -180,13 +180,13 @@ class Checks:
             self.skip(address, name)
 
     def boxes(self, where: str) -> None:
-        """The box of every element is inside the window; of what scrolls by itself, and of pictures, that of the
-        whole."""
+        """The box of every element is inside the window, also of the words in pictures; of what scrolls by itself that
+        of the whole."""
         outside = self.chromium.value(
             """[...document.querySelectorAll('body *')].filter(element => {
                 if (element.closest('.skip, .hidden, title, desc') || !element.getClientRects().length) return false;
-                // What is drawn belongs to its picture, whose own box counts.
-                if (element.parentElement.closest('svg')) return false;
+                // Lines that are drawn belong to their picture, whose own box counts. Its words have boxes of their own.
+                if (element.parentElement.closest('svg') && element.tagName !== 'text') return false;
                 for (let above = element.parentElement; above; above = above.parentElement)
                     if (['auto', 'scroll', 'hidden'].includes(getComputedStyle(above).overflowX)) return false;
                 const box = element.getBoundingClientRect();
@@ -237,7 +237,7 @@ class Checks:
 
     def anchors(self, address: str, name: str) -> None:
         """The address of a cell opens its panel, which stands within the window; `close` closes it."""
-        anchor = self.chromium.value("document.querySelector('td.cell')?.id ?? null")
+        anchor = self.chromium.value("document.querySelector('td.cell[id]')?.id ?? null")
         if anchor is None:
             return
         for size in (DESKTOP, PHONE):
@@ -302,7 +302,7 @@ class Checks:
                 chromium.key("Tab", 9)
                 chromium.key("Enter", 13)
                 self.expect(f"{name}: `close` is not the next stop", not self.is_shown("td:target > .panel"))
-        cells = chromium.value("document.querySelectorAll('td.cell').length")
+        cells = chromium.value("document.querySelectorAll('td.cell[id]').length")
         self.expect(f"{name}: Tab reaches no filter", seen_filter)
         self.expect(f"{name}: Tab reaches no cell", seen_cell or cells == 0)
 

@@ -10,7 +10,8 @@ In README.md and docs/*.md, a block
 
 holds what that command writes. Before the colon, `from=WORD` begins at the first line that
 begins with WORD, and `head=N` keeps N lines. A block under `<!-- file: PATH -->` holds that
-file, and one under `<!-- part of: PATH -->` some lines of it.
+file, and one under `<!-- part of: PATH -->` some lines of it. A table under
+`<!-- table below=HEADING: COMMAND -->` is the first one below this heading of the command's Markdown.
 The files of FILES, and proofs/errata, hold what their command writes, and nothing else; docs/audits/index.html
 is the index of the pages that `audit --format html` writes, with links to the errata in place of pages, which are not
 in the repository. docs/gallery.md has the audits of proofs/projects. proofs/coq/papers has the theorems of `prove --coq`, and no other file. docs/depth.svg is a picture of a page of `depth`, with the styles of the page.
@@ -29,6 +30,8 @@ BLOCK = re.compile(
     r" (?P<what>[^\n]*?) -->\n```\w*\n)(?P<text>.*?)(?P<after>```\n)",
     re.DOTALL,
 )
+# A table of a Markdown report, below this heading of it.
+TABLE = re.compile(r"(?P<before><!-- table below=(?P<heading>[^:]+): (?P<what>[^\n]*?) -->\n\n)(?P<text>(?:\|[^\n]*\n)+)")
 PAGES = ["README.md", *(f"docs/{page.name}" for page in sorted((ROOT / "docs").glob("*.md")))]
 FILES = {"proofs/COVERAGE.md": "coverage --format markdown", "docs/flags.md": "flags --format markdown", "docs/atlas.md": "atlas --format markdown"} | {
     f"proofs/certificates/{claims.stem}.cert": f"prove {claims.stem} -o -"
@@ -133,8 +136,16 @@ def block(match: re.Match) -> str:
     return match["before"] + text + match["after"]
 
 
+def table(match: re.Match) -> str:
+    lines = output(match["what"].removeprefix("subcert ")).splitlines()
+    below = lines[lines.index(f"## {match['heading']}") :]
+    start = next(i for i, line in enumerate(below) if line.startswith("|"))
+    end = next(i for i in range(start, len(below)) if not below[i].startswith("|"))
+    return match["before"] + "\n".join(below[start:end]) + "\n"
+
+
 def main() -> int:
-    generated = {page: BLOCK.sub(block, (ROOT / page).read_text()) for page in PAGES}
+    generated = {page: TABLE.sub(table, BLOCK.sub(block, (ROOT / page).read_text())) for page in PAGES}
     generated |= {name: output(command) for name, command in FILES.items()}
     generated["docs/audits/index.html"] = index()
     generated["docs/depth.svg"] = picture()

@@ -7,11 +7,7 @@ Import ListNotations.
 
     A mask has n rules of rational entries. All entries are integers over one denominator. *)
 
-Record scheme := Scheme {
-  denominator : positive;
-  offset : Z;
-  rules : list (list Z)
-}.
+Record scheme := Scheme { denominator : positive; offset : Z; rules : list (list Z) }.
 
 Definition arity (s : scheme) : nat := length (rules s).
 Definition arityZ (s : scheme) : Z := Z.of_nat (arity s).
@@ -82,24 +78,31 @@ Definition backwards_constant (s D : scheme) (c : nat) (T : Q) : Prop :=
 Definition interpolant (x : points) (u : Q) : Q :=
   let i := Qfloor u in x i + (u - inject_Z i) * (x (i + 1)%Z - x i).
 
-(** P^k, the piecewise linear function with the value x^k_i at i/n^k. *)
-Definition polygon (s : scheme) (k : nat) (x : points) (t : Q) : Q :=
-  interpolant (level s k x) (inject_Z (arityZ s ^ Z.of_nat k) * t).
+(** P^k, the piecewise linear function with the value x^k_i at (i + tau)/n^k. Papers take tau = 0, if they do not say
+    another number. The natural tau of a scheme that takes lines to lines makes P^k the limit, for lines. *)
+Definition polygon (s : scheme) (tau : Q) (k : nat) (x : points) (t : Q) : Q :=
+  interpolant (level s k x) (inject_Z (arityZ s ^ Z.of_nat k) * t - tau).
 
 (** From level k to all later levels, polygons move by at most B times the largest difference of level 0. *)
-Definition bounds_distance (s : scheme) (k : nat) (B : Q) : Prop :=
+Definition bounds_distance (s : scheme) (tau : Q) (k : nat) (B : Q) : Prop :=
   forall x b t l, at_most (difference x) b -> (k <= l)%nat ->
-  Qabs (polygon s l x t - polygon s k x t) <= B * b.
+  Qabs (polygon s tau l x t - polygon s tau k x t) <= B * b.
 
 (** The same from level k to level k + 1. *)
-Definition bounds_step (s : scheme) (k : nat) (B : Q) : Prop :=
+Definition bounds_step (s : scheme) (tau : Q) (k : nat) (B : Q) : Prop :=
   forall x b t, at_most (difference x) b ->
-  Qabs (polygon s (S k) x t - polygon s k x t) <= B * b.
+  Qabs (polygon s tau (S k) x t - polygon s tau k x t) <= B * b.
 
 (** From level k on, polygons of points with differences of at most b move by at most epsilon. *)
-Definition sufficient_depth (s : scheme) (b epsilon : Q) (k : nat) : Prop :=
+Definition sufficient_depth (s : scheme) (tau b epsilon : Q) (k : nat) : Prop :=
   forall x t m l, at_most (difference x) b -> (k <= m <= l)%nat ->
-  Qabs (polygon s l x t - polygon s m x t) <= epsilon.
+  Qabs (polygon s tau l x t - polygon s tau m x t) <= epsilon.
+
+(** C_k, the least constant of the distance from level k to the limit, lies between two numbers: the second bounds the
+    distance, and some points with differences of at most 1 have the first at EVERY level from l on. *)
+Definition least_constant (s : scheme) (tau : Q) (k : nat) (lower upper : Q) : Prop :=
+  bounds_distance s tau k upper /\ exists x t l, at_most (difference x) 1 /\
+  forall m, (l <= m)%nat -> lower <= Qabs (polygon s tau m x t - polygon s tau k x t).
 
 (** * Data
 
@@ -108,12 +111,12 @@ Definition data (first : Z) (values : list Z) : points := fun i =>
   inject_Z (nth (Z.to_nat (Z.min (i - first) (Z.of_nat (length values) - 1))) values 0%Z).
 
 (** Some points with differences of at most b move by more than B from level k to EVERY level from l on. *)
-Definition exceeds_distance (s : scheme) (k : nat) (b B : Q) : Prop :=
+Definition exceeds_distance (s : scheme) (tau : Q) (k : nat) (b B : Q) : Prop :=
   exists x t l margin, at_most (difference x) b /\ 0 < margin /\
-  forall m, (l <= m)%nat -> B + margin <= Qabs (polygon s m x t - polygon s k x t).
+  forall m, (l <= m)%nat -> B + margin <= Qabs (polygon s tau m x t - polygon s tau k x t).
 
-Definition exceeds_step (s : scheme) (k : nat) (b B : Q) : Prop :=
-  exists x t, at_most (difference x) b /\ B < Qabs (polygon s (S k) x t - polygon s k x t).
+Definition exceeds_step (s : scheme) (tau : Q) (k : nat) (b B : Q) : Prop :=
+  exists x t, at_most (difference x) b /\ B < Qabs (polygon s tau (S k) x t - polygon s tau k x t).
 
 Definition exceeds_difference (s : scheme) (k : nat) (b B : Q) : Prop :=
   exists x i, at_most (difference x) b /\ B < Qabs (difference (level s k x) i).
@@ -130,32 +133,28 @@ Fixpoint net_level (s r : scheme) (k : nat) (x : net) : net :=
 Definition net_at_most (x : net) (b : Q) : Prop := forall i j,
   Qabs (x (i + 1)%Z j - x i j) <= b /\ Qabs (x i (j + 1)%Z - x i j) <= b.
 
-(** The piecewise bilinear function with the value x^k_(i,j) at (i/n^k, j/m^k). *)
-Definition surface (s r : scheme) (k : nat) (x : net) (t u : Q) : Q :=
-  interpolant (fun i => interpolant (net_level s r k x i) (inject_Z (arityZ r ^ Z.of_nat k) * u))
-    (inject_Z (arityZ s ^ Z.of_nat k) * t).
+(** The piecewise bilinear function with the value x^k_(i,j) at ((i + tau)/n^k, (j + rho)/m^k). *)
+Definition surface (s r : scheme) (tau rho : Q) (k : nat) (x : net) (t u : Q) : Q :=
+  interpolant (fun i => interpolant (net_level s r k x i) (inject_Z (arityZ r ^ Z.of_nat k) * u - rho))
+    (inject_Z (arityZ s ^ Z.of_nat k) * t - tau).
 
 (** From level k to all later levels, surfaces move by at most B times the largest difference of level 0. *)
-Definition bounds_net_distance (s r : scheme) (k : nat) (B : Q) : Prop := forall x b t u l,
-  net_at_most x b -> (k <= l)%nat -> Qabs (surface s r l x t u - surface s r k x t u) <= B * b.
+Definition bounds_net_distance (s r : scheme) (tau rho : Q) (k : nat) (B : Q) : Prop := forall x b t u l,
+  net_at_most x b -> (k <= l)%nat -> Qabs (surface s r tau rho l x t u - surface s r tau rho k x t u) <= B * b.
 
-Definition exceeds_net_step (s r : scheme) (k : nat) (b B : Q) : Prop := exists x t u,
-  net_at_most x b /\ B < Qabs (surface s r (S k) x t u - surface s r k x t u).
+Definition exceeds_net_step (s r : scheme) (tau rho : Q) (k : nat) (b B : Q) : Prop := exists x t u,
+  net_at_most x b /\ B < Qabs (surface s r tau rho (S k) x t u - surface s r tau rho k x t u).
 
-Definition exceeds_net_distance (s r : scheme) (k : nat) (b B : Q) : Prop := exists x t u l margin,
+Definition exceeds_net_distance (s r : scheme) (tau rho : Q) (k : nat) (b B : Q) : Prop := exists x t u l margin,
   net_at_most x b /\ 0 < margin /\
-  forall m, (l <= m)%nat -> B + margin <= Qabs (surface s r m x t u - surface s r k x t u).
+  forall m, (l <= m)%nat -> B + margin <= Qabs (surface s r tau rho m x t u - surface s r tau rho k x t u).
 
 (** * Rings
 
     The points around a vertex or of a face: x'_a = Σ_b m_(a,b) x_b, with all weights over one denominator.
     The edges join the points whose differences count. *)
 
-Record ring := Ring {
-  ring_denominator : positive;
-  weights : list (list Z);
-  edges : list (nat * nat)
-}.
+Record ring := Ring { ring_denominator : positive; weights : list (list Z); edges : list (nat * nat) }.
 
 Fixpoint dot (row : list Z) (x : list Q) : Q :=
   match row, x with

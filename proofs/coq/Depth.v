@@ -40,14 +40,14 @@ Proof.
   - rewrite app_nth1 by lia. replace (i + S k)%nat with (S i + k)%nat by lia. apply (H (S i)). simpl. lia.
 Qed.
 
-Theorem later_distance_bound s ts q B : affine s -> nonneg ts -> (0 < length ts)%nat ->
+Theorem later_distance_bound s tau ts q B : affine s -> nonneg ts -> (0 < length ts)%nat ->
   bounds_differences s (length ts) q -> 0 <= q -> q <= 1 -> 0 <= B ->
-  displacement s * total ts <= B * (1 - q) ->
-  forall k, bounded_from s k ts -> forall more, bounds_distance s (more + k) B.
+  displacement s tau * total ts <= B * (1 - q) ->
+  forall k, bounded_from s k ts -> forall more, bounds_distance s tau (more + k) B.
 Proof.
   intros A N C D Q0 Q1 B0 E k U more. revert ts k N C D E U.
   induction more as [|more IH]; intros ts k N C D E U.
-  - now apply (distance_bound s k ts q B).
+  - now apply (distance_bound s tau k ts q B).
   - replace (S more + k)%nat with (more + S k)%nat by lia.
     apply (IH (shifted q ts)).
     + now apply shifted_nonneg.
@@ -58,8 +58,8 @@ Proof.
     + now apply shifted_bounded.
 Qed.
 
-Theorem bounds_later_distances_by s M c k B : distance_bounded s M c k B = true ->
-  forall m, (k <= m)%nat -> bounds_distance s m B.
+Theorem bounds_later_distances_by s tau M c k B : distance_bounded s tau M c k B = true ->
+  forall m, (k <= m)%nat -> bounds_distance s tau m B.
 Proof.
   unfold distance_bounded. intros H m L.
   repeat match type of H with (_ && _)%bool = true =>
@@ -67,7 +67,7 @@ Proof.
   apply is_affine_correct in H. apply Nat.eqb_eq in G6. apply Nat.ltb_lt in G5. apply Nat.leb_le in G4.
   rewrite Qle_bool_iff in *.
   replace m with ((m - k) + k)%nat by lia.
-  apply (later_distance_bound s (block_from s M c k) (Qred (contraction s c)) B); unfold block_from; try assumption.
+  apply (later_distance_bound s tau (block_from s M c k) (Qred (contraction s c)) B); unfold block_from; try assumption.
   - apply Forall_forall. rewrite forallb_forall in G3. intros t I. apply Qle_bool_iff, G3, I.
   - lia.
   - rewrite G6. eapply bounds_wd; [symmetry; apply Qred_correct|]. now apply contraction_bounds.
@@ -75,25 +75,25 @@ Proof.
 Qed.
 
 (** The depth k keeps epsilon for points with differences of at most b. *)
-Definition depth_suffices (s : scheme) (M c k : nat) (b epsilon : Q) : bool :=
-  negb (Qle_bool b 0) && distance_bounded s M c k (epsilon / b).
+Definition depth_suffices (s : scheme) (tau : Q) (M c k : nat) (b epsilon : Q) : bool :=
+  negb (Qle_bool b 0) && distance_bounded s tau M c k (epsilon / b).
 
-Theorem sufficient_depth_by s M c k b epsilon :
-  depth_suffices s M c k b epsilon = true -> sufficient_depth s b epsilon k.
+Theorem sufficient_depth_by s tau M c k b epsilon :
+  depth_suffices s tau M c k b epsilon = true -> sufficient_depth s tau b epsilon k.
 Proof.
   unfold depth_suffices. intros H. apply andb_prop in H. destruct H as [P H].
   assert (b0 : 0 < b).
   { apply Qnot_le_lt. intros F. apply Qle_bool_iff in F. rewrite F in P. discriminate. }
   intros x t m l X [L R].
-  pose proof (bounds_later_distances_by s M c k _ H m L x b t l X R) as D.
+  pose proof (bounds_later_distances_by s tau M c k _ H m L x b t l X R) as D.
   eapply Qle_trans; [exact D|]. apply Qle_lteq. right. field. lra.
 Qed.
 
 (** The least depth that the bound of [distance_bounded] shows: one level less does not suffice for this bound. *)
-Definition least_depth (s : scheme) (M c k : nat) (b epsilon : Q) : bool :=
-  depth_suffices s M c k b epsilon &&
-  match k with O => true | S k => negb (depth_suffices s M c k b epsilon) end.
+Definition least_depth (s : scheme) (tau : Q) (M c k : nat) (b epsilon : Q) : bool :=
+  depth_suffices s tau M c k b epsilon &&
+  match k with O => true | S k => negb (depth_suffices s tau M c k b epsilon) end.
 
-Theorem least_depth_by s M c k b epsilon : least_depth s M c k b epsilon = true ->
-  sufficient_depth s b epsilon k.
-Proof. unfold least_depth. intros H. apply andb_prop in H. now apply (sufficient_depth_by s M c), H. Qed.
+Theorem least_depth_by s tau M c k b epsilon : least_depth s tau M c k b epsilon = true ->
+  sufficient_depth s tau b epsilon k.
+Proof. unfold least_depth. intros H. apply andb_prop in H. now apply (sufficient_depth_by s tau M c), H. Qed.

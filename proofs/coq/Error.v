@@ -24,29 +24,51 @@ Proof.
   assert (E : u == inject_Z i + 1) by lra. rewrite E. ring.
 Qed.
 
-(** * The displacement *)
-
-(** n·d times the distance of a new point to the polygon before, as a combination of points from [start] on. *)
-Definition displacement_row (s : scheme) (r : nat) : list Z :=
-  add (repeat 0%Z (Z.to_nat (offset s)) ++ scale (arityZ s) (nth r (rules s) []))
-    (repeat 0%Z (Z.to_nat (- offset s)) ++
-      scale (- Zpos (denominator s)) [(arityZ s - Z.of_nat r)%Z; Z.of_nat r]).
-
-Definition displacement (s : scheme) : Q :=
-  greatest (map (fun r => norm1 (parts (displacement_row s r))) (seq 0 (arity s)))
-    # (Pos.of_nat (arity s) * denominator s).
-
-Lemma sum_zeros k u : sum (repeat 0%Z k ++ u) = sum u.
-Proof. induction k; [reflexivity|]. change (sum (0%Z :: (repeat 0%Z k ++ u)) = sum u). simpl. exact IHk. Qed.
-
-Lemma displacement_row_sum s r : affine s -> (r < arity s)%nat -> sum (displacement_row s r) = 0%Z.
+(** An interpolant is affine from one integer to the next. *)
+Lemma interpolant_mix x i u v theta : 0 <= u - inject_Z i -> u - inject_Z i <= 1 -> 0 <= v - inject_Z i ->
+  v - inject_Z i <= 1 -> 0 <= theta -> theta <= 1 ->
+  interpolant x ((1 - theta) * u + theta * v) == (1 - theta) * interpolant x u + theta * interpolant x v.
 Proof.
-  intros A L. unfold displacement_row. rewrite sum_add, !sum_zeros, !sum_scale, rule_sum by assumption.
-  unfold sum. simpl. lia.
+  intros U U' V V' T T'. rewrite (interpolant_between x i u U U'), (interpolant_between x i v V V').
+  rewrite (interpolant_between x i) by nra. ring.
 Qed.
 
-Definition deviation (s : scheme) (y : points) (q : Z) (r : nat) : Q :=
-  refine s y (arityZ s * q + Z.of_nat r)%Z - (y q + (Z.of_nat r # Pos.of_nat (arity s)) * (y (q + 1)%Z - y q)).
+(** * The displacement
+
+    With sigma = (n - 1) tau = p/q, the polygons of levels 0 and 1 differ at the parameter u + tau by
+    f(u) = interpolant (refine y) (n u + sigma) - interpolant y u. On the grid of step 1/(n q) both terms are affine from
+    one grid point to the next, so that f is greatest at a grid point i + j/(n q), 0 <= j < n q. *)
+
+Definition from (start : Z) (row : list Z) : list Z := repeat 0%Z (Z.to_nat start) ++ row.
+
+Definition rule (s : scheme) (m : Z) : list Z := nth (Z.to_nat (m mod arityZ s)) (rules s) [].
+
+(** The first index that f(i + j/(n q)) uses, less i. *)
+Definition displacement_start (s : scheme) (p : Z) (q : positive) (j : Z) : Z :=
+  Z.min 0 ((j + p) / Zpos q / arityZ s + offset s).
+
+(** n·q·d times f(i + j/(n q)), as a combination of points. *)
+Definition displacement_row (s : scheme) (p : Z) (q : positive) (j : Z) : list Z :=
+  let n := arityZ s in
+  let m := ((j + p) / Zpos q)%Z in
+  let e := ((j + p) mod Zpos q)%Z in
+  let start := displacement_start s p q j in
+  add (from (m / n + offset s - start) (scale (n * (Zpos q - e)) (rule s m)))
+    (add (from ((m + 1) / n + offset s - start) (scale (n * e) (rule s (m + 1))))
+      (from (- start) (scale (- Zpos (denominator s)) [n * Zpos q - j; j]%Z))).
+
+Definition displacement (s : scheme) (tau : Q) : Q :=
+  let sigma := Qred (inject_Z (arityZ s - 1) * tau) in
+  let p := Qnum sigma in
+  let q := Qden sigma in
+  greatest (map (fun j => norm1 (parts (displacement_row s p q (Z.of_nat j)))) (seq 0 (arity s * Pos.to_nat q)))
+    # (Pos.of_nat (arity s) * q * denominator s).
+
+Lemma sum_from k u : sum (from k u) = sum u.
+Proof. unfold from. induction (Z.to_nat k) as [|m IH]; [reflexivity|]. simpl. exact IH. Qed.
+
+Lemma combination_from k u x i : (0 <= k)%Z -> combination (from k u) x i == combination u x (i + k).
+Proof. intros L. unfold from. rewrite combination_zeros, Z2Nat.id by exact L. reflexivity. Qed.
 
 Lemma over_arity s r : affine s -> inject_Z (arityZ s) * (r # Pos.of_nat (arity s)) == inject_Z r.
 Proof.
@@ -54,49 +76,118 @@ Proof.
   replace (Zpos (Pos.of_nat (arity s))) with (Z.of_nat (arity s)) by lia. lia.
 Qed.
 
-Lemma deviation_row s y q r : affine s -> (r < arity s)%nat ->
-  deviation s y q r ==
-  (1 # (Pos.of_nat (arity s) * denominator s)) *
-    combination (displacement_row s r) y (q + Z.min 0 (offset s)).
+Lemma over_unit q : inject_Z (Zpos q) * (1 # q) == 1.
+Proof. unfold Qeq, inject_Z. simpl. lia. Qed.
+
+Lemma refine_rule s y i m : (0 < arityZ s)%Z -> refine s y (arityZ s * i + m)%Z =
+  (1 # denominator s) * combination (rule s m) y (i + (m / arityZ s + offset s)).
 Proof.
-  intros A L. pose proof (proj1 A) as two. unfold deviation. rewrite refine_at by lia.
-  unfold displacement_row.
-  rewrite combination_add, !combination_zeros, !combination_scale.
-  replace (q + Z.min 0 (offset s) + Z.of_nat (Z.to_nat (offset s)))%Z with (q + offset s)%Z by lia.
-  replace (q + Z.min 0 (offset s) + Z.of_nat (Z.to_nat (- offset s)))%Z with q by lia.
-  cbn [combination]. rewrite inject_Z_opp.
-  set (X := combination (nth r (rules s) []) y (q + offset s)).
-  pose proof (over_arity s (Z.of_nat r) A) as R. pose proof (over_arity s 1 A) as O.
-  change (inject_Z 1) with 1 in O.
-  set (n := inject_Z (arityZ s)) in *.
-  assert (D : (1 # denominator s) * inject_Z (Zpos (denominator s)) == 1).
-  { unfold Qeq, Qmult, inject_Z. simpl. lia. }
-  set (d := inject_Z (Zpos (denominator s))) in *.
-  assert (P : (1 # (Pos.of_nat (arity s) * denominator s)) == (1 # Pos.of_nat (arity s)) * (1 # denominator s))
-    by reflexivity.
-  rewrite P. clear P.
-  assert (Rr : (Z.of_nat r # Pos.of_nat (arity s)) == inject_Z (Z.of_nat r) * (1 # Pos.of_nat (arity s))).
-  { unfold Qeq, Qmult, inject_Z. simpl. lia. }
-  rewrite Rr. unfold Zminus. rewrite inject_Z_plus, inject_Z_opp. fold n.
-  set (w := 1 # Pos.of_nat (arity s)) in *. set (e := 1 # denominator s) in *. set (k := inject_Z (Z.of_nat r)) in *.
-  transitivity ((n * w) * (e * X) - (e * d) * ((n * w) * y q - w * k * y q + w * k * y (q + 1)%Z)).
-  - rewrite O, D. ring.
-  - ring.
+  intros N. unfold refine, rule.
+  assert (E : ((arityZ s * i + m) mod arityZ s = m mod arityZ s)%Z).
+  { rewrite Z.add_comm, (Z.mul_comm (arityZ s)). apply Z.mod_add. lia. }
+  assert (F : ((arityZ s * i + m) / arityZ s = i + m / arityZ s)%Z).
+  { rewrite Z.add_comm, (Z.mul_comm (arityZ s)), Z.div_add; lia. }
+  rewrite E, F. now rewrite Z.add_assoc.
 Qed.
 
-Lemma deviation_bound s y b q r : affine s -> (r < arity s)%nat -> at_most (difference y) b ->
-  Qabs (deviation s y q r) <= displacement s * b.
-Proof.
-  intros A L H. rewrite deviation_row, by_parts_zero by (try apply displacement_row_sum; assumption).
-  rewrite Qabs_Qmult. change (Qabs (1 # ?d)) with (1 # d).
-  eapply Qle_trans; [apply Qmult_le_l'; [discriminate | apply combination_bound, H]|].
-  rewrite Qmult_assoc. apply Qmult_le_compat_r; [|eapply at_most_nonneg, H].
-  unfold displacement. unfold Qle, Qmult, inject_Z. cbn -[Z.mul Pos.mul Pos.of_nat seq].
-  assert (norm1 (parts (displacement_row s r)) <=
-    greatest (map (fun r => norm1 (parts (displacement_row s r))) (seq 0 (arity s))))%Z
-    by (apply (greatest_ge (fun r => norm1 (parts (displacement_row s r)))); lia).
-  rewrite Pos.mul_1_r, Z.mul_1_l. apply Z.mul_le_mono_nonneg_r; [lia | assumption].
-Qed.
+Section Grid.
+  Variables (s : scheme) (p : Z) (q : positive).
+  Hypothesis A : affine s.
+
+  Let positive_arity : (0 < arityZ s)%Z.
+  Proof. pose proof (proj1 A). unfold arityZ. lia. Qed.
+
+  (** The step of the grid. *)
+  Let h : Q := 1 # (Pos.of_nat (arity s) * q).
+
+  Lemma grid_step : inject_Z (arityZ s) * inject_Z (Zpos q) * h == 1 /\ inject_Z (arityZ s) * h == 1 # q.
+  Proof.
+    assert (E : inject_Z (arityZ s) * h == 1 # q).
+    { assert (W : h == (1 # Pos.of_nat (arity s)) * (1 # q)) by reflexivity. rewrite W, Qmult_assoc, over_arity by exact A.
+      change (inject_Z 1) with 1. ring. }
+    split; [|exact E]. rewrite <- (over_unit q), <- E. ring.
+  Qed.
+
+  Lemma rule_row_sum m : sum (rule s m) = Zpos (denominator s).
+  Proof.
+    apply rule_sum; [exact A|]. pose proof (Z.mod_pos_bound m (arityZ s) positive_arity). unfold arityZ in *. lia.
+  Qed.
+
+  Lemma displacement_row_sum j : sum (displacement_row s p q j) = 0%Z.
+  Proof. unfold displacement_row. rewrite !sum_add, !sum_from, !sum_scale, !rule_row_sum. cbn [sum fold_right]. ring. Qed.
+
+  (** f at a grid point; u and v are the places there of the two interpolants. *)
+  Definition grid_point (y : points) (J : Z) : Q :=
+    interpolant (refine s y) (inject_Z (J + p) * (1 # q)) - interpolant y (inject_Z J * h).
+
+  Lemma grid_row y i j : (0 <= j < arityZ s * Zpos q)%Z ->
+    grid_point y (arityZ s * Zpos q * i + j) == (1 # (Pos.of_nat (arity s) * q * denominator s)) *
+      combination (displacement_row s p q j) y (i + displacement_start s p q j).
+  Proof.
+    intros J. destruct grid_step as [H1 H2]. unfold grid_point.
+    pose proof (Z.mod_pos_bound (j + p) (Zpos q) ltac:(lia)) as E. pose proof (Z.div_mod (j + p) (Zpos q) ltac:(lia)) as M.
+    unfold displacement_row.
+    set (m := ((j + p) / Zpos q)%Z) in *. set (e := ((j + p) mod Zpos q)%Z) in *.
+    set (start := displacement_start s p q j).
+    assert (S : (start <= 0 /\ start <= m / arityZ s + offset s)%Z)
+      by (unfold start, displacement_start; fold m; lia).
+    assert (S' : (m / arityZ s <= (m + 1) / arityZ s)%Z) by (apply Z.div_le_mono; lia).
+    rewrite !combination_add, !combination_from, !combination_scale by lia.
+    pose proof (over_unit q) as U.
+    assert (Hq : 0 < 1 # q) by reflexivity. assert (Hh : 0 < h) by reflexivity.
+    assert (V : inject_Z (arityZ s * Zpos q * i + j + p) * (1 # q) ==
+      inject_Z (arityZ s * i + m) + inject_Z e * (1 # q)).
+    { replace (arityZ s * Zpos q * i + j + p)%Z with (Zpos q * (arityZ s * i + m) + e)%Z by lia.
+      rewrite inject_Z_plus, inject_Z_mult.
+      transitivity ((inject_Z (Zpos q) * (1 # q)) * inject_Z (arityZ s * i + m) + inject_Z e * (1 # q)); [ring|].
+      rewrite U. ring. }
+    assert (W : inject_Z (arityZ s * Zpos q * i + j) * h == inject_Z i + inject_Z j * h).
+    { rewrite inject_Z_plus, !inject_Z_mult.
+      transitivity ((inject_Z (arityZ s) * inject_Z (Zpos q) * h) * inject_Z i + inject_Z j * h); [ring|].
+      rewrite H1. ring. }
+    assert (E0 : 0 <= inject_Z e) by (apply inject_Z_nonneg; lia).
+    assert (E1 : inject_Z e <= inject_Z (Zpos q)) by (rewrite <- Zle_Qle; lia).
+    assert (J0 : 0 <= inject_Z j) by (apply inject_Z_nonneg; lia).
+    assert (J1 : inject_Z j <= inject_Z (arityZ s) * inject_Z (Zpos q)) by (rewrite <- inject_Z_mult, <- Zle_Qle; lia).
+    rewrite (interpolant_between _ (arityZ s * i + m)) by (rewrite V; nra).
+    rewrite (interpolant_between y i) by (rewrite W; nra).
+    rewrite V, W. replace (arityZ s * i + m + 1)%Z with (arityZ s * i + (m + 1))%Z by lia.
+    rewrite !refine_rule by exact positive_arity.
+    replace (i + start + (m / arityZ s + offset s - start))%Z with (i + (m / arityZ s + offset s))%Z by lia.
+    replace (i + start + ((m + 1) / arityZ s + offset s - start))%Z with (i + ((m + 1) / arityZ s + offset s))%Z by lia.
+    replace (i + start + - start)%Z with i by lia.
+    set (X := combination (rule s m) y _). set (X' := combination (rule s (m + 1)) y _).
+    cbn [combination]. unfold Zminus. rewrite ?inject_Z_opp, ?inject_Z_plus, ?inject_Z_opp, ?inject_Z_mult.
+    rewrite ?inject_Z_plus, ?inject_Z_opp.
+    pose proof (over_unit (denominator s)) as D.
+    assert (P : (1 # (Pos.of_nat (arity s) * q * denominator s)) == h * (1 # denominator s)) by reflexivity.
+    rewrite P. clear P.
+    set (n := inject_Z (arityZ s)) in *. set (Z := inject_Z (Zpos q)) in *. set (d := inject_Z (Zpos (denominator s))) in *.
+    set (g := 1 # denominator s) in *. set (k := 1 # q) in *. set (f := inject_Z e) in *. set (a := inject_Z j) in *.
+    transitivity ((k * Z) * g * X - k * f * g * X + k * f * g * X' - (d * g) * ((n * Z * h) * y i - a * h * y i + a * h * y (i + 1)%Z)).
+    - assert (U' : k * Z == 1) by (rewrite <- U; ring). assert (D' : d * g == 1) by exact D. rewrite U', D', H1. ring.
+    - rewrite <- H2. ring.
+  Qed.
+
+  Lemma grid_bound y b J : at_most (difference y) b ->
+    Qabs (grid_point y J) <=
+      (greatest (map (fun j => norm1 (parts (displacement_row s p q (Z.of_nat j)))) (seq 0 (arity s * Pos.to_nat q)))
+        # (Pos.of_nat (arity s) * q * denominator s)) * b.
+  Proof.
+    intros H. set (N := (arityZ s * Zpos q)%Z).
+    assert (N0 : (0 < N)%Z) by (unfold N; lia).
+    pose proof (Z.mod_pos_bound J N N0) as R. pose proof (Z.div_mod J N ltac:(lia)) as E.
+    rewrite E. unfold N at 1. rewrite grid_row by exact R. fold N.
+    rewrite by_parts_zero by apply displacement_row_sum.
+    rewrite Qabs_Qmult. change (Qabs (1 # ?d)) with (1 # d).
+    eapply Qle_trans; [apply Qmult_le_l'; [discriminate | apply combination_bound, H]|].
+    rewrite Qmult_assoc. apply Qmult_le_compat_r; [|eapply at_most_nonneg, H].
+    unfold Qle, Qmult, inject_Z. cbn -[Z.mul Pos.mul Pos.of_nat seq Nat.mul].
+    pose proof (greatest_ge (fun j => norm1 (parts (displacement_row s p q (Z.of_nat j)))) (arity s * Pos.to_nat q) 0
+      (Z.to_nat (J mod N)) ltac:(unfold N, arityZ in *; lia)) as G. cbv beta in G. rewrite Z2Nat.id in G by lia.
+    rewrite Pos.mul_1_r, Z.mul_1_l. apply Z.mul_le_mono_nonneg_r; [lia | exact G].
+  Qed.
+End Grid.
 
 (** * One step *)
 
@@ -106,51 +197,56 @@ Proof.
   intros L H. rewrite !Qabs_Qle_condition. intros [? ?] [? ?]. split; nra.
 Qed.
 
-Theorem step_bound s y b u : affine s -> at_most (difference y) b ->
-  Qabs (interpolant (refine s y) (inject_Z (arityZ s) * u) - interpolant y u) <= displacement s * b.
+(** A multiple of a unit fraction is between two integers that the quotient gives, and so is the next one. *)
+Lemma within_cell J q : 0 <= inject_Z J * (1 # q) - inject_Z (J / Zpos q) /\
+  inject_Z (J + 1) * (1 # q) - inject_Z (J / Zpos q) <= 1.
 Proof.
-  intros A H. pose proof (proj1 A) as two.
-  set (v := inject_Z (arityZ s) * u). set (j := Qfloor v).
-  destruct (place s two j) as (q & r & L & E).
-  set (theta := v - inject_Z j).
-  assert (T : 0 <= theta /\ theta <= 1).
+  pose proof (Z.mod_pos_bound J (Zpos q) ltac:(lia)) as R. pose proof (Z.div_mod J (Zpos q) ltac:(lia)) as E.
+  set (i := (J / Zpos q)%Z) in *. set (e := (J mod Zpos q)%Z) in *.
+  assert (X : forall z, inject_Z (Zpos q * i + z) * (1 # q) - inject_Z i == inject_Z z * (1 # q)).
+  { intros z. rewrite inject_Z_plus, inject_Z_mult.
+    transitivity (inject_Z i * (inject_Z (Zpos q) * (1 # q) - 1) + inject_Z z * (1 # q)); [ring|].
+    rewrite over_unit. ring. }
+  assert (Q0 : 0 < 1 # q) by reflexivity.
+  split.
+  - rewrite E, X. apply Qmult_le_0_compat; [apply inject_Z_nonneg; lia | lra].
+  - replace (J + 1)%Z with (Zpos q * i + (e + 1))%Z by lia. rewrite X.
+    rewrite <- (over_unit q). apply Qmult_le_compat_r; [rewrite <- Zle_Qle; lia | lra].
+Qed.
+
+Theorem step_bound s tau y b u : affine s -> at_most (difference y) b ->
+  Qabs (interpolant (refine s y) (inject_Z (arityZ s) * u + inject_Z (arityZ s - 1) * tau) - interpolant y u)
+    <= displacement s tau * b.
+Proof.
+  intros A H. unfold displacement. set (sigma := Qred _). set (p := Qnum sigma). set (q := Qden sigma).
+  assert (S : inject_Z (arityZ s - 1) * tau == inject_Z p * (1 # q)).
+  { unfold p, q. rewrite <- (Qred_correct (inject_Z (arityZ s - 1) * tau)). fold sigma. unfold Qeq, Qmult, inject_Z. simpl. lia. }
+  set (h := 1 # (Pos.of_nat (arity s) * q)).
+  destruct (grid_step s q A) as [H1 H2]. fold h in H1, H2.
+  set (n := inject_Z (arityZ s)) in *.
+  set (v := n * inject_Z (Zpos q) * u). set (J := Qfloor v). set (theta := v - inject_Z J).
+  assert (0 <= theta /\ theta <= 1) as [T0 T1].
   { pose proof (Qfloor_le v). pose proof (Qlt_floor v). rewrite inject_Z_plus in *.
-    change (inject_Z 1) with 1 in *. unfold theta, j. split; lra. }
-  set (w := 1 # Pos.of_nat (arity s)).
-  assert (W : inject_Z (arityZ s) * w == 1) by (apply (over_arity s 1 A)).
-  assert (U : u == inject_Z q + w * (inject_Z (Z.of_nat r) + theta)).
-  { unfold theta. rewrite E, inject_Z_plus, inject_Z_mult. unfold v.
-    transitivity ((inject_Z (arityZ s) * w) * u + (1 - inject_Z (arityZ s) * w) * inject_Z q); [rewrite W; ring|ring]. }
-  assert (Wp : 0 < w) by (unfold w; reflexivity).
-  assert (Rn : inject_Z (Z.of_nat r) + 1 <= inject_Z (arityZ s)).
-  { change 1 with (inject_Z 1). rewrite <- inject_Z_plus, <- Zle_Qle. unfold arityZ. lia. }
-  assert (R0 : 0 <= inject_Z (Z.of_nat r)) by (apply inject_Z_nonneg; lia).
-  rewrite (interpolant_between y q u).
-  2:{ rewrite U. assert (0 <= w * (inject_Z (Z.of_nat r) + theta)) by (apply Qmult_le_0_compat; lra). lra. }
-  2:{ rewrite U. assert (w * (inject_Z (Z.of_nat r) + theta) <= w * inject_Z (arityZ s))
-        by (apply Qmult_le_l'; lra). lra. }
-  unfold interpolant. fold j. fold theta.
-  assert (Rw : (Z.of_nat r # Pos.of_nat (arity s)) == inject_Z (Z.of_nat r) * w).
-  { unfold Qeq, Qmult, inject_Z, w. simpl. lia. }
-  destruct T as [T0 T1].
-  assert (D1 : Qabs (refine s y j - (y q + inject_Z (Z.of_nat r) * w * (y (q + 1)%Z - y q))) <= displacement s * b).
-  { rewrite <- Rw, E. apply (deviation_bound s y b q r); assumption. }
-  assert (D2 : Qabs (refine s y (j + 1)%Z - (y q + (inject_Z (Z.of_nat r) + 1) * w * (y (q + 1)%Z - y q)))
-      <= displacement s * b).
-  { destruct (Nat.eq_dec (S r) (arity s)) as [F|F].
-    - assert (G : inject_Z (Z.of_nat r) + 1 == inject_Z (arityZ s)).
-      { change 1 with (inject_Z 1). rewrite <- inject_Z_plus. unfold arityZ. now replace (Z.of_nat r + 1)%Z with (Z.of_nat (arity s)) by lia. }
-      rewrite G, W.
-      replace (j + 1)%Z with (arityZ s * (q + 1) + Z.of_nat 0)%Z by (unfold arityZ in *; lia).
-      pose proof (deviation_bound s y b (q + 1) 0 A ltac:(lia) H) as V. unfold deviation in V.
-      eapply Qle_trans; [|exact V]. apply Qle_lteq. right. apply Qabs_wd.
-      assert (Z0 : (Z.of_nat 0 # Pos.of_nat (arity s)) == 0) by reflexivity. rewrite Z0. ring.
-    - assert (G : (Z.of_nat (S r) # Pos.of_nat (arity s)) == (inject_Z (Z.of_nat r) + 1) * w).
-      { change 1 with (inject_Z 1). rewrite <- inject_Z_plus. unfold Qeq, Qmult, inject_Z, w. simpl. lia. }
-      rewrite <- G. replace (j + 1)%Z with (arityZ s * q + Z.of_nat (S r))%Z by lia.
-      apply (deviation_bound s y b q (S r)); [assumption|lia|assumption]. }
-  pose proof (mix _ _ theta _ T0 T1 D1 D2) as M. eapply Qle_trans; [|exact M]. apply Qle_lteq. right. apply Qabs_wd.
-  rewrite U at 1. ring.
+    change (inject_Z 1) with 1 in *. unfold theta, J. split; lra. }
+  assert (U : u == (1 - theta) * (inject_Z J * h) + theta * (inject_Z (J + 1) * h)).
+  { rewrite inject_Z_plus. change (inject_Z 1) with 1.
+    transitivity (v * h); [unfold v; rewrite <- (Qmult_1_l u) at 1; rewrite <- H1; ring | unfold theta; ring]. }
+  assert (V : n * u + inject_Z (arityZ s - 1) * tau ==
+    (1 - theta) * (inject_Z (J + p) * (1 # q)) + theta * (inject_Z (J + 1 + p) * (1 # q))).
+  { rewrite S, U, <- H2, !inject_Z_plus. change (inject_Z 1) with 1. ring. }
+  rewrite (interpolant_param _ _ _ V), (interpolant_param y _ _ U).
+  pose proof (within_cell (J + p) q) as [L1 L2]. pose proof (within_cell J (Pos.of_nat (arity s) * q)) as [L3 L4].
+  fold h in L3, L4. replace (J + p + 1)%Z with (J + 1 + p)%Z in L2 by lia.
+  assert (Q0 : 0 < 1 # q) by reflexivity. assert (h0 : 0 < h) by reflexivity.
+  assert (M1 : inject_Z (J + 1 + p) * (1 # q) == inject_Z (J + p) * (1 # q) + (1 # q)).
+  { rewrite !inject_Z_plus. change (inject_Z 1) with 1. ring. }
+  assert (M2 : inject_Z (J + 1) * h == inject_Z J * h + h).
+  { rewrite !inject_Z_plus. change (inject_Z 1) with 1. ring. }
+  rewrite (interpolant_mix _ ((J + p) / Zpos q)) by lra.
+  rewrite (interpolant_mix _ (J / Zpos (Pos.of_nat (arity s) * q))) by lra.
+  pose proof (grid_bound s p q A y b J H) as G. pose proof (grid_bound s p q A y b (J + 1) H) as G'.
+  pose proof (mix _ _ theta _ T0 T1 G G') as M. eapply Qle_trans; [|exact M]. apply Qle_lteq. right. apply Qabs_wd.
+  unfold grid_point. fold h. ring.
 Qed.
 
 (** * Levels *)
@@ -162,28 +258,35 @@ Lemma scale_levels s k m : inject_Z (arityZ s ^ Z.of_nat (k + m)) ==
   inject_Z (arityZ s ^ Z.of_nat k) * inject_Z (arityZ s ^ Z.of_nat m).
 Proof. rewrite <- inject_Z_mult, Nat2Z.inj_add, Z.pow_add_r by lia. reflexivity. Qed.
 
-Lemma polygon_add s k m x t :
-  polygon s (k + m) x t == polygon s k (level s m x) (inject_Z (arityZ s ^ Z.of_nat m) * t).
+Lemma polygon_add s tau k m x t :
+  polygon s tau (k + m) x t == polygon s tau k (level s m x) (inject_Z (arityZ s ^ Z.of_nat m) * t).
 Proof. unfold polygon. rewrite level_add. apply interpolant_param. rewrite scale_levels. ring. Qed.
 
-Lemma polygon_from s m x t :
-  polygon s m x t == polygon s 0 (level s m x) (inject_Z (arityZ s ^ Z.of_nat m) * t).
-Proof. exact (polygon_add s 0 m x t). Qed.
+Lemma polygon_from s tau m x t :
+  polygon s tau m x t == polygon s tau 0 (level s m x) (inject_Z (arityZ s ^ Z.of_nat m) * t).
+Proof. exact (polygon_add s tau 0 m x t). Qed.
 
-Lemma polygon_step s y b t : affine s -> at_most (difference y) b ->
-  Qabs (polygon s 1 y t - polygon s 0 y t) <= displacement s * b.
+Lemma no_shift s tau t : inject_Z (arityZ s ^ Z.of_nat 0) * t - tau == t - tau.
+Proof. change (arityZ s ^ Z.of_nat 0)%Z with 1%Z. change (inject_Z 1) with 1. ring. Qed.
+
+(** The place in level 1 is n (t - tau) + (n - 1) tau. *)
+Lemma first_shift s tau t : inject_Z (arityZ s ^ Z.of_nat 1) * t - tau ==
+  inject_Z (arityZ s) * (t - tau) + inject_Z (arityZ s - 1) * tau.
 Proof.
-  intros A H. unfold polygon. cbn [level].
-  rewrite (interpolant_param _ (inject_Z (arityZ s ^ Z.of_nat 1) * t) (inject_Z (arityZ s) * t))
-    by (change (Z.of_nat 1) with 1%Z; rewrite Z.pow_1_r; reflexivity).
-  rewrite (interpolant_param _ (inject_Z (arityZ s ^ Z.of_nat 0) * t) t)
-    by (change (arityZ s ^ Z.of_nat 0)%Z with 1%Z; change (inject_Z 1) with 1; ring).
-  now apply step_bound.
+  change (Z.of_nat 1) with 1%Z. rewrite Z.pow_1_r.
+  unfold Z.sub. rewrite inject_Z_plus, inject_Z_opp. change (inject_Z 1) with 1. ring.
 Qed.
 
-Lemma bounds_step_by s k T : affine s -> bounds_differences s k T -> bounds_step s k (displacement s * T).
+Lemma polygon_step s tau y b t : affine s -> at_most (difference y) b ->
+  Qabs (polygon s tau 1 y t - polygon s tau 0 y t) <= displacement s tau * b.
 Proof.
-  intros A H x b t B. change (S k) with (1 + k)%nat. rewrite (polygon_add s 1 k), (polygon_from s k).
+  intros A H. unfold polygon. rewrite (interpolant_param _ _ _ (first_shift s tau t)),
+    (interpolant_param _ _ _ (no_shift s tau t)). now apply step_bound.
+Qed.
+
+Lemma bounds_step_by s tau k T : affine s -> bounds_differences s k T -> bounds_step s tau k (displacement s tau * T).
+Proof.
+  intros A H x b t B. change (S k) with (1 + k)%nat. rewrite (polygon_add s tau 1 k), (polygon_from s tau k).
   rewrite <- Qmult_assoc. apply polygon_step; [exact A | apply H, B].
 Qed.
 
@@ -196,7 +299,7 @@ Definition nonneg (ts : list Q) : Prop := Forall (fun t => 0 <= t) ts.
 Definition block (s : scheme) (y : points) (b : Q) (ts : list Q) : Prop :=
   forall i, (i < length ts)%nat -> at_most (difference (level s i y)) (nth i ts 0 * b).
 
-Lemma displacement_nonneg s : 0 <= displacement s.
+Lemma displacement_nonneg s tau : 0 <= displacement s tau.
 Proof.
   unfold displacement, Qle. simpl. rewrite Z.mul_1_r.
   induction (map _ _); simpl; lia.
@@ -205,53 +308,53 @@ Qed.
 Lemma total_nonneg ts : nonneg ts -> 0 <= total ts.
 Proof. induction 1; simpl; lra. Qed.
 
-Lemma within_block s ts : affine s -> nonneg ts -> forall y b t L, 0 <= b -> block s y b ts ->
-  (L <= length ts)%nat -> Qabs (polygon s L y t - polygon s 0 y t) <= displacement s * total ts * b.
+Lemma within_block s tau ts : affine s -> nonneg ts -> forall y b t L, 0 <= b -> block s y b ts ->
+  (L <= length ts)%nat -> Qabs (polygon s tau L y t - polygon s tau 0 y t) <= displacement s tau * total ts * b.
 Proof.
   intros A N. induction N as [|t0 ts P N IH]; intros y b t L Hb H Le.
   - assert (L = O) as -> by (simpl in Le; lia). rewrite (Qabs_wd _ 0) by ring.
     change (Qabs 0) with 0. simpl. lra.
-  - pose proof (displacement_nonneg s) as S0. pose proof (total_nonneg ts N) as T0.
+  - pose proof (displacement_nonneg s tau) as S0. pose proof (total_nonneg ts N) as T0.
     destruct L as [|L].
     + rewrite (Qabs_wd _ 0) by ring. change (Qabs 0) with 0.
       apply Qmult_le_0_compat; [apply Qmult_le_0_compat; simpl; lra | exact Hb].
-    + rewrite (Qabs_wd _ ((polygon s (L + 1) y t - polygon s 1 y t) + (polygon s 1 y t - polygon s 0 y t)))
+    + rewrite (Qabs_wd _ ((polygon s tau (L + 1) y t - polygon s tau 1 y t) + (polygon s tau 1 y t - polygon s tau 0 y t)))
         by (rewrite Nat.add_1_r; ring).
       eapply Qle_trans; [apply Qabs_triangle|]. simpl total.
-      rewrite (polygon_add s L 1).
-      rewrite (Qmult_plus_distr_r (displacement s)), (Qmult_plus_distr_l (displacement s * t0)), Qplus_comm.
+      rewrite (polygon_add s tau L 1).
+      rewrite (Qmult_plus_distr_r (displacement s tau)), (Qmult_plus_distr_l (displacement s tau * t0)), Qplus_comm.
       apply Qplus_le_compat.
       * rewrite <- Qmult_assoc. apply polygon_step; [exact A|]. apply (H O). simpl. lia.
-      * rewrite (polygon_from s 1). apply IH; [exact Hb | | simpl in Le; lia].
+      * rewrite (polygon_from s tau 1). apply IH; [exact Hb | | simpl in Le; lia].
         intros i I. rewrite <- level_add. rewrite Nat.add_1_r. apply (H (S i)). simpl. lia.
 Qed.
 
 (** All levels: one power of q pays for the levels of one block. *)
-Lemma all_levels s ts q B : affine s -> nonneg ts -> (0 < length ts)%nat ->
+Lemma all_levels s tau ts q B : affine s -> nonneg ts -> (0 < length ts)%nat ->
   bounds_differences s (length ts) q -> 0 <= q -> q <= 1 -> 0 <= B ->
-  displacement s * total ts <= B * (1 - q) ->
+  displacement s tau * total ts <= B * (1 - q) ->
   forall fuel L y b t, (L < fuel)%nat -> 0 <= b -> block s y b ts ->
-  Qabs (polygon s L y t - polygon s 0 y t) <= B * b.
+  Qabs (polygon s tau L y t - polygon s tau 0 y t) <= B * b.
 Proof.
   intros A N C D Q0 Q1 B0 E. induction fuel as [|fuel IH]; intros L y b t F Hb H; [lia|].
   set (c := length ts) in *.
   destruct (Nat.le_gt_cases L c) as [G|G].
-  - eapply Qle_trans; [apply (within_block s ts); eassumption|].
+  - eapply Qle_trans; [apply (within_block s tau ts); eassumption|].
     apply Qmult_le_compat_r; [|exact Hb]. eapply Qle_trans; [exact E|]. nra.
   - assert (X : (L = (L - c) + c)%nat) by lia.
-    rewrite (Qabs_wd _ ((polygon s ((L - c) + c) y t - polygon s c y t) + (polygon s c y t - polygon s 0 y t)))
+    rewrite (Qabs_wd _ ((polygon s tau ((L - c) + c) y t - polygon s tau c y t) + (polygon s tau c y t - polygon s tau 0 y t)))
       by (rewrite <- X; ring).
     eapply Qle_trans; [apply Qabs_triangle|].
-    rewrite (polygon_add s (L - c) c).
+    rewrite (polygon_add s tau (L - c) c).
     assert (H' : block s (level s c y) (q * b) ts).
     { intros i I j. rewrite <- level_add, Nat.add_comm, level_add.
       setoid_replace (nth i ts 0 * (q * b)) with (q * (nth i ts 0 * b)) by ring.
       apply D. apply H. exact I. }
     pose proof (IH (L - c)%nat (level s c y) (q * b) (inject_Z (arityZ s ^ Z.of_nat c) * t) ltac:(lia)
       ltac:(apply Qmult_le_0_compat; assumption) H') as I1.
-    rewrite <- (polygon_from s c) in I1.
-    pose proof (within_block s ts A N y b t c Hb H (le_n c)) as I2.
-    assert (I3 : displacement s * total ts * b <= B * (1 - q) * b) by (apply Qmult_le_compat_r; assumption).
+    rewrite <- (polygon_from s tau c) in I1.
+    pose proof (within_block s tau ts A N y b t c Hb H (le_n c)) as I2.
+    assert (I3 : displacement s tau * total ts * b <= B * (1 - q) * b) by (apply Qmult_le_compat_r; assumption).
     eapply Qle_trans; [apply Qplus_le_compat; [exact I1 | eapply Qle_trans; [exact I2 | exact I3]]|].
     apply Qle_lteq. right. ring.
 Qed.
@@ -260,14 +363,14 @@ Qed.
 Definition bounded_from (s : scheme) (k : nat) (ts : list Q) : Prop :=
   forall i, (i < length ts)%nat -> bounds_differences s (i + k) (nth i ts 0).
 
-Theorem distance_bound s k ts q B : affine s -> nonneg ts -> (0 < length ts)%nat ->
+Theorem distance_bound s tau k ts q B : affine s -> nonneg ts -> (0 < length ts)%nat ->
   bounds_differences s (length ts) q -> 0 <= q -> q <= 1 -> 0 <= B ->
-  bounded_from s k ts -> displacement s * total ts <= B * (1 - q) -> bounds_distance s k B.
+  bounded_from s k ts -> displacement s tau * total ts <= B * (1 - q) -> bounds_distance s tau k B.
 Proof.
   intros A N C D Q0 Q1 B0 U E x b t l H L.
   assert (X : (l = (l - k) + k)%nat) by lia. rewrite X.
-  rewrite (polygon_add s (l - k) k), (polygon_from s k).
-  apply (all_levels s ts q B A N C D Q0 Q1 B0 E (S (l - k))); [lia | eapply at_most_nonneg, H |].
+  rewrite (polygon_add s tau (l - k) k), (polygon_from s tau k).
+  apply (all_levels s tau ts q B A N C D Q0 Q1 B0 E (S (l - k))); [lia | eapply at_most_nonneg, H |].
   intros i I. rewrite <- level_add. apply U; assumption.
 Qed.
 
@@ -392,13 +495,13 @@ Qed.
 Definition block_from (s : scheme) (M c k : nat) : list Q :=
   firstn c (skipn k (uppers s M (k + c))).
 
-Definition distance_bounded (s : scheme) (M c k : nat) (B : Q) : bool :=
+Definition distance_bounded (s : scheme) (tau : Q) (M c k : nat) (B : Q) : bool :=
   let us := uppers s M (k + c) in
   let ts := firstn c (skipn k us) in
   let q := Qred (contraction s c) in
   is_affine s && Nat.eqb (length ts) c && Nat.ltb 0 c && Nat.leb (k + c) (length us) &&
   forallb (fun t => Qle_bool 0 t) ts &&
-  Qle_bool 0 q && Qle_bool q 1 && Qle_bool 0 B && Qle_bool (displacement s * total ts) (B * (1 - q)).
+  Qle_bool 0 q && Qle_bool q 1 && Qle_bool 0 B && Qle_bool (displacement s tau * total ts) (B * (1 - q)).
 
 Lemma nth_firstn_skipn (us : list Q) : forall c k i, (i < c)%nat -> nth i (firstn c (skipn k us)) 0 = nth (k + i) us 0.
 Proof.
@@ -417,14 +520,14 @@ Proof.
   rewrite nth_firstn_skipn by lia. rewrite (Nat.add_comm i k). apply uppers_correct; [exact A|lia].
 Qed.
 
-Theorem bounds_distance_by s M c k B : distance_bounded s M c k B = true -> bounds_distance s k B.
+Theorem bounds_distance_by s tau M c k B : distance_bounded s tau M c k B = true -> bounds_distance s tau k B.
 Proof.
   unfold distance_bounded. intros H.
   repeat match type of H with (_ && _)%bool = true =>
     apply andb_prop in H; let G := fresh "G" in destruct H as [H G] end.
   apply is_affine_correct in H. apply Nat.eqb_eq in G6. apply Nat.ltb_lt in G5. apply Nat.leb_le in G4.
   rewrite Qle_bool_iff in *.
-  apply (distance_bound s k (block_from s M c k) (Qred (contraction s c)) B); unfold block_from; try assumption.
+  apply (distance_bound s tau k (block_from s M c k) (Qred (contraction s c)) B); unfold block_from; try assumption.
   - apply Forall_forall. rewrite forallb_forall in G3. intros t I. apply Qle_bool_iff, G3, I.
   - lia.
   - rewrite G6. eapply bounds_wd; [symmetry; apply Qred_correct|]. now apply contraction_bounds.

@@ -1,7 +1,7 @@
 (** Every definition at work: none of them is empty, and none holds of everything. *)
 
 Require Import ZArith QArith Qabs Qround List Lia Lqa.
-From Subcert Require Import Definitions Core Error Depth Refutation Net NetBound Ring.
+From Subcert Require Import Definitions Core Error Natural Depth Refutation Net NetBound Ring.
 Import ListNotations.
 Local Open Scope Q_scope.
 
@@ -84,7 +84,7 @@ Proof. apply backwards_constant_by. vm_compute. reflexivity. Qed.
 
 Definition diverging := Scheme 1 0 [[2; -1]; [2; -1]]%Z.
 
-Definition peak : points := fun i => if Z.eqb i 0 then 1 else 0.
+Definition edge : points := fun i => if Z.ltb i 0 then 0 else 1.
 
 Lemma diverging_step x : refine diverging x 0%Z == 2 * x 0%Z - x 1%Z /\
   refine diverging x 1%Z == 2 * x 0%Z - x 1%Z /\ refine diverging x (-1)%Z == 2 * x (-1)%Z - x 0%Z.
@@ -95,24 +95,30 @@ Proof.
   change (inject_Z 2) with 2. change (inject_Z (-1)) with (-(1)). change (1 # 1) with 1. repeat split; ring.
 Qed.
 
-Lemma diverging_levels k : level diverging (S k) peak 0%Z == 2 /\ level diverging (S k) peak 1%Z == 2 /\
-  level diverging (S k) peak (-1)%Z == inject_Z (2 - 3 * 2 ^ Z.of_nat k).
+Lemma diverging_levels k : level diverging k edge 0%Z == 1 /\ level diverging k edge 1%Z == 1 /\
+  level diverging k edge (-1)%Z == inject_Z (1 - 2 ^ Z.of_nat k).
 Proof.
   induction k as [|k (A & B & C)]; [repeat split; reflexivity|].
-  change (level diverging (S (S k)) peak) with (refine diverging (level diverging (S k) peak)).
-  destruct (diverging_step (level diverging (S k) peak)) as (-> & -> & ->). rewrite A, B, C.
+  cbn [level]. destruct (diverging_step (level diverging k edge)) as (-> & -> & ->). rewrite A, B, C.
   split; [reflexivity|]. split; [reflexivity|].
   rewrite Nat2Z.inj_succ, Z.pow_succ_r by lia. unfold Z.sub.
-  rewrite !inject_Z_plus, !inject_Z_opp, !inject_Z_mult. change (inject_Z 2) with 2. change (inject_Z 3) with 3. ring.
+  rewrite !inject_Z_plus, !inject_Z_opp, !inject_Z_mult. change (inject_Z 1) with 1. change (inject_Z 2) with 2. ring.
 Qed.
 
-Theorem rules_that_sum_to_1_are_not_enough : affine diverging /\ at_most peak 1 /\
-  forall B, exists k, B < Qabs (level diverging k peak (-1)%Z).
+(** The difference of x_(-1) and x_0 doubles from level to level. *)
+Theorem diverging_differences k : difference (level diverging k edge) (-1)%Z == inject_Z (2 ^ Z.of_nat k).
+Proof.
+  unfold difference. change (-1 + 1)%Z with 0%Z. destruct (diverging_levels k) as (-> & _ & ->).
+  unfold Z.sub. rewrite inject_Z_plus, inject_Z_opp. change (inject_Z 1) with 1. ring.
+Qed.
+
+Theorem rules_that_sum_to_1_are_not_enough : affine diverging /\ at_most edge 1 /\
+  forall B, exists k, B < Qabs (difference (level diverging k edge) (-1)%Z).
 Proof.
   split; [now apply is_affine_correct|]. split.
-  - intros i. unfold peak. destruct (Z.eqb i 0); discriminate.
-  - intros B. set (n := Z.to_nat (Z.max 2 (Qround.Qceiling B))). exists (S n).
-    destruct (diverging_levels n) as (_ & _ & ->). rewrite inject_Z_abs.
+  - intros i. unfold edge. destruct (Z.ltb i 0); discriminate.
+  - intros B. set (n := Z.to_nat (Z.max 0 (Qround.Qceiling B))). exists n.
+    rewrite (diverging_differences n), inject_Z_abs.
     pose proof (Z.pow_gt_lin_r 2 (Z.of_nat n) ltac:(lia) ltac:(lia)).
     apply Qle_lt_trans with (inject_Z (Qround.Qceiling B)); [apply Qround.Qle_ceiling|].
     rewrite <- Zlt_Qlt. lia.
@@ -121,63 +127,97 @@ Qed.
 (** * Distances *)
 
 (** Chaikin's polygon lies 1/4 apart from the polygon of the next level, at most. *)
-Example chaikin_step : bounds_step chaikin 0 (1 # 4).
+Example chaikin_step : bounds_step chaikin 0 0 (1 # 4).
 Proof.
-  intros x b t H. eapply Qle_trans; [apply (bounds_step_by chaikin 0 1); [|apply bounds_differences_zero | exact H]|].
+  intros x b t H. eapply Qle_trans; [apply (bounds_step_by chaikin 0 0 1); [|apply bounds_differences_zero | exact H]|].
   - now apply is_affine_correct.
-  - assert (E : displacement chaikin * 1 == 1 # 4) by reflexivity. rewrite E. apply Qle_refl.
+  - assert (E : displacement chaikin 0 * 1 == 1 # 4) by reflexivity. rewrite E. apply Qle_refl.
 Qed.
 
-Example chaikin_distance : bounds_distance chaikin 3 (1 # 16).
-Proof. apply (bounds_distance_by chaikin 1 1). vm_compute. reflexivity. Qed.
+Example chaikin_distance : bounds_distance chaikin 0 3 (1 # 16).
+Proof. apply (bounds_distance_by chaikin 0 1 1). vm_compute. reflexivity. Qed.
 
 (** Blocks of three levels, of the four constants T_1 to T_4. *)
-Example four_point_distance : bounds_distance four_point 0 (125 # 427).
-Proof. apply (bounds_distance_by four_point 4 3). vm_compute. reflexivity. Qed.
+Example four_point_distance : bounds_distance four_point 0 0 (125 # 427).
+Proof. apply (bounds_distance_by four_point 0 4 3). vm_compute. reflexivity. Qed.
 
-Example chaikin_depth : sufficient_depth chaikin 10 (1 # 100) 9.
-Proof. apply (sufficient_depth_by chaikin 1 1). vm_compute. reflexivity. Qed.
+Example chaikin_depth : sufficient_depth chaikin 0 10 (1 # 100) 9.
+Proof. apply (sufficient_depth_by chaikin 0 1 1). vm_compute. reflexivity. Qed.
 
-Example chaikin_least_depth : sufficient_depth chaikin 10 (1 # 100) 9.
-Proof. apply (least_depth_by chaikin 1 1). vm_compute. reflexivity. Qed.
+Example chaikin_least_depth : sufficient_depth chaikin 0 10 (1 # 100) 9.
+Proof. apply (least_depth_by chaikin 0 1 1). vm_compute. reflexivity. Qed.
 
-Example chaikin_too_few_levels : ~ sufficient_depth chaikin 10 (1 # 100) 8.
+Example chaikin_too_few_levels : ~ sufficient_depth chaikin 0 10 (1 # 100) 8.
 Proof.
-  apply depth_refuted. apply (exceeds_distance_by chaikin 8 0 [0; 10]%Z 0 10 (1 # 100) 20 1 1 (1 # 10000)).
+  apply depth_refuted. apply (exceeds_distance_by chaikin 0 8 0 [0; 10]%Z 0 10 (1 # 100) 20 1 1 (1 # 10000)).
   vm_compute. reflexivity.
 Qed.
 
 (** The same rules compared at another offset: the new point moves by 21/25. *)
-Example quinary_step : exceeds_step (Scheme 25 0 (rules quinary)) 0 1 (20 # 25).
-Proof. apply (exceeds_step_by (Scheme 25 0 (rules quinary)) 0 0 [0; 1; 0]%Z 0). vm_compute. reflexivity. Qed.
+Example quinary_step : exceeds_step (Scheme 25 0 (rules quinary)) 0 0 1 (20 # 25).
+Proof. apply (exceeds_step_by (Scheme 25 0 (rules quinary)) 0 0 0 [0; 1; 0]%Z 0). vm_compute. reflexivity. Qed.
+
+(** * Natural parameters, and the least constant *)
+
+Example chaikin_keeps_lines : keeps_lines chaikin (-1 # 2).
+Proof. apply keeps_lines_by. vm_compute. reflexivity. Qed.
+
+Example ternary_keeps_lines : keeps_lines (Scheme 6 0 [[5; 1]; [3; 3]; [1; 5]]%Z) (-1 # 4).
+Proof. apply keeps_lines_by. vm_compute. reflexivity. Qed.
+
+Example quinary_keeps_lines : keeps_lines (Scheme 25 0 (rules quinary)) (-3 # 4).
+Proof. apply keeps_lines_by. vm_compute. reflexivity. Qed.
+
+(** At i/n^k the points of a line are not on it. *)
+Example chaikin_indexed_lines : ~ keeps_lines chaikin 0.
+Proof. intros H. specialize (H 0%Z). vm_compute in H. discriminate H. Qed.
+
+(** With x^k_i at (i - 1/2)/2^k, Chaikin's new points are on the polygon before, and its own points are 1/4 off at most. *)
+Example chaikin_natural_step : bounds_step chaikin (-1 # 2) 0 (1 # 4).
+Proof.
+  intros x b t H. eapply Qle_trans; [apply (bounds_step_by chaikin (-1 # 2) 0 1); [|apply bounds_differences_zero | exact H]|].
+  - now apply is_affine_correct.
+  - assert (E : displacement chaikin (-1 # 2) * 1 == 1 # 4) by reflexivity. rewrite E. apply Qle_refl.
+Qed.
+
+Example chaikin_natural_distance : bounds_distance chaikin (-1 # 2) 3 (1 # 16).
+Proof. apply (bounds_distance_by chaikin (-1 # 2) 1 1). vm_compute. reflexivity. Qed.
+
+(** C_0 = 1/2 at i/n^k, up to 2^-19. *)
+Example chaikin_least_constant : least_constant chaikin 0 0 (262143 # 524288) (1 # 2).
+Proof. apply (least_constant_by chaikin 0 1 1 0 0 [0; 1]%Z 0 19 1 1 (1 # 1048576)). vm_compute. reflexivity. Qed.
+
+(** C_0 = 1/4 at natural parameters (THEOREMS.md, 84), which the bound of single steps does not reach. *)
+Example chaikin_natural_least_constant : least_constant chaikin (-1 # 2) 0 (255 # 1024) (1 # 2).
+Proof. apply (least_constant_by chaikin (-1 # 2) 1 1 0 0 [0; 1; 0]%Z (1 # 2) 11 1 1 (1 # 4096)). vm_compute. reflexivity. Qed.
 
 (** * Nets *)
 
-Example quinary_net_step : exceeds_net_step (Scheme 25 0 (rules quinary)) chaikin 0 1 1.
+Example quinary_net_step : exceeds_net_step (Scheme 25 0 (rules quinary)) chaikin 0 0 0 1 1.
 Proof.
-  apply (exceeds_net_step_by (Scheme 25 0 (rules quinary)) chaikin 0 0 [0; 1; 0]%Z 0 [0; 1]%Z 0 0).
+  apply (exceeds_net_step_by (Scheme 25 0 (rules quinary)) chaikin 0 0 0 0 [0; 1; 0]%Z 0 [0; 1]%Z 0 0).
   vm_compute. reflexivity.
 Qed.
 
-Example chaikin_net_distance : exceeds_net_distance chaikin chaikin 0 1 (9 # 10).
+Example chaikin_net_distance : exceeds_net_distance chaikin chaikin 0 0 0 1 (9 # 10).
 Proof.
-  apply (exceeds_net_distance_by chaikin chaikin 0 0 [0; 1]%Z 0 [0; 1]%Z 0 0 1 (9 # 10) 9 1 1 (1 # 100) 1 1 (1 # 100)).
+  apply (exceeds_net_distance_by chaikin chaikin 0 0 0 0 [0; 1]%Z 0 [0; 1]%Z 0 0 1 (9 # 10) 9 1 1 (1 # 100) 1 1 (1 # 100)).
   vm_compute. reflexivity.
 Qed.
 
 (** The bound of all nets is nearly attained: 9/10 is exceeded by the net above, so that the bound is not 9/10. *)
-Example chaikin_net_bound : bounds_net_distance chaikin chaikin 0 1.
-Proof. apply (bounds_net_distance_by chaikin chaikin 1). vm_compute. reflexivity. Qed.
+Example chaikin_net_bound : bounds_net_distance chaikin chaikin 0 0 0 1.
+Proof. apply (bounds_net_distance_by chaikin chaikin 0 0 1). vm_compute. reflexivity. Qed.
 
-Example chaikin_net_no_bound : ~ bounds_net_distance chaikin chaikin 0 (9 # 10).
-Proof. apply (net_distance_refuted chaikin chaikin 0 1). exact chaikin_net_distance. Qed.
+Example chaikin_net_no_bound : ~ bounds_net_distance chaikin chaikin 0 0 0 (9 # 10).
+Proof. apply (net_distance_refuted chaikin chaikin 0 0 0 1). exact chaikin_net_distance. Qed.
 
 (** Arities 3 and 5, at level 3; negative weights make T_c Λ_c larger than T_c. *)
-Example ternary_net_bound : bounds_net_distance ternary ternary 3 (92 # 100).
-Proof. apply (bounds_net_distance_by ternary ternary 3). vm_compute. reflexivity. Qed.
+Example ternary_net_bound : bounds_net_distance ternary ternary 0 0 3 (92 # 100).
+Proof. apply (bounds_net_distance_by ternary ternary 0 0 3). vm_compute. reflexivity. Qed.
 
-Example quinary_net_bound : bounds_net_distance quinary quinary 3 (87 # 100).
-Proof. apply (bounds_net_distance_by quinary quinary 2). vm_compute. reflexivity. Qed.
+Example quinary_net_bound : bounds_net_distance quinary quinary 0 0 3 (87 # 100).
+Proof. apply (bounds_net_distance_by quinary quinary 0 0 2). vm_compute. reflexivity. Qed.
 
 (** * Rings *)
 

@@ -40,8 +40,8 @@ Qed.
 Lemma interpolant_plus x y c u : (forall i, x i == y i + c) -> interpolant x u == interpolant y u + c.
 Proof. intros E. unfold interpolant. rewrite !E. ring. Qed.
 
-Lemma surface_sum s r k a b t u : affine s -> affine r ->
-  surface s r k (net_sum a b) t u == polygon s k a t + polygon r k b u.
+Lemma surface_sum s r tau rho k a b t u : affine s -> affine r ->
+  surface s r tau rho k (net_sum a b) t u == polygon s tau k a t + polygon r rho k b u.
 Proof.
   intros A B. unfold surface, polygon. apply interpolant_plus. intros i.
   rewrite (interpolant_plus _ (level r k b) (level s k a i)); [ring|].
@@ -57,14 +57,14 @@ Qed.
 
 (** * What a generated file applies *)
 
-Definition net_step_exceeded (s r : scheme) (k : nat) (first : Z) (values : list Z) (first' : Z) (values' : list Z)
+Definition net_step_exceeded (s r : scheme) (tau rho : Q) (k : nat) (first : Z) (values : list Z) (first' : Z) (values' : list Z)
     (t u b B : Q) : bool :=
   let x := data first values in let y := data first' values' in
   is_affine s && is_affine r && Qle_bool (inject_Z (spread values)) b && Qle_bool (inject_Z (spread values')) b &&
-  below B (Qabs ((value_at s (S k) x t - value_at s k x t) + (value_at r (S k) y u - value_at r k y u))).
+  below B (Qabs ((value_at s tau (S k) x t - value_at s tau k x t) + (value_at r rho (S k) y u - value_at r rho k y u))).
 
-Theorem exceeds_net_step_by s r k first values first' values' t u b B :
-  net_step_exceeded s r k first values first' values' t u b B = true -> exceeds_net_step s r k b B.
+Theorem exceeds_net_step_by s r tau rho k first values first' values' t u b B :
+  net_step_exceeded s r tau rho k first values first' values' t u b B = true -> exceeds_net_step s r tau rho k b B.
 Proof.
   unfold net_step_exceeded. intros H. conditions H.
   apply is_affine_correct in H, G2. apply Qle_bool_iff in G1, G0. apply below_correct in G.
@@ -75,17 +75,17 @@ Proof.
     eapply Qlt_le_trans; [exact G|]. apply Qle_lteq. right. apply Qabs_wd. ring.
 Qed.
 
-Definition net_distance_exceeded (s r : scheme) (k : nat) (first : Z) (values : list Z) (first' : Z) (values' : list Z)
+Definition net_distance_exceeded (s r : scheme) (tau rho : Q) (k : nat) (first : Z) (values : list Z) (first' : Z) (values' : list Z)
     (t u b B : Q) (l M c : nat) (tail : Q) (M' c' : nat) (tail' : Q) : bool :=
   let x := data first values in let y := data first' values' in
   is_affine s && is_affine r && Qle_bool (inject_Z (spread values)) b && Qle_bool (inject_Z (spread values')) b &&
-  distance_bounded s M c l tail && distance_bounded r M' c' l tail' &&
+  distance_bounded s tau M c l tail && distance_bounded r rho M' c' l tail' &&
   below (B + tail * b + tail' * b)
-    (Qabs ((value_at s l x t - value_at s k x t) + (value_at r l y u - value_at r k y u))).
+    (Qabs ((value_at s tau l x t - value_at s tau k x t) + (value_at r rho l y u - value_at r rho k y u))).
 
-Theorem exceeds_net_distance_by s r k first values first' values' t u b B l M c tail M' c' tail' :
-  net_distance_exceeded s r k first values first' values' t u b B l M c tail M' c' tail' = true ->
-  exceeds_net_distance s r k b B.
+Theorem exceeds_net_distance_by s r tau rho k first values first' values' t u b B l M c tail M' c' tail' :
+  net_distance_exceeded s r tau rho k first values first' values' t u b B l M c tail M' c' tail' = true ->
+  exceeds_net_distance s r tau rho k b B.
 Proof.
   unfold net_distance_exceeded. intros H. conditions H.
   apply is_affine_correct in H, G4. apply Qle_bool_iff in G3, G2. apply below_correct in G.
@@ -94,14 +94,14 @@ Proof.
   set (x := data first values) in *. set (y := data first' values') in *.
   assert (X : at_most (difference x) b) by (eapply at_most_more; [exact G3 | apply data_spread]).
   assert (Y : at_most (difference y) b) by (eapply at_most_more; [exact G2 | apply data_spread]).
-  set (far := (polygon s l x t - polygon s k x t) + (polygon r l y u - polygon r k y u)) in *.
+  set (far := (polygon s tau l x t - polygon s tau k x t) + (polygon r rho l y u - polygon r rho k y u)) in *.
   exists (net_sum x y), t, u, l, (Qabs far - (B + tail * b + tail' * b)).
   split; [now apply net_sum_spread|]. split; [lra|]. intros m L.
   rewrite !surface_sum by assumption.
   pose proof (G1 x b t m X L) as D. pose proof (G0 y b u m Y L) as D'.
-  set (near := polygon s m x t + polygon r m y u - (polygon s k x t + polygon r k y u)).
-  pose proof (Qabs_triangle near ((polygon s l x t - polygon s m x t) + (polygon r l y u - polygon r m y u))) as T.
+  set (near := polygon s tau m x t + polygon r rho m y u - (polygon s tau k x t + polygon r rho k y u)).
+  pose proof (Qabs_triangle near ((polygon s tau l x t - polygon s tau m x t) + (polygon r rho l y u - polygon r rho m y u))) as T.
   rewrite (Qabs_wd (near + _) far) in T by (unfold near, far; ring).
-  pose proof (Qabs_triangle (polygon s l x t - polygon s m x t) (polygon r l y u - polygon r m y u)) as T'.
-  rewrite (Qabs_Qminus (polygon s l x t)) in T'. rewrite (Qabs_Qminus (polygon r l y u)) in T'. lra.
+  pose proof (Qabs_triangle (polygon s tau l x t - polygon s tau m x t) (polygon r rho l y u - polygon r rho m y u)) as T'.
+  rewrite (Qabs_Qminus (polygon s tau l x t)) in T'. rewrite (Qabs_Qminus (polygon r rho l y u)) in T'. lra.
 Qed.

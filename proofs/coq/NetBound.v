@@ -129,28 +129,25 @@ Proof.
   rewrite E. ring.
 Qed.
 
-Definition net_factor (s r : scheme) (L : Q) : Q := displacement s * L + displacement r.
+Definition net_factor (s r : scheme) (tau rho L : Q) : Q := displacement s tau * L + displacement r rho.
 
-Theorem net_step_bound s r L y b t u : affine s -> affine r -> bounds_points r 1 L -> net_at_most y b ->
-  Qabs (surface s r 1 y t u - surface s r 0 y t u) <= net_factor s r L * b.
+Theorem net_step_bound s r tau rho L y b t u : affine s -> affine r -> bounds_points r 1 L -> net_at_most y b ->
+  Qabs (surface s r tau rho 1 y t u - surface s r tau rho 0 y t u) <= net_factor s r tau rho L * b.
 Proof.
   intros A A' N H.
-  set (v := inject_Z (arityZ r) * u).
-  set (g := fun a => interpolant (refine r (y a)) v). set (h := fun a => interpolant (y a) u).
-  assert (E1 : surface s r 1 y t u == interpolant (refine s g) (inject_Z (arityZ s) * t)).
-  { unfold surface. rewrite (interpolant_param _ _ (inject_Z (arityZ s) * t))
-      by (change (Z.of_nat 1) with 1%Z; rewrite Z.pow_1_r; reflexivity).
-    apply interpolant_ext. intros i. rewrite (interpolant_param _ _ v)
-      by (unfold v; change (Z.of_nat 1) with 1%Z; rewrite Z.pow_1_r; reflexivity).
+  set (v := inject_Z (arityZ r) * (u - rho) + inject_Z (arityZ r - 1) * rho).
+  set (w := inject_Z (arityZ s) * (t - tau) + inject_Z (arityZ s - 1) * tau).
+  set (g := fun a => interpolant (refine r (y a)) v). set (h := fun a => interpolant (y a) (u - rho)).
+  assert (E1 : surface s r tau rho 1 y t u == interpolant (refine s g) w).
+  { unfold surface. rewrite (interpolant_param _ _ w) by apply first_shift.
+    apply interpolant_ext. intros i. rewrite (interpolant_param _ _ v) by apply first_shift.
     apply (interpolant_refine s (fun a => refine r (y a)) v i). }
-  assert (E0 : surface s r 0 y t u == interpolant h t).
-  { unfold surface. rewrite (interpolant_param _ _ t)
-      by (change (arityZ s ^ Z.of_nat 0)%Z with 1%Z; change (inject_Z 1) with 1; ring).
-    apply interpolant_ext. intros i. apply interpolant_param.
-    change (arityZ r ^ Z.of_nat 0)%Z with 1%Z. change (inject_Z 1) with 1. ring. }
+  assert (E0 : surface s r tau rho 0 y t u == interpolant h (t - tau)).
+  { unfold surface. rewrite (interpolant_param _ _ (t - tau)) by apply no_shift.
+    apply interpolant_ext. intros i. apply interpolant_param, no_shift. }
   rewrite E1, E0.
-  rewrite (Qabs_wd _ ((interpolant (refine s g) (inject_Z (arityZ s) * t) - interpolant g t) +
-    (interpolant g t - interpolant h t))) by ring.
+  rewrite (Qabs_wd _ ((interpolant (refine s g) w - interpolant g (t - tau)) +
+    (interpolant g (t - tau) - interpolant h (t - tau)))) by ring.
   eapply Qle_trans; [apply Qabs_triangle|]. unfold net_factor. rewrite Qmult_plus_distr_l.
   apply Qplus_le_compat.
   - rewrite <- Qmult_assoc. apply step_bound; [exact A|]. intros a. unfold difference, g.
@@ -167,25 +164,25 @@ Qed.
 Lemma net_level_add s r k m x : net_level s r (k + m) x = net_level s r k (net_level s r m x).
 Proof. induction k as [|k IH]; [reflexivity|]. simpl. now rewrite IH. Qed.
 
-Lemma surface_add s r k m x t u : surface s r (k + m) x t u ==
-  surface s r k (net_level s r m x) (inject_Z (arityZ s ^ Z.of_nat m) * t) (inject_Z (arityZ r ^ Z.of_nat m) * u).
+Lemma surface_add s r tau rho k m x t u : surface s r tau rho (k + m) x t u == surface s r tau rho k
+  (net_level s r m x) (inject_Z (arityZ s ^ Z.of_nat m) * t) (inject_Z (arityZ r ^ Z.of_nat m) * u).
 Proof.
   unfold surface. rewrite net_level_add.
-  rewrite (interpolant_param _ _ (inject_Z (arityZ s ^ Z.of_nat k) * (inject_Z (arityZ s ^ Z.of_nat m) * t)))
+  rewrite (interpolant_param _ _ (inject_Z (arityZ s ^ Z.of_nat k) * (inject_Z (arityZ s ^ Z.of_nat m) * t) - tau))
     by (rewrite scale_levels; ring).
   apply interpolant_ext. intros i. apply interpolant_param. rewrite scale_levels. ring.
 Qed.
 
 Section Block.
-  Variables (s r : scheme) (sigma : Q).
+  Variables (s r : scheme) (tau rho sigma : Q).
   Hypothesis sigma_nonneg : 0 <= sigma.
-  Hypothesis step : forall y b t u, net_at_most y b -> Qabs (surface s r 1 y t u - surface s r 0 y t u) <= sigma * b.
+  Hypothesis step : forall y b t u, net_at_most y b -> Qabs (surface s r tau rho 1 y t u - surface s r tau rho 0 y t u) <= sigma * b.
 
   Definition net_block (y : net) (b : Q) (ts : list Q) : Prop :=
     forall i, (i < length ts)%nat -> net_at_most (net_level s r i y) (nth i ts 0 * b).
 
   Lemma net_within_block ts : nonneg ts -> forall y b t u L, 0 <= b -> net_block y b ts ->
-    (L <= length ts)%nat -> Qabs (surface s r L y t u - surface s r 0 y t u) <= sigma * total ts * b.
+    (L <= length ts)%nat -> Qabs (surface s r tau rho L y t u - surface s r tau rho 0 y t u) <= sigma * total ts * b.
   Proof.
     intros N. induction N as [|t0 ts P N IH]; intros y b t u L Hb H Le.
     - assert (L = O) as -> by (simpl in Le; lia). rewrite (Qabs_wd _ 0) by ring.
@@ -193,13 +190,13 @@ Section Block.
     - pose proof (total_nonneg ts N) as T0. destruct L as [|L].
       + rewrite (Qabs_wd _ 0) by ring. change (Qabs 0) with 0.
         apply Qmult_le_0_compat; [apply Qmult_le_0_compat; simpl; lra | exact Hb].
-      + rewrite (Qabs_wd _ ((surface s r (L + 1) y t u - surface s r 1 y t u) +
-            (surface s r 1 y t u - surface s r 0 y t u))) by (rewrite Nat.add_1_r; ring).
+      + rewrite (Qabs_wd _ ((surface s r tau rho (L + 1) y t u - surface s r tau rho 1 y t u) +
+            (surface s r tau rho 1 y t u - surface s r tau rho 0 y t u))) by (rewrite Nat.add_1_r; ring).
         eapply Qle_trans; [apply Qabs_triangle|]. simpl total.
-        rewrite (surface_add s r L 1), (surface_add s r 0 1 y t u).
+        rewrite (surface_add s r tau rho L 1), (surface_add s r tau rho 0 1 y t u).
         rewrite (Qmult_plus_distr_r sigma), (Qmult_plus_distr_l (sigma * t0)), Qplus_comm.
         apply Qplus_le_compat.
-        * rewrite <- Qmult_assoc. rewrite <- (surface_add s r 0 1 y t u). apply step. apply (H O). simpl. lia.
+        * rewrite <- Qmult_assoc. rewrite <- (surface_add s r tau rho 0 1 y t u). apply step. apply (H O). simpl. lia.
         * apply IH; [exact Hb | | simpl in Le; lia].
           intros i I. rewrite <- net_level_add. rewrite Nat.add_1_r. apply (H (S i)). simpl. lia.
   Qed.
@@ -208,7 +205,7 @@ Section Block.
     bounds_net_differences s r (length ts) q -> 0 <= q -> q <= 1 -> 0 <= B ->
     sigma * total ts <= B * (1 - q) ->
     forall fuel L y b t u, (L < fuel)%nat -> 0 <= b -> net_block y b ts ->
-    Qabs (surface s r L y t u - surface s r 0 y t u) <= B * b.
+    Qabs (surface s r tau rho L y t u - surface s r tau rho 0 y t u) <= B * b.
   Proof.
     intros N C D Q0 Q1 B0 E. induction fuel as [|fuel IH]; intros L y b t u F Hb H; [lia|].
     set (c := length ts) in *.
@@ -216,8 +213,8 @@ Section Block.
     - eapply Qle_trans; [apply (net_within_block ts); eassumption|].
       apply Qmult_le_compat_r; [|exact Hb]. eapply Qle_trans; [exact E|]. nra.
     - assert (X : (L = (L - c) + c)%nat) by lia.
-      rewrite (Qabs_wd _ ((surface s r ((L - c) + c) y t u - surface s r c y t u) +
-          (surface s r c y t u - surface s r 0 y t u))) by (rewrite <- X; ring).
+      rewrite (Qabs_wd _ ((surface s r tau rho ((L - c) + c) y t u - surface s r tau rho c y t u) +
+          (surface s r tau rho c y t u - surface s r tau rho 0 y t u))) by (rewrite <- X; ring).
       eapply Qle_trans; [apply Qabs_triangle|].
       pose proof (net_within_block ts N y b t u c Hb H (le_n c)) as I2.
       assert (H' : net_block (net_level s r c y) (q * b) ts).
@@ -227,7 +224,7 @@ Section Block.
         split; (eapply Qle_trans; [eassumption|]); rewrite W; apply Qle_refl. }
       pose proof (IH (L - c)%nat (net_level s r c y) (q * b) (inject_Z (arityZ s ^ Z.of_nat c) * t)
         (inject_Z (arityZ r ^ Z.of_nat c) * u) ltac:(lia) ltac:(apply Qmult_le_0_compat; assumption) H') as I1.
-      rewrite <- (surface_add s r (L - c) c), <- (surface_add s r 0 c) in I1.
+      rewrite <- (surface_add s r tau rho (L - c) c), <- (surface_add s r tau rho 0 c) in I1.
       assert (I3 : sigma * total ts * b <= B * (1 - q) * b) by (apply Qmult_le_compat_r; assumption).
       eapply Qle_trans; [apply Qplus_le_compat; [exact I1 | eapply Qle_trans; [exact I2 | exact I3]]|].
       apply Qle_lteq. right. ring.
@@ -236,11 +233,11 @@ Section Block.
   Theorem net_distance_bound k ts q B : nonneg ts -> (0 < length ts)%nat ->
     bounds_net_differences s r (length ts) q -> 0 <= q -> q <= 1 -> 0 <= B ->
     (forall i, (i < length ts)%nat -> bounds_net_differences s r (i + k) (nth i ts 0)) ->
-    sigma * total ts <= B * (1 - q) -> bounds_net_distance s r k B.
+    sigma * total ts <= B * (1 - q) -> bounds_net_distance s r tau rho k B.
   Proof.
     intros N C D Q0 Q1 B0 U E x b t u l H L.
     assert (X : (l = (l - k) + k)%nat) by lia. rewrite X.
-    rewrite (surface_add s r (l - k) k), (surface_add s r 0 k).
+    rewrite (surface_add s r tau rho (l - k) k), (surface_add s r tau rho 0 k).
     apply (net_all_levels ts q B N C D Q0 Q1 B0 E (S (l - k))); [lia | eapply net_at_most_nonneg, H |].
     intros i I. rewrite <- net_level_add. apply U; assumption.
   Qed.
@@ -300,22 +297,22 @@ Proof.
     apply net_times; [now apply net_constant_bounds | exact IH].
 Qed.
 
-Definition net_distance_bounded (s r : scheme) (c k : nat) (B : Q) : bool :=
+Definition net_distance_bounded (s r : scheme) (tau rho : Q) (c k : nat) (B : Q) : bool :=
   let q := net_constant s r c in
   let ts := map (fun i => net_upper s r c ((i + k) / c) ((i + k) mod c)) (seq 0 c) in
   is_affine s && is_affine r && Nat.ltb 0 c && forallb (fun t => Qle_bool 0 t) ts &&
   Qle_bool 0 q && Qle_bool q 1 && Qle_bool 0 B && Qle_bool 0 (norm r 1) &&
-  Qle_bool (net_factor s r (norm r 1) * total ts) (B * (1 - q)).
+  Qle_bool (net_factor s r tau rho (norm r 1) * total ts) (B * (1 - q)).
 
-Theorem bounds_net_distance_by s r c k B : net_distance_bounded s r c k B = true -> bounds_net_distance s r k B.
+Theorem bounds_net_distance_by s r tau rho c k B : net_distance_bounded s r tau rho c k B = true -> bounds_net_distance s r tau rho k B.
 Proof.
   unfold net_distance_bounded. intros H. conditions H.
   apply is_affine_correct in H, G6. apply Nat.ltb_lt in G5. rewrite Qle_bool_iff in *.
   set (ts := map _ _) in *.
   assert (LEN : length ts = c) by (unfold ts; now rewrite map_length, seq_length).
-  apply (net_distance_bound s r (net_factor s r (norm r 1))) with (ts := ts) (q := net_constant s r c); try assumption.
-  - unfold net_factor. pose proof (displacement_nonneg s). pose proof (displacement_nonneg r).
-    assert (0 <= displacement s * norm r 1) by (apply Qmult_le_0_compat; assumption). lra.
+  apply (net_distance_bound s r tau rho (net_factor s r tau rho (norm r 1))) with (ts := ts) (q := net_constant s r c); try assumption.
+  - unfold net_factor. pose proof (displacement_nonneg s tau). pose proof (displacement_nonneg r rho).
+    assert (0 <= displacement s tau * norm r 1) by (apply Qmult_le_0_compat; assumption). lra.
   - intros y b t u N. apply net_step_bound; try assumption. now apply norm_bounds.
   - apply Forall_forall. rewrite forallb_forall in G4. intros t I. apply Qle_bool_iff, G4, I.
   - now rewrite LEN.
@@ -327,7 +324,7 @@ Proof.
     rewrite E at 1. rewrite (Nat.mul_comm c). now apply net_upper_bounds.
 Qed.
 
-Theorem net_distance_refuted s r k b B : exceeds_net_distance s r k b (B * b) -> ~ bounds_net_distance s r k B.
+Theorem net_distance_refuted s r tau rho k b B : exceeds_net_distance s r tau rho k b (B * b) -> ~ bounds_net_distance s r tau rho k B.
 Proof.
   intros (x & t & u & l & margin & X & P & E) H.
   pose proof (E (max l k) ltac:(lia)) as A. pose proof (H x b t u (max l k) X ltac:(lia)) as D. lra.

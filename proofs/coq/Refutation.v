@@ -24,15 +24,15 @@ Proof.
   rewrite pull_correct; [reflexivity | exact two | unfold arityZ in *; lia].
 Qed.
 
-Definition value_at (s : scheme) (k : nat) (x : points) (t : Q) : Q :=
-  let u := Qred (inject_Z (arityZ s ^ Z.of_nat k) * t) in
+Definition value_at (s : scheme) (tau : Q) (k : nat) (x : points) (t : Q) : Q :=
+  let u := Qred (inject_Z (arityZ s ^ Z.of_nat k) * t - tau) in
   let i := Qfloor u in
   value s k [1%Z] i x + (u - inject_Z i) * value s k [(-1)%Z; 1%Z] i x.
 
-Lemma value_at_correct s k x t : (2 <= arity s)%nat -> value_at s k x t == polygon s k x t.
+Lemma value_at_correct s tau k x t : (2 <= arity s)%nat -> value_at s tau k x t == polygon s tau k x t.
 Proof.
   intros two. unfold polygon.
-  rewrite (interpolant_param _ _ (Qred (inject_Z (arityZ s ^ Z.of_nat k) * t))) by (symmetry; apply Qred_correct).
+  rewrite (interpolant_param _ _ (Qred (inject_Z (arityZ s ^ Z.of_nat k) * t - tau))) by (symmetry; apply Qred_correct).
   unfold value_at, interpolant. rewrite !value_correct by exact two. cbn [combination].
   change (inject_Z 1) with 1. change (inject_Z (-1)) with (-(1)). ring.
 Qed.
@@ -104,12 +104,12 @@ Proof.
   change (inject_Z 1) with 1. change (inject_Z (-1)) with (-(1)). ring.
 Qed.
 
-Definition step_exceeded (s : scheme) (k : nat) (first : Z) (values : list Z) (t b B : Q) : bool :=
+Definition step_exceeded (s : scheme) (tau : Q) (k : nat) (first : Z) (values : list Z) (t b B : Q) : bool :=
   is_affine s && Qle_bool (inject_Z (spread values)) b &&
-  below B (Qabs (value_at s (S k) (data first values) t - value_at s k (data first values) t)).
+  below B (Qabs (value_at s tau (S k) (data first values) t - value_at s tau k (data first values) t)).
 
-Theorem exceeds_step_by s k first values t b B :
-  step_exceeded s k first values t b B = true -> exceeds_step s k b B.
+Theorem exceeds_step_by s tau k first values t b B :
+  step_exceeded s tau k first values t b B = true -> exceeds_step s tau k b B.
 Proof.
   unfold step_exceeded. intros H. conditions H.
   apply is_affine_correct in H. apply below_correct in G. apply Qle_bool_iff in G0.
@@ -120,13 +120,24 @@ Qed.
 
 (** At level l the distance exceeds B by more than all later levels can undo: [tail] bounds them, by
     [distance_bounded] for the block c and T_1, …, T_M. *)
-Definition distance_exceeded (s : scheme) (k : nat) (first : Z) (values : list Z) (t b B : Q)
+Definition distance_exceeded (s : scheme) (tau : Q) (k : nat) (first : Z) (values : list Z) (t b B : Q)
     (l M c : nat) (tail : Q) : bool :=
-  is_affine s && Qle_bool (inject_Z (spread values)) b && distance_bounded s M c l tail &&
-  below (B + tail * b) (Qabs (value_at s l (data first values) t - value_at s k (data first values) t)).
+  is_affine s && Qle_bool (inject_Z (spread values)) b && distance_bounded s tau M c l tail &&
+  below (B + tail * b) (Qabs (value_at s tau l (data first values) t - value_at s tau k (data first values) t)).
 
-Theorem exceeds_distance_by s k first values t b B l M c tail :
-  distance_exceeded s k first values t b B l M c tail = true -> exceeds_distance s k b B.
+(** What later levels leave of the distance at level l. *)
+Lemma distance_kept s tau k l tail x b t : bounds_distance s tau l tail -> at_most (difference x) b ->
+  forall m, (l <= m)%nat -> Qabs (polygon s tau l x t - polygon s tau k x t) - tail * b <=
+    Qabs (polygon s tau m x t - polygon s tau k x t).
+Proof.
+  intros H S m L. pose proof (H x b t m S L) as D.
+  pose proof (Qabs_triangle (polygon s tau m x t - polygon s tau k x t) (polygon s tau l x t - polygon s tau m x t)) as T.
+  rewrite (Qabs_wd (_ + _) (polygon s tau l x t - polygon s tau k x t)) in T by ring.
+  rewrite (Qabs_Qminus (polygon s tau l x t) (polygon s tau m x t)) in T. lra.
+Qed.
+
+Theorem exceeds_distance_by s tau k first values t b B l M c tail :
+  distance_exceeded s tau k first values t b B l M c tail = true -> exceeds_distance s tau k b B.
 Proof.
   unfold distance_exceeded. intros H. conditions H.
   apply is_affine_correct in H. apply below_correct in G. apply Qle_bool_iff in G1.
@@ -134,28 +145,45 @@ Proof.
   set (x := data first values) in *.
   assert (S : at_most (difference x) b) by (eapply at_most_more; [exact G1 | apply data_spread]).
   rewrite !value_at_correct in G by apply H.
-  exists x, t, l, (Qabs (polygon s l x t - polygon s k x t) - (B + tail * b)).
-  split; [exact S|]. split; [lra|]. intros m L.
-  pose proof (G0 x b t m S L) as D.
-  pose proof (Qabs_triangle (polygon s m x t - polygon s k x t) (polygon s l x t - polygon s m x t)) as T.
-  rewrite (Qabs_wd (_ + _) (polygon s l x t - polygon s k x t)) in T by ring.
-  rewrite (Qabs_Qminus (polygon s l x t) (polygon s m x t)) in T. lra.
+  exists x, t, l, (Qabs (polygon s tau l x t - polygon s tau k x t) - (B + tail * b)).
+  split; [exact S|]. split; [lra|]. intros m L. pose proof (distance_kept s tau k l tail x b t G0 S m L). lra.
+Qed.
+
+(** C_k from both sides: the sound bound of the block c and T_1, …, T_M, and data of spread 1 whose distance at level l
+    is [lower] and more than later levels undo. *)
+Definition least_constant_between (s : scheme) (tau : Q) (M c k : nat) (first : Z) (values : list Z) (t : Q)
+    (l M' c' : nat) (tail lower upper : Q) : bool :=
+  distance_bounded s tau M c k upper && Z.leb (spread values) 1 && distance_bounded s tau M' c' l tail &&
+  Qle_bool (lower + tail) (Qabs (value_at s tau l (data first values) t - value_at s tau k (data first values) t)).
+
+Theorem least_constant_by s tau M c k first values t l M' c' tail lower upper :
+  least_constant_between s tau M c k first values t l M' c' tail lower upper = true ->
+  least_constant s tau k lower upper.
+Proof.
+  unfold least_constant_between. intros H. conditions H.
+  assert (A : affine s) by (unfold distance_bounded in H; conditions H; now apply is_affine_correct).
+  apply bounds_distance_by in H, G0. apply Z.leb_le in G1. apply Qle_bool_iff in G.
+  rewrite !value_at_correct in G by apply A. split; [exact H|].
+  set (x := data first values) in *. exists x, t, l.
+  assert (S : at_most (difference x) 1).
+  { eapply at_most_more; [|apply data_spread]. change 1 with (inject_Z 1). rewrite <- Zle_Qle. exact G1. }
+  split; [exact S|]. intros m L. pose proof (distance_kept s tau k l tail x 1 t G0 S m L). lra.
 Qed.
 
 (** A depth k does not suffice. *)
-Theorem depth_refuted s k b epsilon : exceeds_distance s k b epsilon -> ~ sufficient_depth s b epsilon k.
+Theorem depth_refuted s tau k b epsilon : exceeds_distance s tau k b epsilon -> ~ sufficient_depth s tau b epsilon k.
 Proof.
   intros (x & t & l & margin & S & P & E) H.
   pose proof (E (max l k) ltac:(lia)) as A. pose proof (H x t k (max l k) S ltac:(lia)) as B. lra.
 Qed.
 
-Theorem distance_refuted s k b B : exceeds_distance s k b (B * b) -> ~ bounds_distance s k B.
+Theorem distance_refuted s tau k b B : exceeds_distance s tau k b (B * b) -> ~ bounds_distance s tau k B.
 Proof.
   intros (x & t & l & margin & S & P & E) H.
   pose proof (E (max l k) ltac:(lia)) as A. pose proof (H x b t (max l k) S ltac:(lia)) as D. lra.
 Qed.
 
-Theorem step_refuted s k b B : exceeds_step s k b (B * b) -> ~ bounds_step s k B.
+Theorem step_refuted s tau k b B : exceeds_step s tau k b (B * b) -> ~ bounds_step s tau k B.
 Proof. intros (x & t & S & E) H. pose proof (H x b t S) as D. lra. Qed.
 
 Theorem difference_refuted s k b B : exceeds_difference s k b (B * b) -> ~ bounds_differences s k B.

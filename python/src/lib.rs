@@ -4,6 +4,7 @@
 //! Python, in `python/subcert`.
 
 mod algebraic;
+mod analysis;
 mod audit;
 mod check;
 mod error;
@@ -22,6 +23,10 @@ use pyo3::prelude::*;
 mod _native {
     #[pymodule_export]
     use crate::algebraic::Algebraic;
+    #[pymodule_export]
+    use crate::analysis::{
+        is_ring, jsr, open_names, smooth_range, smoothness, spectrum, version, vertex_smoothness,
+    };
     #[pymodule_export]
     use crate::audit::{audit_json, paper_keys};
     #[pymodule_export]

@@ -44,8 +44,8 @@ pub(crate) fn fraction(value: &Rational) -> Fraction {
     (whole(&value.numerator()), whole(&value.denominator()))
 }
 
-/// An `int`, a `Fraction`, a `Decimal`, or a `str` such as `"3/256"` or `"0.1"`. A `float` is refused,
-/// since 0.1 is not 1/10 as a float.
+/// An `int`, a `Fraction`, a `Decimal`, a `str` such as `"3/256"` or `"0.1"`, or a `float`, which is the dyadic number that
+/// it is; and what numpy has of these.
 pub(crate) fn rational(value: &Bound<'_, PyAny>) -> PyResult<Rational> {
     if let Ok(text) = value.cast::<PyString>() {
         let text = text.to_string();
@@ -54,12 +54,10 @@ pub(crate) fn rational(value: &Bound<'_, PyAny>) -> PyResult<Rational> {
     if value.is_instance_of::<PyBool>() {
         return Err(with_remedy("a bool is no number here", "write 0 or 1"));
     }
-    if value.is_instance_of::<PyFloat>() {
-        let remedy = format!(
-            "write Fraction(1, 10) or \"0.1\" for what is meant, or subcert.exact({value}) for the \
-             number that the float is"
-        );
-        return Err(with_remedy(&format!("the float {value} is no exact number"), &remedy));
+    if let Ok(float) = value.cast::<PyFloat>()
+        && !float.value().is_finite()
+    {
+        return Err(with_remedy(&format!("{value} is no number"), "give a finite number"));
     }
     if value.is_instance_of::<PyInt>() {
         return integer(value).map(Rational::from);

@@ -83,7 +83,7 @@ impl Native {
         aside(py, || budget.stop(), move || Ok(fraction(&constant(&fresh, c)?)))
     }
 
-    fn mask(&self) -> PyResult<Mask> {
+    pub(crate) fn mask(&self) -> PyResult<Mask> {
         match &self.scheme {
             Scheme::Curve(mask) => Ok(mask.clone()),
             Scheme::Tensor(..) => Err(with_remedy(
@@ -294,7 +294,7 @@ fn found(
 }
 
 /// An open interval; `None` for an end at infinity.
-type Ends = (Option<Algebraic>, Option<Algebraic>);
+pub(crate) type Ends = (Option<Algebraic>, Option<Algebraic>);
 
 /// Where in a parameter T_c < 1, for c = 1, …, `levels`, and where for any of them.
 #[pyfunction]
@@ -318,7 +318,7 @@ pub fn parameter_range(
     )
 }
 
-fn ends(interval: &Interval) -> Ends {
+pub(crate) fn ends(interval: &Interval) -> Ends {
     let end = |bound: &End<RealAlgebraic>| match bound {
         End::Included(x) | End::Excluded(x) => Some(Algebraic(x.clone())),
         End::Unbounded => None,

@@ -76,6 +76,9 @@ def test_numbers_of_all_kinds():
         [["3/4", "1/4"], ["1/4", "3/4"]],
         [[Fraction(3, 4), Fraction(1, 4)], [Decimal("0.25"), "0.75"]],
         [[exact(0.75), exact(numpy.float64(0.25))], ["0.25", "0.75"]],
+        [[0.75, 0.25], [numpy.float32(0.25), numpy.float64(0.75)]],
+        numpy.array([[0.75, 0.25], [0.25, 0.75]]),
+        numpy.array([[0.75, 0.25], [0.25, 0.75]], dtype=numpy.float32),
     ]
     assert {Scheme(mask=mask).contraction(3) for mask in masks} == {Fraction(1, 8)}
     # More digits than Python reads from text.
@@ -89,15 +92,16 @@ def test_numbers_of_all_kinds():
     [
         (lambda: Scheme("chaikn"), "chaikin"),
         (lambda: Scheme("six-point").contraction(1), "`w`"),
-        (lambda: Scheme(mask=[[0.1, 0.9], [1, 0]]), "float 0.1"),
-        (lambda: Scheme("six-point", w=0.1), "float 0.1"),
+        (lambda: Scheme(mask=[[0.1, 0.9], [1, 0]]), 'write "0.1" for 1/10'),
+        (lambda: Scheme(mask=[[float("inf"), 0.9], [1, 0]]), "inf is no number"),
+        (lambda: Scheme("six-point", w=float("nan")), "nan is no number"),
         (lambda: Scheme(mask=[[1, 1], [1, 0]]), "sum"),
         (lambda: Scheme(mask=[[1, object()], [1, 0]]), "object"),
         (lambda: Scheme(mask=[[True, 0], [1, 0]]), "bool"),
         (lambda: Scheme(), "name or a mask"),
         (lambda: Scheme("chaikin").contraction(0), "from 1 on"),
         (lambda: Scheme("chaikin").depth("-1", spread=1), "positive"),
-        (lambda: Scheme("chaikin").depth("1/10"), "spread or a polygon"),
+        (lambda: Scheme("chaikin").depth("1/10", spread=1, polygon=[0, 1]), "spread or a polygon"),
         (lambda: Scheme("chaikin").refine([(1, 2), (3,)]), "coordinates"),
         (lambda: Scheme("chaikin").refine([]), "no points"),
         (lambda: Scheme("chaikin").refine([0, 1, 2], 200), "level"),
@@ -109,6 +113,18 @@ def test_errors_say_what_is_wrong(wrong, words):
         scheme = wrong()
         scheme.contraction(1)
     assert words in str(caught.value)
+
+
+def test_floats_are_the_dyadic_numbers_that_they_are():
+    w = 0.01
+    assert Scheme("six-point", w=w).contraction(1) == Scheme("six-point", w=Fraction(w)).contraction(1)
+    assert Scheme("six-point", w=w).contraction(1) != Scheme("six-point", w="0.01").contraction(1)
+    # Chaikin's distance is 1/8 of the spread at level 0 and falls by 4: at level 2 it is 1/128.
+    found = Scheme("chaikin").depth(0.0078125)
+    assert found == Scheme("chaikin").depth("1/128", spread=1)
+    assert found == Scheme("chaikin").depth(numpy.float64(0.0078125), spread=numpy.int64(1))
+    # Integers of numpy, in lists and in arrays.
+    assert Scheme(mask=numpy.array([[1, 0], [0, 1]])).norm(1) == 1
 
 
 def chaikin(points, levels):

@@ -20,6 +20,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
         Some((key, claim)) => (key, claim),
         None => (id.as_str(), ""),
     };
+    check_order(arguments)?;
     let papers = match claims(&arguments.files)? {
         Claims::Papers(papers) => papers,
         Claims::Projects(projects) => return projects::explain(arguments, projects),
@@ -63,6 +64,24 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
         return deliver(&corrected_table(finding), output.file.as_deref());
     }
     to.deliver(|| sheet, || Explained::of(&audits, id, background), page)
+}
+
+/// Refuses a claim file in the place of the claim.
+fn check_order(arguments: &ExplainArguments) -> Outcome {
+    let ExplainArguments { id, files, .. } = arguments;
+    let is_file = |name: &str| std::path::Path::new(name).is_file();
+    match &files[..] {
+        [other] if is_file(id) && !other.exists() => {
+            let other = other.display();
+            Err(Failure::Input(format!(
+                "the claim stands before its file: subcert explain {other} {id}"
+            )))
+        }
+        [] if is_file(id) => Err(Failure::Input(format!(
+            "`{id}` is a file: write the claim before it, as in subcert explain KEY:CLAIM {id}"
+        ))),
+        _ => Ok(()),
+    }
 }
 
 /// Lists the claims of a paper.

@@ -4,9 +4,7 @@ use super::arguments::JsrArguments;
 use super::json::{SCHEMA, smoothness as form};
 use super::output::{Failure, Outcome, show};
 use super::progress::Progress;
-use super::radius::{
-    between, enclosed_root, product_text, radius_form, root_text, upper, write_certificate,
-};
+use super::radius::{between, product_text, radius_form, root_text, write_certificate};
 use subcert::certificate::radius_certificate;
 use subcert::diagnostic::read_text;
 use subcert::exact::{Rational, parse_rational};
@@ -74,8 +72,8 @@ fn sheet(path: &str, set: &MatrixSet, radius: &JointRadius) -> Sheet {
             facts.push(("ϱ".to_owned(), format!("0: every product of {size} factors is 0")));
         }
         Some(hull) => {
-            let low = enclosed_root(radius);
-            facts.push(("ϱ".to_owned(), between(low.lower(), &upper(radius))));
+            let low = radius.root_enclosure();
+            facts.push(("ϱ".to_owned(), between(low.lower(), &radius.upper())));
             facts.push((
                 "at least".to_owned(),
                 format!("{}: of the product {}", root_text(radius), product_text(radius, "M")),

@@ -4,7 +4,7 @@ use super::json::smoothness as form;
 use super::output::{Failure, Outcome};
 use super::save::save;
 use std::path::Path;
-use subcert::exact::{Enclosed, Enclosure, Integer, Rational, format::fixed};
+use subcert::exact::{Enclosed, Integer, Rational, format::fixed};
 use subcert::joint::{Entry, JointRadius, MatrixSet};
 use subcert::report::json::Exact;
 
@@ -21,34 +21,6 @@ pub(super) fn down(x: &Rational) -> String {
 pub(super) fn up(x: &Rational) -> String {
     let unit = Rational::from(Integer::power_of_ten(PLACES));
     fixed(&(Rational::from((x * &unit).ceil()) / unit), PLACES)
-}
-
-/// An enclosure of root^{1/degree} of two neighbouring decimals, or the number itself.
-pub(super) fn enclosed_root(radius: &JointRadius) -> Enclosure {
-    let degree = i32::try_from(radius.degree).expect("a short product");
-    let unit = Rational::from(Integer::power_of_ten(PLACES + 2));
-    let reaches = |x: &Integer| {
-        let power = (Rational::from(x.clone()) / &unit).pow(degree);
-        radius.root.cmp_rational(&power) != std::cmp::Ordering::Less
-    };
-    let (mut low, mut high) = (Integer::zero(), unit.numerator());
-    while reaches(&high) {
-        high = &high + &high;
-    }
-    while &high - &low > Integer::one() {
-        let middle = (&low + &high).shifted_right(1);
-        if reaches(&middle) { low = middle } else { high = middle }
-    }
-    let exact = (Rational::from(low.clone()) / &unit).pow(degree);
-    let high = if radius.root.cmp_rational(&exact).is_eq() { low.clone() } else { high };
-    Enclosure::new(Rational::from(low) / &unit, Rational::from(high) / unit)
-}
-
-/// The best upper bound of the radius.
-pub(super) fn upper(radius: &JointRadius) -> Rational {
-    let exact = radius.exact.then(|| enclosed_root(radius).upper().clone());
-    let hull = radius.hull.as_ref().map(|hull| hull.bound.clone());
-    exact.into_iter().chain(hull).min().unwrap_or_else(Rational::zero)
 }
 
 /// M_0 M_1 M_1.
@@ -87,8 +59,8 @@ pub(super) fn radius_form<F: Entry>(
         product: radius.product.clone(),
         degree: radius.degree,
         root: Exact::of(&radius.root),
-        lower: down(enclosed_root(radius).lower()),
-        upper: up(&upper(radius)),
+        lower: down(radius.root_enclosure().lower()),
+        upper: up(&radius.upper()),
         exact: radius.exact,
         rows: radius.hull.as_ref().map_or(0, |hull| set.size() + hull.rows.len()),
     }

@@ -7,8 +7,7 @@ use super::json::{SCHEMA, smoothness as form};
 use super::output::{Failure, Outcome, with_decimal};
 use super::progress::Progress;
 use super::radius::{
-    between, down, enclosed_root, ends, product_text, radius_form, root_text, up, upper,
-    write_certificate,
+    between, down, ends, product_text, radius_form, root_text, up, write_certificate,
 };
 use super::vertex;
 use subcert::certificate::smoothness_certificate;
@@ -144,7 +143,7 @@ impl<F: Coefficient> Report<'_, F> {
         let deciding = self.smoothness.deciding();
         let (n, radius) = (deciding.symbol.arity(), &deciding.radius);
         let size = deciding.matrices.size();
-        let low = enclosed_root(radius);
+        let low = radius.root_enclosure();
         let mut facts = vec![
             (
                 "matrices".to_owned(),
@@ -153,7 +152,7 @@ impl<F: Coefficient> Report<'_, F> {
                     deciding.order
                 ),
             ),
-            ("ϱ".to_owned(), between(low.lower(), &upper(radius))),
+            ("ϱ".to_owned(), between(low.lower(), &radius.upper())),
             (
                 "at least".to_owned(),
                 format!("{}: of the product {}", root_text(radius), product_text(radius, "T")),

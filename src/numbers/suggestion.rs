@@ -65,9 +65,11 @@ fn listed<'a>(
 ) -> String {
     let names: Vec<&str> = names.into_iter().collect();
     let all = if names.len() > MANY {
-        let mut alike: Vec<&str> = names.clone();
-        alike.sort_by(|a, b| likeness(word, b).total_cmp(&likeness(word, a)));
-        format!("{} and {} more", alike[..FEW].join(", "), names.len() - FEW)
+        let mut alike: Vec<(f64, &str)> =
+            names.iter().map(|&name| (likeness(word, name), name)).collect();
+        alike.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let few: Vec<&str> = alike[..FEW].iter().map(|(_, name)| *name).collect();
+        format!("{} and {} more", few.join(", "), names.len() - FEW)
     } else {
         names.join(", ")
     };

@@ -50,7 +50,11 @@ fn statements_hold_the_numbers_of_the_paper() {
         assert!(of("table_1").contains(said), "{said}");
     }
     // (20) for c = 2, k = 0: σ as printed is 3/5 and T = 193/625, so that the bound is 125/144.
-    assert!(of("theorem_5").contains("exceeds_distance scheme_1 0 1 (125 # 144)."));
+    assert!(of("theorem_5").contains("exceeds_distance scheme_1 0 0 1 (125 # 144)."));
+    // At natural parameters, with rules of mean m_0 = (0·7 + 1·21 − 2·3)/25 = 3/5 the shift is −5·(3/5)/4 = −3/4.
+    assert!(of("theorem_5").contains("exceeds_distance scheme_1 (-3 # 4) 1 1 (20233 # 617320)."));
     // (32) of the quaternary scheme in both directions, c = 2, k = 1: at (15/16, 15/16) the net is 3/4 off.
-    assert!(of("theorem_8").contains("exceeds_net_distance scheme_1 scheme_1 1 1 (1133 # 5120)."));
+    assert!(
+        of("theorem_8").contains("exceeds_net_distance scheme_1 scheme_1 0 0 1 1 (1133 # 5120).")
+    );
 }

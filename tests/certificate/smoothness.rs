@@ -65,3 +65,60 @@ fn what_the_radius_does_not_show_is_left_out() {
     let report = check(&format!("{HEAD}{claims}"), &[&written.text]).expect("a claim file");
     assert!(report.claims.iter().all(|(_, _, outcome)| *outcome == Outcome::Incomplete(None)));
 }
+
+#[test]
+fn cells_of_tables_are_certified_one_by_one() {
+    let claims = "[given]\nw = '1/4'\n[[regularity]]\nid = 't'\nlocus = ''\nrows = { schemes = ['chaikin', 'six-point:w=3/256'] }\n\
+                  columns = ['order', 'exponent', 'value']\ncells = [[1, '2', '2'], [2, '2.85', '6 - log_2(9)']]\n\
+                  [[regularity]]\nid = 'u'\nlocus = ''\nscheme = 'four-point:w=w'\nrows = { name = 'w', values = ['1/16', '3/64'] }\n\
+                  columns = ['continuous', 'exponent']\ncells = [['1', '-'], ['-', '1.5']]\n\
+                  [[exponent]]\nid = 'e'\nlocus = ''\nscheme = 'four-point:w=w'\ngiven = { w = '3/64' }\nprinted = '1.415'\n";
+    let own = paper(claims);
+    let audit = judged(&own);
+    let verdicts: Vec<_> =
+        audit.smoothness.iter().map(|one| (&one.id[2..], one.verdict.name())).collect();
+    assert_eq!(
+        verdicts,
+        [
+            ("t.1.order", "confirmed"),
+            ("t.2.order", "confirmed"),
+            ("u.1.continuous", "confirmed"),
+            ("e", "confirmed"),
+            ("t.1.exponent", "confirmed"),
+            ("t.1.value", "confirmed"),
+            // It is 2.830….
+            ("t.2.exponent", "refuted"),
+            ("t.2.value", "confirmed"),
+            // It is 1.415…: with the unit 1/10, 1.5 is rounded away from 0.
+            ("u.2.exponent", "rounding"),
+        ]
+    );
+    let written = certificate(&audit);
+    assert!(written.omitted.is_empty(), "{:?}", written.omitted);
+    let invalid = |claims: &str| {
+        let report = check(&format!("{HEAD}{claims}"), &[&written.text]).expect("a claim file");
+        assert_eq!(report.claims.len() + report.broken.len(), 9);
+        let invalid = report.claims.into_iter().filter(|(_, _, found)| *found != Outcome::Valid);
+        invalid.map(|(_, id, _)| id).collect::<Vec<String>>()
+    };
+    assert!(invalid(claims).is_empty());
+    // A certificate of one table is none of another.
+    assert_eq!(invalid(&claims.replace("[[1, '2'", "[[2, '2'")), ["t.1.order"]);
+    assert_eq!(invalid(&claims.replace("'2.85'", "'2.83'")), ["t.2.exponent"]);
+    assert_eq!(invalid(&claims.replace("['1/16', '3/64']", "['1/16', '1/8']")), ["u.2.exponent"]);
+    assert_eq!(invalid(&claims.replace("given = { w = '3/64' }\n", "")), ["e"]);
+    for (right, wrong) in [
+        ("['order', 'exponent', 'value']", "['order', 'exponent', 'order']"),
+        ("['order', 'exponent', 'value']", "['order', 'exponent', 'printed']"),
+        ("[[1, '2', '2'], ", "["),
+        ("[[1, '2', '2'], ", "[[1, '2'], "),
+        ("id = 'u'", "id = 't'"),
+        ("id = 'u'", "id = 'u'\nvalue = '2'"),
+        ("scheme = 'four-point:w=w'\nrows", "rows"),
+    ] {
+        assert!(
+            check(&format!("{HEAD}{}", claims.replacen(right, wrong, 1)), &[]).is_err(),
+            "{wrong}"
+        );
+    }
+}

@@ -102,6 +102,63 @@ fn bad_claims_are_refused_with_their_place() {
 }
 
 #[test]
+fn bad_tables_of_orders_and_exponents_are_refused_with_their_place() {
+    let table = |schemes: &str, columns: &str, cells: &str| {
+        format!("rows = {{ schemes = {schemes} }}\ncolumns = {columns}\ncells = {cells}")
+    };
+    let one = |cell: &str| table("['chaikin']", "['order']", &format!("[[{cell}]]"));
+    let values = |scheme: &str, values: &str, cells: &str| {
+        format!(
+            "{scheme}rows = {{ name = 'w', values = {values} }}\ncolumns = ['exponent']\ncells = {cells}"
+        )
+    };
+    let of = "scheme = 'four-point:w=w'\n";
+    for (fields, at, says) in [
+        (table("['chaikin', 'chaikin']", "['order']", "[[1], [2]]"), "'chaikin'", "twice"),
+        (values(of, "['1/2', '0.50']", "[['1'], ['1']]"), "'0.50'", "twice"),
+        (table("[]", "['order']", "[]"), "[]", "at least one header"),
+        (table("['chaikin']", "[]", "[[]]"), "[]", "at least one column"),
+        (table("['chaikin']", "['order', 'order']", "[[1, 1]]"), "'order'", "twice"),
+        (table("['chaikin']", "['degree']", "[[1]]"), "'degree'", "order, continuous"),
+        (table("['chaikin']", "['order']", "[]"), "[]", "0 rows of cells, and 1 row headers"),
+        (table("['chaikin']", "['order']", "[[1, 1]]"), "[1, 1]", "2 cells, and 1 columns"),
+        (one("'-'"), "[['-']]", "no cell states anything"),
+        (one("''"), "''", "no order"),
+        (one("'C^2'"), "'C^2'", "no order"),
+        (one("-1"), "-1", "no order"),
+        (one("64"), "64", "`65` is no order"),
+        (one("99999999999999999999"), "99999999999999999999", "no order"),
+        (one("1.5"), "1.5", "1.5"),
+        (one("{ printed = 'C2', read = '2' }"), "read", "note"),
+        (values(of, "['1/16']", "[['two']]"), "'two'", "two"),
+        (values(of, "['x']", "[['2']]"), "'x'", "x"),
+        (values("", "['1/16']", "[['2']]"), "'c'", "`scheme` is missing"),
+        (values("scheme = 'four-point:w=v'\n", "['1/16']", "[['2']]"), "'four-point:w=v'", "v"),
+        (format!("scheme = 'chaikin'\n{}", one("1")), "'chaikin'", "two schemes"),
+        (
+            format!("{}\n[define]\nw = '1'", values(of, "['1/16']", "[['2']]")),
+            "'1/16'",
+            "two meanings",
+        ),
+        (
+            format!("{}\n[[exponent]]\nid = 'c.1.order'\nlocus = ''\nabsent = 'x'", one("1")),
+            "'c",
+            "used twice",
+        ),
+        (
+            format!("{}\n[[exponent]]\nid = 'c'\nlocus = ''\nabsent = 'x'", one("1")),
+            "'c'",
+            "used twice",
+        ),
+    ] {
+        let error = error("regularity", &fields);
+        let place = &error.source.text[error.span.clone()];
+        assert!(place.contains(at), "{fields}: at {place}");
+        assert!(error.to_string().contains(says), "{fields}: {error}");
+    }
+}
+
+#[test]
 fn each_kind_has_its_table() {
     let text = format!(
         "{HEAD}[[exponent]]\nid = 'e'\nlocus = ''\nscheme = 'chaikin'\nvalue = '2'\n\

@@ -2,4 +2,5 @@
 
 mod coverage;
 mod errata;
+mod kernel;
 mod luck;

@@ -1,6 +1,7 @@
 //! Claims about smoothness in words, and as JSON.
 
 use crate::common::claims::{judged, paper};
+use subcert::report::html::audit_page;
 use subcert::report::json::AuditReport;
 use subcert::report::{Background, audit_sheet, errata_sheet, explain_sheet};
 
@@ -56,4 +57,41 @@ fn json_has_the_bounds() {
     let at = claims[3]["parameter"]["refuted_at_decimal"].as_str().expect("a value");
     assert!(at.starts_with("0.19"), "{at}");
     assert_eq!(report["papers"][0]["summary"]["refuted"], 2);
+}
+
+const TABLES: &str = "[[regularity]]\nid = 't'\nlocus = 'Table 1'\ntitle = 'Three schemes'\nnote = 'Of the authors.'\n\
+                      rows = { schemes = ['chaikin', { printed = 'DD4', scheme = 'four-point:w=1/16' }] }\n\
+                      columns = ['order', 'exponent']\ncells = [[1, '2.000'], [{ printed = 'C²', read = '2', note = 'n' }, '-']]\n\
+                      [[regularity]]\nid = 'u'\nlocus = 'Table 2'\nscheme = 'four-point:w=w'\n\
+                      rows = { name = 'w', values = ['3/64'] }\ncolumns = ['exponent']\ncells = [['1.415']]\n";
+
+#[test]
+fn a_table_of_orders_and_exponents_has_its_shape_and_a_verdict_in_each_cell() {
+    let paper = paper(TABLES);
+    let audits = [judged(&paper)];
+    let report = audit_sheet(&audits, false).to_markdown();
+    assert!(
+        report.contains("| scheme | order | exponent |\n| --- | --: | --: |\n| chaikin | 1 ✓ | 2.000 ✓ |\n| DD4 | C² ✗ | · |"),
+        "{report}"
+    );
+    assert!(report.contains(
+        "- ✗ Table 1 (DD4, order): Three schemes · t.2.order<br>states: the limits are C^2"
+    ));
+    // What is confirmed throughout is shown with `--all`.
+    assert!(!report.contains("Table 2"), "{report}");
+    assert!(
+        audit_sheet(&audits, true)
+            .to_markdown()
+            .contains("| w | exponent |\n| --- | --: |\n| 3/64 | 1.415 ✓ |")
+    );
+    let explained = explain_sheet(&audits, "k:u.1.exponent", Background::default(), false);
+    let explained = explained.expect("a claim").to_markdown();
+    assert!(explained.contains("- scheme: four-point:w=w, w = 3/64"), "{explained}");
+    let errata = errata_sheet(&audits).to_markdown();
+    assert!(errata.contains("## 1. Table 1 (DD4, order) · ✗ refuted"), "{errata}");
+    let page = audit_page(&audits[0], None).expect("a page");
+    assert!(
+        page.contains("<td class=\"cell wrong\"><a class=\"leads\" href=\"#t.2.order\">C² "),
+        "{page}"
+    );
 }

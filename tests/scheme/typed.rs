@@ -30,7 +30,7 @@ proptest! {
         // The last of each residue makes the sum 7.
         for alpha in 0..arity {
             let of = |k: &usize| k % arity == alpha;
-            let last = (0..coefficients.len()).filter(of).next_back().expect("one");
+            let last = (0..coefficients.len()).rfind(of).expect("one");
             let others: i64 = (0..last).filter(of).map(|k| coefficients[k]).sum();
             coefficients[last] = 7 - others;
         }

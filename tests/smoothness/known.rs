@@ -164,7 +164,9 @@ fn long_masks() {
         for k in 1..quotient.len() {
             quotient[k] -= quotient[k - 1];
         }
-        quotient.iter_mut().for_each(|x| *x *= 2.0);
+        for x in &mut quotient {
+            *x *= 2.0;
+        }
         assert!(quotient.pop().expect("a rest").abs() < 1e-6);
     }
     let mut coefficients = vec![1.0];

@@ -11,6 +11,7 @@
 // Texts, and the reasons to reject them.
 mod certificate;
 mod cursor;
+mod regularity;
 mod reject;
 mod shape;
 mod toml;
@@ -83,6 +84,7 @@ use library::Library;
 use meter::Meter;
 use paper::Paper;
 pub use radius::{Radius, check_radius};
+use regularity::expanded;
 use reject::Checked;
 pub use reject::{RadiusReason, RadiusRejection, Reason, Rejection, Stop, Text};
 use rules::{Given, Recovered, Verdict};
@@ -135,7 +137,7 @@ pub fn is_formula(text: &str) -> bool {
 /// # Errors
 /// The claim file is wrong; the message says why.
 pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
-    let file = Toml::read(claims)?;
+    let file = expanded(Toml::read(claims)?)?;
     if file.get("project").is_some() {
         return check_project(&file, certificates);
     }
@@ -144,7 +146,8 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let library = Library::new(file.list("scheme"), &known, &meter);
     let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
     let mut ids = BTreeSet::new();
-    for id in paper.claims().into_iter().map(|(_, id)| id).chain([&key[..]]) {
+    let tables = file.list("regularity").iter().map(|table| table.text("id").unwrap_or(""));
+    for id in paper.claims().into_iter().map(|(_, id)| id).chain(tables).chain([&key[..]]) {
         if !is_id(id) {
             return Err(format!("{id:?} cannot be an id"));
         }
@@ -240,7 +243,7 @@ fn of_paper(file: &Toml) -> Result<&str, String> {
 
 /// Compares files of theorems of Coq with their claim file: masks, numbers, levels and places
 /// (FORMAT.md, Theorems of Coq). Certificates recover the values of parameters that the paper does not
-/// state; they are checked. Whether the theorems are true, Coq checks.
+/// state; they are checked. Of several files about one claim, the first one that agrees counts. Whether the theorems are true, Coq checks.
 ///
 /// # Errors
 /// The claim file is wrong, or is about a project; the message says why.
@@ -252,7 +255,7 @@ pub fn check_theorems(
     certificates: &[&str],
     files: &[&str],
 ) -> Result<Vec<Result<Agreement, Rejection>>, String> {
-    let file = Toml::read(claims)?;
+    let file = expanded(Toml::read(claims)?)?;
     if file.get("project").is_some() {
         return Err("there are no theorems about the constants of a project".to_owned());
     }
@@ -262,7 +265,14 @@ pub fn check_theorems(
         let meter = Meter::default();
         let library = Library::new(file.list("scheme"), &known, &meter);
         let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
-        Ok(files.iter().map(|text| kernel::agree(&paper, key, &recovered, text)).collect())
+        let mut known = BTreeSet::new();
+        let of_file = |text: &&str| {
+            let agreement = kernel::agree(&paper, key, &recovered, text)?;
+            let first = known.insert((agreement.kind.clone(), agreement.id.clone()));
+            reject::require(first, Reason::OtherFile).map_err(|rejection| rejection.at(1))?;
+            Ok(agreement)
+        };
+        Ok(files.iter().map(of_file).collect())
     };
     std::thread::scope(|scope| {
         let worker = Builder::new().stack_size(STACK).spawn_scoped(scope, compare);

@@ -203,7 +203,7 @@ fn theorems(paths: &[String]) -> Result<bool, String> {
     let (mut agreeing, mut count) = (0, 0);
     for (path, compared) in files.iter().zip(&compared) {
         let line = match compared {
-            Ok(Agreement { id, theorems, recovered }) => {
+            Ok(Agreement { id, theorems, recovered, .. }) => {
                 (agreeing, count) = (agreeing + 1, count + theorems);
                 let values = recovered.iter().map(|(name, value)| format!(", {name} = {value}"));
                 format!(

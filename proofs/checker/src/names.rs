@@ -45,6 +45,7 @@ fn own<'a>(kind: &str, claim: &'a Toml) -> Vec<&'a str> {
             let symbols = claim.list("symbols").iter().filter_map(Toml::as_text);
             symbols.chain(claim.list("indices").iter().filter_map(name)).collect()
         }
+        "smoothness" | "exponent" => keys("given").collect(),
         "theorem" if claim.get("by").is_some() => keys("values").chain(OF_THEOREMS).collect(),
         "theorem" => keys("values").collect(),
         _ => claim.text("variable").into_iter().collect(),

@@ -149,6 +149,8 @@ reasons! {
     NoNeed "a number is open, or none is wrong and better by the reading, which explains nothing"
     Form(what: String) "the file does not have the form of a file of theorems: {what}"
     Stated(said: Text, found: Text) "the theorem says {said}, and by the claim file it is {found}"
+    TwiceStated(line: usize) "the theorem in line {line} says the same of the same place; a finding is stated once"
+    OtherFile "another file of these has the theorems about this claim; each claim has one file"
     NotAsked "the value of the cell does not use this constant"
     NoValueGiven(name: String) "no valid certificate gives a value of {name}"
     NotViolated(value: Text, bound: Text) "the value is {value}, which does not violate the bound {bound}"

@@ -10,7 +10,7 @@ pub const KINDS: [&str; 7] =
 /// with any names, `s|t` is s or t, and `nested` is a text or a list of such.
 const SHAPES: &str = "
 file: key=text paper=any define=%text given=%text alternative=*alternative scheme=*scheme \
- table=*any equation=*any function=*any range=*any smoothness=*any exponent=*any theorem=*any unclaimed=any
+ table=*any equation=*any function=*any range=*any smoothness=*any exponent=*any regularity=*any theorem=*any unclaimed=any
 alternative: of=text label=text value=text
 scheme: name=text title=text source=text parameters=%parameter let=%text offset=text arity=text \
  width=text entry=text mask=**text orbits=%text weights=%%text edges=**text use=text
@@ -23,8 +23,9 @@ equation: symbols=*text hypotheses=*text indices=*axis left=text|*text right=tex
 function: variable=text left=text right=text
 range: variable=text value=text below=text at_most=text smoothness=text from=number to=number \
  closed=flag only=flag valences=text
-smoothness: continuous=text not_continuous=text valences=text absent=text
-exponent: value=text printed=number at_least=text at_most=text attained=flag absent=text
+smoothness: continuous=text not_continuous=text valences=text absent=text given=%text
+exponent: value=text printed=number at_least=text at_most=text attained=flag absent=text given=%text
+regularity: id=text locus=text title=text scheme=text note=text rows=axis columns=*text cells=**number
 theorem: bounds=text by=text from=text says=text rests=*text schemes=*text values=%*text \
  offset=text interpolant=text supposes=supposes block=text corrections=*correction \
  proved_by=text refuted_by=text proof_uses=*text

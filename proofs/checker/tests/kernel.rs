@@ -76,7 +76,7 @@ const FORMS: [Change; 17] = [
         "Theorem finding_1 :\n  bounds_distance scheme_2",
         FORM,
     ),
-    ("bounds_distance scheme_1 1 (1 # 4)", "bounds_distance scheme_1 1 (1 # 4) \\/ True", FORM),
+    ("bounds_distance scheme_1 0 1 (1 # 4)", "bounds_distance scheme_1 0 1 (1 # 4) \\/ True", FORM),
     // A Greek letter in place of a Latin one, which looks alike.
     (
         "Theorem finding_1 :\n  bounds_distance",
@@ -86,7 +86,7 @@ const FORMS: [Change; 17] = [
 ];
 
 /// Differences from the claim file. All are well-formed, and Coq accepts many of them.
-const NEWTON: [Change; 14] = [
+const NEWTON: [Change; 16] = [
     ("khan2019-newton, table", "khan2019-other, table", STATED),
     ("table table-1 (", "table table-2 (", STATED),
     ("table table-1 (", "table table-9 (", "the claim file has no such claim"),
@@ -98,8 +98,10 @@ const NEWTON: [Change; 14] = [
     ("Scheme 4 0 [[3; 1]; [1; 3]]", "Scheme 4 0 [[1; 3]; [3; 1]]", STATED),
     ("Scheme 4 0 [[3; 1]; [1; 3]]", "Scheme 4 1 [[3; 1]; [1; 3]]", STATED),
     ("Scheme 4 0 [[3; 1]; [1; 3]]", "Scheme 5 0 [[3; 1]; [1; 3]]", STATED),
-    ("bounds_distance scheme_1 1 (1 # 4)", "bounds_distance scheme_1 2 (1 # 4)", STATED),
-    ("scheme_1 4 1 (39 # 1250)", "scheme_1 4 1 (38 # 1250)", STATED),
+    ("bounds_distance scheme_1 0 1 (1 # 4)", "bounds_distance scheme_1 0 2 (1 # 4)", STATED),
+    ("scheme_1 0 4 1 (39 # 1250)", "scheme_1 0 4 1 (38 # 1250)", STATED),
+    ("scheme_1 0 4 1 (39 # 1250)", "scheme_1 (-1 # 2) 4 1 (39 # 1250)", STATED),
+    ("Broken at level 4", "Broken at natural parameters at level 4", STATED),
     ("Broken at level 4: 39/125000", "Broken at level 4: 39/125001", STATED),
 ];
 
@@ -116,15 +118,28 @@ const BOUND: [Change; 9] = [
     ("the bound is sigma", "the bound is 2*sigma", STATED),
     ("[7; 21; -3]", "[7; 20; -2]", STATED),
     (
-        "exceeds_distance scheme_1 0 1 (125 # 144)",
-        "exceeds_distance scheme_1 0 2 (125 # 144)",
+        "exceeds_distance scheme_1 0 0 1 (125 # 144)",
+        "exceeds_distance scheme_1 0 0 2 (125 # 144)",
         STATED,
     ),
     (
-        "exceeds_distance scheme_1 0 1 (125 # 144)",
-        "exceeds_distance scheme_1 0 1 (126 # 144)",
+        "exceeds_distance scheme_1 0 0 1 (125 # 144)",
+        "exceeds_distance scheme_1 0 0 1 (126 # 144)",
         STATED,
     ),
+];
+
+/// At natural parameters: the shift −3/4 of the mask, the instance and its bound. Differences and promises have their own.
+const NATURAL: [Change; 5] = [
+    ("exceeds_distance scheme_1 (-3 # 4)", "exceeds_distance scheme_1 (-1 # 2)", STATED),
+    ("exceeds_distance scheme_1 (-3 # 4)", "exceeds_distance scheme_1 0", STATED),
+    ("Refuted at natural parameters for", "Refuted for", STATED),
+    (
+        "Refuted at natural parameters for",
+        "Refuted at the parameters for",
+        "the line does not have the form",
+    ),
+    ("1 1 (20233 # 617320)", "1 1 (20234 # 617320)", STATED),
 ];
 
 /// The interpolant of the claim, and not the points before.
@@ -136,10 +151,11 @@ const RING: [Change; 3] = [
 
 #[test]
 fn nothing_else_is_accepted() {
-    let files: [(&str, &str, &[Change]); 4] = [
+    let files: [(&str, &str, &[Change]); 5] = [
         ("khan2019-newton", "khan2019_newton/table_1", &FORMS),
         ("khan2019-newton", "khan2019_newton/table_1", &NEWTON),
         ("mustafa2020-nary", "mustafa2020_nary/theorem_5", &BOUND),
+        ("mustafa2020-nary", "mustafa2020_nary/theorem_5", &NATURAL),
         ("mustafa2007-bajaj", "mustafa2007_bajaj/eq_37_step", &RING),
     ];
     for (key, file, changes) in files {
@@ -154,6 +170,28 @@ fn nothing_else_is_accepted() {
             assert!(found.starts_with(reason), "{file}, `{new}`: {found}");
         }
     }
+}
+
+/// A theorem that is copied, with the next number and another second comment, is no second finding; nor is a file that
+/// is given twice. Theorems about other cells may have the same numbers.
+#[test]
+fn a_finding_is_stated_once() {
+    let original = text("coq/papers/khan2019_newton/table_1.v");
+    let theorems = original.matches("\nTheorem ").count();
+    let start = original.find("\n(* row 1, column 1: ").expect("a theorem");
+    let (first, _) = original[start..].split_once("Qed.\n").expect("its proof");
+    let next = format!("Theorem finding_{} :", theorems + 1);
+    let copied = format!("{original}{}Qed.\n", first.replace("Theorem finding_1 :", &next));
+    let line = |text: &str| text.matches('\n').count() + 1;
+    let outcomes = outcomes("khan2019-newton", &[&original, &copied, &original]);
+    let reason = |place: usize| {
+        let rejection = outcomes[place].as_ref().expect_err("a copy");
+        (rejection.line, rejection.reason.clone())
+    };
+    assert_eq!(outcomes[0].as_ref().map(|agreement| agreement.theorems), Ok(theorems));
+    let earlier = line(&original[..=start]);
+    assert_eq!(reason(1), (line(&original) + 1, Reason::TwiceStated(earlier)));
+    assert_eq!(reason(2), (1, Reason::OtherFile));
 }
 
 /// T_c has an order and a number of levels, which the cell has to use.

@@ -7,32 +7,55 @@
 Fraction(89, 128)
 """
 
+from . import _native
+from ._analysis import (
+    Eigenvalue,
+    Exponent,
+    JointRadius,
+    Real,
+    Smoothness,
+    Spectrum,
+    VertexSmoothness,
+    jsr,
+)
 from ._audit import Audit, Finding, audit, papers
 from ._errors import SubcertError
 from ._geometry import LimitPoint, MeshDepth
 from ._mesh import RefinedMesh, limit_points, mesh_depth, refine_mesh
 from ._net import limit_net, net_depth, refine_net
 from ._numbers import Algebraic, exact
-from ._scheme import Constants, Depth, Interval, Quantity, Refined, Scheme, schemes
+from ._scheme import Constants, Depth, Interval, Quantity, Refined, Scheme, SmoothRange, schemes
 from ._solid import RefinedSolid, refine_solid, solid_depth, solid_limit_points
+
+#: The version of the program.
+__version__: str = _native.version()
 
 __all__ = [
     "Algebraic",
     "Audit",
     "Constants",
     "Depth",
+    "Eigenvalue",
+    "Exponent",
     "Finding",
     "Interval",
+    "JointRadius",
     "LimitPoint",
     "MeshDepth",
     "Quantity",
+    "Real",
     "Refined",
     "RefinedMesh",
     "RefinedSolid",
     "Scheme",
+    "SmoothRange",
+    "Smoothness",
+    "Spectrum",
     "SubcertError",
+    "VertexSmoothness",
     "audit",
     "exact",
+    "jsr",
     "limit_net",
     "limit_points",
     "mesh_depth",

@@ -14,7 +14,12 @@ from . import _native
 
 @dataclass(frozen=True)
 class Finding:
-    """What an audit finds of one claim: a cell of a table, an equation, a range, a theorem."""
+    """What an audit finds of one claim: a cell of a table, an equation, a range, a theorem.
+
+    >>> first = audit("khan2019-newton").findings[0]
+    >>> first.id, first.printed, first.exact
+    ('khan2019-newton:table-1:1:1', '0.002500', Fraction(1, 400))
+    """
 
     #: The paper's key, the claim's id, and for a cell its row and column.
     id: str
@@ -59,7 +64,12 @@ class Finding:
 
 @dataclass(frozen=True)
 class Audit:
-    """The findings of one paper."""
+    """The findings of one paper.
+
+    >>> found = audit("khan2022-doo-sabin")
+    >>> found.key, len(found) == len(list(found))
+    ('khan2022-doo-sabin', True)
+    """
 
     key: str
     findings: List[Finding]
@@ -74,7 +84,11 @@ class Audit:
         return len(self.findings)
 
     def to_pandas(self) -> Any:
-        """The findings as a pandas DataFrame, a row for each claim."""
+        """The findings as a pandas DataFrame, a row for each claim.
+
+        >>> audit("khan2019-newton").to_pandas().verdict.iloc[0]
+        'confirmed'
+        """
         import pandas
 
         rows = [{k: v for k, v in asdict(x).items() if k != "data"} for x in self.findings]
@@ -97,7 +111,11 @@ class Audit:
 
 
 def papers() -> List[str]:
-    """The keys of the papers that come with the module."""
+    """The keys of the papers that come with the module.
+
+    >>> "khan2019-newton" in papers()
+    True
+    """
     return _native.paper_keys()
 
 

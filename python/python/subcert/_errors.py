@@ -13,10 +13,10 @@ class SubcertError(ValueError):
 
     >>> from subcert import Scheme
     >>> try:
-    ...     Scheme("six-point", w=0.01)
+    ...     Scheme("chaikin").contraction(0)
     ... except SubcertError as error:
     ...     print(error.message)
-    the float 0.01 is no exact number
+    c counts levels from 1 on
     """
 
     def __init__(

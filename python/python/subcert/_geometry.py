@@ -15,7 +15,13 @@ Point = Tuple[float, float, float]
 @dataclass(frozen=True)
 class MeshDepth:
     """How many levels a mesh needs; see ``Depth``. Distances are between mesh and limit surface at
-    the same parameters."""
+    the same parameters.
+
+    >>> from subcert import net_depth
+    >>> roof = [[(i, j, abs(j - 2)) for j in range(5)] for i in range(4)]
+    >>> net_depth("b-spline:degree=3 x b-spline:degree=3", roof, 0.05).level
+    2
+    """
 
     level: int
     too_few: Optional[int]
@@ -30,7 +36,13 @@ class MeshDepth:
 
 @dataclass(frozen=True)
 class LimitPoint:
-    """Where the limit surface has a vertex; ``exact`` is None where it is irrational."""
+    """Where the limit surface has a vertex; ``exact`` is None where it is irrational.
+
+    >>> from subcert import limit_points
+    >>> found = limit_points("loop", [(0, 0, 0), (4, 0, 0), (0, 4, 0)], [[0, 1, 2]])
+    >>> found[0].exact
+    (Fraction(2, 3), Fraction(2, 3), Fraction(0, 1))
+    """
 
     point: Point
     exact: Optional[Tuple[Fraction, Fraction, Fraction]]
@@ -53,6 +65,7 @@ def limit_of(found: Any) -> Optional[LimitPoint]:
 
 def points_of(rows: Sequence[Any], name: str) -> List[List[Any]]:
     """Points for the native part; `name` says what they are called in messages."""
+    rows = [row.tolist() if hasattr(row, "tolist") else row for row in rows]
     for i, row in enumerate(rows):
         if not isinstance(row, (list, tuple)) or len(row) != 3:
             raise SubcertError(f"{name} {i} is {row!r}", remedy=f"a {name} has three coordinates")

@@ -13,7 +13,12 @@ from ._numbers import Number
 
 @dataclass(frozen=True)
 class RefinedMesh:
-    """A refined mesh: each coordinate is the float nearest to the exact one."""
+    """A refined mesh: each coordinate is the float nearest to the exact one.
+
+    >>> found = refine_mesh("loop", [(0, 0, 0), (4, 0, 0), (0, 4, 0)], [[0, 1, 2]])
+    >>> len(found.vertices), len(found.faces)
+    (6, 4)
+    """
 
     vertices: Any
     faces: List[List[int]]
@@ -37,7 +42,14 @@ def mesh_depth(
 def refine_mesh(
     scheme: str, vertices: Any, faces: Sequence[Sequence[int]], levels: int = 1
 ) -> RefinedMesh:
-    """The mesh after some levels, computed exactly and rounded once."""
+    """The mesh after some levels, computed exactly and rounded once.
+
+    >>> cube = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
+    >>> faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
+    >>> found = refine_mesh("catmull-clark", cube, faces)
+    >>> len(found.vertices), len(found.faces)
+    (26, 24)
+    """
     points, refined = _native.mesh_refine(scheme, _vertices(vertices), _faces(faces), levels)
     return RefinedMesh(as_given(points, vertices, (len(points),)), refined)
 
@@ -45,7 +57,13 @@ def refine_mesh(
 def limit_points(
     scheme: str, vertices: Any, faces: Sequence[Sequence[int]]
 ) -> List[Optional[LimitPoint]]:
-    """Where the limit surface has each vertex; None where it does not reach it."""
+    """Where the limit surface has each vertex; None where it does not reach it.
+
+    >>> cube = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
+    >>> faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
+    >>> limit_points("catmull-clark", cube, faces)[0].exact
+    (Fraction(-1, 2), Fraction(-1, 2), Fraction(-1, 2))
+    """
     found = _native.mesh_limit(scheme, _vertices(vertices), _faces(faces))
     return [limit_of(limit) for limit in found]
 

@@ -35,6 +35,44 @@ class _Native:
     ) -> List[List[_Fraction]]: ...
     def certify(self, levels: int) -> List[Tuple[str, float, _Fraction, Optional[float]]]: ...
 
+_Real = Tuple[str, Optional[_Fraction], float]
+_Stencil = List[Tuple[str, _Real]]
+_Placed = Tuple[_Ends, bool, bool]
+
+def version() -> str: ...
+def is_ring(text: str) -> bool: ...
+def open_names(text: str) -> List[str]: ...
+def smoothness(
+    scheme: _Native,
+) -> Tuple[
+    int,
+    int,
+    int,
+    Optional[_Fraction],
+    Optional[bool],
+    Optional[int],
+    Optional[int],
+    Optional[Tuple[Optional[str], _Fraction, _Fraction, Optional[bool]]],
+]: ...
+def vertex_smoothness(scheme: str, valence: Optional[int] = None) -> Tuple[int, str, str]: ...
+def spectrum(
+    scheme: str, valence: Optional[int] = None
+) -> Tuple[
+    int,
+    List[Tuple[_Real, Optional[_Real], int, List[int]]],
+    bool,
+    Optional[_Real],
+    Optional[_Real],
+    Optional[str],
+    Optional[_Stencil],
+    Optional[List[_Stencil]],
+]: ...
+def jsr(
+    matrices: List[List[List[Any]]],
+) -> Tuple[List[int], _Algebraic, int, bool, Tuple[_Fraction, _Fraction]]: ...
+def smooth_range(
+    text: str, parameter: str, m: int, levels: int
+) -> Tuple[List[_Placed], List[_Placed], bool, Optional[_Fraction]]: ...
 def scheme_names() -> List[str]: ...
 def parameter_range(
     text: str, parameter: str, levels: int

@@ -41,7 +41,12 @@ def refine_net(scheme: str, points: Any, levels: int = 1, *, closed: str = "none
 def limit_net(
     scheme: str, points: Any, *, closed: str = "none"
 ) -> List[List[Optional[LimitPoint]]]:
-    """Where each point of the net tends to, row by row; None where the limit does not reach it."""
+    """Where each point of the net tends to, row by row; None where the limit does not reach it.
+
+    >>> plane = [[(4 * i, 4 * j, 0) for j in range(3)] for i in range(3)]
+    >>> limit_net("b-spline:degree=3 x b-spline:degree=3", plane)[1][1].exact
+    (Fraction(4, 1), Fraction(4, 1), Fraction(0, 1))
+    """
     given = _given(points, closed)
     limits = [limit_of(limit) for limit in _native.net_limit(scheme, given)]
     columns = given[1]
@@ -50,6 +55,7 @@ def limit_net(
 
 def _given(points: Any, closed: str) -> Tuple[List[List[Any]], int, str]:
     rows: Sequence[Any] = points.tolist() if hasattr(points, "tolist") else list(points)
+    rows = [row.tolist() if hasattr(row, "tolist") else row for row in rows]
     for i, row in enumerate(rows):
         if not isinstance(row, (list, tuple)):
             raise SubcertError(f"row {i} is {row!r}", remedy="a net is a list of rows of points")

@@ -11,8 +11,9 @@ from typing import Any, List, Optional, Tuple, Union
 from . import _native
 from ._errors import SubcertError
 
-#: What is read as an exact number: an int, a Fraction, a Decimal, or text such as "3/256" or "0.1".
-Number = Union[int, Fraction, Decimal, str]
+#: What is read as an exact number: an int, a Fraction, a Decimal, text such as "3/256" or "0.1", or a float,
+#: which is the dyadic number that it is.
+Number = Union[int, Fraction, Decimal, str, float]
 
 
 def exact(value: Any) -> Fraction:
@@ -68,12 +69,23 @@ class Algebraic:
         return self._number.minpoly
 
     def interval(self, digits: int = 20) -> Tuple[Fraction, Fraction]:
-        """Two fractions that the number is between, at most 10^-digits apart."""
+        """Two fractions that the number is between, at most 10^-digits apart.
+
+        >>> from subcert import Scheme
+        >>> low, high = Scheme("four-point").range("w", levels=2)[-1].high.interval(6)
+        >>> high - low <= Fraction(1, 10**6)
+        True
+        """
         low, high = self._number.interval(digits)
         return coprime(*low), coprime(*high)
 
     def as_fraction(self) -> Optional[Fraction]:
-        """The number as a fraction; None if it is irrational."""
+        """The number as a fraction; None if it is irrational.
+
+        >>> from subcert import Scheme
+        >>> Scheme("four-point").range("w", levels=1)[0].high.as_fraction()
+        Fraction(1, 4)
+        """
         return pair(self._number.as_fraction())
 
     def __float__(self) -> float:

@@ -4,16 +4,22 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union, overload
 
 from . import _native
+from ._analysis import Smoothness, Spectrum, VertexSmoothness, of_curve, of_vertex, spectrum
 from ._errors import SubcertError
+from ._html import facts, table
 from ._numbers import Algebraic, Number, coprime, exact, pair
 
 
 @dataclass(frozen=True)
 class Constants:
-    """The constants of a scheme; ``contraction[c - 1]`` is T_c, and ``norm[c - 1]`` is Λ_c."""
+    """The constants of a scheme; ``contraction[c - 1]`` is T_c, and ``norm[c - 1]`` is Λ_c.
+
+    >>> Scheme("chaikin").constants(2).contraction
+    [Fraction(1, 2), Fraction(1, 4)]
+    """
 
     contraction: List[Fraction]
     norm: List[Fraction]
@@ -22,6 +28,13 @@ class Constants:
     #: not kept.
     natural_shifts: List[Optional[Fraction]]
 
+    def _repr_html_(self) -> str:
+        rows = [
+            (c, f"{t} = {float(t):.6g}", f"{norm} = {float(norm):.6g}")
+            for c, (t, norm) in enumerate(zip(self.contraction, self.norm), 1)
+        ]
+        return table(f"Constants; σ = {self.displacement}", ["c", "T_c", "Λ_c"], rows)
+
 
 @dataclass(frozen=True)
 class Depth:
@@ -29,6 +42,10 @@ class Depth:
 
     ``level`` is enough, ``too_few`` is not (None where even level 0 may be enough), and the distance
     at ``level`` lies between the two numbers of ``distance``.
+
+    >>> found = Scheme("chaikin").depth("1/100")
+    >>> found.level, found.too_few
+    (3, 2)
     """
 
     level: int
@@ -37,16 +54,66 @@ class Depth:
     #: A parameter at which the lower end is the distance.
     parameter: Optional[Fraction]
 
+    def _repr_html_(self) -> str:
+        low, high = map(float, self.distance)
+        return facts(
+            "Depth",
+            [
+                ("levels", self.level),
+                ("too few", self.too_few),
+                ("distance from", low),
+                ("to", high),
+                ("at the parameter", self.parameter),
+            ],
+        )
+
 
 @dataclass(frozen=True)
 class Interval:
-    """An open interval; None stands for an end at infinity."""
+    """An interval; None stands for an end at infinity. The ends do not belong to it, unless it says so.
+
+    >>> [interval] = Scheme("four-point").range("w", levels=1)
+    >>> 0.125 in interval, "1/4" in interval
+    (True, False)
+    """
 
     low: Optional[Algebraic]
     high: Optional[Algebraic]
+    low_included: bool = False
+    high_included: bool = False
 
     def __contains__(self, value: Any) -> bool:
-        return (self.low is None or self.low < value) and (self.high is None or self.high > value)
+        above = self.low is None or self.low < value or self.low_included and self.low == exact(value)
+        below = self.high is None or self.high > value or self.high_included and self.high == exact(value)
+        return above and below
+
+
+@dataclass(frozen=True)
+class SmoothRange:
+    """Where in a parameter all limits are C^m, and where not.
+
+    >>> found = Scheme("four-point").range("w", smoothness=1)
+    >>> "1/16" in found, "1/2" in found
+    (True, False)
+    """
+
+    #: There all limits are C^m.
+    inside: List[Interval]
+    #: There not all limits are C^m, or the scheme diverges.
+    outside: List[Interval]
+    #: Whether finitely many values outside may be exceptions.
+    but_finitely_many: bool
+    #: The length of what is in neither; None where that is unbounded.
+    gap: Optional[Fraction]
+
+    def __contains__(self, value: Any) -> bool:
+        """Whether it is proven that all limits are C^m at this value."""
+        return any(value in interval for interval in self.inside)
+
+    def _repr_html_(self) -> str:
+        rows = [("inside", x) for x in self.inside] + [("outside", x) for x in self.outside]
+        ends = [(name, x.low and float(x.low), x.high and float(x.high)) for name, x in rows]
+        return table("Where the limits are smooth", ["", "from", "to"], ends)
 
 
 @dataclass(frozen=True)
@@ -54,6 +121,10 @@ class Quantity:
     """A constant in floating point beside its exact value.
 
     ``bound`` is a proven bound of the error, None where none is computed in advance.
+
+    >>> first = Scheme("six-point", w="3/256").certify(1)[0]
+    >>> first.value == float(first.exact) or first.error > 0
+    True
     """
 
     name: str
@@ -74,6 +145,10 @@ class Refined:
     ``exact`` has the points as fractions (tuples of them where points have several coordinates),
     ``points`` the nearest floats: a numpy array if one was given, else a list; ``error`` bounds how
     far any float is from its exact value.
+
+    >>> found = Scheme("chaikin").refine([0.0, 4.0])
+    >>> found.points, found.error
+    ([1.0, 3.0, 3.0, 1.0], 0.0)
     """
 
     points: Any
@@ -85,8 +160,8 @@ class Scheme:
     """A subdivision scheme: one of the catalogue with its parameters, or a mask.
 
     A mask has one row of coefficients for each rule; ``offset`` is the index of the first point that
-    a rule takes. Numbers are ints, Fractions, Decimals, or text such as "3/256"; floats are refused,
-    as 0.1 is not 1/10 as a float: ``subcert.exact(0.1)`` is the number that it is.
+    a rule takes. Numbers are ints, Fractions, Decimals, text such as "3/256", or floats, which are the
+    numbers that they are: 0.375 is 3/8, but 0.1 is not 1/10. numpy arrays are taken too.
 
     >>> Scheme("six-point", w=Fraction(3, 256)).contraction(1)
     Fraction(89, 128)
@@ -113,7 +188,14 @@ class Scheme:
         if mask is not None:
             if parameters:
                 raise SubcertError("a mask has no parameters")
-            self._known = _native._Native.of_mask([list(row) for row in mask], offset)
+            rows = [list(row) for row in mask]
+            try:
+                self._known = _native._Native.of_mask(rows, offset)
+            except SubcertError as error:
+                if error.remedy is None and any(isinstance(x, float) for row in rows for x in row):
+                    remedy = 'a float is the number that it is: write "0.1" for 1/10'
+                    raise SubcertError(error.message, remedy=remedy) from None
+                raise
         else:
             self._text = _text(str(name), parameters)
 
@@ -121,7 +203,7 @@ class Scheme:
     def _native(self) -> Any:
         # Where a parameter is left open, as for `range`, there is no mask.
         if self._known is None:
-            self._known = _native._Native.named(self._text)
+            self._known = _native._Native.named(self._text or "")
         return self._known
 
     @property
@@ -144,11 +226,19 @@ class Scheme:
         return coprime(*self._native.contraction(c))
 
     def norm(self, c: int = 1) -> Fraction:
-        """Λ_c: by how much c levels can enlarge the greatest value."""
+        """Λ_c: by how much c levels can enlarge the greatest value.
+
+        >>> Scheme("four-point", w="1/16").norm(1)
+        Fraction(5, 4)
+        """
         return coprime(*self._native.norm(c))
 
     def constants(self, levels: int = 4) -> Constants:
-        """The constants for c = 1, …, levels."""
+        """The constants for c = 1, …, levels.
+
+        >>> Scheme("chaikin").constants(1).displacement
+        Fraction(1, 4)
+        """
         each = range(1, levels + 1)
         return Constants(
             [self.contraction(c) for c in each],
@@ -169,40 +259,112 @@ class Scheme:
         """How many levels bring the polygon within a tolerance of the limit curve.
 
         With ``polygon``, a list of numbers or of points: for this polygon, where the distance is the
-        greatest of all coordinates. With ``spread``: for every polygon whose neighbouring points
-        differ by at most that. ``natural=False`` compares at the parameters i/n^k, as papers do.
+        greatest of all coordinates. Without: for every polygon whose neighbouring points
+        differ by at most ``spread``, which is 1 if it is left out. ``natural=False`` compares at the parameters i/n^k, as papers do.
 
         >>> Scheme("chaikin").depth("1/4", polygon=[(0, 0), (4, 0), (4, 4), (0, 4)])
         Depth(level=1, too_few=0, distance=(Fraction(1, 8), Fraction(1, 8)), parameter=Fraction(1, 4))
         """
-        if (spread is None) == (polygon is None):
-            raise SubcertError("give either a spread or a polygon")
+        if spread is not None and polygon is not None:
+            raise SubcertError(
+                "a polygon has a spread of its own", remedy="give either a spread or a polygon"
+            )
         if polygon is None:
-            found = self._native.depth(tolerance, spread, natural)
+            found = self._native.depth(tolerance, 1 if spread is None else spread, natural)
         else:
             coordinates, _, _ = _coordinates(polygon)
             found = self._native.polygon_depth(tolerance, coordinates, closed, natural)
         level, too_few, (low, high, parameter) = found
         return Depth(level, too_few, (coprime(*low), coprime(*high)), pair(parameter))
 
-    def range(self, parameter: str, levels: int = 4) -> List[Interval]:
-        """Where in a parameter, which is left open, T_c < 1 for some c up to levels: differences
-        shrink there, and the scheme converges.
+    def smoothness(self, valence: Optional[int] = None) -> Union[Smoothness, VertexSmoothness]:
+        """How smooth the limits are: of curves, or of surfaces at a vertex or on a face.
 
-        >>> [interval] = Scheme("four-point").range("w", levels=1)
+        >>> Scheme("chaikin").smoothness().continuity
+        1
+        >>> Scheme("catmull-clark").smoothness(valence=3).continuous
+        True
+        """
+        if self._text is not None and (valence is not None or _native.is_ring(self._text)):
+            return of_vertex(self._text, valence)
+        if valence is not None:
+            raise SubcertError(
+                "a mask has no valence", remedy="leave it out: valences are those of vertices and faces"
+            )
+        return of_curve(self._native)
+
+    def spectrum(self, valence: Optional[int] = None) -> Spectrum:
+        """The eigenvalues and stencils of rules around a vertex or on a face.
+
+        >>> Scheme("doo-sabin", n=7).spectrum().subdominant.fraction
+        Fraction(1, 2)
+        """
+        if self._text is None:
+            raise SubcertError(
+                "a mask has no spectrum of a vertex",
+                remedy='name rules around a vertex or on a face, such as "loop"',
+            )
+        return spectrum(self._text, valence)
+
+    @overload
+    def range(self, parameter: Optional[str] = None, levels: int = 4) -> List[Interval]: ...
+
+    @overload
+    def range(
+        self, parameter: Optional[str] = None, levels: int = 4, *, smoothness: int
+    ) -> SmoothRange: ...
+
+    def range(
+        self,
+        parameter: Optional[str] = None,
+        levels: int = 4,
+        *,
+        smoothness: Optional[int] = None,
+    ) -> Union[List[Interval], SmoothRange]:
+        """Where in a parameter, which is left open, T_c < 1 for some c up to levels: differences
+        shrink there, and the scheme converges. With ``smoothness``, where all limits are C^m.
+
+        >>> [interval] = Scheme("four-point").range(levels=1)
         >>> interval.low.as_fraction(), interval.high.as_fraction()
         (Fraction(-1, 4), Fraction(1, 4))
+        >>> found = Scheme("ternary-four-point").range("mu", smoothness=2)
+        >>> [(float(x.low), float(x.high)) for x in found.inside]
+        [(0.06666666666666667, 0.1111111111111111)]
         """
         if self._text is None:
             raise SubcertError(
                 "the range of a parameter needs a scheme of the catalogue or of a file",
                 remedy="write the mask with its parameter in a scheme file",
             )
+        parameter = parameter or self._parameter()
+        if smoothness is not None:
+            inside, outside, exceptions, gap = _native.smooth_range(
+                self._text, parameter, smoothness, levels
+            )
+            return SmoothRange(
+                [_interval(one) for one in inside],
+                [_interval(one) for one in outside],
+                exceptions,
+                pair(gap),
+            )
         _, union = _native.parameter_range(self._text, parameter, levels)
-        return [Interval(*(end and Algebraic(end) for end in ends)) for ends in union]
+        return [_interval((ends, False, False)) for ends in union]
+
+    def _parameter(self) -> str:
+        names = _native.open_names(self._text or "")
+        if len(names) == 1:
+            return names[0]
+        raise SubcertError(
+            f"{len(names)} parameters are left open" + "".join(f", `{x}`" for x in names),
+            remedy='name one, as in Scheme("four-point").range("w")',
+        )
 
     def certify(self, levels: int = 4) -> List[Quantity]:
-        """All constants in floating point, beside their exact values and proven bounds."""
+        """All constants in floating point, beside their exact values and proven bounds.
+
+        >>> all(x.bound is None or x.error <= x.bound for x in Scheme("chaikin").certify(2))
+        True
+        """
         quantities = self._native.certify(levels)
         return [Quantity(name, value, coprime(*p), bound) for name, value, p, bound in quantities]
 
@@ -224,6 +386,13 @@ class Scheme:
         shaped = [list(zip(*values)) if tuples else values[0] for values in (columns, floats)]
         return Refined(array(shaped[1]) if array else shaped[1], shaped[0], bound)
 
+    def _repr_html_(self) -> str:
+        if self._text is not None:
+            return facts("Scheme", [("name", self._text)])
+        rows = [[str(x) for x in row] for row in self.masks[0]]
+        heads = [str(j + self.offsets[0]) for j in range(max(map(len, rows)))]
+        return table("Mask: one rule in a row", heads, rows)
+
     def __repr__(self) -> str:
         if self._text is not None:
             return f"Scheme({self._text!r})"
@@ -232,8 +401,17 @@ class Scheme:
 
 
 def schemes() -> List[str]:
-    """The names of the catalogue."""
+    """The names of the catalogue.
+
+    >>> "chaikin" in schemes()
+    True
+    """
     return _native.scheme_names()
+
+
+def _interval(placed: Any) -> Interval:
+    (low, high), low_included, high_included = placed
+    return Interval(low and Algebraic(low), high and Algebraic(high), low_included, high_included)
 
 
 def _above(value: Fraction) -> float:
@@ -247,12 +425,6 @@ def _above(value: Fraction) -> float:
 def _text(name: str, parameters: Dict[str, Number]) -> str:
     values = []
     for key, value in parameters.items():
-        if isinstance(value, float):
-            raise SubcertError(
-                f"the float {value} is no exact number",
-                remedy=f'write Fraction(...) or "{value}" for what is meant, or '
-                f"subcert.exact({value}) for the number that the float is",
-            )
         values.append(f"{key}={value if isinstance(value, str) else exact(value)}")
     return name if not values else f"{name}:{','.join(values)}"
 
@@ -276,7 +448,7 @@ def _coordinates(points: Any) -> Tuple[List[List[Any]], bool, Any]:
             ]
         else:
             points = points.tolist()
-    points = list(points)
+    points = [x.tolist() if getattr(x, "ndim", 0) else x for x in points]
     if not points:
         raise SubcertError("there are no points")
     tuples = isinstance(points[0], (tuple, list))

@@ -13,7 +13,12 @@ from ._numbers import Number
 
 @dataclass(frozen=True)
 class RefinedSolid:
-    """A refined solid: each coordinate is the float nearest to the exact one."""
+    """A refined solid: each coordinate is the float nearest to the exact one.
+
+    >>> cube = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    >>> len(refine_solid(cube, [[0, 1, 3, 2, 4, 5, 7, 6]]).points)
+    27
+    """
 
     points: Any
     cells: List[List[int]]
@@ -33,13 +38,23 @@ def solid_depth(points: Any, cells: Sequence[Sequence[int]], tolerance: Number) 
 
 
 def refine_solid(points: Any, cells: Sequence[Sequence[int]], levels: int = 1) -> RefinedSolid:
-    """The solid after some levels, computed exactly and rounded once."""
+    """The solid after some levels, computed exactly and rounded once.
+
+    >>> cube = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    >>> len(refine_solid(cube, [[0, 1, 3, 2, 4, 5, 7, 6]], 2).cells)
+    64
+    """
     refined, hexahedra = _native.solid_refine(_points(points), _cells(cells), levels)
     return RefinedSolid(as_given(refined, points, (len(refined),)), [list(cell) for cell in hexahedra])
 
 
 def solid_limit_points(points: Any, cells: Sequence[Sequence[int]]) -> List[LimitPoint]:
-    """Where each point of the solid tends to."""
+    """Where each point of the solid tends to.
+
+    >>> cube = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    >>> solid_limit_points(cube, [[0, 1, 3, 2, 4, 5, 7, 6]])[0].exact
+    (Fraction(2, 9), Fraction(2, 9), Fraction(2, 9))
+    """
     found = _native.solid_limit(_points(points), _cells(cells))
     return [limit for limit in map(limit_of, found) if limit is not None]
 

@@ -3,7 +3,7 @@
 use crate::audit::chosen::Chosen;
 use crate::claim::Paper;
 use crate::diagnostic::{Collected, Diagnostic, Errors};
-use crate::digest::{consistency, premises};
+use crate::digest::{consistency, kernel, premises};
 use crate::evaluation::library::Library;
 use crate::finding::{
     EquationFinding, FunctionFinding, PaperAudit, RangeFinding, SmoothnessFinding, TableFinding,
@@ -172,5 +172,6 @@ fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a
     related::borrow(paper, &mut audit.tables)?;
     audit.contradictions = consistency::judge(paper, &audit.tables, &Library::new(paper))?;
     premises::premises(&mut audit);
+    kernel::kernel(&mut audit);
     Ok(audit)
 }

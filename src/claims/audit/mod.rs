@@ -5,7 +5,7 @@ mod jobs;
 
 pub use crate::digest::{
     Cause, CellErratum, CellGroup, CellOutcome, CellSummary, ClaimVerdict, Consequences, Coverage,
-    CoverageState, Errata, Erratum, HowRead, Standing, Subject, Unchecked,
+    CoverageState, Errata, Erratum, HowRead, KernelCounts, Share, Standing, Subject, Unchecked,
 };
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
@@ -18,12 +18,13 @@ pub use crate::finding::{
     Contradiction, Control, Correction, Difference, Direction, EndFinding, EndRelation,
     EquationFinding, EquationVerdict, EveryShift, Example, Excess, Explanation, FailingPremise,
     Failure, Fitting, FunctionFinding, FunctionVerdict, HandCell, HandConstant, Kept,
-    KernelFinding, KernelStatement, Known, Later, LeftOut, LevelEvidence, Levels, Limits, Line,
-    LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Needed, Outcome, PaperAudit, Place,
-    PromiseCounts, RangeAtValence, RangeFinding, RangeOfLimits, RangeVerdict, Recovered,
-    RecoveredFrom, Refiner, Refutation, Repair, RingExcess, Search, Side, Slip, SmoothnessFinding,
-    SmoothnessVerdict, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
-    TheoremVerdict, Unshiftable, Verdict, VertexWitness, Vertices, Violation, Witness, Working,
+    KernelFinding, KernelProof, KernelStatement, Known, Later, LeftOut, LevelEvidence, Levels,
+    Limits, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Needed, Outcome,
+    PaperAudit, Place, PromiseCounts, RangeAtValence, RangeFinding, RangeOfLimits, RangeVerdict,
+    Recovered, RecoveredFrom, Refiner, Refutation, Repair, RingExcess, Search, Side, Slip,
+    SmoothnessFinding, SmoothnessVerdict, Solved, Sound, Supremum, TableFinding, TablePart,
+    TheoremFinding, TheoremVerdict, Unshiftable, Verdict, VertexWitness, Vertices, Violation,
+    Witness, Working,
 };
 pub use crate::judge::MAX_CASES;
 pub use crate::judge::parallel::map as on_all_cores;

@@ -27,9 +27,14 @@ pub fn embedded() -> &'static [EmbeddedPaper] {
 /// # Errors
 /// Never in a released program: a test reads them all.
 pub fn embedded_papers() -> Result<Vec<Paper>, Diagnostic> {
-    let read = |paper: &EmbeddedPaper| {
-        let name = format!("proofs/claims/{}.toml", paper.key);
-        read_paper(&SourceText::new(name, paper.text))
-    };
-    PAPERS.iter().map(read).collect()
+    PAPERS.iter().map(embedded_paper).collect()
+}
+
+/// An embedded paper, read.
+///
+/// # Errors
+/// Never in a released program.
+pub(crate) fn embedded_paper(paper: &EmbeddedPaper) -> Result<Paper, Diagnostic> {
+    let name = format!("proofs/claims/{}.toml", paper.key);
+    read_paper(&SourceText::new(name, paper.text))
 }

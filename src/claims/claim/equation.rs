@@ -5,7 +5,7 @@ use crate::exact::Rational;
 use crate::formula::{LocatedFormula, Node};
 
 /// An equation, or a list of equations with indices.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Equation {
     /// Its id within the paper.
     pub id: String,
@@ -20,7 +20,7 @@ pub struct Equation {
 }
 
 /// The claim of an equation.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum EquationBody {
     /// left = right, for every value of the indices and as polynomials in the
     /// symbols.
@@ -30,7 +30,7 @@ pub enum EquationBody {
 }
 
 /// Two sides that are claimed to be equal.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Identity {
     /// The scheme its functions are about.
     pub scheme: Option<LocatedReference>,
@@ -47,7 +47,7 @@ pub struct Identity {
 }
 
 /// The left side of an identity.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Left {
     /// One formula in the indices.
     One(LocatedFormula),
@@ -70,7 +70,7 @@ impl Left {
 }
 
 /// An index of an identity.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Index {
     /// Its values, listed.
     Listed {
@@ -95,7 +95,7 @@ pub enum Index {
 }
 
 /// `a[0, m] = 1 - sum(…)`: a member of a family that a formula gives.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Hypothesis {
     /// The member.
     pub member: LocatedFormula,

@@ -4,7 +4,7 @@ use super::table::{LocatedReference, Printed};
 use crate::formula::LocatedFormula;
 
 /// left = right, as functions of one free parameter.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct FunctionClaim {
     /// Its id within the paper.
     pub id: String,
@@ -25,7 +25,7 @@ pub struct FunctionClaim {
 }
 
 /// The range of a free parameter in which a value is below a limit.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RangeClaim {
     /// Its id within the paper.
     pub id: String,
@@ -54,7 +54,7 @@ pub struct RangeClaim {
 }
 
 /// A limit of a value, a formula without parameters.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Limit {
     /// value < limit.
     Below(LocatedFormula),

@@ -11,16 +11,19 @@ mod equation;
 mod function;
 mod paper;
 mod read;
+mod regularity;
 mod smoothness;
 mod table;
 mod theorem;
 
 pub use contents::{Item, Label, MAX_LABELS};
+pub(crate) use embedded::embedded_paper;
 pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
 pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
 pub use function::{FunctionClaim, Limit, RangeClaim};
 pub use paper::{Alternative, Bibliography, Paper, SchemeSource};
 pub use read::{MAX_CLAIM_FILE_BYTES, is_id, read_paper, read_paper_file, read_whole_paper};
+pub use regularity::{RegularityCell, RegularityTable};
 pub use smoothness::{
     ExponentStatement, PrintedExponent, PrintedValences, RangeEnd, SmoothRangeStatement,
     SmoothnessBody, SmoothnessClaim, SmoothnessKind, SmoothnessStatement,

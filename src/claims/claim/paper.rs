@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// A paper's claim file, read.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Paper {
     /// The short name that ids begin with, such as `khan2019-newton`.
     pub key: String,
@@ -67,7 +67,7 @@ impl Paper {
 }
 
 /// Another formula for a definition.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Alternative {
     /// The definition's name.
     pub of: String,
@@ -130,7 +130,7 @@ impl Bibliography {
 }
 
 /// What a scheme name of a claim file stands for.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum SchemeSource {
     /// A mask written in the claim file.
     Own(Box<SchemeDefinition>),

@@ -1,11 +1,14 @@
 //! Claims about the smoothness of the limits of a scheme.
 
+use super::regularity::RegularityCell;
 use super::table::LocatedReference;
 use crate::exact::{Decimal, LogSum, RealAlgebraic};
+use crate::formula::LocatedFormula;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// A claim about the limits of a scheme: of curves, or at a vertex or on a face.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SmoothnessClaim {
     /// Its id within the paper.
     pub id: String,
@@ -17,6 +20,10 @@ pub struct SmoothnessClaim {
     pub kind: SmoothnessKind,
     /// What it says of which scheme.
     pub body: SmoothnessBody,
+    /// Values that it states itself for parameters; they hide those of the paper.
+    pub given: BTreeMap<String, LocatedFormula>,
+    /// The cell of a printed table that it is.
+    pub cell: Option<RegularityCell>,
     /// A note for the reader.
     pub note: Option<String>,
 }
@@ -36,7 +43,7 @@ impl SmoothnessClaim {
 }
 
 /// What a claim about smoothness says, or why nothing can be checked.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum SmoothnessBody {
     /// A statement about the limits of a scheme, whose parameters may depend on the variable of a range.
     Statement(LocatedReference, Box<SmoothnessStatement>),
@@ -68,7 +75,7 @@ impl SmoothnessKind {
 }
 
 /// A statement about the limits of a scheme.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum SmoothnessStatement {
     /// One of the two, or both.
     Continuity {
@@ -103,7 +110,7 @@ pub struct PrintedValences {
 }
 
 /// A statement about the Hölder exponent.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ExponentStatement {
     /// It is this number.
     Value(PrintedExponent),
@@ -133,7 +140,7 @@ pub struct PrintedExponent {
 }
 
 /// All limits are C^m for the values of a parameter in an interval.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SmoothRangeStatement {
     /// The parameter's name in formulas.
     pub variable: String,
@@ -152,7 +159,7 @@ pub struct SmoothRangeStatement {
 }
 
 /// An end of a printed interval.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RangeEnd {
     /// The end as printed.
     pub text: String,

@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 /// A table: its printed cells, and the formula they are said to equal.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// Its id within the paper.
     pub id: String,
@@ -77,7 +77,7 @@ impl Table {
 }
 
 /// A scheme reference and its place in the claim file.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct LocatedReference {
     /// The reference.
     pub reference: Reference,
@@ -89,7 +89,7 @@ pub struct LocatedReference {
 
 /// What a cell promises: a distance that is small enough, or a level that is
 /// high enough, for every control polygon of the given spread.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Promise {
     /// The cell is a depth: from that level on, the distance is at most the
     /// tolerance.
@@ -127,7 +127,7 @@ impl Promise {
 }
 
 /// The headers of the rows or of the columns.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// What the paper prints above, or beside, all headers.
     pub label: String,
@@ -138,7 +138,7 @@ pub struct Axis {
 }
 
 /// One header.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct AxisEntry {
     /// As printed.
     pub printed: String,
@@ -149,7 +149,7 @@ pub struct AxisEntry {
 }
 
 /// What headers mean, in their order.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Headers {
     /// The values of one parameter.
     Values {
@@ -192,7 +192,7 @@ impl Axis {
 }
 
 /// A cell.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     /// The source at hand has lost it.
     Lost,
@@ -212,7 +212,7 @@ impl Cell {
 }
 
 /// A number as printed.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Printed {
     /// The text as transcribed.
     pub text: String,

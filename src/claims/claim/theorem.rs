@@ -10,7 +10,7 @@ use crate::formula::LocatedFormula;
 pub const THEOREM_NAMES: [&str; 6] = ["beta", "beta_1", "beta_2", "beta_3", "k", "epsilon"];
 
 /// A theorem: its statement, and the claims on which it rests.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Theorem {
     /// Its id within the paper.
     pub id: String,
@@ -33,7 +33,7 @@ pub struct Theorem {
 }
 
 /// A proof by hand, or a refutation.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ByHand {
     /// Where it stands: `THEOREMS 42`.
     pub text: String,
@@ -44,7 +44,7 @@ pub struct ByHand {
 }
 
 /// A formula that a reader would put in place of a definition to save a theorem.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Rewriting {
     /// The definition's name.
     pub of: String,
@@ -55,7 +55,7 @@ pub struct Rewriting {
 }
 
 /// The instances on which a theorem is tried: schemes of its kind at values of its parameters.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trial {
     /// The schemes, where the theorem itself does not name one.
     pub schemes: Vec<LocatedReference>,
@@ -81,7 +81,7 @@ pub struct Trial {
 /// A bound is a formula in k and beta = max ‖Δ^0‖, the largest difference of neighbouring points of
 /// P^0. For a surface, it may also use beta_1 and beta_3, the largest difference along the first
 /// direction (in a row and in the next one), and beta_2, that along the second direction.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Statement {
     /// quantity ≤ by, for every level k ≥ from.
     Bound {

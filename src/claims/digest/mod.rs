@@ -1,11 +1,12 @@
 //! What follows from findings: how claims stand, a summary of cells, the coverage of a paper,
-//! contradictions between tables, and errata.
+//! contradictions between tables, errata, and what Coq's kernel accepts.
 
 mod cause;
 pub(crate) mod claims;
 pub(crate) mod consistency;
 mod coverage;
 mod errata;
+pub(crate) mod kernel;
 mod luck;
 pub(crate) mod premises;
 mod summary;
@@ -14,4 +15,5 @@ pub use cause::{Cause, HowRead};
 pub use claims::ClaimVerdict;
 pub use coverage::{Coverage, CoverageState};
 pub use errata::{CellErratum, Consequences, Errata, Erratum, Subject, Unchecked};
+pub use kernel::{KernelCounts, Share};
 pub use summary::{CellGroup, CellOutcome, CellSummary, Standing};

@@ -162,6 +162,21 @@ impl<'a> TableContext<'a> {
         &'s self,
         at: At<'s>,
     ) -> Result<Result<Quantities<'s>, Outcome>, Diagnostic> {
+        match self.resolved(at) {
+            Ok(quantities) => Ok(Ok(quantities)),
+            Err(failure) => {
+                let (located, error) = *failure;
+                Self::unresolved(located, error).map(Err)
+            }
+        }
+    }
+
+    /// As [`quantities`](Self::quantities), with the error as it is: many readings try schemes that have no value at a
+    /// cell, and need no words for it.
+    pub(crate) fn resolved<'s>(
+        &'s self,
+        at: At<'s>,
+    ) -> Result<Quantities<'s>, Box<(&'a LocatedReference, Unresolved)>> {
         let mut quantities = Quantities {
             library: self.library,
             scheme: None,
@@ -172,14 +187,14 @@ impl<'a> TableContext<'a> {
         };
         let other = at.settings.scheme.and_then(|place| references(self.paper).get(place).copied());
         let located = other.or_else(|| self.table.scheme_at(at.row, at.column));
-        let Some(located) = located else { return Ok(Ok(quantities)) };
+        let Some(located) = located else { return Ok(quantities) };
         let scope = self.scope(at, &quantities, &Known::new());
         match self.library.resolve(&located.reference, &scope) {
             Ok(scheme) => {
                 quantities.scheme = Some(scheme);
-                Ok(Ok(quantities))
+                Ok(quantities)
             }
-            Err(error) => Self::unresolved(located, error).map(Err),
+            Err(error) => Err(Box::new((located, error))),
         }
     }
 
@@ -212,6 +227,12 @@ impl<'a> TableContext<'a> {
             }),
             Unresolved::Scheme(error) => Err(scheme_error(located, &error)),
         }
+    }
+
+    /// Whether the error of a formula is an outcome of the cell.
+    pub(crate) fn is_outcome(error: &FormulaError) -> bool {
+        use FormulaErrorKind::{DivisionByZero, Undefined, Unstated};
+        matches!(error.kind, Unstated(_) | Undefined(_) | DivisionByZero)
     }
 
     /// What the error of a formula means: an outcome of the cell, or (as `Err`) an error of the

@@ -3,8 +3,9 @@
 use crate::bound::Rounded;
 use crate::claim::{Axis, Cell};
 use crate::evaluation::Copied;
-use crate::evaluation::context::{At, Known, Outcome};
+use crate::evaluation::context::{At, Known, Outcome, TableContext};
 use crate::evaluation::quantity::Quantities;
+use crate::evaluation::reference::Unresolved;
 use crate::evaluation::settings::{RowValues, Settings};
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Rational, RealCyclotomic, parse_decimal};
@@ -78,10 +79,19 @@ impl Evaluator<'_> {
 
     /// The value of a definition; a formula that is wrong under these settings has none.
     fn definition(&self, name: &str, at: At<'_>) -> Result<RealCyclotomic, Outcome> {
-        if let Ok(Ok(quantities)) = &self.quantities(at)
-            && let Some(value) = self.rows.one(self, at, quantities, name)
-        {
-            return Ok(value);
+        match &self.resolved(at) {
+            Ok(quantities) => {
+                if let Some(value) = self.rows.one(self, at, quantities, name) {
+                    return Ok(value);
+                }
+            }
+            Err(failure) => {
+                if let Unresolved::Formula(error) = &failure.1
+                    && !TableContext::is_outcome(error)
+                {
+                    return Err(missing(name));
+                }
+            }
         }
         let definitions = at.settings.definitions.as_deref().unwrap_or(&self.paper.definitions);
         match self.evaluate(&definitions[name], at) {

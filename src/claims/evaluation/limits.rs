@@ -6,8 +6,9 @@ use crate::evaluation::library::{Library, values};
 use crate::evaluation::parametric::polynomial;
 use crate::evaluation::reference::{Unresolved, scheme_error};
 use crate::exact::{Parametric, Rational, RationalPolynomial, RealCyclotomic};
-use crate::formula::{Context, Scope, Value};
+use crate::formula::{Context, LocatedFormula, Scope, Value};
 use crate::scheme::{Instance, LocalRules, Mask, Rules, SchemeError};
+use std::collections::BTreeMap;
 use std::hash::Hash;
 
 /// The scheme of a claim about limits, in its paper.
@@ -15,6 +16,8 @@ pub(crate) struct LimitScheme<'a> {
     pub(crate) paper: &'a Paper,
     pub(crate) library: &'a Library<'a>,
     pub(crate) located: &'a LocatedReference,
+    /// Values that the claim states itself; they hide those of the paper.
+    pub(crate) given: &'a BTreeMap<String, LocatedFormula>,
 }
 
 impl LimitScheme<'_> {
@@ -97,7 +100,9 @@ impl LimitScheme<'_> {
 
     fn scope<V: Value>(&self) -> Result<Scope<'_, V>, Diagnostic> {
         let mut scope = Scope::new(&self.paper.definitions, &());
-        for (name, value) in values(&self.paper.given)? {
+        let given = values(&self.paper.given)?.into_iter();
+        let own = values(self.given)?;
+        for (name, value) in given.filter(|(name, _)| !own.contains_key(name)).chain(own.clone()) {
             scope = scope.with(&name, V::from_rational(&value));
         }
         Ok(scope)

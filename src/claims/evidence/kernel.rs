@@ -8,12 +8,16 @@ use crate::evaluation::library::Library;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
 use crate::evaluation::trace::NotedConstant;
-use crate::evidence::by_hand::by_hand;
 use crate::evidence::drawn::promise_refiner;
 use crate::evidence::excess::{exceeds, rationals};
 use crate::evidence::table::{integer, number};
 use crate::exact::Rational;
-use crate::finding::{Kept, KernelFinding, KernelStatement, PaperAudit, TableFinding};
+use crate::finding::{
+    Broken, Kept, KernelFinding, KernelStatement, Naturally, PaperAudit, Refutation, TableFinding,
+    TheoremFinding, Violation,
+};
+use crate::judge::theorem::instance;
+use crate::limit::Parametrisation;
 use std::collections::BTreeSet;
 
 /// Constants with more residue classes are left out: `coqc` computes every class.
@@ -33,38 +37,65 @@ pub fn kernel_findings(audit: &PaperAudit<'_>) -> Result<Vec<KernelFinding>, Dia
     }
     for finding in &audit.theorems {
         let Some(refutation) = &finding.refutation else { continue };
-        let Some(hand) = by_hand(audit, finding)? else { continue };
-        let violation = &refutation.violation;
-        let Some(bound) = violation.bound.as_rational() else { continue };
-        let (theorem, level) = (finding.theorem, violation.level);
-        let (tolerance, what, by) = match &theorem.statement {
-            Statement::Bound { by, .. } => (String::new(), "bound", by),
-            Statement::Depth(by) => (format!(" and tolerance {bound}"), "depth", by),
-            Statement::Other(_) => continue,
-        };
+        let Refutation { case, scheme, values, violation, .. } = refutation;
         let limit = rationals(&refutation.limit);
-        let excess = exceeds(
-            (&hand.refiner, hand.interpolant.as_ref()),
-            (violation.quantity, level),
-            &violation.attained,
-            (bound, limit.as_deref()),
-        );
-        let Some(statement) = excess else { continue };
-        let values = refutation.values.iter().map(|(name, value)| format!(", {name} = {value}"));
-        let (scheme, values) = (&refutation.scheme, values.collect::<String>());
-        found.push(KernelFinding {
-            kind: "theorem",
-            claim: theorem.id.clone(),
-            assumed: Vec::new(),
-            place: format!("{}: {}", theorem.locus, theorem.title),
-            about: format!(
-                "Refuted for {scheme}{values} at level {level}{tolerance}; the {what} is {}",
-                by.text
-            ),
-            statement,
-        });
+        let indexed = (Parametrisation::Indexed, limit.as_deref());
+        found.extend(refuted(audit, finding, (case, scheme, values), violation, indexed)?);
+        if let Some(Naturally::Refuted { case, scheme, values, violation, .. }) =
+            &refutation.natural
+        {
+            let natural = (Parametrisation::Natural, None);
+            found.extend(refuted(audit, finding, (case, scheme, values), violation, natural)?);
+        }
     }
     Ok(found)
+}
+
+/// That data refute a theorem in a case, with the points at these parameters.
+fn refuted(
+    audit: &PaperAudit<'_>,
+    finding: &TheoremFinding<'_>,
+    (case, scheme, values): (&str, &str, &[(String, Rational)]),
+    violation: &Violation,
+    (points, limit): (Parametrisation, Option<&[Rational]>),
+) -> Result<Option<KernelFinding>, Diagnostic> {
+    let (theorem, level) = (finding.theorem, violation.level);
+    let Some(bound) = violation.bound.as_rational() else { return Ok(None) };
+    let (tolerance, what, by) = match &theorem.statement {
+        Statement::Bound { by, .. } => (String::new(), "bound", by),
+        Statement::Depth(by) => (format!(" and tolerance {bound}"), "depth", by),
+        Statement::Other(_) => return Ok(None),
+    };
+    let found = instance(audit.paper, theorem, case, (level, &violation.bound))?;
+    let Some(instance) = found else { return Ok(None) };
+    let statement = exceeds(
+        (&instance.refiner, instance.interpolant.as_ref()),
+        (violation.quantity, level),
+        &violation.attained,
+        (bound, limit),
+        points,
+    );
+    let values = values.iter().map(|(name, value)| format!(", {name} = {value}"));
+    let values = values.collect::<Vec<String>>().concat();
+    let (at, by) = (naturally(points), &by.text);
+    Ok(statement.map(|statement| KernelFinding {
+        kind: "theorem",
+        claim: theorem.id.clone(),
+        assumed: Vec::new(),
+        place: format!("{}: {}", theorem.locus, theorem.title),
+        about: format!(
+            "Refuted{at} for {scheme}{values} at level {level}{tolerance}; the {what} is {by}"
+        ),
+        statement,
+    }))
+}
+
+/// What a sentence about points at these parameters says of them.
+fn naturally(points: Parametrisation) -> &'static str {
+    match points {
+        Parametrisation::Indexed => "",
+        Parametrisation::Natural => " at natural parameters",
+    }
 }
 
 fn of_table(
@@ -114,17 +145,21 @@ fn of_table(
                 };
                 found.push(new(&place, what, statement));
             }
-            if let Some(Kept::No(broken)) = &cell.kept
-                && let Some(refiner) = promise_refiner(paper, finding, (row, column))?
-            {
-                let bound = &broken.most / &broken.spread;
-                let of = (Quantity::Distance, broken.level);
-                if let Some(statement) =
-                    exceeds((&refiner, None), of, &broken.attained, (&bound, None))
-                {
+            for (kept, points) in [
+                (&cell.kept, Parametrisation::Indexed),
+                (&cell.kept_naturally, Parametrisation::Natural),
+            ] {
+                let Some(Kept::No(broken)) = kept else { continue };
+                let Some(refiner) = promise_refiner(paper, finding, (row, column))? else {
+                    continue;
+                };
+                let Broken { attained, spread, level, most, .. } = &**broken;
+                let of = (Quantity::Distance, *level);
+                let bound = (&(most / spread), None);
+                if let Some(statement) = exceeds((&refiner, None), of, attained, bound, points) {
+                    let at = naturally(points);
                     let scaled = format!(
-                        "Broken at level {}: {} for points of spread {}",
-                        broken.level, broken.most, broken.spread
+                        "Broken{at} at level {level}: {most} for points of spread {spread}"
                     );
                     found.push(new(&place, &scaled, statement));
                 }

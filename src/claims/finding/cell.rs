@@ -1,6 +1,7 @@
 //! The finding about a table cell.
 
 use crate::exact::{Rational, RealCyclotomic};
+use crate::finding::kernel::KernelProof;
 use crate::finding::promise::Kept;
 use crate::finding::reading::{Difference, Explanation, Solved, differs};
 use std::fmt;
@@ -246,6 +247,8 @@ pub struct CellFinding {
     /// For curves and nets, if it is not shown to keep its promise with the points at i/n^k:
     /// whether it does with each point at its natural parameter.
     pub kept_naturally: Option<Kept>,
+    /// What Coq's kernel accepts of this, for papers that are part of the program.
+    pub by_kernel: Vec<KernelProof>,
 }
 
 impl CellFinding {

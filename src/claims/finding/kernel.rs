@@ -4,6 +4,53 @@ use crate::bound::Operator;
 use crate::exact::Rational;
 use crate::scheme::{Mask, Rules};
 
+/// What Coq's kernel accepts of a finding about a cell or a theorem.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum KernelProof {
+    /// The exact value of a cell.
+    Value,
+    /// A constant that the value of a cell rests on.
+    Constant,
+    /// The sound bound or depth of a cell.
+    Sound,
+    /// That a cell does not keep its promise.
+    Broken,
+    /// That it does not at natural parameters.
+    BrokenNaturally,
+    /// That data refute a theorem.
+    Refuted,
+    /// That they do at natural parameters.
+    RefutedNaturally,
+}
+
+impl KernelProof {
+    /// Every kind.
+    pub const ALL: [KernelProof; 7] = [
+        KernelProof::Value,
+        KernelProof::Constant,
+        KernelProof::Sound,
+        KernelProof::Broken,
+        KernelProof::BrokenNaturally,
+        KernelProof::Refuted,
+        KernelProof::RefutedNaturally,
+    ];
+
+    /// The kind's name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            KernelProof::Value => "value",
+            KernelProof::Constant => "constant",
+            KernelProof::Sound => "sound",
+            KernelProof::Broken => "broken",
+            KernelProof::BrokenNaturally => "broken-naturally",
+            KernelProof::Refuted => "refuted",
+            KernelProof::RefutedNaturally => "refuted-naturally",
+        }
+    }
+}
+
 /// A finding as a statement about numbers.
 #[derive(Clone, Debug)]
 pub struct KernelFinding {
@@ -37,7 +84,7 @@ pub enum KernelStatement {
         /// The constant.
         value: Rational,
     },
-    /// The distance of level k to all later levels is at most the bound times the spread.
+    /// The distance of level k to all later levels is at most the bound times the spread, for points at i/n^k.
     Distance {
         /// The mask.
         mask: Mask,
@@ -48,7 +95,7 @@ pub enum KernelStatement {
         /// M and c.
         block: (usize, u32),
     },
-    /// From level k on, polygons of a spread keep a tolerance.
+    /// From level k on, polygons of a spread keep a tolerance, for points at i/n^k.
     Depth {
         /// The mask.
         mask: Mask,
@@ -65,6 +112,8 @@ pub enum KernelStatement {
     Exceeds {
         /// The mask.
         mask: Mask,
+        /// τ: the points of level k are at (i + τ)/n^k.
+        shift: Rational,
         /// k.
         level: u32,
         /// The index of the first point.
@@ -80,6 +129,8 @@ pub enum KernelStatement {
     Net {
         /// The masks of both indices.
         masks: [Mask; 2],
+        /// τ for both indices.
+        shifts: [Rational; 2],
         /// k.
         level: u32,
         /// a and b, with the indices of their first points.

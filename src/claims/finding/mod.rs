@@ -23,7 +23,7 @@ pub use cell::{AsRead, Assumed, CellFinding, CellKind, Direction, Missing, Slip,
 pub use consistency::{Contradiction, Needed, Side, TablePart};
 pub use equation::{EquationFinding, EquationVerdict, Failure};
 pub use function::{Example, FunctionFinding, FunctionVerdict};
-pub use kernel::{Excess, KernelFinding, KernelStatement, RingExcess};
+pub use kernel::{Excess, KernelFinding, KernelProof, KernelStatement, RingExcess};
 pub use levels::{Later, LevelEvidence, Levels};
 pub use paper::PaperAudit;
 pub use promise::{Broken, Kept, PromiseCounts};

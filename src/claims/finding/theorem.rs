@@ -3,6 +3,7 @@
 use crate::claim::Theorem;
 use crate::evaluation::{Choice, Way};
 use crate::exact::{Rational, RealCyclotomic};
+use crate::finding::kernel::KernelProof;
 use crate::finding::levels::Levels;
 use crate::finding::reading::numbered;
 use crate::finding::witness::{Supremum, Unshiftable, Violation};
@@ -84,6 +85,8 @@ pub struct TheoremFinding<'a> {
     /// The claims that do not hold and that it rests on, at once or through other
     /// theorems. It may be true in spite of them; its proof does not show it.
     pub failing: Vec<FailingPremise<'a>>,
+    /// What Coq's kernel accepts of this, for papers that are part of the program.
+    pub by_kernel: Vec<KernelProof>,
 }
 
 /// The verdict of a theorem.

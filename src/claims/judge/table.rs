@@ -204,6 +204,7 @@ impl Evaluator<'_> {
             kept_by_sound: None,
             kept: None,
             kept_naturally: None,
+            by_kernel: Vec::new(),
         };
         let (needed, outcome) = self.needed(row, column)?;
         let settings = Settings::default();

@@ -4,6 +4,7 @@ use super::consistency;
 use super::equation::equations;
 use super::function;
 use super::headers;
+use super::kernel;
 use super::overview::overview;
 use super::parts::{mark, titled};
 use super::promise;
@@ -145,7 +146,7 @@ fn digits_beside(cell: &CellFinding) -> u32 {
 }
 
 /// The remarks below a table: the slips, how damaged text is read, why a value is missing, the
-/// assumptions, and how many promises are kept.
+/// assumptions, how many promises are kept, and what Coq checks.
 pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     let mut lines = Vec::new();
     let listed = |name: &str, what: &dyn Fn(&CellFinding) -> Option<String>| {
@@ -179,6 +180,7 @@ pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     }
     lines.extend(assumption(finding));
     lines.extend(promise::remarks(finding));
+    lines.extend(kernel::remark(finding));
     lines
 }
 

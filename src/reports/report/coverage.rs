@@ -1,5 +1,6 @@
-//! The numbered items of papers, and the claims about them.
+//! The numbered items of papers, the claims about them, and what Coq checks.
 
+use super::kernel;
 use super::parts::mark;
 use super::sheet::{Grid, Sheet};
 use crate::audit::{ClaimVerdict, Coverage, CoverageState, PaperAudit};
@@ -12,6 +13,14 @@ pub fn coverage_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
     sheet.heading(1, "Coverage");
     sheet.text("What the papers number, and the claims that cover it.");
     sheet.grid(summary(audits));
+    if let Some(grid) = kernel::grid(audits) {
+        sheet.heading(2, "Checked by Coq");
+        sheet.text(
+            "Findings that are theorems of Coq, which the project compiles, of all findings of their kind. Others are \
+             theorems that are proved or open, equations, functions, ranges and claims about smoothness.",
+        );
+        sheet.grid(grid);
+    }
     for audit in audits {
         sheet.heading(2, format!("{} · {}", audit.paper.key, audit.paper.bibliography.short()));
         let coverage = audit.coverage();

@@ -4,6 +4,7 @@ use super::audit::{assumed, remarks, table_values};
 use super::equation::{outcome, sides};
 use super::function;
 use super::headers;
+use super::kernel;
 use super::parts::{definitions, mark};
 use super::promise;
 use super::reading;
@@ -192,6 +193,7 @@ pub(super) fn cell_facts(cell: &CellFinding) -> Vec<(String, String)> {
         fact("promise, by the sound bound", text.to_owned());
     }
     facts.extend(promise::facts(cell));
+    facts.extend(kernel::fact(cell));
     facts
 }
 

@@ -1,6 +1,7 @@
 //! Findings about the smoothness of limits.
 
 use super::parts::{mark, titled};
+use super::regularity;
 use super::set::set_text;
 use super::sheet::Sheet;
 use super::vertex::{SCOPE, verdict_name, verdict_reason, vertex_facts, vertices_outcome};
@@ -36,6 +37,7 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
     let facts: Vec<(String, String)> = facts.collect();
     if !facts.is_empty() {
         sheet.heading(2, "Smoothness");
+        regularity::section(sheet, audit, all);
         sheet.facts(facts);
     }
 }
@@ -49,9 +51,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     sheet.text(claim.title.clone());
     let fact = |name: &str, text: String| (name.to_owned(), text);
     let mut facts = Vec::new();
-    if let SmoothnessBody::Statement(scheme, _) = &claim.body {
-        facts.push(fact("scheme", scheme.reference.to_string()));
-    }
+    facts.extend(scheme(claim).map(|scheme| fact("scheme", scheme)));
     facts.extend(statement(claim).map(|statement| fact("states", statement)));
     let name = finding.verdict.name();
     facts.push((format!("{} {name}", mark(name)), outcome(finding).join("\n")));
@@ -59,6 +59,13 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     facts.extend(claim.note.clone().map(|note| fact("note", note)));
     sheet.facts(facts);
     Some(sheet)
+}
+
+/// The scheme, and the values that the claim itself states: `four-point:w=w, w = 1/16`.
+pub(super) fn scheme(claim: &SmoothnessClaim) -> Option<String> {
+    let SmoothnessBody::Statement(scheme, _) = &claim.body else { return None };
+    let values = claim.given.iter().map(|(name, value)| format!(", {name} = {}", value.text));
+    Some(format!("{}{}", scheme.reference, values.collect::<Vec<String>>().concat()))
 }
 
 /// What the paper states.

@@ -1,11 +1,12 @@
 //! Findings about theorems.
 
+use super::kernel::CHECKED;
 use super::parts::{definitions, mark, titled};
 use super::sheet::Sheet;
 use super::witness;
 use crate::audit::{
-    ByHand, Correction, EveryShift, Naturally, Outcome, PaperAudit, Refutation, TheoremFinding,
-    TheoremVerdict, Unshiftable, Violation,
+    ByHand, Correction, EveryShift, KernelProof, Naturally, Outcome, PaperAudit, Refutation,
+    TheoremFinding, TheoremVerdict, Unshiftable, Violation,
 };
 use crate::claim::Statement;
 use crate::exact::{RealCyclotomic, format::short};
@@ -32,7 +33,7 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
 pub(super) fn outcome(finding: &TheoremFinding<'_>) -> String {
     let name = finding.verdict.name();
     let mut lines = match (&finding.refutation, &finding.proof) {
-        (Some(refutation), _) => refuted(name, refutation),
+        (Some(refutation), _) => refuted(name, refutation, &finding.by_kernel),
         (None, Some(proof)) => vec![format!("{name} · {proof}")],
         (None, None) => vec![format!("{name}{}", tried(finding))],
     };
@@ -44,10 +45,12 @@ pub(super) fn outcome(finding: &TheoremFinding<'_>) -> String {
 
 /// The parametrisations in which a theorem is refuted, where every shift of the parameter comes
 /// first.
-fn refuted(name: &str, refutation: &Refutation) -> Vec<String> {
+fn refuted(name: &str, refutation: &Refutation, by_kernel: &[KernelProof]) -> Vec<String> {
     let Refutation { case, violation, natural, every_shift, .. } = refutation;
     let Violation { level, attained, bound, .. } = violation;
-    let printed = exceeded(case, *level, &attained.value, bound);
+    let checked = |proof| if by_kernel.contains(&proof) { CHECKED } else { "" };
+    let mut printed = exceeded(case, *level, &attained.value, bound);
+    printed.push_str(checked(KernelProof::Refuted));
     match (every_shift, natural) {
         (Some(EveryShift::Refuted { case, data, .. }), _) => {
             let Unshiftable { level, overshoot, bound, .. } = &**data;
@@ -63,7 +66,8 @@ fn refuted(name: &str, refutation: &Refutation) -> Vec<String> {
         ],
         (_, Some(Naturally::Refuted { case, violation, .. })) => {
             let Violation { level, attained, bound, .. } = &**violation;
-            let natural = exceeded(case, *level, &attained.value, bound);
+            let mut natural = exceeded(case, *level, &attained.value, bound);
+            natural.push_str(checked(KernelProof::RefutedNaturally));
             vec![
                 format!("{name} with points at i/n^k · {printed}"),
                 format!("refuted at natural parameters too · {natural}"),

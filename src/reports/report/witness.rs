@@ -2,9 +2,10 @@
 
 use super::by_hand;
 use super::data::{control, value_name};
+use super::kernel::CHECKED;
 use super::numbers::{DIGITS, exact};
 use super::shift;
-use crate::audit::{ByHand, Control, Naturally, Refutation, TheoremFinding};
+use crate::audit::{ByHand, Control, KernelProof, Naturally, Refutation, TheoremFinding};
 use crate::claim::Quantity;
 use crate::exact::format::short;
 
@@ -21,7 +22,9 @@ pub(super) fn facts(finding: &TheoremFinding<'_>, hand: Option<&ByHand>) -> Vec<
     match natural {
         None => {}
         Some(Naturally::Refuted { case, violation, .. }) => {
-            fact("at natural parameters", format!("refuted too, for {case}"));
+            let proved = finding.by_kernel.contains(&KernelProof::RefutedNaturally);
+            let checked = if proved { CHECKED } else { "" };
+            fact("at natural parameters", format!("refuted too, for {case}{checked}"));
             fact("control data", control(&violation.attained.control));
             fact(&value_name(violation), exact(&violation.attained.value));
             fact("claimed at most", exact(&violation.bound));

@@ -5,33 +5,53 @@ use crate::exact::{Enclosed, Enclosure, Integer, Rational, Scalar};
 /// The ends are multiples of 2^(−BITS).
 const BITS: u32 = 192;
 
-/// An interval around a real number. The ends of results are rounded outward, so that they stay short.
+/// An interval around a real number. The ends of results are rounded outward to multiples of 2^(−192), which are
+/// integers here: they need no common divisors.
 #[derive(Clone, Debug)]
-pub struct Ball(Enclosure);
+pub struct Ball {
+    lower: Integer,
+    upper: Integer,
+}
 
 impl Ball {
     /// A number of about 128 correct binary digits.
     #[must_use]
     pub fn of(number: &impl Enclosed) -> Ball {
-        Ball::outward(&number.enclosure(1))
+        Ball::within(&number.enclosure(1))
     }
 
     /// Any number of an interval.
     #[must_use]
     pub fn within(interval: &Enclosure) -> Ball {
-        Ball::outward(interval)
+        let (lower, upper) = (interval.lower(), interval.upper());
+        let scaled = |x: &Rational| x.numerator().shifted_left(BITS);
+        let ceiling = |x: &Rational| -(-scaled(x)).div_floor(&x.denominator());
+        Ball { lower: scaled(lower).div_floor(&lower.denominator()), upper: ceiling(upper) }
     }
 
     /// The interval.
     #[must_use]
-    pub fn enclosure(&self) -> &Enclosure {
-        &self.0
+    pub fn enclosure(&self) -> Enclosure {
+        Enclosure::new(self.lower(), self.upper())
+    }
+
+    /// Its lower end.
+    #[must_use]
+    pub fn lower(&self) -> Rational {
+        over(&self.lower)
+    }
+
+    /// Its upper end.
+    #[must_use]
+    pub fn upper(&self) -> Rational {
+        over(&self.upper)
     }
 
     /// The sign of the number; `None` where the interval does not show it.
     #[must_use]
     pub fn sign(&self) -> Option<i8> {
-        self.0.sign()
+        let (lower, upper) = (self.lower.sign(), self.upper.sign());
+        (lower == upper).then_some(lower)
     }
 
     /// Whether the interval shows that the number is not 0.
@@ -39,26 +59,28 @@ impl Ball {
     pub fn is_apart(&self) -> bool {
         matches!(self.sign(), Some(1 | -1))
     }
+}
 
-    fn outward(exact: &Enclosure) -> Ball {
-        let scale = Integer::one().shifted_left(BITS);
-        let times = |x: &Rational| x * &Rational::from(scale.clone());
-        let over = |x: Integer| Rational::new(x, scale.clone());
-        Ball(Enclosure::new(over(times(exact.lower()).floor()), over(times(exact.upper()).ceil())))
-    }
+fn over(end: &Integer) -> Rational {
+    Rational::new(end.clone(), Integer::one().shifted_left(BITS))
 }
 
 impl Scalar for Ball {
     fn from_rational(value: &Rational) -> Self {
-        Ball::outward(&Enclosure::exact(value.clone()))
+        Ball::within(&Enclosure::exact(value.clone()))
     }
     fn plus(&self, other: &Self) -> Self {
-        Ball(&self.0 + &other.0)
+        Ball { lower: &self.lower + &other.lower, upper: &self.upper + &other.upper }
     }
     fn minus(&self, other: &Self) -> Self {
-        Ball(&self.0 - &other.0)
+        Ball { lower: &self.lower - &other.upper, upper: &self.upper - &other.lower }
     }
     fn times(&self, other: &Self) -> Self {
-        Ball::outward(&(&self.0 * &other.0))
+        let product = |x: &Integer| [x * &other.lower, x * &other.upper];
+        let [a, b] = product(&self.lower);
+        let [c, d] = product(&self.upper);
+        let lower = (&a).min(&b).min(&c).min(&d).shifted_right(BITS);
+        let upper = a.max(b).max(c).max(d);
+        Ball { lower, upper: -(-upper).shifted_right(BITS) }
     }
 }

@@ -15,7 +15,7 @@ pub(super) fn unit(net: &Net<Ball>) -> Enclosure {
         .times(p)
         .plus(&q.times(q))
         .plus(&ratio::<Ball>(2, 1).times(&net.cosine).times(&p.times(q)));
-    if square.is_apart() { square.enclosure().clone() } else { Enclosure::exact(Rational::one()) }
+    if square.is_apart() { square.enclosure() } else { Enclosure::exact(Rational::one()) }
 }
 
 /// A lower bound of a positive J: the least coefficient of the parts into which [`boxes`] divides the pieces, and a
@@ -54,8 +54,8 @@ pub(super) fn jacobian_at(net: &Net<Ball>, value: &Ball, point: &RingPoint) -> E
     let one = Rational::one();
     let found = jacobian(piece).value(&[&ball(&u), &ball(&v), &ball(&w), &ball(&one)]);
     let unit = unit(net);
-    let ends = [found.enclosure().lower(), found.enclosure().upper()];
-    let quotients = ends.map(|x| [x / unit.lower(), x / unit.upper()]).concat();
+    let ends = [found.lower(), found.upper()];
+    let quotients = ends.map(|x| [&x / unit.lower(), &x / unit.upper()]).concat();
     let low = quotients.iter().min().expect("four numbers").clone();
     let high = quotients.iter().max().expect("four numbers").clone();
     Enclosure::new(low, high)

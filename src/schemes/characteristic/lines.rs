@@ -26,8 +26,7 @@ fn image(piece: &Piece<Ball>, u: &Rational, v: &Rational) -> [Rational; 2] {
     let rest = Rational::one() - u - v;
     let at = [ball(u), ball(v), ball(&rest), ball(&Rational::one())];
     let [first, second, third, one] = &at;
-    let value =
-        |form: &Form<Ball>| form.value(&[first, second, third, one]).enclosure().lower().clone();
+    let value = |form: &Form<Ball>| form.value(&[first, second, third, one]).lower();
     piece.coordinates.each_ref().map(value)
 }
 

@@ -211,8 +211,7 @@ fn one_sign(
     low: &RealExpression,
     high: &RealExpression,
 ) -> bool {
-    let ends = [low, high].map(|end| Ball::of(end).enclosure().clone());
-    let (low, high) = (ends[0].lower().clone(), ends[1].upper().clone());
+    let (low, high) = (Ball::of(low).lower(), Ball::of(high).upper());
     let step = (&high - &low) / Rational::from(PARTS);
     let inner = super::inner::Inner::new(
         family,

@@ -90,7 +90,7 @@ pub(super) fn boxes(form: &Form<Ball>) -> Vec<Part> {
     let (mut waiting, mut parts) = (vec![(form.clone(), places, String::new())], Vec::new());
     while let Some((form, places, path)) = waiting.pop() {
         if form.coefficients().all(|x| x.sign() == side && x.is_apart()) {
-            let size = |x: &Ball| x.enclosure().lower().abs().min(x.enclosure().upper().abs());
+            let size = |x: &Ball| x.lower().abs().min(x.upper().abs());
             let least = form.coefficients().map(size).min().expect("a coefficient");
             let corners = form.corners().into_iter().map(size).zip(&places);
             let near = corners.min_by(|(a, _), (b, _)| a.cmp(b)).expect("a corner").1.clone();

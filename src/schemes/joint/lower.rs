@@ -189,7 +189,9 @@ impl<F: Entry> Lower<F> {
             if length == 0.0 {
                 return Vec::new();
             }
-            row.iter_mut().for_each(|x| *x /= length);
+            for x in &mut *row {
+                *x /= length;
+            }
         }
         let mut rows = Vec::new();
         for &i in word {

@@ -7,11 +7,14 @@ use super::lower::{Exact, Lower, MAX_ROWS};
 use super::matrix_set::MatrixSet;
 use super::product::{Eigenvalue, shown};
 use super::proposal::beam;
-use crate::exact::{Rational, RealAlgebraic};
+use crate::exact::{Enclosure, Integer, Rational, RealAlgebraic};
 use crate::float::extremal::candidates;
 
 /// The most factors of a product that is looked at.
 const MAX_FACTORS: u32 = 14;
+
+/// The digits after the point of an enclosure of a root.
+const PLACES: u32 = 14;
 
 /// How many products of each length are continued.
 const BEAM: usize = 250;
@@ -40,6 +43,49 @@ impl JointRadius {
     #[must_use]
     pub fn eigenvalue<F: Entry>(&self, set: &MatrixSet<F>) -> Option<Eigenvalue> {
         shown(set, &self.product, &self.root, self.degree != self.product.len())
+    }
+
+    /// An enclosure of root^{1/degree} of two neighbouring decimals of 14 places, or the number itself.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::joint::{MatrixSet, joint_radius};
+    ///
+    /// let set = MatrixSet::new(vec![vec![vec![Rational::new(1, 2)]]])?;
+    /// assert_eq!(*joint_radius(&set).root_enclosure().lower(), Rational::new(1, 2));
+    /// assert_eq!(joint_radius(&set).upper(), Rational::new(1, 2));
+    /// # Ok::<(), subcert::joint::MatrixSetError>(())
+    /// ```
+    ///
+    /// # Panics
+    /// Never.
+    #[must_use]
+    pub fn root_enclosure(&self) -> Enclosure {
+        let degree = i32::try_from(self.degree).expect("a short product");
+        let unit = Rational::from(Integer::power_of_ten(PLACES));
+        let reaches = |x: &Integer| {
+            let power = (Rational::from(x.clone()) / &unit).pow(degree);
+            self.root.cmp_rational(&power) != std::cmp::Ordering::Less
+        };
+        let (mut low, mut high) = (Integer::zero(), unit.numerator());
+        while reaches(&high) {
+            high = &high + &high;
+        }
+        while &high - &low > Integer::one() {
+            let middle = (&low + &high).shifted_right(1);
+            if reaches(&middle) { low = middle } else { high = middle }
+        }
+        let exact = (Rational::from(low.clone()) / &unit).pow(degree);
+        let high = if self.root.cmp_rational(&exact).is_eq() { low.clone() } else { high };
+        Enclosure::new(Rational::from(low) / &unit, Rational::from(high) / unit)
+    }
+
+    /// The best rational upper bound of the radius.
+    #[must_use]
+    pub fn upper(&self) -> Rational {
+        let exact = self.exact.then(|| self.root_enclosure().upper().clone());
+        let hull = self.hull.as_ref().map(|hull| hull.bound.clone());
+        exact.into_iter().chain(hull).min().unwrap_or_else(Rational::zero)
     }
 }
 

@@ -109,7 +109,7 @@ fn rules(
 ) -> (isize, Vec<Vec<LocatedFormula>>) {
     let half = (coefficients.len() - 1) / 2;
     // ⌊(n−1+h)/n⌋ is the greatest d with α + h − nd ≥ 0, and the least one has α + h − nd ≤ L for α = 0.
-    let greatest = (arity - 1 + half) / arity;
+    let greatest = half.div_ceil(arity);
     let below = (coefficients.len() - 1 - half) / arity;
     let first = -isize::try_from(below).expect("a short mask");
     let row = |alpha: usize| {

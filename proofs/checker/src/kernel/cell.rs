@@ -1,7 +1,7 @@
 //! Theorems about the cells of a table: constants, sound bounds and depths, and promises that are not kept.
 
 use super::read::{Argument, Theorem, Theorems};
-use super::{Given, comment, mask, masks, rational, stated};
+use super::{Given, comment, mask, parameters, placed, rational, stated};
 use crate::decimal::{Q, int};
 use crate::library::Constant;
 use crate::local_rules::LocalRules;
@@ -11,6 +11,7 @@ use crate::rules::Promised;
 use crate::table::{Place, Read, Table};
 use crate::toml::Toml;
 use crate::value::Value;
+use crate::witness::Points;
 use num_traits::Signed;
 
 /// Compares theorems with a table, and gives the values of its parameters that certificates recover.
@@ -52,14 +53,14 @@ fn one(table: &Table<'_>, theorem: &Theorem) -> Checked<()> {
         ("bounds_distance", "This bound holds.") => {
             let promised = Promised::new(table, at)?;
             let level = promised.level.ok_or(Reason::NoPromise)?;
-            let mut expected = curve(&promised)?;
+            let mut expected = curve(&promised, Points::Indexed)?;
             expected.push(Argument::Level(promised_level(level)?));
             stated(theorem, "bounds_distance", &expected)
         }
         ("sufficient_depth", "This depth suffices.") => {
             let promised = Promised::new(table, at)?;
             let tolerance = promised.tolerance.as_ref().ok_or(Reason::NoPromise)?;
-            let mut expected = curve(&promised)?;
+            let mut expected = curve(&promised, Points::Indexed)?;
             expected.push(Argument::Number(rational(&promised.spread)?));
             expected.push(Argument::Number(rational(tolerance)?));
             stated(theorem, "sufficient_depth", &expected)
@@ -129,10 +130,10 @@ fn constant(table: &Table<'_>, at: Place, theorem: &Theorem) -> Checked<()> {
     }
 }
 
-/// The mask of a curve.
-fn curve(promised: &Promised<'_>) -> Checked<Vec<Argument>> {
-    let [scheme] = &promised.schemes[..] else { return Err(Reason::Single.into()) };
-    masks([&**scheme], promised.offset)
+/// The mask of a curve, and the shift of its points.
+fn curve(promised: &Promised<'_>, points: Points) -> Checked<Vec<Argument>> {
+    require(promised.schemes.len() == 1, Reason::Single)?;
+    placed(promised.paper.library, &promised.schemes, promised.offset, points)
 }
 
 fn promised_level(level: i64) -> Checked<u32> {
@@ -143,20 +144,21 @@ fn promised_level(level: i64) -> Checked<u32> {
 fn broken(table: &Table<'_>, at: Place, theorem: &Theorem) -> Checked<()> {
     let promised = Promised::new(table, at)?;
     let (_, decimal) = table.printed(at).ok_or(Reason::NoPromise)?;
+    let malformed = Reason::Malformed("a promise that is broken");
+    let (points, said) = parameters(&theorem.about, "Broken").ok_or(malformed)?;
     let ring = table.claim.get("promise").and_then(|promise| promise.text("ring"));
     let (statement, mut expected) = match (ring, &promised.schemes[..]) {
         (Some(ring), _) => {
+            require(points == Points::Indexed, Reason::Malformed("masks"))?;
             let ring = LocalRules::new(table.paper.library, ring, &promised.scope)?;
             ("exceeds_ring_distance", vec![super::ring(&ring, &ring.weights)?])
         }
-        (None, [_]) => ("exceeds_distance", curve(&promised)?),
+        (None, [_]) => ("exceeds_distance", curve(&promised, points)?),
         (None, schemes) => {
-            let schemes = schemes.iter().map(|scheme| &**scheme);
-            ("exceeds_net_distance", masks(schemes, promised.offset)?)
+            ("exceeds_net_distance", placed(table.paper.library, schemes, promised.offset, points)?)
         }
     };
-    let said = theorem.arguments.get(expected.len());
-    let Some(&Argument::Level(level)) = said else {
+    let Some(&Argument::Level(level)) = theorem.arguments.get(expected.len()) else {
         return Err(Reason::Malformed("a promise that is broken").into());
     };
     let printed = Value::from(decimal.value);
@@ -169,8 +171,8 @@ fn broken(table: &Table<'_>, at: Place, theorem: &Theorem) -> Checked<()> {
     require(later || i64::from(level) == least, Reason::Level)?;
     let (most, spread) = (rational(&most)?, rational(&promised.spread)?);
     require(spread.is_positive(), Reason::NegativeSpread)?;
-    let about = format!("Broken at level {level}: {most} for points of spread {spread}");
-    compare(theorem.about == about, &theorem.about, &about, Reason::Stated)?;
+    let about = format!("at level {level}: {most} for points of spread {spread}");
+    compare(said == about, said, &about, Reason::Stated)?;
     expected.extend([Argument::Level(level), Argument::Number(int(1))]);
     expected.push(Argument::Number(most / spread));
     stated(theorem, statement, &expected)

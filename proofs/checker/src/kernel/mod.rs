@@ -5,18 +5,24 @@ mod cell;
 mod read;
 mod theorem;
 
-use crate::decimal::Q;
+use crate::decimal::{Q, int};
+use crate::functional::Rules;
+use crate::library::Library;
 use crate::local_rules::LocalRules;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Rejection, compare, require};
 use crate::scheme::Scheme;
 use crate::shape::misfit;
 use crate::value::Value;
+use crate::witness::Points;
 use read::{Argument, Object, Theorem};
+use std::rc::Rc;
 
 /// A file of theorems that agrees with the claim file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Agreement {
+    /// `table` or `theorem`.
+    pub kind: String,
     /// The id of the claim.
     pub id: String,
     /// The number of theorems.
@@ -52,14 +58,35 @@ pub fn agree<'a>(
         if let Some(path) = misfit(claim, &file.kind) {
             return Err(Reason::Field(path).into());
         }
+        once(&file.statements)?;
         let recovered = match &file.kind[..] {
             "table" => cell::agree(paper, claim, recovered, &file)?,
             _ => theorem::agree(paper, claim, &file).map(|()| Vec::new())?,
         };
-        Ok(Agreement { id: file.id.clone(), theorems: file.statements.len(), recovered })
+        Ok(Agreement {
+            kind: file.kind.clone(),
+            id: file.id.clone(),
+            theorems: file.statements.len(),
+            recovered,
+        })
     };
     // What is wrong with all theorems stands in the first lines.
     agreement().map_err(|rejection: Rejection| rejection.at(1))
+}
+
+/// Checks that no two theorems say the same of the same place, whatever their second comments call it: they are one
+/// finding. The names of theorems are their numbers, in order.
+fn once(theorems: &[Theorem]) -> Checked<()> {
+    for (number, theorem) in theorems.iter().enumerate() {
+        let same = |earlier: &&Theorem| {
+            (&earlier.place, &earlier.statement, &earlier.arguments)
+                == (&theorem.place, &theorem.statement, &theorem.arguments)
+        };
+        if let Some(earlier) = theorems[..number].iter().find(same) {
+            return Err(Rejection::from(Reason::TwiceStated(earlier.line)).at(theorem.line));
+        }
+    }
+    Ok(())
 }
 
 /// A text of the claim file as comments of Coq hold it: in one line, and without what would end a comment.
@@ -74,7 +101,7 @@ fn mask(offset: i64, rules: &[Vec<Value>]) -> Option<Object> {
     Some(Object::Mask(offset, rules.iter().map(row).collect::<Option<_>>()?))
 }
 
-/// The arguments that a statement has to begin with: the masks of the schemes, at an offset or at their own.
+/// The masks of schemes, at an offset or at their own, with which a statement begins.
 fn masks<'s>(
     schemes: impl IntoIterator<Item = &'s Scheme>,
     offset: Option<i64>,
@@ -83,6 +110,37 @@ fn masks<'s>(
         |scheme: &Scheme| mask(offset.unwrap_or(scheme.offset), &scheme.mask).map(Argument::Object);
     let masks: Option<Vec<Argument>> = schemes.into_iter().map(of).collect();
     masks.ok_or(Reason::Malformed("rational masks").into())
+}
+
+/// The masks, and then the shifts of their points, with which a statement about polygons or nets begins.
+fn placed(
+    library: &Library<'_>,
+    schemes: &[Rc<Scheme>],
+    offset: Option<i64>,
+    points: Points,
+) -> Checked<Vec<Argument>> {
+    let mut arguments = masks(schemes.iter().map(|scheme| &**scheme), offset)?;
+    for scheme in schemes {
+        let shift = match points {
+            Points::Indexed => int(0),
+            Points::Natural => {
+                let rules = Rules::new(library.meter, scheme, offset.unwrap_or(scheme.offset))?;
+                let rules = rules.ok_or(Reason::Malformed("rational masks"))?;
+                rules.natural_shift().ok_or(Reason::NoLines)?
+            }
+        };
+        arguments.push(Argument::Number(shift));
+    }
+    Ok(arguments)
+}
+
+/// The parameters of the points that a comment names: `WORD …`, or `WORD at natural parameters …`; and the rest of it.
+fn parameters<'t>(about: &'t str, word: &str) -> Option<(Points, &'t str)> {
+    let rest = about.strip_prefix(word)?;
+    Some(match rest.strip_prefix(" at natural parameters ") {
+        Some(rest) => (Points::Natural, rest),
+        None => (Points::Indexed, rest.strip_prefix(' ')?),
+    })
 }
 
 /// A rational number.

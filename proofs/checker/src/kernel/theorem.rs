@@ -1,7 +1,7 @@
 //! Theorems of a paper that data refute: one instance, and the bound there.
 
 use super::read::{Argument, Theorem, Theorems};
-use super::{comment, masks, ring, stated};
+use super::{comment, masks, parameters, placed, ring, stated};
 use crate::decimal::{Q, int, read_rational};
 use crate::definitions::formula_of;
 use crate::paper::Paper;
@@ -10,6 +10,7 @@ use crate::rules::{Instance, first_level};
 use crate::setting::Setting;
 use crate::toml::Toml;
 use crate::value::Value;
+use crate::witness::Points;
 use num_traits::Signed;
 
 /// Compares theorems with a theorem of the paper.
@@ -23,12 +24,13 @@ pub fn agree<'a>(paper: &'a Paper<'a>, claim: &'a Toml, file: &Theorems) -> Chec
     Ok(())
 }
 
-/// An instance that a comment names: the reference to the scheme, the values, the level, and ε.
+/// An instance that a comment names: the reference to the scheme, the values, the level, ε, and the parameters of points.
 struct Named {
     reference: String,
     values: Vec<(String, Value)>,
     level: u32,
     tolerance: Option<Q>,
+    points: Points,
 }
 
 fn one<'a>(paper: &'a Paper<'a>, claim: &'a Toml, theorem: &Theorem) -> Checked<()> {
@@ -37,7 +39,7 @@ fn one<'a>(paper: &'a Paper<'a>, claim: &'a Toml, theorem: &Theorem) -> Checked<
     compare(theorem.place == place, &theorem.place, &place, Reason::Stated)?;
     let depth = of("bounds") == "depth";
     let named = named(paper, claim, &theorem.about, depth)?;
-    let Named { reference, values, level, tolerance } = named;
+    let Named { reference, values, level, tolerance, points } = named;
     let Instance { mut scope, schemes, offset, setting } =
         Instance::new(paper, claim, &reference, values)?;
     require(level >= first_level(claim)?, Reason::Level)?;
@@ -61,8 +63,10 @@ fn one<'a>(paper: &'a Paper<'a>, claim: &'a Toml, theorem: &Theorem) -> Checked<
         None => by,
     };
     let bound = bound.rational().ok_or(Reason::Malformed("a rational bound"))?;
+    let quantity = if depth { "distance" } else { of("bounds") };
     let (form, mut expected) = match &setting {
         Setting::LocalRules(rules, interpolant) => {
+            require(points == Points::Indexed, Reason::Malformed("masks"))?;
             let mut rings = vec![ring(rules, &rules.weights)?];
             match of("bounds") {
                 // Without an interpolant each point is compared with itself.
@@ -77,10 +81,17 @@ fn one<'a>(paper: &'a Paper<'a>, claim: &'a Toml, theorem: &Theorem) -> Checked<
         }
         Setting::Masks(rules, _) => {
             let form = if rules.len() > 1 { "net_" } else { "" };
-            (form, masks(schemes.iter().map(|scheme| &**scheme), offset)?)
+            let of = match quantity {
+                "difference" => {
+                    // Differences have no parameter.
+                    require(points == Points::Indexed, Reason::Malformed("a step or a distance"))?;
+                    masks(schemes.iter().map(|scheme| &**scheme), offset)?
+                }
+                _ => placed(paper.library, &schemes, offset, points)?,
+            };
+            (form, of)
         }
     };
-    let quantity = if depth { "distance" } else { of("bounds") };
     expected.push(Argument::Level(level));
     expected.extend([int(1), bound].map(Argument::Number));
     stated(theorem, &format!("exceeds_{form}{quantity}"), &expected)
@@ -90,7 +101,8 @@ fn one<'a>(paper: &'a Paper<'a>, claim: &'a Toml, theorem: &Theorem) -> Checked<
 /// `… at level K and tolerance NUMBER; the depth is BY`.
 fn named<'a>(paper: &'a Paper<'a>, claim: &'a Toml, about: &str, depth: bool) -> Checked<Named> {
     let malformed = || Reason::Malformed("Refuted for SCHEME, VALUES at level K; the bound is BY");
-    let said = about.strip_prefix("Refuted for ").ok_or_else(malformed)?;
+    let (points, said) = parameters(about, "Refuted").ok_or_else(malformed)?;
+    let said = said.strip_prefix("for ").ok_or_else(malformed)?;
     let by = comment(claim.text("by").unwrap_or_default());
     let end = format!("; the {} is {by}", if depth { "depth" } else { "bound" });
     let said = said.strip_suffix(&end[..]);
@@ -121,5 +133,5 @@ fn named<'a>(paper: &'a Paper<'a>, claim: &'a Toml, about: &str, depth: bool) ->
         let (name, value) = value.split_once(" = ").ok_or_else(malformed)?;
         values.push((name.to_owned(), paper.number(value)?));
     }
-    Ok(Named { reference: reference.clone(), values, level, tolerance })
+    Ok(Named { reference: reference.clone(), values, level, tolerance, points })
 }

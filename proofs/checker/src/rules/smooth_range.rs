@@ -62,7 +62,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     // Whether not all limits are C^m at this value, and whether all are.
     let (fails, holds) = if rules {
         require(m == 1, Reason::Malformed("smoothness 1 of rules"))?;
-        let mut scope = scope(paper);
+        let mut scope = scope(paper, claim)?;
         let variable = claim.text("variable").unwrap_or_default();
         scope.values.insert(variable.to_owned(), at.clone().into());
         let said = block.after("vertex")?;

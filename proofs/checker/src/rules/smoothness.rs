@@ -52,7 +52,7 @@ pub fn check<'a>(
         return vertices(paper, claim, (continuous, not_continuous), block).map(|()| None);
     }
     require(claim.get("valences").is_none(), Reason::Malformed("rules around a vertex"))?;
-    let shown = Shown::read(paper, mask(paper, claim, &scope(paper))?, block)?;
+    let shown = Shown::read(paper, mask(paper, claim, &scope(paper, claim)?)?, block)?;
     let found = verdict(
         continuous.is_none_or(|m| shown.continuous(m))
             && not_continuous.is_none_or(|m| shown.not_continuous(m)),
@@ -134,7 +134,7 @@ fn vertices<'a>(
     (continuous, not_continuous): (Option<usize>, Option<usize>),
     block: &mut Block<'_>,
 ) -> Checked<()> {
-    let scope = scope(paper);
+    let scope = scope(paper, claim)?;
     let ends = valences(claim)?;
     let (mut refuted, mut next) = (false, ends.map_or(0, |(first, _)| first));
     let (mut complete, mut confirmed) = (true, true);
@@ -177,7 +177,7 @@ pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>
     let statements = [&["value"][..], &["printed"], &["at_least", "at_most"]];
     let one = statements.iter().filter(|keys| has(keys)).count() == 1;
     require(one, Reason::Malformed("one of `value`, `printed` and bounds"))?;
-    let shown = Shown::read(paper, mask(paper, claim, &scope(paper))?, block)?;
+    let shown = Shown::read(paper, mask(paper, claim, &scope(paper, claim)?)?, block)?;
     let closed = paper.library.closed();
     let number = |key: &str| -> Checked<Option<LogSum>> {
         let text = claim.text(key).map(formula);
@@ -248,9 +248,10 @@ pub fn order(text: &str) -> Checked<usize> {
     Ok(order.ok_or_else(|| Stop::Wrong(format!("`{text}` is no order of smoothness")))?)
 }
 
-/// The scope of a claim without names of its own.
-pub fn scope<'a>(paper: &'a Paper<'a>) -> crate::evaluate::Scope<'a> {
+/// The scope of a claim: the values of the paper, and its own, which hide those.
+pub fn scope<'a>(paper: &'a Paper<'a>, claim: &Toml) -> Checked<crate::evaluate::Scope<'a>> {
     let mut scope = paper.scope();
     scope.values.clone_from(&paper.given);
-    scope
+    scope.values.extend(paper.constants(claim.entries("given"))?);
+    Ok(scope)
 }

@@ -39,50 +39,50 @@ Definition scheme_2 :=
 (* row 2, column 1: Table 8, c_0 = 2, ε = 6.59e-3 prints 3 *)
 (* Broken at level 3: 659/100000 for points of spread 1/10 *)
 Theorem finding_5 :
-  exceeds_net_distance scheme_2 scheme_2 3 1 (659 # 10000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 3 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (659 # 10000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 3 1 (659 # 10000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 3 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (659 # 10000)
   7 1 1 (1 # 64) 1 1 (1 # 64)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 2, column 2: Table 8, c_0 = 2, ε = 1.11e-4 prints 6 *)
 (* Broken at level 6: 111/1000000 for points of spread 1/10 *)
 Theorem finding_6 :
-  exceeds_net_distance scheme_2 scheme_2 6 1 (111 # 100000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 6 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (111 # 100000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 6 1 (111 # 100000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 6 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (111 # 100000)
   11 1 1 (1 # 2048) 1 1 (1 # 2048)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 2, column 3: Table 8, c_0 = 2, ε = 1.18e-6 prints 9 *)
 (* Broken at level 9: 59/50000000 for points of spread 1/10 *)
 Theorem finding_7 :
-  exceeds_net_distance scheme_2 scheme_2 9 1 (59 # 5000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 9 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (59 # 5000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 9 1 (59 # 5000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 9 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (59 # 5000000)
   14 1 1 (1 # 32768) 1 1 (1 # 32768)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 2, column 4: Table 8, c_0 = 2, ε = 3.21e-8 prints 11 *)
 (* Broken at level 11: 321/10000000000 for points of spread 1/10 *)
 Theorem finding_8 :
-  exceeds_net_distance scheme_2 scheme_2 11 1 (321 # 1000000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 11 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (321 # 1000000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 11 1 (321 # 1000000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 11 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (321 # 1000000000)
   17 1 1 (1 # 262144) 1 1 (1 # 262144)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 2, column 5: Table 8, c_0 = 2, ε = 5.45e-10 prints 14 *)
 (* Broken at level 14: 109/200000000000 for points of spread 1/10 *)
 Theorem finding_9 :
-  exceeds_net_distance scheme_2 scheme_2 14 1 (109 # 20000000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 14 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (109 # 20000000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 14 1 (109 # 20000000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 14 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (109 # 20000000000)
   21 1 1 (1 # 8388608) 1 1 (1 # 8388608)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 2, column 6: Table 8, c_0 = 2, ε = 9.24e-12 prints 17 *)
 (* Broken at level 17: 231/25000000000000 for points of spread 1/10 *)
 Theorem finding_10 :
-  exceeds_net_distance scheme_2 scheme_2 17 1 (231 # 2500000000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 17 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (231 # 2500000000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 17 1 (231 # 2500000000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 17 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (231 # 2500000000000)
   25 1 1 (1 # 268435456) 1 1 (1 # 268435456)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 2, column 7: Table 8, c_0 = 2, ε = 1.56e-13 prints 20 *)
 (* Broken at level 20: 39/250000000000000 for points of spread 1/10 *)
 Theorem finding_11 :
-  exceeds_net_distance scheme_2 scheme_2 20 1 (39 # 25000000000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 20 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (39 # 25000000000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 20 1 (39 # 25000000000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 20 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (39 # 25000000000000)
   29 1 1 (1 # 8589934592) 1 1 (1 # 8589934592)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 3, column 1: Table 8, c_0 = 3, ε = 6.59e-3 prints 2 *)
@@ -100,50 +100,50 @@ Proof. apply scheme_norm_by. vm_cast_no_check (eq_refl true). Qed.
 (* row 3, column 1: Table 8, c_0 = 3, ε = 6.59e-3 prints 2 *)
 (* Broken at level 2: 659/100000 for points of spread 1/10 *)
 Theorem finding_14 :
-  exceeds_net_distance scheme_2 scheme_2 2 1 (659 # 10000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 2 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (659 # 10000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 2 1 (659 # 10000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 2 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (659 # 10000)
   5 1 1 (1 # 16) 1 1 (1 # 16)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 3, column 2: Table 8, c_0 = 3, ε = 1.11e-4 prints 4 *)
 (* Broken at level 4: 111/1000000 for points of spread 1/10 *)
 Theorem finding_15 :
-  exceeds_net_distance scheme_2 scheme_2 4 1 (111 # 100000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 4 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (111 # 100000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 4 1 (111 # 100000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 4 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (111 # 100000)
   7 1 1 (1 # 128) 1 1 (1 # 128)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 3, column 3: Table 8, c_0 = 3, ε = 1.18e-6 prints 5 *)
 (* Broken at level 5: 59/50000000 for points of spread 1/10 *)
 Theorem finding_16 :
-  exceeds_net_distance scheme_2 scheme_2 5 1 (59 # 5000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 5 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (59 # 5000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 5 1 (59 # 5000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 5 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (59 # 5000000)
   9 1 1 (1 # 512) 1 1 (1 # 512)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 3, column 4: Table 8, c_0 = 3, ε = 3.21e-8 prints 7 *)
 (* Broken at level 7: 321/10000000000 for points of spread 1/10 *)
 Theorem finding_17 :
-  exceeds_net_distance scheme_2 scheme_2 7 1 (321 # 1000000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 7 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (321 # 1000000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 7 1 (321 # 1000000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 7 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (321 # 1000000000)
   12 1 1 (1 # 4096) 1 1 (1 # 4096)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 3, column 5: Table 8, c_0 = 3, ε = 5.45e-10 prints 9 *)
 (* Broken at level 9: 109/200000000000 for points of spread 1/10 *)
 Theorem finding_18 :
-  exceeds_net_distance scheme_2 scheme_2 9 1 (109 # 20000000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 9 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (109 # 20000000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 9 1 (109 # 20000000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 9 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (109 # 20000000000)
   14 1 1 (1 # 32768) 1 1 (1 # 32768)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 3, column 6: Table 8, c_0 = 3, ε = 9.24e-12 prints 10 *)
 (* Broken at level 10: 231/25000000000000 for points of spread 1/10 *)
 Theorem finding_19 :
-  exceeds_net_distance scheme_2 scheme_2 10 1 (231 # 2500000000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 10 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (231 # 2500000000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 10 1 (231 # 2500000000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 10 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (231 # 2500000000000)
   16 1 1 (1 # 131072) 1 1 (1 # 131072)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 3, column 7: Table 8, c_0 = 3, ε = 1.56e-13 prints 12 *)
 (* Broken at level 12: 39/250000000000000 for points of spread 1/10 *)
 Theorem finding_20 :
-  exceeds_net_distance scheme_2 scheme_2 12 1 (39 # 25000000000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 12 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (39 # 25000000000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 12 1 (39 # 25000000000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 12 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (39 # 25000000000000)
   18 1 1 (1 # 1048576) 1 1 (1 # 1048576)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 4, column 1: Table 8, c_0 = 4, ε = 6.59e-3 prints 1 *)
@@ -161,48 +161,48 @@ Proof. apply scheme_norm_by. vm_cast_no_check (eq_refl true). Qed.
 (* row 4, column 1: Table 8, c_0 = 4, ε = 6.59e-3 prints 1 *)
 (* Broken at level 1: 659/100000 for points of spread 1/10 *)
 Theorem finding_23 :
-  exceeds_net_distance scheme_2 scheme_2 1 1 (659 # 10000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 1 0 [0; -1; 0; 1; 0; -1]%Z 0 [0; -1; 0; 1; 0; -1]%Z (2 # 3) (2 # 3) 1 (659 # 10000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 1 1 (659 # 10000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 1 0 [0; -1; 0; 1; 0; -1]%Z 0 [0; -1; 0; 1; 0; -1]%Z (2 # 3) (2 # 3) 1 (659 # 10000)
   4 1 1 (1 # 8) 1 1 (1 # 8)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 4, column 2: Table 8, c_0 = 4, ε = 1.11e-4 prints 3 *)
 (* Broken at level 3: 111/1000000 for points of spread 1/10 *)
 Theorem finding_24 :
-  exceeds_net_distance scheme_2 scheme_2 3 1 (111 # 100000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 3 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (111 # 100000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 3 1 (111 # 100000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 3 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (111 # 100000)
   7 1 1 (1 # 64) 1 1 (1 # 64)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 4, column 3: Table 8, c_0 = 4, ε = 1.18e-6 prints 4 *)
 (* Broken at level 4: 59/50000000 for points of spread 1/10 *)
 Theorem finding_25 :
-  exceeds_net_distance scheme_2 scheme_2 4 1 (59 # 5000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 4 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (59 # 5000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 4 1 (59 # 5000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 4 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (59 # 5000000)
   7 1 1 (1 # 128) 1 1 (1 # 128)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 4, column 4: Table 8, c_0 = 4, ε = 3.21e-8 prints 5 *)
 (* Broken at level 5: 321/10000000000 for points of spread 1/10 *)
 Theorem finding_26 :
-  exceeds_net_distance scheme_2 scheme_2 5 1 (321 # 1000000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 5 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (321 # 1000000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 5 1 (321 # 1000000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 5 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (321 # 1000000000)
   9 1 1 (1 # 512) 1 1 (1 # 512)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 4, column 5: Table 8, c_0 = 4, ε = 5.45e-10 prints 6 *)
 (* Broken at level 6: 109/200000000000 for points of spread 1/10 *)
 Theorem finding_27 :
-  exceeds_net_distance scheme_2 scheme_2 6 1 (109 # 20000000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 6 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (109 # 20000000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 6 1 (109 # 20000000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 6 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (109 # 20000000000)
   10 1 1 (1 # 1024) 1 1 (1 # 1024)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 4, column 6: Table 8, c_0 = 4, ε = 9.24e-12 prints 8 *)
 (* Broken at level 8: 231/25000000000000 for points of spread 1/10 *)
 Theorem finding_28 :
-  exceeds_net_distance scheme_2 scheme_2 8 1 (231 # 2500000000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 8 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (231 # 2500000000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 8 1 (231 # 2500000000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 8 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (231 # 2500000000000)
   13 1 1 (1 # 16384) 1 1 (1 # 16384)). vm_cast_no_check (eq_refl true). Qed.
 
 (* row 4, column 7: Table 8, c_0 = 4, ε = 1.56e-13 prints 9 *)
 (* Broken at level 9: 39/250000000000000 for points of spread 1/10 *)
 Theorem finding_29 :
-  exceeds_net_distance scheme_2 scheme_2 9 1 (39 # 25000000000000).
-Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 9 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (39 # 25000000000000)
+  exceeds_net_distance scheme_2 scheme_2 0 0 9 1 (39 # 25000000000000).
+Proof. apply (exceeds_net_distance_by scheme_2 scheme_2 0 0 9 0 [0; -1; 0; 1; 0]%Z 0 [0; -1; 0; 1; 0]%Z (2 # 9) (2 # 9) 1 (39 # 25000000000000)
   14 1 1 (1 # 32768) 1 1 (1 # 32768)). vm_cast_no_check (eq_refl true). Qed.

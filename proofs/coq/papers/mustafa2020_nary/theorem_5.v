@@ -11,6 +11,13 @@ Definition scheme_1 :=
 (* Theorem 5, (20): The distance of the polygon after k steps to the limit, for every c with T < 1 *)
 (* Refuted for quinary-three-point, c = 2 at level 0; the bound is sigma*beta*T^k/(1 - T) *)
 Theorem finding_1 :
-  exceeds_distance scheme_1 0 1 (125 # 144).
-Proof. apply (exceeds_distance_by scheme_1 0 0 [0; 1; 0]%Z 0 1 (125 # 144)
+  exceeds_distance scheme_1 0 0 1 (125 # 144).
+Proof. apply (exceeds_distance_by scheme_1 0 0 0 [0; 1; 0]%Z 0 1 (125 # 144)
   14 1 1 (1 # 64)). vm_cast_no_check (eq_refl true). Qed.
+
+(* Theorem 5, (20): The distance of the polygon after k steps to the limit, for every c with T < 1 *)
+(* Refuted at natural parameters for quinary-three-point, c = 4 at level 1; the bound is sigma*beta*T^k/(1 - T) *)
+Theorem finding_2 :
+  exceeds_distance scheme_1 (-3 # 4) 1 1 (20233 # 617320).
+Proof. apply (exceeds_distance_by scheme_1 (-3 # 4) 1 0 [0; -1; 0; -1]%Z (23 # 25) 1 (20233 # 617320)
+  12 1 1 (1 # 128)). vm_cast_no_check (eq_refl true). Qed.

@@ -11,6 +11,16 @@ Definition scheme_1 :=
 (* Theorem 6, (21): The subdivision depth for a tolerance ε, curve *)
 (* Refuted for quaternary-four-point:mu=0, c = 2 at level 0 and tolerance 130/87; the depth is levels(T, epsilon*(1 - T)/(sigma*beta)) *)
 Theorem finding_1 :
-  exceeds_distance scheme_1 0 1 (130 # 87).
-Proof. apply (exceeds_distance_by scheme_1 0 0 [0; 1; 2; 3]%Z 0 1 (130 # 87)
+  exceeds_distance scheme_1 0 0 1 (130 # 87).
+Proof. apply (exceeds_distance_by scheme_1 0 0 0 [0; 1; 2; 3]%Z 0 1 (130 # 87)
   6 1 1 (1 # 1024)). vm_cast_no_check (eq_refl true). Qed.
+
+Definition scheme_2 :=
+  Scheme 25 0 [[7; 21; -3]; [3; 24; -2]; [0; 25; 0]; [-2; 24; 3]; [-3; 21; 7]]%Z.
+
+(* Theorem 6, (21): The subdivision depth for a tolerance ε, curve *)
+(* Refuted at natural parameters for quinary-three-point, c = 4 at level 1 and tolerance 1/13; the depth is levels(T, epsilon*(1 - T)/(sigma*beta)) *)
+Theorem finding_2 :
+  exceeds_distance scheme_2 (-3 # 4) 1 1 (1 # 13).
+Proof. apply (exceeds_distance_by scheme_2 (-3 # 4) 1 0 [0; -1; 0; -1]%Z (98 # 125) 1 (1 # 13)
+  20 1 1 (1 # 2048)). vm_cast_no_check (eq_refl true). Qed.

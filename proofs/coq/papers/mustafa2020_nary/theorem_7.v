@@ -11,5 +11,5 @@ Definition scheme_1 :=
 (* Theorem 7, (31): The step between two successive nets, for every number c of convolutions *)
 (* Refuted for quaternary-four-point:mu=0 x quaternary-four-point:mu=0, c = 2 at level 1; the bound is nu_bound*YZ^k *)
 Theorem finding_1 :
-  exceeds_net_step scheme_1 scheme_1 1 1 (3399 # 16384).
-Proof. apply (exceeds_net_step_by scheme_1 scheme_1 1 0 [0; 1; 2; 3]%Z 0 [0; 1; 2; 3]%Z 0 0). vm_cast_no_check (eq_refl true). Qed.
+  exceeds_net_step scheme_1 scheme_1 0 0 1 1 (3399 # 16384).
+Proof. apply (exceeds_net_step_by scheme_1 scheme_1 0 0 1 0 [0; 1; 2; 3]%Z 0 [0; 1; 2; 3]%Z 0 0). vm_cast_no_check (eq_refl true). Qed.

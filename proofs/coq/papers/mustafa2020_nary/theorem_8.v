@@ -11,6 +11,6 @@ Definition scheme_1 :=
 (* Theorem 8, (32): The distance of the net after k steps to the limit, for every c with Y_c·Z_c < 1 *)
 (* Refuted for quaternary-four-point:mu=0 x quaternary-four-point:mu=0, c = 2 at level 1; the bound is nu_bound*YZ^k/(1 - YZ) *)
 Theorem finding_1 :
-  exceeds_net_distance scheme_1 scheme_1 1 1 (1133 # 5120).
-Proof. apply (exceeds_net_distance_by scheme_1 scheme_1 1 0 [0; 1; 2; 3; 4]%Z 0 [0; 1; 2; 3; 4]%Z (15 # 16) (15 # 16) 1 (1133 # 5120)
+  exceeds_net_distance scheme_1 scheme_1 0 0 1 1 (1133 # 5120).
+Proof. apply (exceeds_net_distance_by scheme_1 scheme_1 0 0 1 0 [0; 1; 2; 3; 4]%Z 0 [0; 1; 2; 3; 4]%Z (15 # 16) (15 # 16) 1 (1133 # 5120)
   3 1 1 (1 # 16) 1 1 (1 # 16)). vm_cast_no_check (eq_refl true). Qed.

@@ -10,11 +10,14 @@ use serde::Deserialize;
 use toml::Spanned;
 
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "headers such as { name = \"c\", values = ['1', '2'] } or { schemes = [\"chaikin\"] }"
+)]
 pub(super) struct AxisTable {
     pub(super) name: Option<Spanned<String>>,
     label: Option<String>,
-    values: Option<Spanned<Vec<Spanned<NumberField>>>>,
+    pub(super) values: Option<Spanned<Vec<Spanned<NumberField>>>>,
     pub(super) schemes: Option<Spanned<Vec<Spanned<SchemeField>>>>,
     from: Option<Spanned<String>>,
     to: Option<Spanned<String>>,

@@ -68,12 +68,12 @@ macro_rules! claim_table {
         #[derive(Debug, serde::Deserialize)]
         #[serde(deny_unknown_fields)]
         pub(super) struct $name {
-            id: toml::Spanned<String>,
-            locus: toml::Spanned<String>,
+            pub(super) id: toml::Spanned<String>,
+            pub(super) locus: toml::Spanned<String>,
             #[serde(default)]
-            title: String,
-            scheme: Option<toml::Spanned<String>>,
-            note: Option<String>,
+            pub(super) title: String,
+            pub(super) scheme: Option<toml::Spanned<String>>,
+            pub(super) note: Option<String>,
             $($(#[$attribute])* $visible $field: $type,)*
         }
 
@@ -93,7 +93,7 @@ macro_rules! claim_table {
 pub(super) use claim_table;
 
 /// `"0.742"`, or `{ printed = "h1.69e-4", read = "1.69e-4", note = "…" }`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct NumberField {
     pub(super) printed: String,
     pub(super) read: Option<String>,

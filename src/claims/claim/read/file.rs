@@ -4,6 +4,7 @@ use super::contents::UnclaimedTable;
 use super::equation::EquationTable;
 use super::fields::{CommonFields, Formulas};
 use super::function::{FunctionTable, RangeTable};
+use super::regularity::RegularityFile;
 use super::smoothness::{ExponentTable, SmoothnessTable};
 use super::table::TableTable;
 use super::theorem::TheoremTable;
@@ -38,6 +39,8 @@ pub(super) struct PaperFile {
     pub(super) smoothness: Vec<SmoothnessTable>,
     #[serde(default)]
     pub(super) exponent: Vec<ExponentTable>,
+    #[serde(default)]
+    pub(super) regularity: Vec<RegularityFile>,
     #[serde(default)]
     pub(super) theorem: Vec<TheoremTable>,
     #[serde(default)]

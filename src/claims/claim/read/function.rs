@@ -35,7 +35,7 @@ claim_table!(RangeTable {
 /// A range of a free parameter, of one of the two kinds.
 pub(super) enum AnyRange {
     Value(Box<RangeClaim>),
-    Smoothness(SmoothnessClaim),
+    Smoothness(Box<SmoothnessClaim>),
 }
 
 impl Reader<'_> {
@@ -52,7 +52,9 @@ impl Reader<'_> {
             (Some(value), None) => {
                 self.value_range(table, value).map(|claim| AnyRange::Value(Box::new(claim)))
             }
-            (None, Some(m)) => self.smooth_range(table, m).map(AnyRange::Smoothness),
+            (None, Some(m)) => {
+                self.smooth_range(table, m).map(|claim| AnyRange::Smoothness(Box::new(claim)))
+            }
             _ => Err(self
                 .error(table.id.span(), "a range needs either `value` or `smoothness`")
                 .with_help(

@@ -14,6 +14,7 @@ mod function;
 mod indices;
 mod paper;
 mod reader;
+mod regularity;
 mod roles;
 mod smoothness;
 mod table;

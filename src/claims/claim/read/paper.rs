@@ -4,6 +4,7 @@ use super::fields::{CommonFields, Formulas};
 use super::file::{AlternativeTable, PaperFile};
 use super::function::AnyRange;
 use super::reader::Reader;
+use super::regularity::RegularityFile;
 use crate::claim::{Alternative, Paper, RangeClaim, SchemeSource, SmoothnessClaim};
 use crate::diagnostic::{Collected, Diagnostic, Errors, SourceText, read_text};
 use crate::formula::LocatedFormula;
@@ -45,9 +46,13 @@ pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
 /// assert_eq!(errors.all().len(), 2);
 /// ```
 pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
-    let file: PaperFile = from_toml(source).map_err(Errors::from)?;
+    let mut file: PaperFile = from_toml(source).map_err(Errors::from)?;
     let reader = Reader { source };
     let mut errors = Collected::default();
+    for cells in errors.all(&file.regularity, |table| reader.regularity(table)) {
+        file.smoothness.extend(cells.smoothness);
+        file.exponent.extend(cells.exponents);
+    }
     errors.take(reader.id(&file.key));
     errors.take(reader.ids(&file));
     let ids = file.claims().map(|claim| claim.id.get_ref().as_str()).collect();
@@ -91,7 +96,7 @@ fn ranges(all: Vec<AnyRange>) -> (Vec<RangeClaim>, Vec<SmoothnessClaim>) {
     for range in all {
         match range {
             AnyRange::Value(claim) => values.push(*claim),
-            AnyRange::Smoothness(claim) => smoothness.push(claim),
+            AnyRange::Smoothness(claim) => smoothness.push(*claim),
         }
     }
     (values, smoothness)
@@ -121,7 +126,8 @@ impl Reader<'_> {
     /// The ids of the claims, which have to be different.
     fn ids<'f>(&self, file: &'f PaperFile) -> Result<BTreeSet<&'f str>, Diagnostic> {
         let mut ids = BTreeSet::new();
-        for CommonFields { id, .. } in file.claims() {
+        let tables = file.regularity.iter().map(RegularityFile::common);
+        for CommonFields { id, .. } in tables.chain(file.claims()) {
             self.id(id)?;
             if !ids.insert(id.get_ref().as_str()) {
                 return Err(self

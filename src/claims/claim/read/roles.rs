@@ -2,7 +2,6 @@
 
 use super::file::PaperFile;
 use super::reader::Reader;
-use super::smoothness::{ExponentTable, SmoothnessTable};
 use crate::claim::THEOREM_NAMES;
 use crate::diagnostic::Diagnostic;
 use std::collections::BTreeMap;
@@ -17,7 +16,7 @@ pub(super) enum Role {
     Definition,
     /// A key of `[given]`.
     Stated,
-    /// A key of the table's own `given`.
+    /// A key of the claim's own `given`.
     Given,
     /// A key of the table's `unstated`.
     Unstated,
@@ -40,7 +39,7 @@ impl fmt::Display for Role {
         f.write_str(match self {
             Role::Definition => "a definition",
             Role::Stated => "a value that the paper states",
-            Role::Given => "a value that the table states",
+            Role::Given => "a value that the claim states",
             Role::Unstated => "a parameter that is not stated",
             Role::Header => "the parameter of the headers",
             Role::Symbol => "a symbol",
@@ -124,9 +123,14 @@ impl Reader<'_> {
             self.add(&mut roles, variable, Role::Variable)?;
             claims.insert(claim.id.get_ref().as_str(), roles);
         }
-        let smoothness = file.smoothness.iter().map(SmoothnessTable::common);
-        for claim in smoothness.chain(file.exponent.iter().map(ExponentTable::common)) {
-            claims.insert(claim.id.get_ref().as_str(), common.clone());
+        let smoothness = file.smoothness.iter().map(|claim| (claim.common(), &claim.given));
+        let exponents = file.exponent.iter().map(|claim| (claim.common(), &claim.given));
+        for (claim, given) in smoothness.chain(exponents) {
+            let mut roles = common.clone();
+            for name in given.keys() {
+                self.add(&mut roles, name, Role::Given)?;
+            }
+            claims.insert(claim.id.get_ref().as_str(), roles);
         }
         for theorem in &file.theorem {
             let mut roles = common.clone();

@@ -1,13 +1,15 @@
 //! Reading claims about smoothness.
 
 use super::exponent::exponent;
-use super::fields::{CommonFields, NumberField, claim_table};
+use super::fields::{CommonFields, Formulas, NumberField, claim_table};
 use super::reader::{Head, Reader};
 use crate::claim::{
-    ExponentStatement, PrintedValences, SmoothnessBody, SmoothnessClaim, SmoothnessKind,
-    SmoothnessStatement,
+    ExponentStatement, PrintedValences, RegularityCell, SmoothnessBody, SmoothnessClaim,
+    SmoothnessKind, SmoothnessStatement,
 };
 use crate::diagnostic::Diagnostic;
+use crate::scheme::definitions;
+use std::collections::BTreeMap;
 use toml::Spanned;
 
 /// The greatest m of a C^m.
@@ -17,19 +19,29 @@ const MAX_ORDER: usize = 64;
 const MAX_VALENCE: usize = 100;
 
 claim_table!(SmoothnessTable {
-    continuous: Option<Spanned<String>>,
-    not_continuous: Option<Spanned<String>>,
-    valences: Option<Spanned<String>>,
-    absent: Option<String>,
+    pub(super) continuous: Option<Spanned<String>>,
+    pub(super) not_continuous: Option<Spanned<String>>,
+    pub(super) valences: Option<Spanned<String>>,
+    pub(super) absent: Option<String>,
+    #[serde(default)]
+    pub(super) given: Formulas,
+    /// The cell of a table that it is.
+    #[serde(skip)]
+    pub(super) cell: Option<RegularityCell>,
 });
 
 claim_table!(ExponentTable {
-    value: Option<Spanned<String>>,
-    printed: Option<Spanned<NumberField>>,
-    at_least: Option<Spanned<String>>,
-    at_most: Option<Spanned<String>>,
-    attained: Option<bool>,
-    absent: Option<String>,
+    pub(super) value: Option<Spanned<String>>,
+    pub(super) printed: Option<Spanned<NumberField>>,
+    pub(super) at_least: Option<Spanned<String>>,
+    pub(super) at_most: Option<Spanned<String>>,
+    pub(super) attained: Option<bool>,
+    pub(super) absent: Option<String>,
+    #[serde(default)]
+    pub(super) given: Formulas,
+    /// The cell of a table that it is.
+    #[serde(skip)]
+    pub(super) cell: Option<RegularityCell>,
 });
 
 impl Reader<'_> {
@@ -70,7 +82,8 @@ impl Reader<'_> {
                 Ok(SmoothnessStatement::Continuity { continuous, not_continuous, valences })
             }
         };
-        self.about_limits(table.common(), SmoothnessKind::Continuity, statement)
+        let claim = self.about_limits(table.common(), SmoothnessKind::Continuity, statement)?;
+        self.with_given(claim, &table.given, table.cell.as_ref())
     }
 
     /// Reads a claim about the Hölder exponent.
@@ -109,7 +122,8 @@ impl Reader<'_> {
         let attained = *attained;
         let statement =
             exponent.map(|exponent| SmoothnessStatement::Exponent { exponent, attained });
-        self.about_limits(table.common(), SmoothnessKind::Exponent, statement)
+        let claim = self.about_limits(table.common(), SmoothnessKind::Exponent, statement)?;
+        self.with_given(claim, &table.given, table.cell.as_ref())
     }
 
     /// A claim about the limits of a scheme, or what the paper lacks.
@@ -132,7 +146,20 @@ impl Reader<'_> {
                     .with_help("scheme = \"four-point:w=1/16\""));
             }
         };
-        Ok(SmoothnessClaim { id, locus, title, kind, body, note })
+        let (given, cell) = (BTreeMap::new(), None);
+        Ok(SmoothnessClaim { id, locus, title, kind, body, given, cell, note })
+    }
+
+    /// The claim with its own values, and the cell of a table that it is.
+    fn with_given(
+        &self,
+        claim: SmoothnessClaim,
+        given: &Formulas,
+        cell: Option<&RegularityCell>,
+    ) -> Result<SmoothnessClaim, Diagnostic> {
+        let locus = cell.map_or(claim.locus, RegularityCell::locus);
+        let given = definitions(self.source, given)?;
+        Ok(SmoothnessClaim { locus, given, cell: cell.cloned(), ..claim })
     }
 
     /// The valences of a claim.

@@ -6,9 +6,7 @@ mod trial;
 mod vertex_range;
 mod vertices;
 
-use crate::claim::{
-    LocatedReference, Paper, PrintedValences, SmoothnessBody, SmoothnessClaim, SmoothnessStatement,
-};
+use crate::claim::{Paper, PrintedValences, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::evaluation::limits::LimitScheme;
@@ -27,23 +25,22 @@ pub(crate) fn judge<'a>(
         SmoothnessBody::NotCheckable(absent) => {
             (SmoothnessVerdict::NotCheckable, Known::Absent(absent.clone()))
         }
-        SmoothnessBody::Statement(scheme, statement) => of(paper, scheme, statement, library)?,
+        SmoothnessBody::Statement(located, statement) => {
+            of(&LimitScheme { paper, library, located, given: &claim.given }, statement)?
+        }
     };
     Ok(SmoothnessFinding { id: format!("{}:{}", paper.key, claim.id), claim, verdict, known })
 }
 
 fn of(
-    paper: &Paper,
-    located: &LocatedReference,
+    scheme: &LimitScheme<'_>,
     statement: &SmoothnessStatement,
-    library: &Library<'_>,
 ) -> Result<(SmoothnessVerdict, Known), Diagnostic> {
-    let scheme = LimitScheme { paper, library, located };
     if let SmoothnessStatement::Range(range) = statement {
-        return range::judge(&scheme, range);
+        return range::judge(scheme, range);
     }
     if let Some(instances) = scheme.ring_instances::<RealCyclotomic>(None)? {
-        return vertices::judge(&scheme, &instances, statement);
+        return vertices::judge(scheme, &instances, statement);
     }
     let limits = match limits(scheme.mask(None)?) {
         Ok(limits) => limits,
@@ -52,7 +49,7 @@ fn of(
     let smoothness = &limits.smoothness;
     let verdict = match statement {
         SmoothnessStatement::Continuity { valences: Some(valences), .. } => {
-            return Err(no_valences(&scheme, valences));
+            return Err(no_valences(scheme, valences));
         }
         SmoothnessStatement::Continuity { continuous, not_continuous, valences: None } => {
             together(&[

@@ -79,6 +79,7 @@ fn one<'a>(
         corrections: Vec::new(),
         repairs: Vec::new(),
         failing: Vec::new(),
+        by_kernel: Vec::new(),
     };
     if let Some(hand) = &theorem.by_hand {
         finding.verdict =

@@ -111,30 +111,35 @@ impl File {
                 let scheme = self.define("scheme", rules(mask.rules()));
                 let bound = rational(bound);
                 (
-                    format!("bounds_distance {scheme} {level} {bound}"),
-                    format!("bounds_distance_by {scheme} {most} {block}"),
+                    format!("bounds_distance {scheme} 0 {level} {bound}"),
+                    format!("bounds_distance_by {scheme} 0 {most} {block}"),
                 )
             }
             KernelStatement::Depth { mask, level, spread, tolerance, block: (most, block) } => {
                 let scheme = self.define("scheme", rules(mask.rules()));
                 let (spread, tolerance) = (rational(spread), rational(tolerance));
                 (
-                    format!("sufficient_depth {scheme} {spread} {tolerance} {level}"),
-                    format!("sufficient_depth_by {scheme} {most} {block}"),
+                    format!("sufficient_depth {scheme} 0 {spread} {tolerance} {level}"),
+                    format!("sufficient_depth_by {scheme} 0 {most} {block}"),
                 )
             }
-            KernelStatement::Exceeds { mask, level, first, points, excess, bound } => {
+            KernelStatement::Exceeds { mask, shift, level, first, points, excess, bound } => {
                 let scheme = self.define("scheme", rules(mask.rules()));
                 let data = format!("{} {}", signed(*first), integers(points));
                 let bound = rational(bound);
-                exceeds(&format!("{scheme} {level}"), &data, excess, &bound)
+                let of = match excess {
+                    Excess::Difference(_) => format!("{scheme} {level}"),
+                    _ => format!("{scheme} {} {level}", rational(shift)),
+                };
+                exceeds(&of, &data, excess, &bound)
             }
-            KernelStatement::Net { masks, level, polygons, excess, bound } => {
+            KernelStatement::Net { masks, shifts, level, polygons, excess, bound } => {
                 let names = masks.each_ref().map(|mask| self.define("scheme", rules(mask.rules())));
                 let data = polygons
                     .each_ref()
                     .map(|(first, points)| format!("{} {}", signed(*first), integers(points)));
-                let of = format!("{} {level}", names.join(" "));
+                let shifts = shifts.each_ref().map(rational);
+                let of = format!("{} {} {level}", names.join(" "), shifts.join(" "));
                 net_exceeds(&of, &data.join(" "), excess, &rational(bound))
             }
             KernelStatement::Ring { weights, edges, level, points, excess, bound } => {

@@ -4,7 +4,7 @@ use crate::audit::{
     EquationFinding, EquationVerdict, FunctionFinding, RangeFinding, SmoothnessFinding,
     TheoremFinding,
 };
-use crate::claim::{EquationBody, Left, SmoothnessBody};
+use crate::claim::{EquationBody, Left};
 use crate::report::theorem as theorems;
 use crate::report::witness::compared;
 use crate::report::{equation, function, smoothness};
@@ -70,9 +70,7 @@ pub(super) fn range(finding: &RangeFinding<'_>) -> Described {
 pub(super) fn smoothness(finding: &SmoothnessFinding<'_>) -> Described {
     let claim = finding.claim;
     let mut facts = Vec::new();
-    if let SmoothnessBody::Statement(scheme, _) = &claim.body {
-        facts.push(fact("scheme", scheme.reference.to_string()));
-    }
+    facts.extend(smoothness::scheme(claim).map(|scheme| fact("scheme", scheme)));
     facts.extend(smoothness::statement(claim).map(|states| fact("states", states)));
     facts.push(fact("correct", smoothness::outcome(finding).join("\n")));
     (Some(claim.title.clone()), facts, stated(claim.note.as_slice()))

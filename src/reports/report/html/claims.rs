@@ -11,7 +11,7 @@ use super::verdict::{Look, badge};
 use crate::audit::{
     EquationFinding, FunctionFinding, RangeFinding, SmoothnessFinding, TheoremFinding, by_hand,
 };
-use crate::claim::{EquationBody, Quantity, SmoothnessBody, Statement};
+use crate::claim::{EquationBody, Quantity, Statement};
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
 use crate::report::{equation, function, smoothness, theorem};
@@ -120,8 +120,8 @@ pub(super) fn smoothness(context: &Context<'_, '_>, finding: &SmoothnessFinding<
         context,
         &html! {
             dl.formulas {
-                @if let SmoothnessBody::Statement(scheme, _) = &own.body {
-                    div { dt { "scheme" } dd { (scheme.reference.to_string()) } }
+                @if let Some(scheme) = smoothness::scheme(own) {
+                    div { dt { "scheme" } dd { (scheme) } }
                 }
                 @if let Some(states) = smoothness::statement(own) {
                     div { dt { "states" } dd { (states) } }

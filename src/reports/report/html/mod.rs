@@ -20,6 +20,7 @@ mod math;
 mod names;
 mod page;
 mod picture;
+mod regularity;
 mod ring;
 mod sheet;
 mod shipped;

@@ -4,6 +4,7 @@ use super::claims;
 use super::context::Context;
 use super::document::document;
 use super::filter::buttons;
+use super::regularity as regularity_table;
 use super::sheet::{blocks, counts};
 use super::table;
 use super::verdict::{LOOKS, Look};
@@ -12,7 +13,7 @@ use crate::diagnostic::Diagnostic;
 use crate::report::headline::headline;
 use crate::report::overview::overview_sheet;
 use crate::report::sheet::{Block, Sheet};
-use crate::report::{consistency, summary};
+use crate::report::{consistency, regularity, summary};
 use maud::{Markup, html};
 
 /// The page of a paper, in one file that loads nothing: what its claims come to, its tables in their
@@ -61,6 +62,7 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
             (list("Equations", "equations", &audit.equations, |one| claims::equation(&context, one)))
             (list("Functions of a parameter", "functions", &audit.functions, |one| claims::function(&context, one)))
             (list("Parameter ranges", "ranges", &audit.ranges, |one| claims::range(&context, one)))
+            (list("Tables of smoothness", "regularity", &regularity::tables(audit), regularity_table::section))
             (list("Smoothness", "smoothness", &audit.smoothness, |one| claims::smoothness(&context, one)))
             (list("Theorems", "theorems", &theorems, Markup::clone))
             section.overview { (blocks(&rest(audit), 0)) h2 { "Counts" } (tallies(audit)) }

@@ -6,7 +6,7 @@ use super::smoothness::SmoothnessDetails;
 use super::theorem::Trial;
 use crate::audit::{
     self, CellFinding, EndFinding, EquationFinding, EquationVerdict, FunctionFinding,
-    FunctionVerdict, PaperAudit, RangeFinding, TheoremFinding, Verdict,
+    FunctionVerdict, KernelProof, PaperAudit, RangeFinding, TheoremFinding, Verdict,
 };
 use crate::claim::Statement;
 use crate::report::function::printed;
@@ -39,6 +39,10 @@ pub struct Claim<'a> {
     pub reading: Option<AsRead>,
     /// A sound statement on a bound, a depth or a range, whatever its verdict is.
     pub sound: Option<Sound<'a>>,
+    /// What Coq's kernel accepts of a cell or a theorem: some of `value`, `constant` (which the value rests on),
+    /// `sound`, `broken`, `broken-naturally`, `refuted` and `refuted-naturally`. Missing where it is nothing.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub checked_by_coq: Vec<&'static str>,
     /// What else there is to say.
     pub note: Option<Cow<'a, str>>,
     /// The fields that only claims of one kind have; they stand here.
@@ -179,6 +183,7 @@ impl<'a> Claim<'a> {
             verdict: cell.verdict.name(),
             reading: cell.as_read.as_ref().map(AsRead::of),
             sound: sound.map(|sound| Sound::Cell(Box::new(CellSound::of(sound, cell)))),
+            checked_by_coq: names(&cell.by_kernel),
             note: joined(why, cell.note.as_deref()),
             details: Details::Cell {
                 assumed: (!cell.assumed.is_empty()).then_some(Named(assumed)),
@@ -208,6 +213,7 @@ impl<'a> Claim<'a> {
             verdict,
             reading: None,
             sound: None,
+            checked_by_coq: Vec::new(),
             note: None,
             details,
             certificate: None,
@@ -289,10 +295,15 @@ impl<'a> Claim<'a> {
         let (printed, verdict) = (printed.as_str(), finding.verdict.name());
         Claim {
             trial: Some(Trial::of(finding)),
+            checked_by_coq: names(&finding.by_kernel),
             note: theorem.note.as_deref().map(Cow::Borrowed),
             ..Claim::plain(&finding.id, &theorem.locus, "theorem", printed, verdict, details)
         }
     }
+}
+
+fn names(proofs: &[KernelProof]) -> Vec<&'static str> {
+    proofs.iter().map(|proof| proof.name()).collect()
 }
 
 /// A reason and a note, joined as far as they exist.

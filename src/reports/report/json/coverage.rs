@@ -1,7 +1,7 @@
 //! The numbered items of papers, and the claims about them, as JSON.
 
 use super::SCHEMA;
-use crate::audit::{ClaimVerdict, Coverage, PaperAudit};
+use crate::audit::{self, ClaimVerdict, Coverage, KernelCounts, PaperAudit};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -23,6 +23,56 @@ pub struct CoveredPaper<'a> {
     pub key: &'a str,
     /// The numbered items; empty where the claim file does not list them.
     pub items: Vec<NumberedItem<'a>>,
+    /// How many of its findings are theorems of Coq.
+    pub checked_by_coq: CheckedByCoq,
+}
+
+/// How many findings of a paper Coq's kernel accepts, and how many there are, kind by kind.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct CheckedByCoq {
+    /// Values of cells.
+    pub values: Share,
+    /// Sound bounds and depths.
+    pub sound: Share,
+    /// Broken promises.
+    pub broken: Share,
+    /// Promises that are broken at natural parameters too.
+    pub broken_naturally: Share,
+    /// Refuted theorems.
+    pub refuted: Share,
+    /// Theorems that are refuted at natural parameters too.
+    pub refuted_naturally: Share,
+    /// All other findings.
+    pub others: Share,
+    /// All findings.
+    pub total: Share,
+}
+
+/// How many findings Coq's kernel accepts, of how many.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Share {
+    /// Those that it accepts.
+    pub checked: usize,
+    /// All.
+    pub all: usize,
+}
+
+impl CheckedByCoq {
+    fn of(counts: &KernelCounts) -> CheckedByCoq {
+        let share = |share: audit::Share| Share { checked: share.proved, all: share.all };
+        CheckedByCoq {
+            values: share(counts.values),
+            sound: share(counts.sound),
+            broken: share(counts.broken),
+            broken_naturally: share(counts.broken_naturally),
+            refuted: share(counts.refuted),
+            refuted_naturally: share(counts.refuted_naturally),
+            others: share(counts.others),
+            total: share(counts.total()),
+        }
+    }
 }
 
 /// An item that a paper numbers.
@@ -64,6 +114,7 @@ impl<'a> CoverageReport<'a> {
         let paper = |audit: &PaperAudit<'a>| CoveredPaper {
             key: &audit.paper.key,
             items: audit.coverage().into_iter().map(item).collect(),
+            checked_by_coq: CheckedByCoq::of(&audit.kernel_counts()),
         };
         CoverageReport { schema: SCHEMA, papers: audits.iter().map(paper).collect() }
     }

@@ -173,7 +173,7 @@ fn ring(mark: &Mark<'_>, x: f64, y: f64) -> Markup {
 
 /// The names of the lines at their right ends, moved apart where they would overlap.
 fn names(lines: &[Line<'_>], y: &Scale) -> Markup {
-    const APART: f64 = 14.0;
+    const APART: f64 = 18.0;
     let end = |(place, line): (usize, &Line<'_>)| {
         let last = line.marks.iter().rev().find_map(|mark| mark.exact.or(mark.printed))?;
         Some((y.at(last), place))

@@ -1,7 +1,7 @@
 //! Polygons of several levels as graphs over a part of their parameters, and two values that are compared.
 
 use super::curve::{Level, Window};
-use super::frame::{Frame, points};
+use super::frame::{Frame, WIDTH, points};
 use super::scale::Scale;
 use maud::{Markup, html};
 
@@ -52,11 +52,12 @@ impl Graph<'_> {
             line.bad x1=(first.0) y1=(first.1) x2=(second.0) y2=(second.1) {}
             circle.bad cx=(first.0) cy=(first.1) r="3.5" {}
             circle.bad cx=(second.0) cy=(second.1) r="3.5" {}
-            @let right = FRAME.x.1 + 8.0;
-            text.name.c6 x=(right) y="28" { "– – control" }
-            @if !same { text.name.c1 x=(right) y="46" { "— level " (self.level.k) } }
-            text.name.c2 x=(right) y="64" { "— " (self.name) }
-            text.name x=(right) y="82" style="fill:var(--wrong-s)" { "o–o the place" }
+            // They end at the side of the picture, since letters are larger on a narrow page.
+            @let right = WIDTH - 2.0;
+            text.name.over.c6 x=(right) y="28" text-anchor="end" { "– – control" }
+            @if !same { text.name.over.c1 x=(right) y="46" text-anchor="end" { "— level " (self.level.k) } }
+            text.name.over.c2 x=(right) y="64" text-anchor="end" { "— " (self.name) }
+            text.name.over x=(right) y="82" text-anchor="end" style="fill:var(--wrong-s)" { "o–o the place" }
         }
     }
 }

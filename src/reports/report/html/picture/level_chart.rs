@@ -8,7 +8,7 @@ const HEIGHT: f64 = 300.0;
 const FRAME: Frame = Frame { x: (64.0, 520.0), y: (262.0, 12.0) };
 
 /// How far the names of lines are apart, at least.
-const APART: f64 = 14.0;
+const APART: f64 = 18.0;
 
 /// A line of a chart.
 #[derive(Clone, Debug)]

@@ -1,0 +1,265 @@
+"""Smoothness, spectra and joint spectral radii."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, List, Optional, Sequence, Tuple
+
+from . import _native
+from ._html import facts, table
+from ._numbers import Algebraic, Number, coprime, pair
+
+
+@dataclass(frozen=True)
+class Real:
+    """A real number: exactly as text, as a fraction if it is one, and the nearest float.
+
+    >>> from subcert import Scheme
+    >>> value = Scheme("catmull-clark").spectrum(5).subdominant
+    >>> float(value), value.fraction
+    (0.5499883545182972, None)
+    """
+
+    text: str
+    fraction: Optional[Fraction]
+    value: float
+
+    def __float__(self) -> float:
+        """The nearest float.
+
+        >>> float(Real("1/2", Fraction(1, 2), 0.5))
+        0.5
+        """
+        return self.value
+
+    def __str__(self) -> str:
+        return self.text if len(self.text) <= 60 else repr(self.value)
+
+
+@dataclass(frozen=True)
+class Exponent:
+    """A Hölder exponent: a formula where it is known exactly, and two numbers around it.
+
+    >>> from subcert import Scheme
+    >>> found = Scheme("six-point", w=Fraction(3, 256)).smoothness().hoelder
+    >>> found.formula, round(float(found), 6), found.attained
+    ('6 - log_2(9)', 2.830075, True)
+    """
+
+    formula: Optional[str]
+    low: Fraction
+    high: Fraction
+    #: Whether it is attained; None where that is open.
+    attained: Optional[bool]
+
+    def __float__(self) -> float:
+        """The middle of the two numbers around it.
+
+        >>> float(Exponent("2", Fraction(2), Fraction(2), False))
+        2.0
+        """
+        return float((self.low + self.high) / 2)
+
+
+@dataclass(frozen=True)
+class Smoothness:
+    """How smooth the limits of a scheme for curves are; None stands for what is not shown.
+
+    >>> from subcert import Scheme
+    >>> found = Scheme("four-point", w=Fraction(1, 16)).smoothness()
+    >>> found.continuity, found.continuity_fails, found.hoelder.formula
+    (1, 2, '2')
+    """
+
+    arity: int
+    #: The order of the sum rules.
+    sum_rules: int
+    #: The degree up to which polynomials are reproduced.
+    reproduction: int
+    natural_shift: Optional[Fraction]
+    #: Whether the shifts of the basic limit function are linearly independent.
+    independent: Optional[bool]
+    #: The greatest m for which the limits are proven to be C^m.
+    continuity: Optional[int]
+    #: The least m for which it is proven that not all limits are C^m; 0 says that the scheme diverges.
+    continuity_fails: Optional[int]
+    hoelder: Optional[Exponent]
+
+    def _repr_html_(self) -> str:
+        exponent = self.hoelder
+        return facts(
+            "Smoothness",
+            [
+                ("limits are", None if self.continuity is None else f"C^{self.continuity}"),
+                (
+                    "not all are",
+                    None if self.continuity_fails is None else f"C^{self.continuity_fails}",
+                ),
+                ("Hölder exponent", exponent and (exponent.formula or float(exponent))),
+                ("sum rules", self.sum_rules),
+                ("reproduces degree", self.reproduction),
+                ("natural shift", self.natural_shift),
+            ],
+        )
+
+
+@dataclass(frozen=True)
+class VertexSmoothness:
+    """Whether surfaces are C¹ at a vertex or on a face, of generic data.
+
+    >>> from subcert import Scheme
+    >>> Scheme("loop").smoothness(5).continuous
+    True
+    """
+
+    valence: int
+    #: True where C¹ is proved, False where it is refuted, None where neither is shown.
+    continuous: Optional[bool]
+    #: Why, in words.
+    reason: str
+
+    def _repr_html_(self) -> str:
+        said = {True: "proved", False: "refuted", None: "open"}[self.continuous]
+        return facts("Smoothness", [("valence", self.valence), ("C^1", said), ("as", self.reason)])
+
+
+@dataclass(frozen=True)
+class Eigenvalue:
+    """An eigenvalue, of the Fourier blocks that have it; a pair x ± iy where ``imaginary`` is y.
+
+    >>> from subcert import Scheme
+    >>> first = Scheme("doo-sabin").spectrum(5).eigenvalues[1]
+    >>> first.real.fraction, first.multiplicity, first.blocks
+    (Fraction(1, 2), 2, [1, 4])
+    """
+
+    real: Real
+    imaginary: Optional[Real]
+    multiplicity: int
+    blocks: List[int]
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """The eigenvalues of rules around a vertex or on a face, and stencils: pairs of a point and a weight.
+
+    >>> from subcert import Scheme
+    >>> found = Scheme("loop").spectrum(6)
+    >>> found.subdominant.fraction, found.curvature
+    (Fraction(1, 2), 'bounded')
+    >>> found.limit[0][0], found.limit[0][1].fraction
+    ('vertex', Fraction(1, 2))
+    """
+
+    valence: int
+    #: All eigenvalues, in descending order of the absolute value.
+    eigenvalues: List[Eigenvalue]
+    #: Whether 1 is simple, and all others are below 1 in absolute value.
+    simple_one: bool
+    #: The double eigenvalue λ of the blocks 1 and n − 1, above all that follow; None without one.
+    subdominant: Optional[Real]
+    #: The greatest absolute value after λ.
+    next: Optional[Real]
+    #: ``bounded``, ``vanishing`` or ``unbounded``.
+    curvature: Optional[str]
+    limit: Optional[List[Tuple[str, Real]]]
+    #: Two stencils of tangents, whose cross product is a normal.
+    tangents: Optional[List[List[Tuple[str, Real]]]]
+
+    def _repr_html_(self) -> str:
+        rows = [
+            [x.real.value, x.imaginary and x.imaginary.value, str(x.real), x.multiplicity, x.blocks]
+            for x in self.eigenvalues
+        ]
+        heads = ["value", "imaginary", "exact", "multiplicity", "blocks"]
+        return table(f"Eigenvalues, valence {self.valence}", heads, rows)
+
+
+@dataclass(frozen=True)
+class JointRadius:
+    """A joint spectral radius: at least ``root`` to the power 1/``degree``, which is that of a product.
+
+    >>> found = jsr([[[1, 1], [0, 1]], [[1, 0], [1, 1]]])
+    >>> found.exact, found.product, found.root.minpoly, round(float(found), 6)
+    (True, [0, 1], [1, -3, 1], 1.618034)
+    """
+
+    #: The factors of the product, counted from 0.
+    product: List[int]
+    root: Algebraic
+    degree: int
+    #: Whether the radius is that root, by an extremal hull.
+    exact: bool
+    #: Two numbers that the radius is between.
+    interval: Tuple[Fraction, Fraction]
+
+    def __float__(self) -> float:
+        """The middle of the interval.
+
+        >>> float(jsr([[["1/2"]]]))
+        0.5
+        """
+        return float(sum(self.interval) / 2)
+
+    def _repr_html_(self) -> str:
+        low, high = map(float, self.interval)
+        product = " ".join(f"M_{i}" for i in self.product)
+        rows = [("from", low), ("to", high), ("exact", self.exact), ("product", product)]
+        return facts("Joint spectral radius", rows)
+
+
+def jsr(matrices: Sequence[Sequence[Sequence[Number]]]) -> JointRadius:
+    """The joint spectral radius of square matrices: lists, or numpy arrays, of exact numbers.
+
+    >>> found = jsr([[[1, 1], [0, 1]], [[0.5, 0], [0, 0.5]]])
+    >>> found.interval[0]
+    Fraction(1, 1)
+    """
+    rows = [[list(row) for row in matrix] for matrix in matrices]
+    product, root, degree, exact, (low, high) = _native.jsr(rows)
+    interval = coprime(*low), coprime(*high)
+    return JointRadius(product, Algebraic(root), degree, exact, interval)
+
+
+def of_curve(native: Any) -> Smoothness:
+    arity, sum_rules, reproduction, shift, independent, continuity, fails, exponent = (
+        _native.smoothness(native)
+    )
+    hoelder = None
+    if exponent is not None:
+        formula, low, high, attained = exponent
+        hoelder = Exponent(formula, coprime(*low), coprime(*high), attained)
+    return Smoothness(
+        arity, sum_rules, reproduction, pair(shift), independent, continuity, fails, hoelder
+    )
+
+
+def of_vertex(text: str, valence: Optional[int]) -> VertexSmoothness:
+    order, verdict, reason = _native.vertex_smoothness(text, valence)
+    return VertexSmoothness(order, {"proved": True, "refuted": False}.get(verdict), reason)
+
+
+def spectrum(text: str, valence: Optional[int]) -> Spectrum:
+    order, eigenvalues, simple, subdominant, following, curvature, limit, tangents = (
+        _native.spectrum(text, valence)
+    )
+
+    def stencil(weights: Any) -> List[Tuple[str, Real]]:
+        return [(point, _real(weight)) for point, weight in weights]
+
+    return Spectrum(
+        order,
+        [Eigenvalue(_real(x), y and _real(y), count, blocks) for x, y, count, blocks in eigenvalues],
+        simple,
+        subdominant and _real(subdominant),
+        following and _real(following),
+        curvature,
+        None if limit is None else stencil(limit),
+        None if tangents is None else [stencil(one) for one in tangents],
+    )
+
+
+def _real(value: Any) -> Real:
+    text, fraction, nearest = value
+    return Real(text, pair(fraction), nearest)
