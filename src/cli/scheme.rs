@@ -26,7 +26,7 @@ pub(super) fn scheme(arguments: &SchemeArguments) -> Outcome {
     show(
         &arguments.output,
         || sheet(&facts, family.as_ref()),
-        || form::Facts { schema: SCHEMA, facts: &facts, ranges: family.as_ref().map(Family::form) },
+        || form::Facts { schema: SCHEMA, found: &facts, ranges: family.as_ref().map(Family::form) },
     )
 }
 

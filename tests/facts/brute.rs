@@ -65,7 +65,7 @@ impl Plain {
             };
             (1..self.n).all(|e| sum(e) == sum(0))
         };
-        (0..).take_while(holds).count()
+        (0..=self.a.len()).take_while(holds).count()
     }
 
     /// Λ_c: the greatest Σ_m |h_{e+n^c m}| of what becomes of one point.
@@ -92,10 +92,10 @@ impl Plain {
             // Division by 1 + z + … + z^{n−1}, from the lowest power on.
             let length = rest.len() - index(self.n - 1);
             let mut quotient: Vec<Rational> = Vec::new();
-            for i in 0..length {
+            for (i, value) in rest.iter().enumerate().take(length) {
                 let from = (i + 1).saturating_sub(index(self.n));
                 let known: Rational = quotient[from..].iter().sum();
-                quotient.push(&rest[i] - &known);
+                quotient.push(value - &known);
             }
             rest = quotient;
         }

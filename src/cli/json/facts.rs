@@ -12,7 +12,7 @@ pub struct Facts<'a> {
     pub schema: u32,
     /// The facts; their fields stand here.
     #[serde(flatten)]
-    pub facts: &'a FactsForm,
+    pub found: &'a FactsForm,
     /// Where in the parameter of its family the limits are C^m, m = 0, 1, …; of masks of the catalogue that are
     /// polynomial in the only parameter.
     pub ranges: Option<Ranges>,

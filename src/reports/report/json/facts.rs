@@ -182,8 +182,8 @@ impl CurveForm {
                 offset: *offset,
                 displacement: Exact::of(least),
             }),
-            depth_indexed: facts.depths.indexed.as_ref().ok().map(DepthForm::of),
-            depth_natural: facts.depths.natural.as_ref().ok().map(DepthForm::of),
+            depth_indexed: facts.depths.indexed.as_ref().ok().copied().map(DepthForm::of),
+            depth_natural: facts.depths.natural.as_ref().ok().copied().map(DepthForm::of),
             values: limit.map(|limit| {
                 let value =
                     |(index, value): &_| WeightForm { index: *index, value: Exact::of(value) };
@@ -215,7 +215,7 @@ impl StencilForm {
 }
 
 impl DepthForm {
-    fn of(depth: &TwoSidedDepth) -> DepthForm {
+    fn of(depth: TwoSidedDepth) -> DepthForm {
         DepthForm { lower: depth.lower, upper: depth.upper }
     }
 }
