@@ -123,6 +123,11 @@ fn bad_tables_of_orders_and_exponents_are_refused_with_their_place() {
         (table("['chaikin']", "['order']", "[]"), "[]", "0 rows of cells, and 1 row headers"),
         (table("['chaikin']", "['order']", "[[1, 1]]"), "[1, 1]", "2 cells, and 1 columns"),
         (one("'-'"), "[['-']]", "no cell states anything"),
+        (
+            one("{ printed = '-', read = '3', note = 'n' }"),
+            "{ printed = '-', read = '3', note = 'n' }",
+            "nothing is printed",
+        ),
         (one("''"), "''", "no order"),
         (one("'C^2'"), "'C^2'", "no order"),
         (one("-1"), "-1", "no order"),

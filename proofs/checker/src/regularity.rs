@@ -49,6 +49,10 @@ fn cells(table: &Toml) -> Result<Vec<(&'static str, Toml)>, String> {
         return Err("no column, or one twice".to_owned());
     }
     let lines = table.list("cells");
+    let different: BTreeSet<&Row<'_>> = rows.iter().collect();
+    if different.len() < rows.len() {
+        return Err("a row stands there twice".to_owned());
+    }
     if rows.is_empty() || lines.len() != rows.len() {
         return Err("one row of cells for each header".to_owned());
     }
@@ -61,6 +65,9 @@ fn cells(table: &Toml) -> Result<Vec<(&'static str, Toml)>, String> {
         for (cell, column) in line.iter().zip(&columns) {
             let (printed, said) = printed(cell).ok_or("a cell is not a text")?;
             if BLANK.contains(&printed.trim()) {
+                if printed != said {
+                    return Err("nothing is printed in a cell, and yet read".to_owned());
+                }
                 continue;
             }
             let mut claim = vec![("id", Toml::Text(format!("{id}.{}.{column}", at + 1)))];

@@ -192,6 +192,14 @@ fn a_finding_is_stated_once() {
     let earlier = line(&original[..=start]);
     assert_eq!(reason(1), (line(&original) + 1, Reason::TwiceStated(earlier)));
     assert_eq!(reason(2), (1, Reason::OtherFile));
+    // A cell has one spelling.
+    for spelling in ["row 01, column 1: ", "row +1, column 1: ", "row 1, column 1 again: "] {
+        let other = copied.rsplit_once("row 1, column 1: ").expect("the copy");
+        let other = format!("{}{spelling}{}", other.0, other.1);
+        let outcome = &self::outcomes("khan2019-newton", &[&other])[0];
+        let rejection = outcome.as_ref().expect_err(spelling);
+        assert!(matches!(rejection.reason, Reason::Malformed(_)), "{spelling}: {rejection:?}");
+    }
 }
 
 /// T_c has an order and a number of levels, which the cell has to use.

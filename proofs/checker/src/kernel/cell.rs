@@ -76,6 +76,8 @@ fn place(table: &Table<'_>, said: &str) -> Checked<Place> {
     let numbers = numbers.strip_prefix("row ").and_then(|it| it.split_once(", column "));
     let (row, column) = numbers.ok_or_else(malformed)?;
     let (at, _) = table.place(&format!("{row} {column}"))?;
+    // A place has one spelling, so that two comments of one cell are the same text.
+    require(format!("{}, {}", at.0 + 1, at.1 + 1) == format!("{row}, {column}"), malformed())?;
     let mut headers = Vec::new();
     for (key, index) in [("rows", at.0), ("columns", at.1)] {
         let Some(axis) = table.claim.get(key) else { continue };

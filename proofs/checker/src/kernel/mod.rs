@@ -75,12 +75,13 @@ pub fn agree<'a>(
 }
 
 /// Checks that no two theorems say the same of the same place, whatever their second comments call it: they are one
-/// finding. The names of theorems are their numbers, in order.
+/// finding, and so are sufficient depths of one cell, whatever their levels. The names of theorems are their numbers, in order.
 fn once(theorems: &[Theorem]) -> Checked<()> {
     for (number, theorem) in theorems.iter().enumerate() {
         let same = |earlier: &&Theorem| {
-            (&earlier.place, &earlier.statement, &earlier.arguments)
-                == (&theorem.place, &theorem.statement, &theorem.arguments)
+            (&earlier.place, &earlier.statement) == (&theorem.place, &theorem.statement)
+                && (theorem.statement == "sufficient_depth"
+                    || earlier.arguments == theorem.arguments)
         };
         if let Some(earlier) = theorems[..number].iter().find(same) {
             return Err(Rejection::from(Reason::TwiceStated(earlier.line)).at(theorem.line));

@@ -116,7 +116,9 @@ fn named<'a>(paper: &'a Paper<'a>, claim: &'a Toml, about: &str, depth: bool) ->
         (None, false) => (level, None),
         _ => return Err(malformed().into()),
     };
-    let level = level.parse().map_err(|_| malformed())?;
+    let said = level;
+    let level: u32 = level.parse().map_err(|_| malformed())?;
+    require(level.to_string() == said, malformed())?;
     // The longest reference that the text begins with; the values follow it.
     let known = claim.list("schemes").iter().map(Toml::as_text).chain([claim.text("scheme")]);
     let mut known: Vec<String> = known.flatten().map(comment).collect();

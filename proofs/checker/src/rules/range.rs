@@ -71,12 +71,14 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         agree(relation.trim(), expected, Reason::Relation)?;
         relations.push(expected);
     }
-    // Between ends in the wrong order there is nothing, however near they are to the exact ones.
+    // Between ends in the wrong order there is nothing, however near they are to the exact ones; nor between equal
+    // ends, unless they belong to the range.
     let [from, to] = ["from", "to"].map(|name| {
         let (_, read) = claim.get(name).and_then(printed)?;
         Some(Decimal::read(read)?.value)
     });
-    let reversed = from.zip(to).is_some_and(|(from, to)| from > to);
+    let closed = matches!(claim.get("closed"), Some(Toml::Flag(true)));
+    let reversed = from.zip(to).is_some_and(|(from, to)| from > to || from == to && !closed);
     let expected = match &set[..] {
         [_] if reversed => "inexact",
         [_] if relations.iter().all(|relation| *relation == "equal") => "exact",

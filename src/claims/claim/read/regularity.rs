@@ -73,7 +73,13 @@ impl Reader<'_> {
                 ));
             }
             for (column, field) in line.get_ref().iter().enumerate() {
-                let NumberField { printed, .. } = field.get_ref();
+                let NumberField { printed, read, .. } = field.get_ref();
+                if BLANK.contains(&printed.trim()) && read.is_some() {
+                    let message = "nothing is printed in this cell, and yet something is read";
+                    return Err(self
+                        .error(field.span(), message)
+                        .with_help("leave `read` out, or write what is printed"));
+                }
                 if !BLANK.contains(&printed.trim()) {
                     let place = RegularityCell {
                         table: Arc::clone(&table),
