@@ -4,11 +4,13 @@ use super::arguments::AtlasArguments;
 use super::json::{SCHEMA, facts as form};
 use super::output::{Failure, Outcome, show};
 use super::progress::Progress;
-use super::scheme::{VALENCE_HEADER, continuity, depth, hoelder, number, valence_row};
+use super::scheme::{
+    VALENCE_HEADER, continuity, depth, hoelder, number, valence_note, valence_row,
+};
 use subcert::audit::on_all_cores;
 use subcert::facts::{SchemeFacts, atlas_references};
 use subcert::report::json::{CurveForm, FactsForm};
-use subcert::report::{Grid, SCOPE, Sheet};
+use subcert::report::{Grid, Sheet};
 use subcert::scheme::{SchemeError, find_in_catalogue};
 
 pub(super) fn atlas(arguments: &AtlasArguments) -> Outcome {
@@ -73,7 +75,7 @@ fn sheet(atlas: &form::Atlas<'_>) -> Sheet {
     });
     let header = std::iter::once("scheme").chain(VALENCE_HEADER).map(str::to_owned).collect();
     sheet.grid(Grid { header, rows: rows.collect(), left_columns: 1 });
-    sheet.text(format!("{SCOPE}. μ is the greatest modulus after λ."));
+    sheet.text(valence_note());
     sheet
 }
 

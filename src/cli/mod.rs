@@ -55,7 +55,7 @@ mod vertex;
 mod vertex_range;
 
 use arguments::{Arguments, Command, grouped};
-use clap::FromArgMatches as _;
+use clap::{CommandFactory as _, FromArgMatches as _};
 use std::process::ExitCode;
 
 /// The exit code of an internal fault.
@@ -69,7 +69,7 @@ pub(crate) fn run() -> ExitCode {
         report(panic);
         std::process::exit(FAULT);
     }));
-    let command = grouped().color(terminal::early_color(std::env::args_os()));
+    let command = grouped(Arguments::command()).color(terminal::early_color(std::env::args_os()));
     let parsed = command.try_get_matches().and_then(|found| Arguments::from_arg_matches(&found));
     let arguments = match parsed {
         Ok(arguments) => arguments,

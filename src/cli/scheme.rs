@@ -96,7 +96,7 @@ fn sheet(facts: &FactsForm, family: Option<&Family>) -> Sheet {
         let header = VALENCE_HEADER.map(str::to_owned).to_vec();
         let rows = valences.iter().map(valence_row).collect();
         sheet.grid(Grid { header, rows, left_columns: 0 });
-        sheet.text(format!("{SCOPE}. μ is the greatest modulus after λ."));
+        sheet.text(valence_note());
         let open =
             valences.iter().filter_map(|one| Some((one.valence.to_string(), one.open.clone()?)));
         let open: Vec<(String, String)> = open.collect();
@@ -246,6 +246,11 @@ pub(super) fn depth(depth: Option<&DepthForm>) -> String {
         Some(DepthForm { lower, upper }) if lower == upper => upper.to_string(),
         Some(DepthForm { lower, upper }) => format!("{lower} to {upper}"),
     }
+}
+
+/// What the columns of [`VALENCE_HEADER`] mean.
+pub(super) fn valence_note() -> String {
+    format!("{SCOPE}. μ is the greatest modulus after λ.")
 }
 
 /// The columns of [`valence_row`].

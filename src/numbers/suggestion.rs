@@ -64,17 +64,19 @@ fn listed<'a>(
     [within, first]: [&str; 2],
 ) -> String {
     let names: Vec<&str> = names.into_iter().collect();
+    let mut alike: Vec<(f64, &str)> =
+        names.iter().map(|&name| (likeness(word, name), name)).collect();
+    // Of equally good names the first stays the first.
+    alike.sort_by(|a, b| b.0.total_cmp(&a.0));
     let all = if names.len() > MANY {
-        let mut alike: Vec<(f64, &str)> =
-            names.iter().map(|&name| (likeness(word, name), name)).collect();
-        alike.sort_by(|a, b| b.0.total_cmp(&a.0));
         let few: Vec<&str> = alike[..FEW].iter().map(|(_, name)| *name).collect();
         format!("{} and {} more", few.join(", "), names.len() - FEW)
     } else {
         names.join(", ")
     };
-    match (nearest(word, names), all.is_empty()) {
-        (Some(name), _) => format!("; did you mean `{name}`? {first}: {all}"),
+    let meant = alike.first().filter(|(likeness, _)| *likeness >= ALIKE);
+    match (meant, all.is_empty()) {
+        (Some((_, name)), _) => format!("; did you mean `{name}`? {first}: {all}"),
         (None, false) => format!("; {within}: {all}"),
         (None, true) => String::new(),
     }

@@ -1,7 +1,6 @@
 //! The commands in groups, for the help text of the program.
 
-use super::Arguments;
-use clap::{Command, CommandFactory as _};
+use clap::Command;
 use std::fmt::Write as _;
 
 /// A title, an example, and commands.
@@ -47,15 +46,15 @@ const INDENT: usize = 15;
 /// The columns of a line.
 const WIDTH: usize = 96;
 
-/// The command line of the program, with its commands in groups.
-pub(in crate::cli) fn grouped() -> Command {
-    let mut command = Arguments::command();
-    command.build();
+/// The command line of a program, with its commands in groups.
+pub(in crate::cli) fn grouped(command: Command) -> Command {
+    let mut built = command.clone();
+    built.build();
     let mut text = String::from("{about}\n\n{usage-heading} {usage}\n");
     for (title, example, names) in GROUPS {
         writeln!(text, "\n{title} (`{example}`):").expect("a text in memory");
         for name in names {
-            let found = command.find_subcommand(name).and_then(Command::get_about);
+            let found = built.find_subcommand(name).and_then(Command::get_about);
             let about = found.map(ToString::to_string).unwrap_or_default();
             let mut line = format!("  {name:<width$}", width = INDENT - 2);
             for word in about.split_whitespace() {
@@ -71,5 +70,5 @@ pub(in crate::cli) fn grouped() -> Command {
             writeln!(text, "{}", line.trim_end()).expect("a text in memory");
         }
     }
-    Arguments::command().help_template(text + "\nOptions:\n{options}{after-help}")
+    command.help_template(text + "\nOptions:\n{options}{after-help}")
 }

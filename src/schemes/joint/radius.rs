@@ -7,6 +7,7 @@ use super::lower::{Exact, Lower, MAX_ROWS};
 use super::matrix_set::MatrixSet;
 use super::product::{Eigenvalue, shown};
 use super::proposal::beam;
+use super::roots::greatest;
 use crate::exact::{Enclosure, Integer, Rational, RealAlgebraic};
 use crate::float::extremal::candidates;
 
@@ -67,16 +68,10 @@ impl JointRadius {
             let power = (Rational::from(x.clone()) / &unit).pow(degree);
             self.root.cmp_rational(&power) != std::cmp::Ordering::Less
         };
-        let (mut low, mut high) = (Integer::zero(), unit.numerator());
-        while reaches(&high) {
-            high = &high + &high;
-        }
-        while &high - &low > Integer::one() {
-            let middle = (&low + &high).shifted_right(1);
-            if reaches(&middle) { low = middle } else { high = middle }
-        }
+        let low = greatest(reaches);
         let exact = (Rational::from(low.clone()) / &unit).pow(degree);
-        let high = if self.root.cmp_rational(&exact).is_eq() { low.clone() } else { high };
+        let is_root = self.root.cmp_rational(&exact).is_eq();
+        let high = if is_root { low.clone() } else { &low + &Integer::one() };
         Enclosure::new(Rational::from(low) / &unit, Rational::from(high) / unit)
     }
 

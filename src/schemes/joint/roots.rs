@@ -29,12 +29,20 @@ pub(super) fn algebraic_root(x: &RealAlgebraic, degree: usize) -> Option<RealAlg
 }
 
 fn root(x: &Integer, degree: u32) -> Option<Integer> {
-    let bits = u32::try_from(x.bits()).ok()?;
-    let (mut low, mut high) = (Integer::zero(), Integer::one().shifted_left(bits / degree + 1));
-    // low^degree ≤ x < high^degree.
+    let root = greatest(|root| root.pow(degree) <= *x);
+    (root.pow(degree) == *x).then_some(root)
+}
+
+/// The greatest x ≥ 0 for which a condition holds that holds at 0, up to some x, and from there on no more.
+pub(super) fn greatest(holds: impl Fn(&Integer) -> bool) -> Integer {
+    let (mut low, mut high) = (Integer::zero(), Integer::one());
+    while holds(&high) {
+        low = high.clone();
+        high = high.shifted_left(1);
+    }
     while &high - &low > Integer::one() {
         let middle = (&low + &high).shifted_right(1);
-        if middle.pow(degree) <= *x { low = middle } else { high = middle }
+        if holds(&middle) { low = middle } else { high = middle }
     }
-    (low.pow(degree) == *x).then_some(low)
+    low
 }

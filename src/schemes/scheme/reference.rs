@@ -150,7 +150,7 @@ impl<V: fmt::Display> fmt::Display for Instance<V> {
 }
 
 /// Splits `part` into the name and the parameters at the first colon, or at the first
-/// colon after `.toml` if a path is given, or after the mask `[…]`. So the colon in `C:` does not count.
+/// colon after `.toml` if a path is given. So the colon in `C:` does not count.
 fn split_name(part: &str) -> (&str, &str) {
     let path_end = part.find(".toml").map_or(0, |start| start + ".toml".len());
     match part[path_end..].find(':') {
