@@ -89,15 +89,15 @@ pub(in crate::cli) struct DepthArguments {
     /// distance is that of sets: .csv, .json, or .ply with colours
     #[arg(long, value_name = "FILE", requires = "mesh", conflicts_with = "a_priori")]
     pub(in crate::cli) per_face: Option<PathBuf>,
-    /// How far a mesh is from its limit: as sets of points, or at equal parameters. Polygons, nets and
-    /// solids have the latter alone
+    /// How far a mesh or a control polygon is from its limit: as sets of points, or at equal parameters. Nets and solids
+    /// have the latter alone. Without it a polygon of points has both, and a mesh the latter
     #[arg(long, value_enum)]
     pub(in crate::cli) distance: Option<DistanceArgument>,
     /// What a face of a polygon mesh is whose vertices are not in one plane; triangles are flat
     #[arg(long, value_enum, default_value_t = FacesArgument::Bilinear, requires = "mesh")]
     pub(in crate::cli) faces: FacesArgument,
-    /// The tolerance is that part of the diagonal of the box around the polygon mesh
-    #[arg(long, requires = "mesh")]
+    /// The tolerance is that part of the diagonal of the box around the polygon mesh or the control polygon
+    #[arg(long)]
     pub(in crate::cli) relative: bool,
     /// How narrow the intervals around exact distances are [default: ε/1000]
     #[arg(long, value_name = "W", allow_hyphen_values = true)]
@@ -174,7 +174,7 @@ pub(in crate::cli) enum OracleFormat {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum DistanceArgument {
-    /// The Hausdorff distance of the mesh and the limit, from both sides
+    /// The Hausdorff distance of the mesh or the polygon and the limit, from both sides
     Geometric,
     /// The greatest distance of points of equal parameters
     Parametric,

@@ -17,6 +17,7 @@ mod polygon;
 mod promise;
 mod refined;
 mod scheme_pictures;
+mod sets;
 mod solid;
 mod surface;
 
@@ -37,6 +38,7 @@ use exact::{Asked, Exact};
 use local_rules::ring_depth;
 use polygon::{OfPolygon, Points};
 use scheme_pictures::Drawn;
+use sets::{OfSets, of_sets};
 use subcert::bound::{Budget, Constants};
 use subcert::exact::{Rational, format::short};
 use subcert::limit::Parametrisation;
@@ -58,7 +60,15 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
             Geometry::Solid => solid::solid_depth(path, arguments, &to),
         };
     }
-    only_parametric(arguments, "control polygons and schemes")?;
+    match (&arguments.polygon, arguments.distance) {
+        (None, _) => only_parametric(arguments, "all control polygons of a spread")?,
+        (Some(_), Some(DistanceArgument::Parametric)) if arguments.relative => {
+            let message = "--relative is for the distance of sets: leave out --distance parametric, or give \
+                           the tolerance itself";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        _ => {}
+    }
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,
         AnyScheme::LocalRules(ring) => return ring_depth(&ring, arguments, &to),
@@ -74,7 +84,7 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     to.deliver(|| report.sheet(arguments), || report.form(arguments), page)
 }
 
-/// Refuses the options of distances of sets, which are known of polygon meshes.
+/// Refuses the options of distances of sets, which are known of polygon meshes and control polygons.
 fn only_parametric(arguments: &DepthArguments, of: &str) -> Outcome {
     let asked = [
         (arguments.distance == Some(DistanceArgument::Geometric), "--distance geometric"),
@@ -85,7 +95,8 @@ fn only_parametric(arguments: &DepthArguments, of: &str) -> Outcome {
         None => Ok(()),
         Some((_, option)) => {
             let message = format!(
-                "{option} is for polygon meshes; {of} are compared with their limits at equal parameters"
+                "{option} is for polygon meshes and control polygons; {of} are compared with their limits at equal \
+                 parameters"
             );
             Err(Failure::Input(message))
         }
@@ -106,13 +117,22 @@ struct Report {
     bounds: Bounds,
     answers: Vec<Answer>,
     points: Option<Points>,
+    sets: Option<OfSets>,
     better_offsets: Vec<BetterOffset>,
 }
 
 impl Report {
     fn of(scheme: &Scheme, arguments: &DepthArguments) -> Result<Report, Failure> {
-        let tolerance = positive("--tolerance", &arguments.tolerance)?;
+        let mut tolerance = positive("--tolerance", &arguments.tolerance)?;
         let points = points(scheme, arguments)?;
+        if let (Some(points), true) = (&points, arguments.relative) {
+            tolerance = points.share_of_diagonal(&tolerance).ok_or_else(|| {
+                let message =
+                    "--relative: the box around the polygon has no diagonal that f64 can hold";
+                Failure::Input(message.to_owned())
+            })?;
+        }
+        let sets = sets(scheme, points.as_ref(), arguments.distance, &tolerance)?;
         let spread = match &points {
             Some(points) => points.spread(),
             None => positive("--spread", &arguments.spread.spread)?,
@@ -145,7 +165,7 @@ impl Report {
         let answers = answers.collect::<Result<Vec<Answer>, Failure>>()?;
         drop(progress);
         let better_offsets = BetterOffset::all_of(&arguments.scheme, scheme)?;
-        Ok(Report { tolerance, spread, bounds, answers, points, better_offsets })
+        Ok(Report { tolerance, spread, bounds, answers, points, sets, better_offsets })
     }
 
     /// What pictures show.
@@ -158,6 +178,9 @@ impl Report {
     fn sentence(&self) -> String {
         let natural = self.natural();
         let tolerance = short(&self.tolerance, 6);
+        if let Some(Ok(found)) = &self.sets {
+            return format!("For the tolerance {tolerance}: {}.", sets::depth_text(found));
+        }
         if let Some(own) = &natural.polygon {
             return match own {
                 Ok(own) => format!("For the tolerance {tolerance}: {}.", own.depth_text()),
@@ -182,7 +205,10 @@ impl Report {
 
     fn sheet(&self, arguments: &DepthArguments) -> Sheet {
         let mut sheet = Sheet::default();
-        let (name, tolerance) = (&arguments.scheme, &arguments.tolerance);
+        let (name, mut tolerance) = (&arguments.scheme, arguments.tolerance.clone());
+        if arguments.relative {
+            tolerance.push_str(" of the diagonal");
+        }
         let spread = match &self.points {
             Some(_) => short(&self.spread, 9),
             None => arguments.spread.spread.clone(),
@@ -191,9 +217,17 @@ impl Report {
         let (natural, indexed) = (self.natural(), self.answers.get(1));
         if let (Some(points), Some(own)) = (&self.points, &natural.polygon) {
             let mut facts = vec![("control polygon".to_owned(), points.text())];
+            let name = match &self.sets {
+                None => "depth of the polygon",
+                Some(found) => {
+                    facts.extend(sets::facts(found));
+                    sheet.facts(std::mem::take(&mut facts));
+                    "at equal parameters"
+                }
+            };
             match own {
-                Ok(own) => facts.extend(own.facts(points)),
-                Err(why) => facts.push(("depth of the polygon".to_owned(), format!("none: {why}"))),
+                Ok(own) => facts.extend(own.facts(points, name)),
+                Err(why) => facts.push((name.to_owned(), format!("none: {why}"))),
             }
             if let Some(Some(Ok(own))) = indexed.map(|indexed| &indexed.polygon) {
                 facts.push(("as papers count".to_owned(), own.depth_text()));
@@ -212,9 +246,16 @@ impl Report {
         sheet.grid(self.bounds.grid());
         if self.points.as_ref().is_some_and(|points| points.coordinates.len() > 1) {
             sheet.text(
-                "β, the distance and the depth of a polygon of points are the greatest of their \
-                 coordinates.",
+                "β, and the distance and the depth at equal parameters, are the greatest of the coordinates of the \
+                 points.",
             );
+            if self.sets.is_some() {
+                sheet.text(
+                    "As sets of points: no point of the polygon is farther than ε from the limit, and no point of the \
+                     limit from the polygon, in the Euclidean distance. It has no certificate. Levels between are not \
+                     claimed to be better than earlier ones: the depth is the least level that is within the tolerance.",
+                );
+            }
         }
         sheet.text(
             "The exact depth is the least level from which on every control polygon or net of this \
@@ -237,6 +278,7 @@ impl Report {
             points: points.count,
             coordinates: points.coordinates.len(),
             closed: points.closed,
+            sets: self.sets.as_ref().map(sets::sets_form),
             natural: own(self.natural()),
             indexed: own(self.indexed()),
         };
@@ -260,6 +302,25 @@ fn or_none<'a, T, F>(answer: &'a Result<T, String>, form: impl Fn(&'a T) -> F) -
     match answer {
         Ok(answer) => form::OrNone::Found(form(answer)),
         Err(why) => form::OrNone::None { none: why.clone() },
+    }
+}
+
+/// The answer as sets of points: for points of several coordinates, if it is not left out.
+fn sets(
+    scheme: &Scheme,
+    points: Option<&Points>,
+    distance: Option<DistanceArgument>,
+    tolerance: &Rational,
+) -> Result<Option<OfSets>, Failure> {
+    let (Scheme::Curve(mask), Some(points)) = (scheme, points) else { return Ok(None) };
+    match (points.coordinates.len(), distance) {
+        (_, Some(DistanceArgument::Parametric)) | (1, None) => Ok(None),
+        (1, Some(DistanceArgument::Geometric)) => {
+            let message = "--distance geometric is for points of two coordinates or more; numbers are values \
+                           at parameters: write (i, x) on each line for their graph";
+            Err(Failure::Input(message.to_owned()))
+        }
+        _ => of_sets(mask, points, tolerance).map(Some),
     }
 }
 

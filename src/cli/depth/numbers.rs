@@ -1,4 +1,4 @@
-//! Numbers and points of meshes in words.
+//! Numbers and points in words.
 
 use subcert::exact::format::short;
 use subcert::float::{exact, shortest};
@@ -8,7 +8,7 @@ pub(super) fn digits(value: f64) -> String {
     exact(value).map_or_else(|| shortest(value), |value| short(&value, 9))
 }
 
-pub(super) fn point(point: &[f64; 3]) -> String {
-    let [x, y, z] = point.map(digits);
-    format!("({x}, {y}, {z})")
+pub(super) fn point(point: &[f64]) -> String {
+    let numbers: Vec<String> = point.iter().map(|x| digits(*x)).collect();
+    format!("({})", numbers.join(", "))
 }

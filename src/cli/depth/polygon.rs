@@ -4,6 +4,7 @@ use super::exact::{Known, depth_form, depth_text, distance_form};
 use crate::cli::json::depth as form;
 use subcert::exact::{Enclosure, Rational, format::short};
 use subcert::limit::{Comparison, ControlPolygon, Distances, LimitError, TwoSidedDepth};
+use subcert::patch::relative_tolerance;
 use subcert::report::html::FarPolygon;
 use subcert::report::json::Exact;
 use subcert::scheme::Mask;
@@ -33,6 +34,13 @@ impl Points {
     /// The largest difference of neighbouring points in any coordinate.
     pub(super) fn spread(&self) -> Rational {
         self.coordinates.iter().map(ControlPolygon::spread).max().unwrap_or_else(Rational::zero)
+    }
+
+    /// This part of the diagonal of the box around the points.
+    pub(super) fn share_of_diagonal(&self, share: &Rational) -> Option<Rational> {
+        let point = |i: usize| self.numbers.iter().map(|own| own[i].clone()).collect();
+        let points: Vec<Vec<Rational>> = (0..self.count).map(point).collect();
+        relative_tolerance(&points, share)
     }
 
     pub(super) fn text(&self) -> String {
@@ -87,7 +95,8 @@ impl OfPolygon {
         Ok(OfPolygon { depth, distance, coordinate, too_far, caps: distances.caps() })
     }
 
-    pub(super) fn facts(&self, points: &Points) -> Vec<(String, String)> {
+    /// `name` stands before the depth.
+    pub(super) fn facts(&self, points: &Points, name: &str) -> Vec<(String, String)> {
         let of = |coordinate: usize| match points.coordinates.len() {
             1 => String::new(),
             _ => format!(" in coordinate {}", coordinate + 1),
@@ -97,7 +106,7 @@ impl OfPolygon {
         let place = place.map(|t| format!(", {word} t = {t}{}", of(self.coordinate)));
         let distance = format!("{}{}", self.distance.text(&self.caps), place.unwrap_or_default());
         let mut facts = vec![
-            ("depth of the polygon".to_owned(), depth_text(self.depth, "this polygon", &self.caps)),
+            (name.to_owned(), depth_text(self.depth, "this polygon", &self.caps)),
             (format!("its distance at level {}", self.depth.upper), distance),
         ];
         if let Some(TooFar { level, coordinate, parameter, distance }) = &self.too_far {

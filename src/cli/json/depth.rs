@@ -152,10 +152,39 @@ pub struct Polygon {
     pub coordinates: usize,
     /// Whether the last point is followed by the first.
     pub closed: bool,
+    /// Its depth by the distance of sets of points; null for points of one coordinate and with
+    /// `--distance parametric`.
+    pub sets: Option<OrNone<Sets>>,
     /// Its depth with each point of level k at its natural parameter.
     pub natural: OrNone<OfPolygon>,
     /// The depth with each point of level k at i/n^k.
     pub indexed: OrNone<OfPolygon>,
+}
+
+/// The depth of a control polygon by the Hausdorff distance of polygon and limit.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Sets {
+    /// The least level found to be sufficient.
+    pub level: u32,
+    /// The greatest level that is certainly not sufficient, with all below it.
+    pub too_few: Option<u32>,
+    /// A point that shows that `too_few` is not sufficient.
+    pub too_far: Option<SetPlace>,
+}
+
+/// A point of one set that is far from the other.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SetPlace {
+    /// `polygon` or `limit`.
+    pub from: &'static str,
+    /// Its natural parameter.
+    pub parameter: String,
+    /// The point, to f64.
+    pub point: Vec<String>,
+    /// The point is at least so far from the other set.
+    pub distance: String,
 }
 
 /// The depth of a control polygon.

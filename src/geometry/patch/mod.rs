@@ -11,6 +11,7 @@
 //! | [`a_priori`] | what its longest edge and its valences guarantee |
 //! | [`formula_level`] | what a paper's formula promises |
 //! | [`NetDistances`], [`net_a_priori`], [`net_formula_level`] | the same of one tensor net (98 and 99) |
+//! | [`CurveSets`] | the depth of one control polygon, as sets of points |
 //! | [`MeshDistances::of_solid`], [`solid_a_priori`], [`solid_formula_level`] | the same of a hexahedral solid |
 //!
 //! Points are computed in f64 with a bound of all rounding errors. What that leaves open is
@@ -21,6 +22,7 @@ mod apriori;
 mod around;
 mod bezier;
 mod cell;
+mod curve;
 mod depth;
 mod descent;
 mod far;
@@ -47,6 +49,7 @@ mod threads;
 mod work;
 
 pub use apriori::{APriori, a_priori};
+pub use curve::{CurveDepth, CurvePlace, CurveSets};
 pub use depth::{MAX_DEPTH_LEVEL, MeshDepth, MeshDistances};
 pub use far::FarPlace;
 pub use formula::{FORMULA_PAPER, formula_level};

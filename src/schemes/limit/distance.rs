@@ -140,6 +140,26 @@ impl Distances {
         self.splitting.size
     }
 
+    /// The numbers i for which `count` points of an open polygon, from x_0 on, determine P^∞ and all P^k from (i + s)/n^0 to
+    /// (i + 1 + s)/n^0.
+    ///
+    /// # Errors
+    /// When the points determine none.
+    ///
+    /// # Panics
+    /// Never: shifts and windows are capped.
+    pub fn determined(&self, count: usize) -> Result<std::ops::Range<i64>, LimitError> {
+        let Splitting { first, size, .. } = self.splitting;
+        let cells = count.saturating_sub(size);
+        if cells == 0 {
+            return Err(LimitError::TooFew { needed: size + 1 });
+        }
+        // Cells of a splitting begin at i + {s}.
+        let moved = self.shift.floor().to_i64().expect("shifts are capped with the offsets");
+        let start = -first - moved;
+        Ok(start..start + i64::try_from(cells).expect("a polygon fits in memory"))
+    }
+
     /// A text that states the caps of a search.
     #[must_use]
     pub fn caps(&self) -> String {

@@ -94,6 +94,12 @@ pub enum LimitError {
         /// The enclosure that was reached.
         reached: Box<Enclosure>,
     },
+    /// No depth as a distance of sets of points.
+    #[error("as a distance of sets of points the depth is not found: {reason}")]
+    Sets {
+        /// The reason.
+        reason: String,
+    },
     /// A control polygon that determines no piece of the limit.
     #[error("fewer than {needed} control points do not determine any piece of the limit")]
     TooFew {

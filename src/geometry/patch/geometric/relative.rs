@@ -2,13 +2,12 @@
 
 use crate::exact::Rational;
 use crate::float::{exact as from_f64, nearest};
-use crate::mesh::Point;
 
 /// A share of the diagonal of the box around some points, as a tolerance: the diagonal is a root, and the result is
 /// less than it times the share, by less than 2^−100 of that.
 ///
 /// # Panics
-/// Never.
+/// When the points have not the same number of coordinates.
 ///
 /// ```
 /// use subcert::exact::Rational;
@@ -19,10 +18,13 @@ use crate::mesh::Point;
 /// assert_eq!(relative_tolerance(&points[..1], &Rational::from(1)), None);
 /// ```
 #[must_use]
-pub fn relative_tolerance(points: &[Point<Rational>], share: &Rational) -> Option<Rational> {
+pub fn relative_tolerance<P: AsRef<[Rational]>>(
+    points: &[P],
+    share: &Rational,
+) -> Option<Rational> {
     let mut square = Rational::zero();
-    for i in 0..3 {
-        let coordinates = || points.iter().map(|point| &point[i]);
+    for i in 0..points.first()?.as_ref().len() {
+        let coordinates = || points.iter().map(|point| &point.as_ref()[i]);
         let width = coordinates().max()? - coordinates().min()?;
         square = &square + &(&width * &width);
     }

@@ -1,0 +1,197 @@
+//! The least level whose polygon is within a tolerance of the curve as a set of points.
+
+use super::super::geometric::SetKind;
+use super::cells::{Cells, Shape};
+use super::find::Finder;
+use super::level::{Far, Known, Level};
+use super::points::RefinedPoints;
+use crate::exact::Rational;
+use crate::float::{lower, nearest};
+use crate::limit::{Limit, LimitError};
+
+/// The highest level that is looked at.
+const MAX_LEVEL: u32 = 24;
+
+/// How many cells are looked at for one tolerance.
+const STEPS: u64 = 60_000_000;
+
+/// A tolerance is at least 2 to the power of minus this, times the greatest width of the control polygon in a coordinate.
+const LEAST_SHARE: u32 = 20;
+
+/// How many levels a control polygon needs as a set of points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurveDepth {
+    /// The least level that was found to be sufficient.
+    pub level: u32,
+    /// The greatest level that is certainly not sufficient, with all levels below it; `None` where even
+    /// level 0 may be.
+    pub too_few: Option<u32>,
+    /// A point that shows that `too_few` is not sufficient.
+    pub beyond: Option<CurvePlace>,
+}
+
+/// A point of one set that is far from all of the other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurvePlace {
+    /// The set that has the point: [`SetKind::Mesh`] is the polygon.
+    pub from: SetKind,
+    /// Its natural parameter.
+    pub parameter: Rational,
+    /// The point, to f64.
+    pub point: Vec<f64>,
+    /// A lower bound of its distance from the other set.
+    pub distance: f64,
+}
+
+/// A control polygon of points, its refinements and its limit curve as sets of points.
+pub struct CurveSets {
+    finder: Finder,
+    scale: Rational,
+    centre: Vec<f64>,
+    width: Rational,
+}
+
+impl CurveSets {
+    /// The sets of the polygon whose points have these coordinates: all x, then all y, and so on. An open polygon, and its
+    /// limit, are compared where the given points determine the limit: from the natural parameter of one point to that
+    /// of another.
+    ///
+    /// # Errors
+    /// When the scheme is not shown to converge, or the points are too few.
+    ///
+    /// # Panics
+    /// When there are no coordinates, or not as many of each.
+    pub fn new(
+        limit: &Limit,
+        coordinates: &[Vec<Rational>],
+        closed: bool,
+    ) -> Result<CurveSets, LimitError> {
+        let count = coordinates[0].len();
+        assert!(coordinates.iter().all(|own| own.len() == count), "as many of each coordinate");
+        let ends = |own: &Vec<Rational>| {
+            let low = own.iter().min().cloned().unwrap_or_else(Rational::zero);
+            let high = own.iter().max().cloned().unwrap_or_else(Rational::zero);
+            (low, high)
+        };
+        let half = Rational::new(1, 2);
+        let (mut width, mut middles) = (Rational::zero(), Vec::new());
+        for own in coordinates {
+            let (low, high) = ends(own);
+            width = width.max(&high - &low);
+            middles.push(&(&low + &high) * &half);
+        }
+        // In units of the width, so that no number is too large or too small.
+        let scale = if width.is_zero() { Rational::one() } else { width.clone() };
+        let unit = &scale;
+        let scaled = |i: usize| {
+            let own = coordinates.iter().zip(&middles);
+            own.map(move |(own, middle)| nearest(&((&own[i] - middle) / unit)))
+        };
+        let control: Vec<f64> = (0..count).flat_map(scaled).collect();
+        let shape = Shape::new(limit, count, closed)?;
+        let at_zero = limit.at(&Rational::zero())?;
+        let rules = limit.mask().rules();
+        let points = RefinedPoints::new(rules, &at_zero, control, coordinates.len(), closed);
+        let finder = Finder::new(Cells::new(shape, points, 1.0), STEPS);
+        let centre = middles.iter().map(nearest).collect();
+        Ok(CurveSets {
+            finder,
+            scale: if width.is_zero() { Rational::one() } else { width.clone() },
+            centre,
+            width,
+        })
+    }
+
+    /// The natural parameters between which an open polygon and its limit are compared; `None` for a closed one.
+    #[must_use]
+    pub fn range(&self) -> Option<&[Rational; 2]> {
+        self.finder.cells.range.as_ref()
+    }
+
+    /// The least level k with H_k ≤ ε, where
+    ///
+    /// H_k = max(sup_{p ∈ P^∞} d(p, P^k), sup_{q ∈ P^k} d(q, P^∞))
+    ///
+    /// is the Hausdorff distance of the polygon P^k of level k from the limit curve P^∞, d the Euclidean distance of a
+    /// point from a set. Points are computed in f64 with bounds of their errors; what these and the caps leave open is
+    /// open: then `level` is more than `too_few` + 1.
+    ///
+    /// Source: `proofs/THEOREMS.md`, 164 and 165.
+    ///
+    /// # Errors
+    /// When the tolerance is not positive, or needs too many levels or too much work.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::limit::Limit;
+    /// use subcert::patch::CurveSets;
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// let chaikin = Limit::new(parse_scheme("chaikin")?.masks()[0])?;
+    /// let square = [[0, 4, 4, 0], [0, 0, 4, 4]].map(|own| own.map(Rational::from).to_vec());
+    /// let mut sets = CurveSets::new(&chaikin, &square, true)?;
+    /// // A corner of the square is √2/2 from the curve; that of the octagon at level 1 is less than 1/5 from it.
+    /// let depth = sets.depth(&Rational::new(1, 2))?;
+    /// assert_eq!((depth.level, depth.too_few), (1, Some(0)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn depth(&mut self, tolerance: &Rational) -> Result<CurveDepth, LimitError> {
+        if tolerance.sign() <= 0 {
+            let (what, value) = ("the tolerance", tolerance.to_string());
+            return Err(LimitError::NotPositive { what, value });
+        }
+        let least = &self.width * &Rational::new(1, 1 << LEAST_SHARE);
+        if *tolerance < least {
+            return Err(LimitError::Sets {
+                reason: format!(
+                    "a tolerance is at least 2^-{LEAST_SHARE} of the greatest width of the polygon"
+                ),
+            });
+        }
+        self.finder.steps = STEPS;
+        let scaled = lower(&(tolerance / &self.scale));
+        let (mut too_few, mut beyond, mut certain) = (None, None, true);
+        for level in 0..=MAX_LEVEL {
+            if !self.finder.cells.is_numbered(level + 1) {
+                break;
+            }
+            let mut search = Level { finder: &mut self.finder, level, tolerance: scaled };
+            match search.examine() {
+                Known::Near => return Ok(CurveDepth { level, too_few, beyond }),
+                Known::Far(far) if certain => {
+                    (too_few, beyond) = (Some(level), Some(self.place(&far)));
+                }
+                Known::Far(_) => {}
+                Known::Open => certain = false,
+            }
+            if self.finder.steps == 0 {
+                break;
+            }
+        }
+        let reason = format!(
+            "it needs more than {MAX_LEVEL} levels or {STEPS} pieces of the curve, or is too near to call"
+        );
+        Err(LimitError::Sets { reason })
+    }
+
+    fn place(&self, far: &Far) -> CurvePlace {
+        let (level, i) = far.at;
+        let shape = &self.finder.cells.shape;
+        let points = Rational::from(shape.arity.pow(level));
+        let own = match far.from {
+            SetKind::Limit => Rational::from(i),
+            SetKind::Mesh => {
+                let share = crate::float::exact(far.share).unwrap_or_else(Rational::zero);
+                &(&Rational::from(i) + &share) + &shape.shift
+            }
+        };
+        let scale = nearest(&self.scale);
+        let point = far.point.iter().zip(&self.centre).map(|(x, centre)| x * scale + centre);
+        CurvePlace {
+            from: far.from,
+            parameter: own / points,
+            point: point.collect(),
+            distance: far.distance * scale * (1.0 - 1e-14),
+        }
+    }
+}
