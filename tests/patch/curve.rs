@@ -148,7 +148,6 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(10))]
 
     /// Tolerances a little above and below the sampled distance of a level. The last scheme does not take lines to lines.
-    // and below the sampled distance of a level.
     #[test]
     fn the_least_level_is_that_of_dense_samples(
         number in 0..5_usize,
