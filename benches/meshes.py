@@ -81,17 +81,20 @@ def main():
         ("99,600 triangles", "loop", triangles, "2e-4", []),
         ("1,000,000 quadrilaterals, a priori", "catmull-clark", million, "2e-4", ["--a-priori"]),
     ]
-    print("| mesh | scheme | ε | levels | seconds | of a processor | peak MiB |")
-    print("|---|---|--:|--:|--:|--:|--:|")
-    for name, scheme, path, tolerance, more in runs:
+    print("| mesh | scheme | ε | distance | levels | seconds | of a processor | peak MiB |")
+    print("|---|---|--:|---|--:|--:|--:|--:|")
+    each = ["parametric", "geometric"]
+    runs = [(*run, distance) for run in runs for distance in each if not run[4] or distance == each[0]]
+    for name, scheme, path, tolerance, more, distance in runs:
         command = [PROGRAM, "depth", scheme, "--mesh", path, "--tolerance", tolerance, "--format", "json"]
+        command += ["--distance", distance]
         with tempfile.TemporaryFile("w+") as output:
             seconds, used, memory = measure([*command, *more], output)
             output.seek(0)
             text = output.read()
         values = [line.split(":")[1].strip(" ,") for line in text.splitlines() if '"level":' in line]
         level = values[0] if values[0] != "null" else f"{values[-1]} a priori"
-        print(f"| {name} | {scheme} | {tolerance} | {level} | {seconds:.2f} | {used:.2f} | {memory:.0f} |", flush=True)
+        print(f"| {name} | {scheme} | {tolerance} | {distance} | {level} | {seconds:.2f} | {used:.2f} | {memory:.0f} |", flush=True)
 
 
 main()

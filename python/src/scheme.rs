@@ -17,6 +17,7 @@ use subcert::limit::{
     ControlPolygon, Distances, Limit, LimitError, Parametrisation, TwoSidedDepth, natural_shift,
 };
 use subcert::oracle::{Boundary, refine_polygon};
+use subcert::patch::{CurveSets, MAX_CURVE_PIECES, SetKind};
 use subcert::scheme::{AnyScheme, Mask, Scheme, catalogue, parse_any_scheme, parse_parametric};
 
 /// Constants of at most so many classes times coefficients are computed without a thread.
@@ -225,6 +226,38 @@ impl Native {
                 let greatest =
                     greatest.ok_or_else(|| plain("a control polygon without coordinates"))?;
                 found(depth, greatest, &Rational::one())
+            },
+        )
+    }
+
+    /// The depth of one control polygon by the distance of sets: one list for each coordinate.
+    fn geometric_depth(
+        &self,
+        py: Python<'_>,
+        tolerance: &Bound<'_, PyAny>,
+        coordinates: Vec<Vec<Bound<'_, PyAny>>>,
+        closed: bool,
+    ) -> PyResult<(u32, Option<u32>, Option<(String, Fraction, Vec<f64>, f64)>)> {
+        let (tolerance, mask) = (rational(tolerance)?, self.mask()?);
+        let coordinates: Vec<Vec<Rational>> =
+            coordinates.iter().map(|own| rationals(own)).collect::<PyResult<_>>()?;
+        if coordinates.len() < 2 {
+            return Err(plain("points of two coordinates or more have a distance of sets"));
+        }
+        let budget = Budget::new(MAX_CURVE_PIECES);
+        let own = budget.clone();
+        aside(
+            py,
+            move || budget.stop(),
+            move || {
+                let limit = Limit::new(&mask).map_err(plain)?;
+                let sets = CurveSets::new(&limit, &coordinates, closed).map_err(plain)?;
+                let found = sets.with_budget(own).depth(&tolerance).map_err(plain)?;
+                let place = found.beyond.map(|place| {
+                    let of = if place.from == SetKind::Mesh { "polygon" } else { "limit" };
+                    (of.to_owned(), fraction(&place.parameter), place.point, place.distance)
+                });
+                Ok((found.level, found.too_few, place))
             },
         )
     }

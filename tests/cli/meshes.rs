@@ -141,11 +141,11 @@ fn the_distance_of_every_face() {
 
 #[test]
 fn the_depth_as_the_eye_sees_it() {
-    let depth = ["depth", "doo-sabin", "--tolerance", "1/450", "--distance", "geometric"];
+    let depth = ["depth", "doo-sabin", "--tolerance", "1/450"];
     let text = written(of_cube(&depth));
     assert_parts(&text, &["Hausdorff", "quadrilaterals bilinear", "too far at level"]);
     let form = json(&written(of_cube(&[&depth[..], &["--format", "json"]].concat())));
-    let parametric = [&depth[..3], &["1/450", "--format", "json"]].concat();
+    let parametric = [&depth[..], &["--distance", "parametric", "--format", "json"]].concat();
     let parametric = json(&written(of_cube(&parametric)));
     assert_eq!(
         (&form["measure"], &parametric["measure"]),
@@ -155,10 +155,9 @@ fn the_depth_as_the_eye_sees_it() {
     assert!(level(&form) < level(&parametric), "{form}");
     assert_eq!(form["too_few"].as_u64(), Some(level(&form) - 1));
     // The diagonal of the cube is 2√3.
-    let relative =
-        [&depth[..3], &["1/1559", "--relative", "--format", "json"], &depth[4..]].concat();
+    let relative = [&depth[..3], &["1/1559", "--relative", "--format", "json"]].concat();
     assert_eq!(level(&json(&written(of_cube(&relative)))), level(&form));
-    let tiny = [&depth[..3], &["1e-60"], &depth[4..], &["--mesh", "examples/cube.obj"]].concat();
+    let tiny = [&depth[..3], &["1e-60", "--mesh", "examples/cube.obj"]].concat();
     assert_parts(&refused(tiny), &["2^-20 of the diagonal", "--distance parametric"]);
     let table = TemporaryFile::new("own.csv", "");
     let text = written(of_cube(&[&depth[..], &["--per-face", table.path()]].concat()));

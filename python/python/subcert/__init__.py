@@ -24,7 +24,7 @@ from ._geometry import LimitPoint, MeshDepth
 from ._mesh import RefinedMesh, limit_points, mesh_depth, refine_mesh
 from ._net import limit_net, net_depth, refine_net
 from ._numbers import Algebraic, exact
-from ._scheme import Constants, Depth, Interval, Quantity, Refined, Scheme, SmoothRange, schemes
+from ._scheme import Constants, Depth, GeometricDepth, Interval, Quantity, Refined, Scheme, SmoothRange, schemes
 from ._solid import RefinedSolid, refine_solid, solid_depth, solid_limit_points
 
 #: The version of the program.
@@ -35,6 +35,7 @@ __all__ = [
     "Audit",
     "Constants",
     "Depth",
+    "GeometricDepth",
     "Eigenvalue",
     "Exponent",
     "Finding",

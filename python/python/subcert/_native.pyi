@@ -30,6 +30,9 @@ class _Native:
     def polygon_depth(
         self, tolerance: Any, coordinates: List[List[Any]], closed: bool, natural: bool
     ) -> _Depth: ...
+    def geometric_depth(
+        self, tolerance: Any, coordinates: List[List[Any]], closed: bool
+    ) -> Tuple[int, Optional[int], Optional[Tuple[str, _Fraction, List[float], float]]]: ...
     def refine(
         self, coordinates: List[List[Any]], levels: int, closed: bool
     ) -> List[List[_Fraction]]: ...

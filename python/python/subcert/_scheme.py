@@ -69,6 +69,40 @@ class Depth:
 
 
 @dataclass(frozen=True)
+class GeometricDepth:
+    """How many levels a tolerance needs by the Hausdorff distance of a polygon and its limit curve.
+
+    ``level`` is enough, ``too_few`` is not: ``point``, of the set ``of`` ("polygon" or "limit"), at the natural ``parameter``,
+    is at least ``distance`` from all of the other set.
+
+    >>> square = [(0, 0), (4, 0), (4, 4), (0, 4)]
+    >>> found = Scheme("chaikin").geometric_depth("1/2", square)
+    >>> found.level, found.too_few, found.of, found.point
+    (1, 0, 'polygon', (0.0, 0.0))
+    """
+
+    level: int
+    too_few: Optional[int]
+    of: Optional[str]
+    parameter: Optional[Fraction]
+    point: Optional[Tuple[float, ...]]
+    distance: Optional[float]
+
+    def _repr_html_(self) -> str:
+        return facts(
+            "Depth, as sets of points",
+            [
+                ("levels", self.level),
+                ("too few", self.too_few),
+                ("far is a point of the", self.of),
+                ("at the parameter", self.parameter),
+                ("point", self.point),
+                ("distance at least", self.distance),
+            ],
+        )
+
+
+@dataclass(frozen=True)
 class Interval:
     """An interval; None stands for an end at infinity. The ends do not belong to it, unless it says so.
 
@@ -276,6 +310,23 @@ class Scheme:
             found = self._native.polygon_depth(tolerance, coordinates, closed, natural)
         level, too_few, (low, high, parameter) = found
         return Depth(level, too_few, (coprime(*low), coprime(*high)), pair(parameter))
+
+    def geometric_depth(
+        self, tolerance: Number, polygon: Any, *, closed: bool = True
+    ) -> GeometricDepth:
+        """The least level whose polygon is within a tolerance of the limit curve as a set of points.
+
+        ``polygon`` is a list of points of two coordinates or more.
+
+        >>> Scheme("four-point").geometric_depth("1/10", [(0, 0), (4, 0), (4, 4), (0, 4)]).level
+        2
+        """
+        coordinates, _, _ = _coordinates(polygon)
+        level, too_few, place = self._native.geometric_depth(tolerance, coordinates, closed)
+        if place is None:
+            return GeometricDepth(level, too_few, None, None, None, None)
+        of, parameter, point, distance = place
+        return GeometricDepth(level, too_few, of, coprime(*parameter), tuple(point), distance)
 
     def smoothness(self, valence: Optional[int] = None) -> Union[Smoothness, VertexSmoothness]:
         """How smooth the limits are: of curves, or of surfaces at a vertex or on a face.

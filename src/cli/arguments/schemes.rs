@@ -90,7 +90,7 @@ pub(in crate::cli) struct DepthArguments {
     #[arg(long, value_name = "FILE", requires = "mesh", conflicts_with = "a_priori")]
     pub(in crate::cli) per_face: Option<PathBuf>,
     /// How far a mesh or a control polygon is from its limit: as sets of points, or at equal parameters. Nets and solids
-    /// have the latter alone. Without it a polygon of points has both, and a mesh the latter
+    /// have the latter alone [default: a mesh as sets, a polygon of points both]
     #[arg(long, value_enum)]
     pub(in crate::cli) distance: Option<DistanceArgument>,
     /// What a face of a polygon mesh is whose vertices are not in one plane; triangles are flat

@@ -27,7 +27,7 @@ use subcert::report::html::{FindingPage, Picture};
 pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destination) -> Outcome {
     let asked = positive("--tolerance", &arguments.tolerance)?;
     let (scheme, name, file) = read(&arguments.scheme, path)?;
-    let geometric = arguments.distance == Some(DistanceArgument::Geometric);
+    let geometric = arguments.distance != Some(DistanceArgument::Parametric);
     let tolerance =
         if arguments.relative { relative(file.mesh(), &asked, geometric)? } else { asked.clone() };
     let refused = |error| failure(&file, &error);
@@ -79,7 +79,7 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
         return report.show(arguments, to);
     }
     if arguments.faces == FacesArgument::Fan {
-        let message = "--faces fan is for --distance geometric; at equal parameters, quadrilaterals \
+        let message = "--faces fan is for the distance of sets; at equal parameters, quadrilaterals \
                        are bilinear";
         return Err(Failure::Input(message.to_owned()));
     }
@@ -117,7 +117,7 @@ fn relative(
 ) -> Result<Rational, Failure> {
     if !geometric {
         // The diagonal is a root, and ties at equal parameters are decided exactly.
-        let message = "--relative is for the distance of sets; add --distance geometric, or give \
+        let message = "--relative is for the distance of sets; leave out --distance parametric, or give \
                        the tolerance itself";
         return Err(Failure::Input(message.to_owned()));
     }

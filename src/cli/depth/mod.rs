@@ -42,6 +42,7 @@ use sets::{OfSets, of_sets};
 use subcert::bound::{Budget, Constants};
 use subcert::exact::{Rational, format::short};
 use subcert::limit::Parametrisation;
+use subcert::patch::MAX_CURVE_PIECES;
 use subcert::report::Sheet;
 use subcert::report::html::FindingPage;
 use subcert::scheme::{AnyScheme, Scheme, parse_any_scheme};
@@ -132,7 +133,6 @@ impl Report {
                 Failure::Input(message.to_owned())
             })?;
         }
-        let sets = sets(scheme, points.as_ref(), arguments.distance, &tolerance)?;
         let spread = match &points {
             Some(points) => points.spread(),
             None => positive("--spread", &arguments.spread.spread)?,
@@ -149,7 +149,9 @@ impl Report {
         };
         let count = wanted.len() * if points.is_some() { 2 } else { 1 };
         let budget = || Budget::new(MAX_STEPS / count as u64);
-        let budgets: Vec<Budget> = (0..count).map(|_| budget()).collect();
+        let mut budgets: Vec<Budget> = (0..count).map(|_| budget()).collect();
+        let pieces = Budget::new(MAX_CURVE_PIECES);
+        budgets.push(pieces.clone());
         let progress = Progress::of_steps(&budgets, arguments.output.format != FindingFormat::Json);
         let constants: Vec<Constants> =
             scheme.masks().into_iter().cloned().map(Constants::new).collect();
@@ -161,6 +163,7 @@ impl Report {
         let answer = |(&parametrisation, budgets): (&Parametrisation, &[Budget])| {
             Answer::of(scheme, parametrisation, points.as_ref(), &asked, budgets)
         };
+        let sets = sets(scheme, points.as_ref(), arguments.distance, &tolerance, pieces)?;
         let answers = wanted.iter().zip(budgets.chunks(count / wanted.len())).map(answer);
         let answers = answers.collect::<Result<Vec<Answer>, Failure>>()?;
         drop(progress);
@@ -311,6 +314,7 @@ fn sets(
     points: Option<&Points>,
     distance: Option<DistanceArgument>,
     tolerance: &Rational,
+    budget: Budget,
 ) -> Result<Option<OfSets>, Failure> {
     let (Scheme::Curve(mask), Some(points)) = (scheme, points) else { return Ok(None) };
     match (points.coordinates.len(), distance) {
@@ -320,7 +324,7 @@ fn sets(
                            at parameters: write (i, x) on each line for their graph";
             Err(Failure::Input(message.to_owned()))
         }
-        _ => of_sets(mask, points, tolerance).map(Some),
+        _ => of_sets(mask, points, tolerance, budget).map(Some),
     }
 }
 

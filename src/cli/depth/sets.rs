@@ -4,6 +4,7 @@ use super::numbers::{digits, point as point_text};
 use super::polygon::Points;
 use crate::cli::json::depth as form;
 use crate::cli::output::Failure;
+use subcert::bound::Budget;
 use subcert::exact::Rational;
 use subcert::float::shortest;
 use subcert::limit::{Limit, LimitError};
@@ -18,10 +19,12 @@ pub(super) fn of_sets(
     mask: &Mask,
     points: &Points,
     tolerance: &Rational,
+    budget: Budget,
 ) -> Result<OfSets, Failure> {
     let depth = || {
         let limit = Limit::new(mask)?;
-        CurveSets::new(&limit, &points.numbers, points.closed)?.depth(tolerance)
+        let sets = CurveSets::new(&limit, &points.numbers, points.closed)?;
+        sets.with_budget(budget).depth(tolerance)
     };
     match depth() {
         Err(error @ LimitError::TooFew { .. }) => {

@@ -49,7 +49,7 @@ mod threads;
 mod work;
 
 pub use apriori::{APriori, a_priori};
-pub use curve::{CurveDepth, CurvePlace, CurveSets};
+pub use curve::{CurveDepth, CurvePlace, CurveSets, MAX_CURVE_PIECES};
 pub use depth::{MAX_DEPTH_LEVEL, MeshDepth, MeshDistances};
 pub use far::FarPlace;
 pub use formula::{FORMULA_PAPER, formula_level};

@@ -85,7 +85,13 @@ impl Budget {
 
     /// Takes `steps` steps and returns `true`; takes none and returns `false` if fewer
     /// remain.
-    pub(crate) fn take(&self, steps: u64) -> bool {
+    ///
+    /// ```
+    /// let budget = subcert::bound::Budget::new(3);
+    /// assert!(budget.take(2) && !budget.take(2) && budget.take(1));
+    /// ```
+    #[must_use]
+    pub fn take(&self, steps: u64) -> bool {
         // In one step, so that a stop in another thread is not lost.
         let take = |left: u64| left.checked_sub(steps);
         self.left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, take).is_ok()
@@ -97,7 +103,7 @@ impl Budget {
         let most = most.min(self.left());
         let mut work = most;
         let found = search(&mut work);
-        self.take(most - work);
+        let _ = self.take(most - work);
         found
     }
 

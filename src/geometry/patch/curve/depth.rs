@@ -2,9 +2,10 @@
 
 use super::super::geometric::SetKind;
 use super::cells::{Cells, Shape};
-use super::find::Finder;
+use super::find::{Finder, MAX_POINTS};
 use super::level::{Far, Known, Level};
 use super::points::RefinedPoints;
+use crate::bound::Budget;
 use crate::exact::Rational;
 use crate::float::{lower, nearest};
 use crate::limit::{Limit, LimitError};
@@ -12,8 +13,8 @@ use crate::limit::{Limit, LimitError};
 /// The highest level that is looked at.
 const MAX_LEVEL: u32 = 24;
 
-/// How many cells are looked at for one tolerance.
-const STEPS: u64 = 60_000_000;
+/// How many pieces of a curve are looked at without another budget.
+pub const MAX_CURVE_PIECES: u64 = 60_000_000;
 
 /// A tolerance is at least 2 to the power of minus this, times the greatest width of the control polygon in a coordinate.
 const LEAST_SHARE: u32 = 20;
@@ -92,7 +93,7 @@ impl CurveSets {
         let at_zero = limit.at(&Rational::zero())?;
         let rules = limit.mask().rules();
         let points = RefinedPoints::new(rules, &at_zero, control, coordinates.len(), closed);
-        let finder = Finder::new(Cells::new(shape, points, 1.0), STEPS);
+        let finder = Finder::new(Cells::new(shape, points, 1.0), Budget::new(MAX_CURVE_PIECES));
         let centre = middles.iter().map(nearest).collect();
         Ok(CurveSets {
             finder,
@@ -100,6 +101,13 @@ impl CurveSets {
             centre,
             width,
         })
+    }
+
+    /// These sets with a budget of pieces, which others may share; it is [`MAX_CURVE_PIECES`] without it.
+    #[must_use]
+    pub fn with_budget(mut self, budget: Budget) -> CurveSets {
+        self.finder.budget = budget;
+        self
     }
 
     /// The natural parameters between which an open polygon and its limit are compared; `None` for a closed one.
@@ -148,7 +156,6 @@ impl CurveSets {
                 ),
             });
         }
-        self.finder.steps = STEPS;
         let scaled = lower(&(tolerance / &self.scale));
         let (mut too_few, mut beyond, mut certain) = (None, None, true);
         for level in 0..=MAX_LEVEL {
@@ -164,12 +171,14 @@ impl CurveSets {
                 Known::Far(_) => {}
                 Known::Open => certain = false,
             }
-            if self.finder.steps == 0 {
+            if self.finder.is_at_its_end() {
                 break;
             }
         }
         let reason = format!(
-            "it needs more than {MAX_LEVEL} levels or {STEPS} pieces of the curve, or is too near to call"
+            "it needs more than {MAX_LEVEL} levels, or more than {} pieces of the curve or {MAX_POINTS} points, or is too near to \
+             call",
+            self.finder.budget.total()
         );
         Err(LimitError::Sets { reason })
     }

@@ -1,6 +1,10 @@
 //! Whether a set has a point near another one: a search through its cells.
 
 use super::cells::{Cell, Cells, Name};
+use crate::bound::Budget;
+
+/// The most points that are kept.
+pub(super) const MAX_POINTS: usize = 1 << 22;
 
 /// The set that is searched.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,11 +37,11 @@ pub(super) struct Finder {
     /// For each power of 2 the balls around so many cells of level 0 in turn.
     balls: Vec<Vec<Ball>>,
     /// How many cells may still be looked at.
-    pub(super) steps: u64,
+    pub(super) budget: Budget,
 }
 
 impl Finder {
-    pub(super) fn new(mut cells: Cells, steps: u64) -> Finder {
+    pub(super) fn new(mut cells: Cells, budget: Budget) -> Finder {
         let mut row: Vec<Ball> = cells
             .shape
             .roots
@@ -63,7 +67,12 @@ impl Finder {
             balls.push(std::mem::replace(&mut row, next));
         }
         balls.push(row);
-        Finder { cells, balls, steps }
+        Finder { cells, balls, budget }
+    }
+
+    /// Whether the caps on work or on memory are met.
+    pub(super) fn is_at_its_end(&self) -> bool {
+        self.budget.left() == 0 || self.cells.points.len() > MAX_POINTS
     }
 
     /// The clipped ends of the chord of a cell.
@@ -109,10 +118,9 @@ impl Finder {
         let mut found = Found::No;
         let mut stack = vec![cell];
         while let Some(name) = stack.pop() {
-            if self.steps == 0 {
+            if self.is_at_its_end() || !self.budget.take(1) {
                 return Found::Open;
             }
-            self.steps -= 1;
             let cell = self.cells.cell(name);
             let [u, v] = self.chord(&cell);
             let radius = match set {

@@ -72,7 +72,7 @@ impl Level<'_> {
                     far @ Known::Far(_) => return far,
                 }
             }
-            if self.finder.steps == 0 {
+            if self.finder.is_at_its_end() {
                 return Known::Open;
             }
         }
@@ -135,7 +135,7 @@ impl Level<'_> {
                 }
             }
             names = next;
-            if names.len() > MAX_OPEN || self.finder.cells.points.len() > 16 * MAX_OPEN {
+            if names.len() > MAX_OPEN || self.finder.is_at_its_end() {
                 return None;
             }
         }
@@ -182,7 +182,10 @@ impl Level<'_> {
             }
             let small = cell.radius + distance(&u, &v) < self.tolerance * SMALL;
             let last = name.0 >= self.level + MORE_LEVELS;
-            if small || last || self.finder.steps == 0 || !self.finder.cells.is_numbered(name.0 + 1)
+            if small
+                || last
+                || self.finder.is_at_its_end()
+                || !self.finder.cells.is_numbered(name.0 + 1)
             {
                 result = Known::Open;
                 continue;
@@ -297,7 +300,7 @@ impl Level<'_> {
                 let share = cell.part[0] + 0.5 * (low + high) * (cell.part[1] - cell.part[0]);
                 return Known::Far(self.far(SetKind::Mesh, middle, name, share, name));
             }
-            if half < self.tolerance * SMALL || self.finder.steps == 0 {
+            if half < self.tolerance * SMALL || self.finder.is_at_its_end() {
                 result = Known::Open;
                 continue;
             }

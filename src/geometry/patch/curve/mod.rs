@@ -14,4 +14,4 @@ mod find;
 mod level;
 mod points;
 
-pub use depth::{CurveDepth, CurvePlace, CurveSets};
+pub use depth::{CurveDepth, CurvePlace, CurveSets, MAX_CURVE_PIECES};
