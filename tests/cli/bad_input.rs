@@ -330,3 +330,30 @@ fn certificates_that_cannot_be_written() {
         assert_parts(&refused(arguments.iter().copied()), parts);
     }
 }
+
+#[test]
+fn a_file_that_has_not_begun_is_told_how_to_begin() {
+    let help = ["missing fields", "[paper]", "subcert new"];
+    assert_parts(&refused_paper("empty", ""), &help);
+    assert_parts(&refused_paper("key-only", "key = \"k\"\n"), &help);
+    let begun = refused_paper("begun", "key = \"k\"\n[paper]\n");
+    assert!(!begun.contains("subcert new"), "{begun}");
+}
+
+#[test]
+fn a_table_of_smoothness_names_its_cells() {
+    let file = "examples/smoothness.toml";
+    let message = refused(["explain", "doe2026-smoothness:table-1", file]);
+    assert_parts(&message, &["each cell", "doe2026-smoothness:table-1.1.order", "subcert audit"]);
+}
+
+#[test]
+fn keys_in_the_place_of_files() {
+    assert_parts(&refused(["audit", "khan2019-newton"]), &["--paper khan2019-newton"]);
+    assert_parts(&refused(["audit", "examples/smoothness"]), &["`examples/smoothness.toml`"]);
+}
+
+#[test]
+fn a_parameter_that_is_not_open() {
+    assert_parts(&refused(["range", "six-point", "q"]), &["no parameter `q` open", "w"]);
+}
