@@ -114,8 +114,7 @@ def claim_files(program, kept):
             except tomllib.TOMLDecodeError:
                 continue
             spoiled += 1
-            # Beside the file itself, since files of projects name others.
-            with tempfile.NamedTemporaryFile("w", suffix=".toml", dir=file.parent) as copy:
+            with tempfile.NamedTemporaryFile("w", suffix=".toml") as copy:
                 copy.write(other)
                 copy.flush()
                 # The file is read, and of no such claim nothing is computed.
