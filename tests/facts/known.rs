@@ -4,8 +4,8 @@ use crate::common::{mask, r};
 use proptest::prelude::*;
 use subcert::exact::Rational;
 use subcert::facts::{
-    CurveFacts, Kind, SchemeFacts, VALENCES, atlas_references, centre, is_interpolating, kind,
-    parameter_facts, points,
+    CurveFacts, FamilyFacts, Kind, SchemeFacts, VALENCES, atlas_references, centre,
+    is_interpolating, kind, parameter_facts, points,
 };
 use subcert::limit::natural_shift;
 use subcert::scheme::{Mask, Scheme, parse_any_scheme, parse_scheme};
@@ -66,6 +66,36 @@ fn ranges() {
     assert!(ranges[0].inside.contains(&r(1, 5)) && ranges[1].inside.contains(&r(1, 10)));
     assert!(ranges[0].outside.contains(&r(3, 4)) && ranges[1].outside.contains(&r(-1, 100)));
     assert!(parameter_facts("four-point", "v").is_err());
+}
+
+/// Families of weights at a vertex: Loop's own weight is inside at each valence, and at 6 the ends are known, where
+/// 5/8 − 6β is −1/2 and 1/2.
+#[test]
+fn families_of_weights() {
+    let family = FamilyFacts::of("loop-weight:beta=1/16").expect("a family");
+    assert_eq!(family.parameter, "beta");
+    let valences: Vec<usize> = family.ranges.iter().filter_map(|one| one.valence).collect();
+    assert_eq!(valences, VALENCES.collect::<Vec<usize>>());
+    for one in &family.ranges {
+        let n = one.valence.expect("a valence");
+        // Loop's weights, rounded: 3/16 at 3, 31/256 at 4, and 3/(8n) of Warren from 6 on.
+        let beta = match n {
+            3 => r(3, 16),
+            4 => r(31, 256),
+            5 => r(21, 250),
+            n => Rational::new(3, 8 * i64::try_from(n).expect("small")),
+        };
+        assert!(one.m == 1 && one.inside.contains(&beta), "n = {n}");
+        assert!(!one.outside.contains(&beta), "n = {n}");
+    }
+    let [six] = &FamilyFacts::of("loop-weight:N=6,beta=1/16").expect("a family").ranges[..] else {
+        panic!("one valence");
+    };
+    assert_eq!(six.inside.describe("b"), "1/48 < b < 3/16");
+    // Two weights, none, and rules whose regular part is not known.
+    for name in ["ball-storry:N=5,beta=3/10,gamma=1/20", "loop", "sqrt3-weight:N=6,alpha=1/3"] {
+        assert!(FamilyFacts::of(name).is_none(), "{name}");
+    }
 }
 
 #[test]
