@@ -39,6 +39,45 @@ fn limits() {
     assert_eq!((shift, weights), (r(-1, 2), vec![(-1, r(1, 8)), (0, r(3, 4)), (1, r(1, 8))]));
 }
 
+/// B-splines of degree d generate degree d and reproduce lines; Deslauriers and Dubuc's reproduce all that they
+/// generate, and the dual four-point scheme cubics of the quartics that it generates.
+#[test]
+fn generated_and_reproduced() {
+    for (name, generated, reproduced) in [
+        ("chaikin", 2, 1),
+        ("b-spline:degree=5", 5, 1),
+        ("dubuc-deslauriers:m=3", 5, 5),
+        ("dual-four-point:w=1/128", 4, 3),
+        ("corner-cutting:w=1/5", 0, 0),
+    ] {
+        let facts = CurveFacts::of_rational(&mask(name));
+        assert_eq!((facts.sum_rules - 1, facts.reproduction), (generated, reproduced), "{name}");
+    }
+}
+
+/// Chaikin's points are 1/8 of a second difference from the limit, which falls by 4: 4^{-k}/4 for differences up to 1. At
+/// i/2^k they are half a difference off, 2^{-k}/2. The cubic spline's are 1/6 of a second difference, 4^{-k}/3, from it.
+#[test]
+fn depths_of_splines() {
+    let least = |base: f64, start: f64| (start * 100.0).log(base).ceil();
+    for (name, indexed, natural) in [
+        ("chaikin", least(2.0, 0.5), least(4.0, 0.25)),
+        ("b-spline:degree=3", least(4.0, 1.0 / 3.0), least(4.0, 1.0 / 3.0)),
+    ] {
+        let depths = CurveFacts::of_rational(&mask(name)).depths;
+        let found = [depths.indexed, depths.natural].map(|depth| depth.expect("a depth").upper);
+        assert_eq!(found.map(f64::from), [indexed, natural], "{name}");
+    }
+}
+
+/// A new point against the linear interpolant: w of one difference less w of another, and a quarter of one.
+#[test]
+fn displacements() {
+    let found = |name: &str| CurveFacts::of_rational(&mask(name)).displacement;
+    assert_eq!(found("four-point:w=1/16"), r(1, 8));
+    assert_eq!(found("chaikin"), r(1, 4));
+}
+
 /// Deslauriers and Dubuc's schemes reproduce as they generate; divergence and irrational numbers leave facts open.
 #[test]
 fn open_facts() {
