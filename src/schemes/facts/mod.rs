@@ -21,6 +21,6 @@ mod shape;
 
 pub use curve::{Columns, CurveFacts, MAX_LEVELS};
 pub use distance::{Depths, LimitFacts};
-pub use ranges::{ParameterFacts, parameter_facts};
+pub use ranges::{FamilyFacts, ParameterFacts, parameter_facts};
 pub use scheme::{SchemeFacts, VALENCES, ValenceFacts, atlas_references};
 pub use shape::{Kind, centre, is_interpolating, kind, points};
