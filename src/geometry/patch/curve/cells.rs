@@ -20,7 +20,6 @@ pub(super) type Name = (u32, i64);
 pub(super) struct Shape {
     pub(super) arity: i64,
     pub(super) shift: Rational,
-    keeps_lines: bool,
     /// An upper bound of C_0.
     constant: f64,
     /// Upper bounds of T_0, T_1, …, and last of all that follow.
@@ -43,6 +42,12 @@ impl Shape {
     pub(super) fn new(limit: &Limit, count: usize, closed: bool) -> Result<Shape, LimitError> {
         let mask = limit.mask();
         let natural = natural_shift(mask);
+        if !natural.keeps_lines {
+            let reason =
+                "the scheme does not take lines to lines, and its curves are too rough for it"
+                    .to_owned();
+            return Err(LimitError::Sets { reason });
+        }
         let (n, s) = (Rational::from(mask.arity()), natural.shift);
         let distances = Distances::shifted(limit, &s)?.with_cells(CONSTANT_CELLS);
         let roots = if closed {
@@ -85,7 +90,6 @@ impl Shape {
         factors.push(greatest);
         Ok(Shape {
             arity: i64::try_from(mask.arity()).unwrap_or(i64::MAX),
-            keeps_lines: natural.keeps_lines,
             constant: upper(&constant),
             factors,
             first: -index(&-least),
@@ -204,7 +208,7 @@ impl Cells {
                 let of = || differences.iter().map(|difference| difference[j]);
                 let (low, high) =
                     (of().fold(f64::INFINITY, f64::min), of().fold(f64::NEG_INFINITY, f64::max));
-                if self.shape.keeps_lines { 0.5 * (low + high) } else { 0.0 }
+                0.5 * (low + high)
             })
             .collect();
         for difference in &differences {

@@ -58,7 +58,7 @@ impl CurveSets {
     /// of another.
     ///
     /// # Errors
-    /// When the scheme is not shown to converge, or the points are too few.
+    /// When the scheme is not shown to converge, does not take lines to lines, or the points are too few.
     ///
     /// # Panics
     /// When there are no coordinates, or not as many of each.
