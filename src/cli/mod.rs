@@ -32,6 +32,7 @@ mod oracle;
 mod output;
 mod pages;
 mod papers;
+mod plot;
 mod polygon;
 mod progress;
 mod projects;
@@ -103,6 +104,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Limit(command) => geometry::limit(&command),
         Command::Schemes(command) => schemes::schemes(&command),
         Command::Scheme(command) => scheme::scheme(&command),
+        Command::Plot(command) => plot::plot(&command),
         Command::Atlas(command) => atlas::atlas(&command),
         Command::Flags(output) => flags::flags(&output),
         #[cfg(feature = "schema")]

@@ -254,6 +254,20 @@ pub(in crate::cli) struct SchemeArguments {
 }
 
 #[derive(Debug, Args)]
+pub(in crate::cli) struct PlotArguments {
+    /// The scheme: a mask, also one with one or two parameters without a value; or rules around a vertex or on a face, these
+    /// without a valence for 3, 5 and 7
+    #[arg(value_name = "SCHEME")]
+    pub(in crate::cli) scheme: String,
+    /// The region of two parameters without a value, such as a=-1..1,b=0..1/2 [default: from -1 to 1]
+    #[arg(long, value_name = "BOX", allow_hyphen_values = true)]
+    pub(in crate::cli) bounds: Option<String>,
+    /// The file for the picture [default: the standard output]
+    #[arg(id = "output", short = 'o', long, value_name = "FILE")]
+    pub(in crate::cli) file: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
 pub(in crate::cli) struct AtlasArguments {
     /// Schemes of the catalogue [default: all]
     #[arg(value_name = "NAME")]

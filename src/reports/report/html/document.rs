@@ -2,6 +2,9 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+/// The colours of pages and pictures, and the looks of pictures.
+pub(super) const PICTURE_STYLE: &str = include_str!("picture.css");
+
 const STYLE: &str = include_str!("style.css");
 
 /// What a browser may load for a page: nothing but the styles in it.
@@ -20,7 +23,7 @@ pub(super) fn document(title: &str, main: &Markup) -> String {
                 meta name="color-scheme" content="light dark";
                 link rel="icon" href="data:,";
                 title { (title) }
-                style { (PreEscaped(STYLE)) }
+                style { (PreEscaped(PICTURE_STYLE)) (PreEscaped(STYLE)) }
             }
             body {
                 a.skip href="#page:main" { "Skip to the findings" }
