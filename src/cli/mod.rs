@@ -2,6 +2,7 @@
 
 mod arguments;
 mod atlas;
+mod atlas_pages;
 mod audit;
 mod certified;
 mod certify;

@@ -31,7 +31,7 @@ pub(super) fn scheme(arguments: &SchemeArguments) -> Outcome {
 }
 
 /// The family of a scheme of the catalogue with one parameter, in which its mask is polynomial.
-struct Family {
+pub(super) struct Family {
     parameter: String,
     ranges: Vec<ParameterFacts>,
     end: String,
@@ -83,7 +83,7 @@ impl Family {
     }
 }
 
-fn sheet(facts: &FactsForm, family: Option<&Family>) -> Sheet {
+pub(super) fn sheet(facts: &FactsForm, family: Option<&Family>) -> Sheet {
     let mut sheet = Sheet::default();
     sheet.heading(1, facts.scheme.clone());
     if let Some(curve) = &facts.curve {

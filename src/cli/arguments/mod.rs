@@ -25,7 +25,7 @@ pub(super) use schemes::{
     SchemeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};
-pub(super) use spectrum::{SpectrumArguments, TableArguments, TypeArgument};
+pub(super) use spectrum::{SpectrumArguments, TableArguments};
 use std::path::PathBuf;
 
 const AFTER_HELP: &str = "\

@@ -1,7 +1,7 @@
 //! The arguments of the commands about schemes.
 
 use super::meshes::ClosedArgument;
-use super::{FindingOutput, Output, Valences};
+use super::{FindingFormat, FindingOutput, Output, Valences};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -272,6 +272,15 @@ pub(in crate::cli) struct AtlasArguments {
     /// Schemes of the catalogue [default: all]
     #[arg(value_name = "NAME")]
     pub(in crate::cli) names: Vec<String>,
-    #[command(flatten)]
-    pub(in crate::cli) output: Output,
+    /// A claim file (may be repeated): with `--format html`, the pages of schemes link to what it says of them, on the page
+    /// of its audit
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub(in crate::cli) claims: Vec<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = FindingFormat::Text)]
+    pub(in crate::cli) format: FindingFormat,
+    /// The file for the results; of `--format html` the folder for a page of each scheme, NAME.html, and index.html
+    /// [default: the standard output]
+    #[arg(id = "output", short = 'o', long, value_name = "FILE|DIR")]
+    pub(in crate::cli) file: Option<PathBuf>,
 }

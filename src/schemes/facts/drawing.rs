@@ -7,7 +7,7 @@ use crate::characteristic::Vertex;
 use crate::exact::{FieldElement, Polynomial, Rational};
 use crate::scheme::{
     AnyScheme, Mask, SchemeError, open_parameters, parse_algebraic, parse_any_scheme,
-    parse_in_parameters, parse_rules_of_valence,
+    parse_in_parameters, parse_rules_of_valence, parse_scheme,
 };
 use crate::smoothness::{
     BasicError, BasicValues, Coefficient, Sides, SmoothMap, Smoothness, smooth_map,
@@ -146,6 +146,34 @@ impl Drawing {
     }
 }
 
+impl Drawing {
+    /// What is drawn of a scheme whose facts are known: the same without a family.
+    ///
+    /// # Errors
+    /// When there is no such scheme.
+    pub fn of_facts(scheme: &str, facts: &SchemeFacts) -> Result<Drawing, SchemeError> {
+        let (mut curve, mut rings) = (None, Vec::new());
+        match facts {
+            SchemeFacts::Rational(facts) => {
+                let mask = Mask::try_from(parse_scheme(scheme)?)
+                    .map_err(|_| SchemeError::TensorProduct { scheme: scheme.to_owned() })?;
+                let shape = CurveShape::of(&mask, facts.smoothness.as_ref().ok());
+                curve = Some(CurveDrawing::Rational(shape));
+            }
+            SchemeFacts::Algebraic(facts) => {
+                let mask = parse_algebraic(scheme)?;
+                let shape = CurveShape::of(&mask, facts.smoothness.as_ref().ok());
+                curve = Some(CurveDrawing::Algebraic(shape));
+            }
+            SchemeFacts::Surface(all) => {
+                let drawn = |(n, _): &&(usize, _)| all.len() == 1 || VALENCES.contains(n);
+                rings = all.iter().filter(drawn).cloned().collect();
+            }
+        }
+        Ok(Drawing { curve, family: None, rings })
+    }
+}
+
 impl<F: Coefficient> CurveShape<F> {
     /// What is drawn of a mask; `known` is its smoothness, where it is known.
     #[must_use]
@@ -239,7 +267,19 @@ fn limit_points<F: Coefficient>(at_integers: &BasicValues<F>, points: &[[F; 2]])
 
 impl FamilyDrawing {
     /// `None` of a scheme whose open parameters are neither one nor two in which its coefficients are polynomials.
-    fn of(scheme: &str, region: &Sides, boxes: usize) -> Option<FamilyDrawing> {
+    ///
+    /// ```
+    /// use subcert::facts::FamilyDrawing;
+    ///
+    /// let region = [[-1, 1].map(Into::into), [-1, 1].map(Into::into)];
+    /// assert!(matches!(FamilyDrawing::of("four-point", &region, 10), Some(FamilyDrawing::One { .. })));
+    /// assert!(FamilyDrawing::of("chaikin", &region, 10).is_none());
+    /// ```
+    ///
+    /// # Panics
+    /// Never.
+    #[must_use]
+    pub fn of(scheme: &str, region: &Sides, boxes: usize) -> Option<FamilyDrawing> {
         match &open_parameters(scheme).ok()?[..] {
             [parameter] => {
                 let (ranges, end) = parameter_facts(scheme, parameter).ok()?;

@@ -18,7 +18,7 @@ const MAX_FIELD_VALUES: usize = 1_000;
 #[non_exhaustive]
 pub enum BasicError {
     /// The scheme diverges.
-    #[error("the scheme diverges, so that there is no limit")]
+    #[error("the scheme diverges: it has no continuous limit")]
     Diverges,
     /// It is open whether the scheme converges.
     #[error("it is open whether the scheme converges")]

@@ -1,9 +1,10 @@
 //! Findings as pages that a browser shows: one file for each paper of an audit and an index of them, and one
 //! for a single finding.
 //!
-//! A page loads nothing and runs no script: cells open by their anchors, and filters are radio
+//! A page loads nothing and runs no script but for the index of the atlas, which works without it: cells open by their anchors, and filters are radio
 //! buttons that the style sheet reads.
 
+mod atlas;
 mod broken;
 mod cell;
 mod certified;
@@ -29,6 +30,7 @@ mod statement;
 mod table;
 mod verdict;
 
+pub use atlas::{ATLAS_HEADER, AtlasRow, EntryPage, SchemeSection, atlas_page, entry_page};
 pub use command::quoted as shell_word;
 pub use depth::{LevelLine, Levels};
 pub use explain::explain_page;
