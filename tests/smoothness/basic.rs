@@ -21,7 +21,7 @@ fn values_are_weights_of_limits() {
         ("four-point:w=1/16", 3),
         ("chaikin", 4),
         ("ternary-four-point:mu=1/10", 2),
-        ("quaternary-four-point", 2),
+        ("quaternary-four-point:mu=1/2", 2),
         ("de-rham", 3),
     ] {
         let mask = rational(scheme);

@@ -23,10 +23,10 @@ pub(in crate::report::html) fn basic<F: Coefficient>(scheme: &str, shape: &Curve
         return Panel::of_words(title, format!("There is no picture: {reason}."));
     };
     let drawn = shape.functions.iter().zip(NAMES).zip(0_u8..);
-    let (top, low, high) = (f64::from, at(first, first.first), at(first, last(first)));
+    let (low, high) = (at(first, first.first), at(first, last(first)));
     let drawing = html! {
         @for ((function, (name, class)), row) in drawn {
-            @let top = top(row) * HEIGHT;
+            @let top = f64::from(row) * HEIGHT;
             @let frame = Frame { x: (56.0, 624.0), y: (top + HEIGHT - 30.0, top + 12.0) };
             @let values: Vec<f64> = function.values.iter().map(nearest).collect();
             @let ends = values.iter().fold((0.0_f64, 0.0_f64), |(low, high), y| (low.min(*y), high.max(*y)));
