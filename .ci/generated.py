@@ -14,7 +14,7 @@ file, and one under `<!-- part of: PATH -->` some lines of it. A table under
 `<!-- table below=HEADING: COMMAND -->` is the first one below this heading of the command's Markdown.
 The files of FILES, and proofs/errata, hold what their command writes, and nothing else; docs/audits/index.html
 is the index of the pages that `audit --format html` writes, with links to the errata in place of pages, which are not
-in the repository. docs/gallery.md has the audits of proofs/projects. proofs/coq/papers has the theorems of `prove --coq`, and no other file. docs/depth.svg is a picture of a page of `depth`, with the styles of the page.
+in the repository. docs/gallery.md has the audits of proofs/projects, docs/literature.md what all papers have that differs, with a link to the certificate of each line. proofs/coq/papers has the theorems of `prove --coq`, and no other file. docs/depth.svg is a picture of a page of `depth`, with the styles of the page.
 """
 
 import os
@@ -66,6 +66,39 @@ def gallery() -> str:
     files = " ".join(str(claims.relative_to(ROOT)) for claims in PROJECTS)
     text = output(f"audit {files} --format markdown")
     return GALLERY + re.sub(r"^(#+ )", r"#\1", text, flags=re.MULTILINE)
+
+
+# The first cell of a line of docs/literature.md.
+CLAIM = re.compile(r"^\| (?P<key>[\w-]+):(?P<id>\S+) \|", re.MULTILINE)
+LITERATURE = """
+From the claim files in [`proofs/claims`](../proofs/claims): those of papers whose text was read, and those of
+[claims about smoothness](../proofs/claims/smoothness), each with a note on what was seen of its source. Theorems,
+tables and formulas were judged as printed. Each claim leads to the certificate that has it, which
+`subcert-check` verifies. Of what is true, but not sharp, it proves what is printed; what is true beyond it, `subcert` alone has shown. The [texts for each paper](../proofs/errata) have all cells. To judge all of them again:
+
+```sh
+subcert errata --together proofs/claims/*.toml proofs/claims/smoothness/*.toml
+```
+
+[Programs](gallery.md) have a page of their own.
+"""
+
+
+def literature() -> str:
+    claims = [*sorted((ROOT / "proofs" / "claims").glob("*.toml")), *SMOOTHNESS]
+    folders = {one.stem: "smoothness/" if one in SMOOTHNESS else "" for one in claims}
+    text = output("errata --together " + " ".join(str(one.relative_to(ROOT)) for one in claims))
+
+    def link(match: re.Match) -> str:
+        key, name = match["key"], match["id"]
+        path = f"proofs/certificates/{folders[key]}{key}.cert"
+        kind = "|".join(("table", "equation", "function", "range", "smoothness", "exponent", "theorem"))
+        plain = re.escape(name.replace("\\", ""))
+        has = re.search(rf"^(?:{kind}) {plain}$", (ROOT / path).read_text(), re.MULTILINE)
+        return f"| [{key}:{name}](../{path}) |" if has else f"| {key}:{name}, without a certificate |"
+
+    title, count, rest = text.split("\n\n", 2)
+    return f"{title}\n\n{count}\n{LITERATURE}\n" + CLAIM.sub(link, rest)
 
 
 def output(command: str) -> str:
@@ -150,6 +183,7 @@ def main() -> int:
     generated["docs/audits/index.html"] = index()
     generated["docs/depth.svg"] = picture()
     generated["docs/gallery.md"] = gallery()
+    generated["docs/literature.md"] = literature()
     for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml")):
         key = claims.stem
         generated[f"proofs/errata/{key}.md"] = output(f"errata --paper {key}")

@@ -8,6 +8,7 @@ mod analysis;
 mod audit;
 mod check;
 mod error;
+mod facts;
 mod geometry;
 mod mesh;
 mod net;
@@ -31,6 +32,8 @@ mod _native {
     use crate::audit::{audit_json, paper_keys};
     #[pymodule_export]
     use crate::check::{check_within_ulps, nearest};
+    #[pymodule_export]
+    use crate::facts::facts_json;
     #[pymodule_export]
     use crate::mesh::{mesh_depth, mesh_limit, mesh_refine};
     #[pymodule_export]

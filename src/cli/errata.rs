@@ -9,7 +9,7 @@ use super::{csv, terminal};
 use serde::Serialize;
 use std::path::Path;
 use subcert::report::json::{ErrataReport, ProjectsReport};
-use subcert::report::{Sheet, errata_sheet, issue_sheet};
+use subcert::report::{Sheet, differences_sheet, errata_sheet, issue_sheet};
 
 pub(super) fn errata(arguments: &ErrataArguments) -> Outcome {
     let bar = arguments.format != ErrataFormat::Json;
@@ -17,8 +17,13 @@ pub(super) fn errata(arguments: &ErrataArguments) -> Outcome {
         Claims::Papers(papers) => {
             let papers = select(papers, arguments.paper.as_deref())?;
             let audits = judge_all(&papers, bar)?;
-            deliver(arguments, &audits, |audit| &audit.paper.key, errata_sheet, ErrataReport::of)
+            let sheet = if arguments.together { differences_sheet } else { errata_sheet };
+            deliver(arguments, &audits, |audit| &audit.paper.key, sheet, ErrataReport::of)
         }
+        Claims::Projects(_) if arguments.together => Err(Failure::Input(
+            "`--together` is about papers; these files are about programs, whose texts `errata` writes one after another"
+                .to_owned(),
+        )),
         Claims::Projects(projects) => {
             let projects = select_project(projects, arguments.paper.as_deref())?;
             let audits = judge_projects(&projects, bar)?;

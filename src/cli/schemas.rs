@@ -11,7 +11,7 @@ use schemars::{JsonSchema, Schema, generate::SchemaSettings};
 use std::path::Path;
 use subcert::oracle::OracleValues;
 use subcert::report::json::{
-    AuditReport, CoverageReport, ErrataReport, Explained, ProjectsReport, ShippedTable,
+    AuditReport, CoverageReport, ErrataReport, Explained, Facts, ProjectsReport, ShippedTable,
 };
 
 /// The name of a file, and its schema.
@@ -41,7 +41,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         ("range", of::<range::Range<'_>>()),
         ("range-smoothness", of::<range::SmoothRange<'_>>()),
         ("range-smoothness-map", of::<range::SmoothMap<'_>>()),
-        ("scheme", of::<facts::Facts<'_>>()),
+        ("scheme", of::<Facts<'_>>()),
         ("schemes", of::<schemes::Catalogue<'_>>()),
         ("smoothness", of::<smoothness::Smoothness<'_>>()),
         ("smoothness-vertex", of::<vertex::Vertices<'_>>()),

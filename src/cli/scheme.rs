@@ -1,14 +1,15 @@
 //! `subcert scheme`.
 
 use super::arguments::SchemeArguments;
-use super::json::{SCHEMA, facts as form};
 use super::output::{Failure, Outcome, show};
 use super::progress::Progress;
 use super::sets::Parameter;
-use subcert::facts::{ParameterFacts, SchemeFacts, parameter_facts};
-use subcert::report::json::{CurveForm, DepthForm, Exact, FactsForm, StencilForm, ValenceForm};
+use subcert::facts::{FamilyFacts, ParameterFacts, SchemeFacts};
+use subcert::report::json::{
+    CurveForm, DepthForm, Exact, Facts, FactsForm, StencilForm, ValenceForm,
+};
 use subcert::report::{Grid, SCOPE, Sheet};
-use subcert::scheme::{AnyScheme, Reference, find, parse_any_scheme};
+use subcert::scheme::{AnyScheme, parse_any_scheme};
 
 pub(super) fn scheme(arguments: &SchemeArguments) -> Outcome {
     let name = &arguments.scheme;
@@ -21,76 +22,39 @@ pub(super) fn scheme(arguments: &SchemeArguments) -> Outcome {
     }
     let progress = Progress::of_search(true);
     let facts = FactsForm::of(name, &SchemeFacts::of(name)?);
-    let family = Family::of(name);
+    let family = FamilyFacts::of(name);
     drop(progress);
     show(
         &arguments.output,
         || sheet(&facts, family.as_ref()),
-        || form::Facts { schema: SCHEMA, found: &facts, ranges: family.as_ref().map(Family::form) },
+        || Facts::of(&facts, family.as_ref()),
     )
 }
 
-/// The family of a scheme of the catalogue with one parameter, in which its mask is polynomial.
-pub(super) struct Family {
-    parameter: String,
-    ranges: Vec<ParameterFacts>,
-    end: String,
+/// Where in the parameter of its family the limits are C^m.
+fn write_family(family: &FamilyFacts, sheet: &mut Sheet) {
+    let parameter = Parameter(&family.parameter);
+    sheet.heading(2, format!("The family, in {}", family.parameter));
+    let row = |range: &ParameterFacts| {
+        let outside = parameter.found(&range.outside);
+        let but = if range.but_finitely_many { "\nbut for finitely many" } else { "" };
+        vec![format!("C^{}", range.m), parameter.found(&range.inside), format!("{outside}{but}")]
+    };
+    let header = ["", "all limits", "not all"].map(str::to_owned).to_vec();
+    let rows = family.ranges.iter().map(row).collect();
+    sheet.grid(Grid { header, rows, left_columns: 3 });
+    let end = &family.end;
+    sheet.text(format!("What is in neither set is open; `subcert range` looks closer. {end}."));
 }
 
-impl Family {
-    fn of(scheme: &str) -> Option<Family> {
-        let reference = Reference::parse(scheme).ok()?;
-        let entry = find(reference.names().next()?)?;
-        let mut parameters = entry.parameters.keys();
-        let (Some(parameter), None) = (parameters.next(), parameters.next()) else { return None };
-        // A parameter such as a degree is in no polynomial: there is nothing to say then.
-        let (ranges, end) = parameter_facts(&entry.name, parameter).ok()?;
-        Some(Family { parameter: parameter.clone(), ranges, end })
-    }
-
-    fn write(&self, sheet: &mut Sheet) {
-        let parameter = Parameter(&self.parameter);
-        sheet.heading(2, format!("The family, in {}", self.parameter));
-        let row = |range: &ParameterFacts| {
-            let outside = parameter.found(&range.outside);
-            let but = if range.but_finitely_many { "\nbut for finitely many" } else { "" };
-            vec![
-                format!("C^{}", range.m),
-                parameter.found(&range.inside),
-                format!("{outside}{but}"),
-            ]
-        };
-        let header = ["", "all limits", "not all"].map(str::to_owned).to_vec();
-        let rows = self.ranges.iter().map(row).collect();
-        sheet.grid(Grid { header, rows, left_columns: 3 });
-        let end = &self.end;
-        sheet.text(format!("What is in neither set is open; `subcert range` looks closer. {end}."));
-    }
-
-    fn form(&self) -> form::Ranges {
-        let parameter = Parameter(&self.parameter);
-        let order = |range: &ParameterFacts| form::Order {
-            smoothness: range.m,
-            inside: parameter.set_form(&range.inside),
-            outside: parameter.set_form(&range.outside),
-            but_finitely_many: range.but_finitely_many,
-        };
-        form::Ranges {
-            parameter: self.parameter.clone(),
-            orders: self.ranges.iter().map(order).collect(),
-            end: self.end.clone(),
-        }
-    }
-}
-
-pub(super) fn sheet(facts: &FactsForm, family: Option<&Family>) -> Sheet {
+pub(super) fn sheet(facts: &FactsForm, family: Option<&FamilyFacts>) -> Sheet {
     let mut sheet = Sheet::default();
     sheet.heading(1, facts.scheme.clone());
     if let Some(curve) = &facts.curve {
         write_curve(curve, &mut sheet);
     }
     if let Some(family) = family {
-        family.write(&mut sheet);
+        write_family(family, &mut sheet);
     }
     if let Some(valences) = &facts.valences {
         let header = VALENCE_HEADER.map(str::to_owned).to_vec();

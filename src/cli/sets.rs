@@ -1,13 +1,11 @@
 //! Sets of values of a parameter, as text and as JSON.
 
 use super::json::range as form;
-use std::ops::Bound;
 use subcert::exact::{
-    Enclosed as _, Integer, Interval, IntervalSet, Rational, RationalPolynomial, RealAlgebraic,
-    SturmSequence,
+    Enclosed as _, IntervalSet, Rational, RealAlgebraic, SturmSequence,
     format::{fixed, short},
 };
-use subcert::report::{interval_texts, json::Exact};
+use subcert::report::{interval_texts, json::root_polynomial as polynomial};
 
 /// The digits of a decimal in the text.
 const DIGITS: u32 = 12;
@@ -47,48 +45,21 @@ impl Parameter<'_> {
         ends.sort();
         ends.dedup();
         let fact = |end: &RealAlgebraic| {
-            let root = format!("root of {}", self.polynomial(end));
+            let root = format!("root of {}", polynomial(end, self.0));
             let (low, high) = decimal_enclosure(end);
             (number(end), format!("{root}\nthe only one between {low} and {high}"))
         };
         ends.into_iter().map(fact).collect()
     }
 
-    /// The minimal polynomial of a number.
-    fn polynomial(self, number: &RealAlgebraic) -> String {
-        let (polynomial, note) = match number.minimal_polynomial() {
-            Some(minimal) => (minimal, ""),
-            None => (number.polynomial(), ", which may have factors"),
-        };
-        let polynomial = RationalPolynomial::over(&polynomial, &Integer::one());
-        format!("{}{note}", polynomial.describe(self.0))
-    }
-
     /// A set as JSON.
     pub(super) fn set_form(self, set: &IntervalSet) -> Vec<form::Interval> {
-        let end = |end: &Bound<RealAlgebraic>| place(end).map(|end| self.number_form(end));
-        let interval = |interval: &Interval| form::Interval {
-            low: end(&interval.low),
-            high: end(&interval.high),
-        };
-        set.intervals().iter().map(interval).collect()
+        form::Interval::all(set, self.0)
     }
 
     /// A number as JSON.
     pub(super) fn number_form(self, number: &RealAlgebraic) -> form::Number {
-        let (low, high) = number.bounds();
-        form::Number {
-            value: Exact::of(number),
-            minimal_polynomial: self.polynomial(number),
-            enclosure: [low.to_string(), high.to_string()],
-        }
-    }
-}
-
-fn place(end: &Bound<RealAlgebraic>) -> Option<&RealAlgebraic> {
-    match end {
-        Bound::Unbounded => None,
-        Bound::Included(place) | Bound::Excluded(place) => Some(place),
+        form::Number::of(number, self.0)
     }
 }
 

@@ -8,17 +8,32 @@ use subcert::claim::read_paper_file;
 use subcert_check::{Outcome, check};
 
 /// The papers with claims about smoothness, and the claims of each that no certificate carries.
-const PAPERS: [(&str, &[&str]); 9] = [
+const PAPERS: [(&str, &[&str]); 21] = [
+    ("cohen1992", &[]),
+    ("deboor1987", &[]),
+    ("dong2007", &[]),
+    ("dubuc1986", &["dubuc1986:exponent"]),
     ("dyn1987", &[]),
     ("dyn1991", &[]),
     ("dyn2005", &[]),
     ("hassan2002", &["hassan2002:only"]),
     ("hassan2003", &[]),
     ("hechler2009", &["hechler2009:sharp"]),
+    ("hormann2008", &[]),
     ("ko2007", &[]),
     ("lane1980", &[]),
+    ("loop1987", &[]),
+    ("mustafa2009", &[]),
+    ("peters1998", &[]),
     ("rioul1992", &["rioul1992:four-points"]),
+    ("rossignac2008", &["rossignac2008:tangent", "rossignac2008:third"]),
+    ("siddiqi2007", &[]),
+    ("siddiqi2013", &[]),
+    ("warren1995", &[]),
 ];
+
+/// The papers about surfaces at all valences, whose certificates cite a theorem.
+const ALL_VALENCES: [&str; 3] = ["loop1987", "peters1998", "warren1995"];
 
 #[test]
 fn the_claims_of_the_papers_hold_and_are_certified() {
@@ -42,8 +57,14 @@ fn the_claims_of_the_papers_hold_and_are_certified() {
         assert!(report.broken.is_empty(), "{:?}", report.broken);
         for (_, id, outcome) in &report.claims {
             let without = omitted.contains(&&format!("{key}:{id}")[..]);
-            let expected = if without { Outcome::Incomplete(None) } else { Outcome::Valid };
-            assert_eq!(*outcome, expected, "{key}:{id}");
+            let by_theorem = ALL_VALENCES.contains(&key);
+            let accepted = match outcome {
+                Outcome::Incomplete(None) => without,
+                Outcome::Cited(_) => by_theorem,
+                Outcome::Valid => !without && !by_theorem,
+                _ => false,
+            };
+            assert!(accepted, "{key}:{id}: {outcome:?}");
         }
     }
 }

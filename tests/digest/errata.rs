@@ -3,11 +3,12 @@
 use crate::common::claims::{judged, paper};
 use crate::common::papers::AUDITS;
 use subcert::audit::{
-    AsRead, Cause, CellFinding, CellGroup, CellSummary, Erratum, Standing, Subject, Verdict,
+    AsRead, Beyond, Cause, CellFinding, CellGroup, CellSummary, Erratum, Harm, Standing, Subject,
+    Verdict,
 };
 use subcert::claim::Cell;
-use subcert::exact::{RealCyclotomic, parse_decimal};
-use subcert::report::errata_sheet;
+use subcert::exact::{Rational, RealCyclotomic, parse_decimal};
+use subcert::report::{differences_sheet, errata_sheet};
 
 /// The causes of a standing, with their numbers of cells.
 fn causes(summary: &CellSummary, standing: Standing) -> Vec<(String, usize)> {
@@ -178,4 +179,90 @@ fn nothing_wrong_is_left_out() {
             assert!(errata.errata.iter().any(|erratum| erratum.id() == claim.id), "{}", claim.id);
         }
     }
+}
+
+/// One claim for each harm, from the least to the worst: the page has them the other way round.
+const HARMS: &str = "[[smoothness]]\nid = 'c'\nlocus = 'C'\nscheme = 'b-spline:degree=3'\ncontinuous = '1'\n\
+     [[smoothness]]\nid = 'r'\nlocus = 'R'\nscheme = 'chaikin'\ncontinuous = '2'\n\
+     [[table]]\nid = 'n'\nlocus = 'N'\nvalue = 'x/3'\ncolumns = { name = 'x', values = ['1'] }\ncells = [['0.7']]\n\
+     [[table]]\nid = 'b'\nlocus = 'B'\nscheme = 'chaikin'\nvalue = 'levels(1/2, epsilon/beta, rounded = up)'\n\
+     given = { beta = '1' }\npromise = { tolerance = 'epsilon', spread = 'beta' }\n\
+     columns = { name = 'epsilon', values = ['1/1000'] }\ncells = [['2']]\n\
+     [[equation]]\nid = 'e'\nlocus = 'E'\nleft = ['1']\nright = '2'\n\
+     [[range]]\nid = 'small'\nlocus = 'S'\nvariable = 'w'\nscheme = 'four-point:w=w'\nvalue = 'contraction(1)'\n\
+     below = '1'\nfrom = '-0.125'\nto = '0.125'\n\
+     [[range]]\nid = 'large'\nlocus = 'L'\nvariable = 'w'\nscheme = 'four-point:w=w'\nvalue = 'contraction(1)'\n\
+     below = '1'\nfrom = '-0.5'\nto = '0.5'\n";
+
+#[test]
+fn differences_stand_by_their_harm() {
+    let of_all = paper(HARMS);
+    let audit = judged(&of_all);
+    let errata = audit.errata();
+    let harms: Vec<(&str, Harm)> = errata.errata.iter().map(|one| (one.id(), one.harm())).collect();
+    assert_eq!(
+        harms,
+        [
+            ("n", Harm::Number),
+            ("b", Harm::Broken),
+            ("e", Harm::Formula),
+            ("small", Harm::NotSharp),
+            ("large", Harm::Broken),
+            ("r", Harm::Refuted),
+        ]
+    );
+    let page = differences_sheet(std::slice::from_ref(&audit)).to_markdown();
+    let at = |text: &str| page.find(text).unwrap_or_else(|| panic!("no {text} in {page}"));
+    let order =
+        ["7 differences in 1 of 1", "k:r", "k:b", "k:large", "k:e", "k:n", "k:small", "k:c"];
+    let places: Vec<usize> = order.iter().map(|text| at(text)).collect();
+    assert!(places.is_sorted(), "{page}");
+    // A number as printed and exactly, with the sound level of a broken promise.
+    assert!(
+        page.contains("| 0.7 | 0.3 |") && page.contains("| 2 | 10 by definition; sound: "),
+        "{page}"
+    );
+    // Nothing differs in no paper, and in one without claims.
+    assert!(differences_sheet(&[]).to_markdown().contains("0 differences in 0 of 0 papers"));
+    let empty = paper("");
+    let page = differences_sheet(&[judged(&empty)]).to_markdown();
+    assert!(
+        page.contains("0 differences in 0 of 1") && page.contains("Papers without a difference")
+    );
+}
+
+#[test]
+fn what_is_true_beyond_a_claim() {
+    let range = |id: &str, scheme: &str, m: u32, from: &str, to: &str| {
+        format!(
+            "[[range]]\nid = '{id}'\nlocus = ''\nvariable = 'w'\nscheme = '{scheme}=w'\nsmoothness = '{m}'\n\
+             from = '{from}'\nto = '{to}'\n"
+        )
+    };
+    let exponent = |id: &str, said: &str| {
+        format!("[[exponent]]\nid = '{id}'\nlocus = ''\nscheme = 'chaikin'\n{said}\n")
+    };
+    let claims = [
+        range("wider", "four-point:w", 1, "0", "1/8"),
+        range("sharp", "ternary-four-point:mu", 2, "1/15", "1/9"),
+        range("rounded", "four-point:w", 1, "0", "0.1927"),
+        exponent("above", "at_least = '3/2'"),
+        exponent("equal", "at_least = '2'"),
+        exponent("below", "at_most = '5/2'"),
+        exponent("between", "at_least = '3/2'\nat_most = '5/2'"),
+        exponent("wrong", "at_least = '5/2'"),
+        "[[smoothness]]\nid = 'less'\nlocus = ''\nscheme = 'chaikin'\ncontinuous = '0'\n"
+            .to_owned(),
+        "[[smoothness]]\nid = 'most'\nlocus = ''\nscheme = 'chaikin'\ncontinuous = '1'\n"
+            .to_owned(),
+    ];
+    let paper = paper(&claims.concat());
+    let audit = judged(&paper);
+    let more = audit.not_sharp();
+    let ids: Vec<&str> = more.iter().map(|one| &one.finding.claim.id[..]).collect();
+    assert_eq!(ids, ["less", "above", "below", "wider"]);
+    assert_eq!(more[0].beyond, Beyond::Continuous(1));
+    let Beyond::Range(set) = &more[3].beyond else { panic!("a range") };
+    let inside = |p, q| set.contains(&Rational::new(p, q));
+    assert_eq!([inside(3, 20), inside(1, 16), inside(1, 5)], [true, false, false]);
 }

@@ -4,8 +4,8 @@ use crate::common::{mask, r};
 use proptest::prelude::*;
 use subcert::exact::Rational;
 use subcert::facts::{
-    CurveFacts, Kind, SchemeFacts, VALENCES, atlas_references, centre, is_interpolating, kind,
-    parameter_facts, points,
+    CurveFacts, FamilyFacts, Kind, SchemeFacts, VALENCES, atlas_references, centre,
+    is_interpolating, kind, parameter_facts, points,
 };
 use subcert::limit::natural_shift;
 use subcert::scheme::{Mask, Scheme, parse_any_scheme, parse_scheme};
@@ -39,6 +39,45 @@ fn limits() {
     assert_eq!((shift, weights), (r(-1, 2), vec![(-1, r(1, 8)), (0, r(3, 4)), (1, r(1, 8))]));
 }
 
+/// B-splines of degree d generate degree d and reproduce lines; Deslauriers and Dubuc's reproduce all that they
+/// generate, and the dual four-point scheme cubics of the quartics that it generates.
+#[test]
+fn generated_and_reproduced() {
+    for (name, generated, reproduced) in [
+        ("chaikin", 2, 1),
+        ("b-spline:degree=5", 5, 1),
+        ("dubuc-deslauriers:m=3", 5, 5),
+        ("dual-four-point:w=1/128", 4, 3),
+        ("corner-cutting:w=1/5", 0, 0),
+    ] {
+        let facts = CurveFacts::of_rational(&mask(name));
+        assert_eq!((facts.sum_rules - 1, facts.reproduction), (generated, reproduced), "{name}");
+    }
+}
+
+/// Chaikin's points are 1/8 of a second difference from the limit, which falls by 4: 4^{-k}/4 for differences up to 1. At
+/// i/2^k they are half a difference off, 2^{-k}/2. The cubic spline's are 1/6 of a second difference, 4^{-k}/3, from it.
+#[test]
+fn depths_of_splines() {
+    let least = |base: f64, start: f64| (start * 100.0).log(base).ceil();
+    for (name, indexed, natural) in [
+        ("chaikin", least(2.0, 0.5), least(4.0, 0.25)),
+        ("b-spline:degree=3", least(4.0, 1.0 / 3.0), least(4.0, 1.0 / 3.0)),
+    ] {
+        let depths = CurveFacts::of_rational(&mask(name)).depths;
+        let found = [depths.indexed, depths.natural].map(|depth| depth.expect("a depth").upper);
+        assert_eq!(found.map(f64::from), [indexed, natural], "{name}");
+    }
+}
+
+/// A new point against the linear interpolant: w of one difference less w of another, and a quarter of one.
+#[test]
+fn displacements() {
+    let found = |name: &str| CurveFacts::of_rational(&mask(name)).displacement;
+    assert_eq!(found("four-point:w=1/16"), r(1, 8));
+    assert_eq!(found("chaikin"), r(1, 4));
+}
+
 /// Deslauriers and Dubuc's schemes reproduce as they generate; divergence and irrational numbers leave facts open.
 #[test]
 fn open_facts() {
@@ -66,6 +105,36 @@ fn ranges() {
     assert!(ranges[0].inside.contains(&r(1, 5)) && ranges[1].inside.contains(&r(1, 10)));
     assert!(ranges[0].outside.contains(&r(3, 4)) && ranges[1].outside.contains(&r(-1, 100)));
     assert!(parameter_facts("four-point", "v").is_err());
+}
+
+/// Families of weights at a vertex: Loop's own weight is inside at each valence, and at 6 the ends are known, where
+/// 5/8 − 6β is −1/2 and 1/2.
+#[test]
+fn families_of_weights() {
+    let family = FamilyFacts::of("loop-weight:beta=1/16").expect("a family");
+    assert_eq!(family.parameter, "beta");
+    let valences: Vec<usize> = family.ranges.iter().filter_map(|one| one.valence).collect();
+    assert_eq!(valences, VALENCES.collect::<Vec<usize>>());
+    for one in &family.ranges {
+        let n = one.valence.expect("a valence");
+        // Loop's weights, rounded: 3/16 at 3, 31/256 at 4, and 3/(8n) of Warren from 6 on.
+        let beta = match n {
+            3 => r(3, 16),
+            4 => r(31, 256),
+            5 => r(21, 250),
+            n => Rational::new(3, 8 * i64::try_from(n).expect("small")),
+        };
+        assert!(one.m == 1 && one.inside.contains(&beta), "n = {n}");
+        assert!(!one.outside.contains(&beta), "n = {n}");
+    }
+    let [six] = &FamilyFacts::of("loop-weight:N=6,beta=1/16").expect("a family").ranges[..] else {
+        panic!("one valence");
+    };
+    assert_eq!(six.inside.describe("b"), "1/48 < b < 3/16");
+    // Two weights, none, and rules whose regular part is not known.
+    for name in ["ball-storry:N=5,beta=3/10,gamma=1/20", "loop", "sqrt3-weight:N=6,alpha=1/3"] {
+        assert!(FamilyFacts::of(name).is_none(), "{name}");
+    }
 }
 
 #[test]

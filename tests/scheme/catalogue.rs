@@ -2,7 +2,7 @@
 
 use crate::common::{int, mask, r};
 use std::collections::BTreeMap;
-use subcert::exact::{Integer, Polynomial, Rational, Scalar};
+use subcert::exact::{FieldElement, Integer, Polynomial, Rational, Scalar};
 use subcert::formula::{Parameters, evaluate, parse};
 use subcert::scheme::{
     AnyScheme, Mask, MaskError, RulesError, catalogue, find, lagrange_mask, parse_algebraic,
@@ -180,5 +180,29 @@ fn b_splines() {
         let places: Vec<i64> = symbol.keys().copied().collect();
         assert!(places.windows(2).all(|pair| pair[1] == pair[0] + 1), "{places:?}");
         assert_eq!(symbol.into_values().collect::<Vec<_>>(), pascal);
+    }
+}
+
+/// The integer translates of an orthonormal scaling function are so if Σ a_s a_{s+2k} is 2 for k = 0 and 0 for all
+/// other k (Daubechies 1988): in the field of the coefficients, exactly.
+#[test]
+fn orthonormal_filters() {
+    for name in ["haar", "daubechies-4", "daubechies-6", "daubechies-8", "coiflet-6"] {
+        let mask = parse_algebraic(name).unwrap();
+        let mut coefficients = BTreeMap::new();
+        for (alpha, row) in (0_i64..).zip(mask.rules().rows()) {
+            for (r, a) in (0_i64..).zip(row) {
+                coefficients.insert(alpha - 2 * r, a.clone());
+            }
+        }
+        for k in 0..mask.width() {
+            let shift = 2 * i64::try_from(k).unwrap();
+            let products: Vec<FieldElement> = coefficients
+                .iter()
+                .filter_map(|(s, a)| Some(a.times(coefficients.get(&(s + shift))?)))
+                .collect();
+            let expected = FieldElement::from_rational(&Rational::from(if k == 0 { 2 } else { 0 }));
+            assert!(FieldElement::total(&products) == expected, "{name}, k = {k}");
+        }
     }
 }

@@ -53,7 +53,7 @@ fn derivatives_of_splines_are_truncated_powers() {
             let t = Rational::from(j) / &steps - &start;
             let term = |i: u32| {
                 let base = &t - Rational::from(i64::from(i));
-                let sign = if i % 2 == 0 { 1 } else { -1 };
+                let sign = if i.is_multiple_of(2) { 1 } else { -1 };
                 let choose = factorial(degree + 1) / (factorial(i) * factorial(degree + 1 - i));
                 if base.sign() <= 0 {
                     Rational::zero()

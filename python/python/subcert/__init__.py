@@ -2,9 +2,11 @@
 
 >>> from fractions import Fraction
 >>> import subcert
->>> scheme = subcert.Scheme("six-point", w=Fraction(3, 256))
->>> scheme.contraction(1)
+>>> six = subcert.Scheme("six-point", w=Fraction(3, 256))
+>>> six.contraction(1)
 Fraction(89, 128)
+>>> subcert.scheme("six-point", w=Fraction(3, 256)).curve["continuity"]
+2
 """
 
 from . import _native
@@ -20,6 +22,7 @@ from ._analysis import (
 )
 from ._audit import Audit, Finding, audit, papers
 from ._errors import SubcertError
+from ._facts import Facts, scheme
 from ._geometry import LimitPoint, MeshDepth
 from ._mesh import RefinedMesh, limit_points, mesh_depth, refine_mesh
 from ._net import limit_net, net_depth, refine_net
@@ -37,6 +40,7 @@ __all__ = [
     "Depth",
     "Eigenvalue",
     "Exponent",
+    "Facts",
     "Finding",
     "Interval",
     "JointRadius",
@@ -64,6 +68,7 @@ __all__ = [
     "refine_mesh",
     "refine_net",
     "refine_solid",
+    "scheme",
     "schemes",
     "solid_depth",
     "solid_limit_points",

@@ -4,8 +4,9 @@ mod chosen;
 mod jobs;
 
 pub use crate::digest::{
-    Cause, CellErratum, CellGroup, CellOutcome, CellSummary, ClaimVerdict, Consequences, Coverage,
-    CoverageState, Errata, Erratum, HowRead, KernelCounts, Share, Standing, Subject, Unchecked,
+    Beyond, Cause, CellErratum, CellGroup, CellOutcome, CellSummary, ClaimVerdict, Consequences,
+    Coverage, CoverageState, Errata, Erratum, Harm, HowRead, KernelCounts, NotSharp, Share,
+    Standing, Subject, Unchecked,
 };
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{

@@ -95,11 +95,15 @@ pub struct Bibliography {
 }
 
 impl Bibliography {
-    /// The authors' family names and the year: `Khan, Omar, Mustafa 2019`. Without authors, title and year.
+    /// The authors' family names and the year: `Khan, Omar, Mustafa 2019`. Without authors, title and year. A family
+    /// name is the last word, with the words of small letters before it: `de Boor`.
     #[must_use]
     pub fn short(&self) -> String {
         let family = |author: &String| {
-            author.rsplit_once(' ').map_or(author.as_str(), |(_, family)| family).to_owned()
+            let words: Vec<&str> = author.split(' ').collect();
+            let small = |word: &&&str| word.starts_with(char::is_lowercase);
+            let before = words.iter().rev().skip(1).take_while(small).count();
+            words[words.len().saturating_sub(1 + before)..].join(" ")
         };
         if self.authors.is_empty() {
             return format!("{} ({})", self.title, self.year);

@@ -2,10 +2,10 @@
 
 use super::regularity::RegularityCell;
 use super::table::LocatedReference;
-use crate::exact::{Decimal, LogSum, RealAlgebraic};
+use crate::exact::{Decimal, Interval, IntervalSet, LogSum, Rational, RealAlgebraic};
 use crate::formula::LocatedFormula;
 use std::collections::BTreeMap;
-use std::ops::Range;
+use std::ops::{Bound, Range};
 
 /// A claim about the limits of a scheme: of curves, or at a vertex or on a face.
 #[derive(Clone, Debug, PartialEq)]
@@ -156,6 +156,37 @@ pub struct SmoothRangeStatement {
     pub only: bool,
     /// Of rules around a vertex or on a face: the valences of which it speaks.
     pub valences: Option<PrintedValences>,
+}
+
+/// The digits that an end needs to be called rounded.
+const MIN_DIGITS: usize = 2;
+
+impl SmoothRangeStatement {
+    /// The printed range, with so many units of the last digit more at each rounded end: at decimals of two digits
+    /// and more. Without a number in it, it is empty.
+    #[must_use]
+    pub fn interval(&self, units: i64) -> IntervalSet {
+        let end = |end: &Option<RangeEnd>, outwards: i64| {
+            let Some(end) = end else { return Bound::Unbounded };
+            let place = match &end.decimal {
+                Some(decimal) if units != 0 && decimal.significant_digits() >= MIN_DIGITS => {
+                    let more = decimal.unit() * Rational::from(units * outwards);
+                    RealAlgebraic::from(decimal.value() + more)
+                }
+                _ => end.value.clone(),
+            };
+            if self.closed { Bound::Included(place) } else { Bound::Excluded(place) }
+        };
+        let (low, high) = (end(&self.from, -1), end(&self.to, 1));
+        let ordered = match (&low, &high) {
+            (
+                Bound::Included(low) | Bound::Excluded(low),
+                Bound::Included(high) | Bound::Excluded(high),
+            ) => low < high,
+            _ => true,
+        };
+        if ordered { IntervalSet::from(Interval { low, high }) } else { IntervalSet::default() }
+    }
 }
 
 /// An end of a printed interval.

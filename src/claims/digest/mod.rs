@@ -14,6 +14,8 @@ mod summary;
 pub use cause::{Cause, HowRead};
 pub use claims::ClaimVerdict;
 pub use coverage::{Coverage, CoverageState};
-pub use errata::{CellErratum, Consequences, Errata, Erratum, Subject, Unchecked};
+pub use errata::{
+    Beyond, CellErratum, Consequences, Errata, Erratum, Harm, NotSharp, Subject, Unchecked,
+};
 pub use kernel::{KernelCounts, Share};
 pub use summary::{CellGroup, CellOutcome, CellSummary, Standing};

@@ -70,6 +70,9 @@ pub(in crate::cli) struct ErrataArguments {
     /// Only the paper of this key
     #[arg(long, value_name = "KEY")]
     pub(in crate::cli) paper: Option<String>,
+    /// All papers together: where they and the exact values differ, the worst first
+    #[arg(long, conflicts_with = "output_folder")]
+    pub(in crate::cli) together: bool,
     /// Write one file for each paper into this folder, named by its key
     #[arg(short = 'o', long = "output", alias = "output-folder", value_name = "DIR")]
     pub(in crate::cli) output_folder: Option<PathBuf>,

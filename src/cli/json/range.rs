@@ -1,7 +1,7 @@
 //! What `subcert range` writes.
 
 use serde::Serialize;
-use subcert::report::json::Exact;
+pub use subcert::report::json::{Interval, RootNumber as Number};
 
 /// Where in a parameter T_c < 1.
 #[derive(Serialize)]
@@ -29,29 +29,6 @@ pub struct Level {
     pub intervals: Vec<Interval>,
     /// T_c as a function of the parameter; null where it was not asked for.
     pub function: Option<Function>,
-}
-
-/// An open interval.
-#[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Interval {
-    /// Its lower end; null where it has none.
-    pub low: Option<Number>,
-    /// Its upper end; null where it has none.
-    pub high: Option<Number>,
-}
-
-/// A real algebraic number.
-#[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Number {
-    /// The value; its fields stand here.
-    #[serde(flatten)]
-    pub value: Exact,
-    /// A polynomial with this root: the minimal one, unless its text says that it may have factors.
-    pub minimal_polynomial: String,
-    /// The number is the only root between these two.
-    pub enclosure: [String; 2],
 }
 
 /// A piecewise polynomial function.

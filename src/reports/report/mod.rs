@@ -39,7 +39,7 @@ mod working;
 
 pub use audit::{audit_sheet, table_values};
 pub use coverage::coverage_sheet;
-pub use errata::errata_sheet;
+pub use errata::{differences_sheet, errata_sheet};
 pub use explain::{Background, explain_sheet, table_of};
 pub use latex_table::corrected_table;
 pub use overview::overview_sheet;

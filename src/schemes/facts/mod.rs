@@ -25,6 +25,6 @@ pub use distance::{Depths, LimitFacts};
 pub use drawing::{
     CurveDrawing, CurveShape, Drawing, FamilyDrawing, LEVELS, MAX_DERIVATIVES, SAMPLE,
 };
-pub use ranges::{ParameterFacts, parameter_facts};
+pub use ranges::{FamilyFacts, ParameterFacts, parameter_facts};
 pub use scheme::{SchemeFacts, VALENCES, ValenceFacts, atlas_references};
 pub use shape::{Kind, centre, is_interpolating, kind, points};

@@ -15,10 +15,20 @@ const QUICK: (u32, usize, usize) = (8, 40, 400);
 /// The most work of a hull there.
 const QUICK_WORK: u64 = 60_000_000;
 
+/// How a hull for all matrices of an interval is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Closing {
+    /// The one that these matrices generate.
+    All,
+    /// The one that the matrices in the middle generate. It has fewer rows where the radius is nearly 1, and is
+    /// invariant under the others on short intervals.
+    Middle,
+}
+
 /// Whether the radius of a set is shown to be below 1, by a hull for a bound below 1. The hull is that of the
 /// cycle of a product that is large in `middle`, a set near the others.
 #[must_use]
-pub fn contracts(set: &MatrixSet, middle: &MatrixSet) -> bool {
+pub fn contracts(set: &MatrixSet, middle: &MatrixSet, closing: Closing) -> bool {
     let (factors, width, rows) = QUICK;
     let found = candidates(&floats(middle), factors, beam(middle, width));
     let Some(lower) = Lower::of(middle, &found) else {
@@ -29,10 +39,15 @@ pub fn contracts(set: &MatrixSet, middle: &MatrixSet) -> bool {
     if rate >= 1.0 - 1e-9 {
         return false;
     }
-    let excess = 0.95 * (1.0 / rate - 1.0);
     let seeds = lower.seeds(middle);
-    let unit = Rational::new(1, 16);
-    let hull = hull(set, &seeds, &unit, (rate, excess), (rows, QUICK_WORK));
+    // Shorter unit rows would leave longer chains of images outside.
+    let unit = Rational::one();
+    let (near, rate) = match closing {
+        Closing::All => (set, rate),
+        Closing::Middle => (middle, lower.rate),
+    };
+    let excess = 0.95 * (1.0 / rate - 1.0);
+    let hull = hull(set, near, &seeds, &unit, (rate, excess), (rows, QUICK_WORK));
     hull.is_some_and(|hull| hull.bound < Rational::one())
 }
 

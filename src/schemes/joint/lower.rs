@@ -158,7 +158,8 @@ impl<F: Entry> Lower<F> {
     /// The hull with the least bound that is found.
     pub(super) fn nearest_hull(&self, set: &MatrixSet<F>, unit: &Rational, exact: bool) -> Hull {
         let seeds = self.seeds(set);
-        let attempt = |excess| hull(set, &seeds, unit, (self.rate, excess), (MAX_ROWS, MAX_WORK));
+        let attempt =
+            |excess| hull(set, set, &seeds, unit, (self.rate, excess), (MAX_ROWS, MAX_WORK));
         if let Some(hull) = exact.then(|| attempt(FINE)).flatten() {
             return hull;
         }

@@ -35,7 +35,7 @@ mod verify;
 pub(crate) use elimination::null_rows;
 pub use entry::Entry;
 pub use hull::Hull;
-pub use interval::{contracts, expanding_product, expands};
+pub use interval::{Closing, contracts, expanding_product, expands};
 pub use matrix_set::{MAX_MATRICES, MAX_SIZE, MatrixSet, MatrixSetError};
 pub use product::{Eigenvalue, JordanBlock, Kind, jordan_block};
 pub use radius::{JointRadius, extremal_rate, joint_radius};

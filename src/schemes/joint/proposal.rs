@@ -10,10 +10,11 @@ use crate::float::{exact, nearest};
 
 /// A hull with a bound of about `rate`·(1 + `excess`), verified; `None` where the search meets its cap.
 ///
-/// It is closed under the matrices over `rate`·(1 + `excess`/2). The other half of the excess is room for
-/// rounding, and for the gauges of the images.
+/// It is closed under the matrices of `near` over `rate`·(1 + `excess`/2). The other half of the excess is room for
+/// rounding, for the gauges of the images, and for what the set differs from `near` by.
 pub(super) fn hull<F: Entry>(
     set: &MatrixSet<F>,
+    near: &MatrixSet<F>,
     seeds: &[Vec<f64>],
     unit: &Rational,
     (rate, excess): (f64, f64),
@@ -26,14 +27,14 @@ pub(super) fn hull<F: Entry>(
     let tau = nearest(unit);
     let unit_row = |i: usize| (0..size).map(|j| if i == j { tau } else { 0.0 }).collect();
     let all: Vec<Vec<f64>> = (0..size).map(unit_row).chain(seeds.iter().cloned()).collect();
-    let matrices = floats(set);
-    let enlarged: Vec<Rows> =
-        matrices.iter().map(|m| scaled(m.clone(), (1.0 + excess / 2.0) / target)).collect();
+    let enlarge = |m: Rows| scaled(m, (1.0 + excess / 2.0) / target);
+    let enlarged: Vec<Rows> = floats(near).into_iter().map(enlarge).collect();
     let closure = close(&enlarged, all, &[], SearchCaps { rows, slack: 0.0, work })?;
     let round = |row: &Vec<f64>| row.iter().map(|x| on_grid(*x, bits)).collect::<Option<Vec<_>>>();
     let rows = closure.rows[size..].iter().map(round).collect::<Option<Vec<Vec<Rational>>>>()?;
     let near = rows.iter().map(|row| row.iter().map(nearest).collect::<Vec<f64>>());
     let all: Vec<Vec<f64>> = (0..size).map(unit_row).chain(near).collect();
+    let matrices = floats(set);
     let mut absolute = AbsoluteHull::new(all.clone())?;
     let mut image = |row: &Vec<f64>, matrix: &Rows| -> Option<Vec<(usize, Rational)>> {
         let gauge = absolute.gauge(&row_times(row, matrix), target * (1.0 - excess / 4.0));

@@ -4,7 +4,7 @@ use super::parametric::{ParametricSymbol, PolynomialMatrix};
 use super::search::{Search, outer_ends};
 use crate::bound::{ParameterRange, RangeError};
 use crate::exact::{Interval, IntervalSet, Rational, RationalPolynomial};
-use crate::joint::MatrixSetError;
+use crate::joint::{Closing, MatrixSetError};
 use crate::scheme::Rules;
 use std::ops::Bound;
 
@@ -117,7 +117,7 @@ impl SmoothRange {
     ) -> Result<(), MatrixSetError> {
         self.search.refresh();
         for (low, high) in values.intervals().iter().filter_map(outer_ends) {
-            self.search.divide((low, high), &self.inside, width)?;
+            self.search.divide((low, high), &self.inside, (width, Closing::All))?;
         }
         self.take();
         Ok(())

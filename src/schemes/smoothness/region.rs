@@ -3,7 +3,7 @@
 use super::excluded::excluding;
 use super::parametric::multiplied;
 use crate::exact::{BivariatePolynomial, Rational, characteristic_coefficients};
-use crate::joint::{MatrixSet, MatrixSetError, contracts, expanding_product};
+use crate::joint::{Closing, MatrixSet, MatrixSetError, contracts, expanding_product};
 
 /// A box of parameters: \[low, high\] of the first and of the second.
 pub type Sides = [[Rational; 2]; 2];
@@ -99,7 +99,7 @@ impl Search {
             }
             return Ok(self.excluded(sides, middle).map_or(Certain::Open, Certain::Outside));
         }
-        let inside = contracts(&self.corners(sides)?, &at_middle);
+        let inside = contracts(&self.corners(sides)?, &at_middle, Closing::All);
         Ok(if inside { Certain::Inside } else { Certain::Open })
     }
 

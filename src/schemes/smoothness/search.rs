@@ -5,12 +5,18 @@ use super::parametric::{PolynomialMatrix, bernstein, multiplied};
 use crate::exact::{
     Enclosed as _, Interval, IntervalSet, Rational, RationalPolynomial, RealAlgebraic,
 };
-use crate::joint::{MatrixSet, MatrixSetError, contracts, expanding_product};
+use crate::joint::{Closing, MatrixSet, MatrixSetError, contracts, expanding_product};
 use std::collections::BTreeSet;
 use std::ops::Bound;
 
-/// A gap beside an interval inside is narrow enough at this part of the length of that interval.
+/// A gap beside an interval inside is narrow enough at this part of the length of that interval …
 const NARROW: (i64, i64) = (1, 16_384);
+
+/// … and at this one where only hulls of matrices in the middle make it narrower, which take many short intervals.
+const RATHER_NARROW: (i64, i64) = (1, 2_048);
+
+/// As many intervals as such a hull counts for.
+const DEAR: usize = 15;
 
 /// A gap is divided into pieces of this part of its length at least, before it is looked at anew.
 const PART: i64 = 8;
@@ -97,25 +103,37 @@ impl Search {
         let low = Rational::from((ends.iter().min().unwrap_or(&zero) - &one).floor());
         let high = Rational::from((ends.iter().max().unwrap_or(&zero) + &one).ceil());
         let width = (&high - &low) / Rational::from(FIRST_PART);
-        self.divide((low, high), known, &width)?;
+        self.divide((low, high), known, (&width, Closing::All))?;
+        self.narrow(known, NARROW, Closing::All)?;
+        self.narrow(known, RATHER_NARROW, Closing::Middle)
+    }
+
+    /// Divides the gaps that are wider than this part of an interval inside beside them, as long as they become
+    /// narrower.
+    fn narrow(
+        &mut self,
+        known: &IntervalSet,
+        part: (i64, i64),
+        closing: Closing,
+    ) -> Result<(), MatrixSetError> {
         // A gap that a round has left as it was is not looked at again.
         let mut before = Vec::new();
         loop {
-            let gaps = self.wide_gaps(known);
+            let gaps = self.wide_gaps(known, part);
             let mut open = gaps.iter().filter(|gap| !before.contains(*gap)).peekable();
-            if open.peek().is_none() || self.pieces == MAX_PIECES {
+            if open.peek().is_none() || self.pieces >= MAX_PIECES {
                 return Ok(());
             }
             for (a, b) in open {
                 let width = (b - a) / Rational::from(PART);
-                self.divide((a.clone(), b.clone()), known, &width)?;
+                self.divide((a.clone(), b.clone()), known, (&width, closing))?;
             }
             before = gaps;
         }
     }
 
     /// The bounded gaps, with rational ends a little outside, but those that are narrow beside an interval inside.
-    fn wide_gaps(&self, known: &IntervalSet) -> Vec<(Rational, Rational)> {
+    fn wide_gaps(&self, known: &IntervalSet, (part, of): (i64, i64)) -> Vec<(Rational, Rational)> {
         let inside = self.inside.union(known);
         let gaps = IntervalSet::everything().without(&inside).without(&self.outside);
         let lengths = inside.intervals().iter().filter_map(|interval| {
@@ -126,7 +144,7 @@ impl Search {
         let is_narrow = |(a, b): &(Rational, Rational)| {
             let beside = lengths.iter().filter(|(_, low, high)| low <= b && a <= high);
             let length = beside.map(|(length, ..)| length).min();
-            length.is_some_and(|length| (b - a) <= length * Rational::new(NARROW.0, NARROW.1))
+            length.is_some_and(|length| (b - a) <= length * Rational::new(part, of))
         };
         let ends = gaps.intervals().iter().filter_map(outer_ends);
         ends.filter(|gap| !is_narrow(gap)).map(rounded).collect()
@@ -137,16 +155,18 @@ impl Search {
         &mut self,
         interval: (Rational, Rational),
         known: &IntervalSet,
-        width: &Rational,
+        (width, closing): (&Rational, Closing),
     ) -> Result<(), MatrixSetError> {
         let mut waiting = vec![interval];
         while let Some((a, b)) = waiting.pop() {
             let piece = closed(&a, &b);
-            if self.outside.covers(&piece) || known.covers(&piece) || self.pieces == MAX_PIECES {
+            if self.outside.covers(&piece) || known.covers(&piece) || self.pieces >= MAX_PIECES {
                 continue;
             }
-            self.pieces += 1;
-            if self.is_inside(&a, &b)? {
+            // Hulls of matrices in the middle are invariant on intervals only that are short against the gap.
+            let tried = closing == Closing::All || &b - &a <= width * Rational::from(2);
+            self.pieces += if closing == Closing::Middle && tried { DEAR } else { 1 };
+            if tried && self.is_inside(&a, &b, closing)? {
                 self.inside = self.inside.union(&IntervalSet::from(piece));
                 continue;
             }
@@ -190,14 +210,19 @@ impl Search {
     }
 
     /// Whether the radius is below 1 on the whole interval.
-    fn is_inside(&self, a: &Rational, b: &Rational) -> Result<bool, MatrixSetError> {
+    fn is_inside(
+        &self,
+        a: &Rational,
+        b: &Rational,
+        closing: Closing,
+    ) -> Result<bool, MatrixSetError> {
         let middle = (a + b) / Rational::from(2);
         if self.outside.contains(a) || self.outside.contains(b) || self.outside.contains(&middle) {
             return Ok(false);
         }
         let parts = self.matrices.iter().flat_map(|matrix| bernstein(matrix, self.degree, (a, b)));
         let set = MatrixSet::new(parts.collect())?;
-        Ok(contracts(&set, &self.set_at(&middle)?))
+        Ok(contracts(&set, &self.set_at(&middle)?, closing))
     }
 }
 

@@ -2,7 +2,11 @@
 //! checked.
 
 mod consequence;
+mod harm;
+mod sharp;
 pub use consequence::Consequences;
+pub use harm::Harm;
+pub use sharp::{Beyond, NotSharp};
 
 use crate::claim::{Printed, Promise};
 use crate::digest::cause::Cause;

@@ -1,6 +1,6 @@
 //! Judging the values of a parameter for which the limits are said to be C^m.
 
-use super::trial::{Judged, Sides, Trial, printed};
+use super::trial::{Judged, Sides, Trial};
 use super::{is_continuous, limits, no_valences, vertex_range};
 use crate::bound::{Order, norm_function};
 use crate::claim::SmoothRangeStatement;
@@ -44,7 +44,7 @@ pub(super) fn judge(
         outside: sets.outside.clone(),
         but_finitely_many: sets.but_finitely_many,
     };
-    let printed = printed(statement, 0);
+    let printed = statement.interval(0);
     let mut trial = Trial { statement, sides: sets.as_ref().map(sides), at: &at };
     let mut sets = sets;
     if let Some(sets) = &mut sets

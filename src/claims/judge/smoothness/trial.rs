@@ -1,16 +1,12 @@
 //! Comparing a printed range with the sets where limits are C^m, and where not.
 
-use crate::claim::{RangeEnd, SmoothRangeStatement};
+use crate::claim::SmoothRangeStatement;
 use crate::diagnostic::Diagnostic;
-use crate::exact::{Interval, IntervalSet, Rational, RealAlgebraic};
+use crate::exact::{Interval, IntervalSet, Rational};
 use crate::finding::SmoothnessVerdict;
-use std::ops::Bound;
 
 /// The greatest denominator of the simple values that are tried.
 const MAX_DENOMINATOR: i64 = 1_000;
-
-/// The digits that an end needs to be called rounded.
-const MIN_DIGITS: usize = 2;
 
 /// Where the limits are C^m, and where not.
 pub(super) struct Sides {
@@ -54,42 +50,17 @@ fn simple(interval: &Interval) -> Option<Rational> {
     near.or(Some(any))
 }
 
-/// The printed range, with so many units of the last digit more at each rounded end.
-pub(super) fn printed(statement: &SmoothRangeStatement, units: i64) -> IntervalSet {
-    let SmoothRangeStatement { from, to, closed, .. } = statement;
-    let end = |end: &Option<RangeEnd>, outwards: i64| {
-        let Some(end) = end else { return Bound::Unbounded };
-        let place = match &end.decimal {
-            Some(decimal) if units != 0 && decimal.significant_digits() >= MIN_DIGITS => {
-                let more = decimal.unit() * Rational::from(units * outwards);
-                RealAlgebraic::from(decimal.value() + more)
-            }
-            _ => end.value.clone(),
-        };
-        if *closed { Bound::Included(place) } else { Bound::Excluded(place) }
-    };
-    let (low, high) = (end(from, -1), end(to, 1));
-    let ordered = match (&low, &high) {
-        (
-            Bound::Included(low) | Bound::Excluded(low),
-            Bound::Included(high) | Bound::Excluded(high),
-        ) => low < high,
-        _ => true,
-    };
-    if ordered { IntervalSet::from(Interval { low, high }) } else { IntervalSet::default() }
-}
-
 impl<W> Trial<'_, W> {
     /// Judges the range.
     pub(super) fn judged(&self) -> Result<Judged<W>, Diagnostic> {
-        let whole = printed(self.statement, 0);
+        let whole = self.statement.interval(0);
         let undecided = self.undecided(&whole, &whole);
         let right = self.witness(&whole, &whole)?.is_none() && !self.excludes(&whole);
         let (witness, verdict) = if right && undecided.is_empty() {
             (None, SmoothnessVerdict::Confirmed)
         } else {
             // The range without the last unit of its rounded ends, and with one unit more.
-            let (less, more) = (printed(self.statement, -1), printed(self.statement, 1));
+            let (less, more) = (self.statement.interval(-1), self.statement.interval(1));
             match self.witness(&less, &more)? {
                 Some(witness) => (Some(witness), SmoothnessVerdict::Refuted),
                 None if self.excludes(&less) => (None, SmoothnessVerdict::Refuted),

@@ -85,7 +85,8 @@ pub(super) fn grid(cells: &CellErratum<'_, '_>) -> Grid {
     })
 }
 
-fn sound(cell: &CellFinding) -> String {
+/// The level or bound that keeps the promise.
+pub(super) fn sound(cell: &CellFinding) -> String {
     match &cell.sound {
         Some(Sound::Depth { level, .. } | Sound::Least(level)) => level.to_string(),
         Some(Sound::Bound(bound)) => short(bound, 6),

@@ -2,6 +2,9 @@
 
 pub(super) mod cells;
 mod claims;
+mod differences;
+
+pub use differences::differences_sheet;
 
 use super::parts::mark;
 use super::sheet::{Block, Grid, Sheet};

@@ -29,6 +29,8 @@ pub struct PaperErrata<'a> {
     pub note: Option<&'a str>,
     /// What is wrong.
     pub errata: Vec<Erratum<'a>>,
+    /// The claims about smoothness that are true, where more is true.
+    pub not_sharp: Vec<Claim<'a>>,
     /// The parameters that the paper does not state and that its numbers determine, by tables.
     pub recovered: Vec<OfTable<'a>>,
     /// The cells that could not be checked.
@@ -65,6 +67,8 @@ pub struct Erratum<'a> {
     pub locus: &'a str,
     /// The verdict.
     pub verdict: &'static str,
+    /// What it may do to those who rely on it: `refuted`, `broken`, `unshown`, `formula`, `number` or `not-sharp`.
+    pub harm: &'static str,
     /// The claim, or the cells of the table.
     pub detail: Detail<'a>,
     /// What follows from it.
@@ -165,10 +169,12 @@ impl<'a> PaperErrata<'a> {
     fn of(errata: Errata<'a, 'a>) -> PaperErrata<'a> {
         let audit = errata.audit;
         let numbered = (1..).zip(errata.errata);
+        let not_sharp = audit.not_sharp().into_iter();
         PaperErrata {
             key: &audit.paper.key,
             note: audit.paper.bibliography.note.as_deref(),
             errata: numbered.map(|(number, one)| Erratum::of(audit, number, one)).collect(),
+            not_sharp: not_sharp.map(|one| Claim::of_smoothness(one.finding)).collect(),
             recovered: errata.recovered.iter().map(|finding| OfTable::of(finding)).collect(),
             unchecked: errata.unchecked.iter().map(Unchecked::of).collect(),
             contradictions: Contradiction::all(audit),
@@ -184,6 +190,7 @@ impl<'a> Erratum<'a> {
         number: usize,
         erratum: audit::Erratum<'a, 'a>,
     ) -> Erratum<'a> {
+        let harm = erratum.harm().name();
         let audit::Erratum { subject, consequences } = erratum;
         let changes = Changes {
             any: consequences.any(),
@@ -201,6 +208,7 @@ impl<'a> Erratum<'a> {
             id: format!("{}:{}", audit.paper.key, subject.id()),
             locus: subject.locus(),
             verdict: subject.verdict(),
+            harm,
             detail: Detail::of(audit, subject),
             changes,
         }

@@ -1,13 +1,57 @@
 //! The facts of a scheme, as JSON.
 
+use super::SCHEMA;
 use super::exact::Exact;
+use super::sets::Interval;
 use super::smoothness::HoelderForm;
 use super::vertex::VertexForm;
 use crate::exact::Rational;
-use crate::facts::{CurveFacts, Kind, SchemeFacts, ValenceFacts};
+use crate::facts::{CurveFacts, FamilyFacts, Kind, ParameterFacts, SchemeFacts, ValenceFacts};
 use crate::limit::{Functional, TwoSidedDepth};
 use crate::smoothness::Coefficient;
 use serde::Serialize;
+
+/// What `subcert scheme` writes: the facts of one scheme.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Facts<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The facts; their fields stand here.
+    #[serde(flatten)]
+    pub found: &'a FactsForm,
+    /// Where in the parameter of its family the limits are C^m, m = 0, 1, …; of masks of the catalogue that are
+    /// polynomial in the only parameter, and C^1 of rules around a vertex or on a face with one weight.
+    pub ranges: Option<Ranges>,
+}
+
+/// Where in a parameter the limits are C^m.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Ranges {
+    /// The parameter.
+    pub parameter: String,
+    /// The sets for m = 0, 1, …, or for each valence.
+    pub orders: Vec<Order>,
+    /// Why there are no more.
+    pub end: String,
+}
+
+/// Where the limits are C^m. What is in neither set is open.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Order {
+    /// m.
+    pub smoothness: usize,
+    /// Of rules around a vertex or on a face, the valence; null of masks.
+    pub valence: Option<usize>,
+    /// There they are.
+    pub inside: Vec<Interval>,
+    /// There not all of them are, but for finitely many values at most where that is said.
+    pub outside: Vec<Interval>,
+    /// Whether finitely many values outside may be exceptions.
+    pub but_finitely_many: bool,
+}
 
 /// The facts of a scheme. One of `curve` and `valences` is there.
 #[derive(Debug, Serialize)]
@@ -139,6 +183,32 @@ pub struct ValenceForm {
     pub next: Option<Exact>,
     /// Why there are no eigenvalues; null where there are.
     pub open: Option<String>,
+}
+
+impl<'a> Facts<'a> {
+    /// The form of what is known of a scheme, and of its family.
+    #[must_use]
+    pub fn of(found: &'a FactsForm, family: Option<&FamilyFacts>) -> Facts<'a> {
+        Facts { schema: SCHEMA, found, ranges: family.map(Ranges::of) }
+    }
+}
+
+impl Ranges {
+    fn of(family: &FamilyFacts) -> Ranges {
+        let FamilyFacts { parameter, ranges, end } = family;
+        let order = |range: &ParameterFacts| Order {
+            smoothness: range.m,
+            valence: range.valence,
+            inside: Interval::all(&range.inside, parameter),
+            outside: Interval::all(&range.outside, parameter),
+            but_finitely_many: range.but_finitely_many,
+        };
+        Ranges {
+            parameter: parameter.clone(),
+            orders: ranges.iter().map(order).collect(),
+            end: end.clone(),
+        }
+    }
 }
 
 impl FactsForm {

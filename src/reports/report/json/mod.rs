@@ -16,6 +16,7 @@ mod facts;
 mod promise;
 mod reading;
 mod recovered;
+mod sets;
 mod shift;
 mod shipped;
 mod smoothness;
@@ -38,11 +39,13 @@ pub use errata::{
 pub use exact::{Exact, Named};
 pub use explain::Explained;
 pub use facts::{
-    CurveForm, DepthForm, FactsForm, OffsetForm, OpenForm, StencilForm, ValenceForm, WeightForm,
+    CurveForm, DepthForm, Facts, FactsForm, OffsetForm, OpenForm, Order, Ranges, StencilForm,
+    ValenceForm, WeightForm,
 };
 pub use promise::{Broken, ControlData, Natural as NaturalPromise, Promise};
 pub use reading::{Explanation, Line, Reading, ReadingOfCell, Search, Shift, Solved};
 pub use recovered::{Fitting, Recovered};
+pub use sets::{Interval, Number as RootNumber, polynomial as root_polynomial};
 pub use shift::{EveryShift, Greatest, Polygon};
 pub use shipped::{
     Number, ProjectReport, ProjectsReport, ShippedTable, SplitValues, Sums,

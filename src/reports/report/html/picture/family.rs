@@ -4,7 +4,7 @@ use super::frame::{Frame, WIDTH};
 use super::panel::Panel;
 use super::range::{bound, drawn};
 use super::scale::Scale;
-use crate::exact::{Rational, format::short};
+use crate::exact::{IntervalSet, Rational, format::short};
 use crate::facts::{FamilyDrawing, ParameterFacts};
 use crate::float::nearest;
 use crate::report::set::set_text;
@@ -35,7 +35,7 @@ pub(in crate::report::html) fn family(scheme: &str, found: &FamilyDrawing) -> Op
 
 fn one(scheme: &str, parameter: &str, ranges: &[ParameterFacts], end: &str) -> Option<Panel> {
     let sets = || ranges.iter().flat_map(|range| [&range.inside, &range.outside]);
-    let ends = || sets().flat_map(|set| set.ends()).map(|(end, _)| nearest(end));
+    let ends = || sets().flat_map(IntervalSet::ends).map(|(end, _)| nearest(end));
     let (low, high) = (ends().fold(f64::MAX, f64::min), ends().fold(f64::MIN, f64::max));
     ends().next()?;
     let margin = ((high - low) * BEYOND).max(high.abs().max(1e-3) * 1e-3);
@@ -79,7 +79,7 @@ fn two(
     maps: &[SmoothMap],
     end: &str,
 ) -> Panel {
-    let across = |i: u8| if i % 2 == 0 { 60.0 } else { WIDTH / 2.0 + 52.0 };
+    let across = |i: u8| if i.is_multiple_of(2) { 60.0 } else { WIDTH / 2.0 + 52.0 };
     let down = |i: u8| f64::from(i / 2) * (SIDE + 84.0) + 28.0;
     let side = |which: usize| (nearest(&region[which][0]), nearest(&region[which][1]));
     let drawing = html! {

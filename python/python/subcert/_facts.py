@@ -1,0 +1,129 @@
+"""All facts of a scheme at once."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import Any, Dict, List, Optional
+
+from . import _html, _native
+from ._numbers import Number
+from ._scheme import _text
+
+
+@dataclass(frozen=True)
+class Facts:
+    """All that is known of a scheme, as ``subcert scheme --format json`` has it; None stands for what is open.
+
+    ``curve`` has the facts of a mask, ``valences`` those of rules around a vertex or on a face, one for each valence, and
+    ``ranges`` where in the only parameter of a family the limits are C^m. Exact numbers are texts, beside decimals.
+
+    >>> found = scheme("four-point", w="1/16")
+    >>> found.curve["continuity"], found.curve["hoelder"]["exact"], found.curve["contraction"][0]["exact"]
+    (1, '2', '5/8')
+    >>> [order["smoothness"] for order in found.ranges["orders"]]
+    [0, 1]
+    """
+
+    #: The scheme as it was given.
+    scheme: str
+    curve: Optional[Dict[str, Any]] = field(repr=False)
+    valences: Optional[List[Dict[str, Any]]] = field(repr=False)
+    ranges: Optional[Dict[str, Any]] = field(repr=False)
+    #: All that the program says.
+    data: Dict[str, Any] = field(repr=False, compare=False)
+
+    def _repr_html_(self) -> str:
+        parts = []
+        if self.curve is not None:
+            parts = _curve(self.scheme, self.curve)
+        if self.valences is not None:
+            parts.append(_surface(self.scheme, self.valences))
+        if self.ranges is not None:
+            parts.append(_family(self.ranges))
+        return "".join(parts)
+
+
+def scheme(name: str, **parameters: Number) -> Facts:
+    """All facts of a scheme of the catalogue, a file, or a mask as text.
+
+    >>> scheme("chaikin").curve["stencils"][0]["weights"][0]["exact"]
+    '1/2'
+    >>> [row["valence"] for row in scheme("loop").valences]
+    [3, 4, 5, 6, 7, 8, 9, 10, 11, 12]
+    """
+    data = json.loads(_native.facts_json(_text(str(name), parameters)))
+    return Facts(data["scheme"], data.get("curve"), data.get("valences"), data["ranges"], data)
+
+
+def _shown(exact: Optional[Dict[str, str]]) -> Optional[str]:
+    """The exact value where it is short, and else its decimal.
+
+    >>> _shown({"exact": "1/2", "decimal": "0.5"}), _shown(None)
+    ('1/2', None)
+    """
+    if exact is None:
+        return None
+    return exact["exact"] if len(exact["exact"]) <= 24 else exact["decimal"]
+
+
+def _orders(curve: Dict[str, Any]) -> str:
+    """C^m in words.
+
+    >>> _orders({"continuity": 1, "continuity_fails": 2}), _orders({"continuity": None, "continuity_fails": 0})
+    ('C^1, not C^2', 'diverges')
+    """
+    proved, fails = curve["continuity"], curve["continuity_fails"]
+    if fails == 0:
+        return "diverges"
+    said = "open" if proved is None else f"C^{proved}"
+    return said if fails is None else f"{said}, not C^{fails}"
+
+
+def _curve(name: str, curve: Dict[str, Any]) -> List[str]:
+    low, high = map(_shown, curve["support"])
+    hoelder = curve["hoelder"]
+    exponent = hoelder and (hoelder["exact"] or f"{hoelder['lower']} to {hoelder['upper']}")
+    depth = curve["depth_natural"]
+    known = _html.facts(
+        name,
+        [
+            ("arity", curve["arity"]),
+            ("points", curve["points"]),
+            ("kind", curve["kind"]),
+            ("interpolating", "yes" if curve["interpolating"] else "no"),
+            ("support", f"{low} to {high}"),
+            ("sum rules", curve["sum_rules"]),
+            ("reproduces degree", curve["reproduction"]),
+            ("limits", _orders(curve)),
+            ("Hölder exponent", exponent),
+            ("σ", _shown(curve["displacement"])),
+            ("depth for 1/100, natural", depth and (depth["upper"] if depth["lower"] == depth["upper"] else f"{depth['lower']} to {depth['upper']}")),
+            ("open", ", ".join(one["fact"] for one in curve["open"]) or None),
+        ],
+    )
+    rows = zip(range(1, 9), map(_shown, curve["contraction"]), map(_shown, curve["norm"]))
+    return [known, _html.table("Constants", ["c", "T_c", "Λ_c"], rows)]
+
+
+def _surface(name: str, valences: List[Dict[str, Any]]) -> str:
+    rows = []
+    for one in valences:
+        vertex = one["vertex"] or {}
+        lead = _shown(vertex.get("subdominant"))
+        rows.append([one["valence"], vertex.get("verdict", "open"), lead, _shown(one["next"]), vertex.get("curvature")])
+    return _html.table(name, ["valence", "C^1", "λ", "μ", "curvature"], rows)
+
+
+def _family(ranges: Dict[str, Any]) -> str:
+    def ends(intervals: List[Dict[str, Any]]) -> str:
+        return " or ".join(
+            f"{_shown(x['low']) or '−∞'} to {_shown(x['high']) or '∞'}" for x in intervals
+        )
+
+    def order(x: Dict[str, Any]) -> str:
+        at = "" if x["valence"] is None else f", n = {x['valence']}"
+        return f"C^{x['smoothness']}{at}"
+
+    rows = [(order(x), ends(x["inside"]), ends(x["outside"])) for x in ranges["orders"]]
+    return _html.table(f"The family, in {ranges['parameter']}", ["", "all limits", "not all"], rows)

@@ -1,0 +1,56 @@
+//! How much harm a wrong claim does to those who rely on it.
+
+use super::{Erratum, Subject};
+
+/// What may happen to those who rely on a claim that is not what it should be, the worst first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Harm {
+    /// It is refuted: a theorem, or what is said of the smoothness of limits.
+    Refuted,
+    /// It breaks its promise: some control data are farther away than a printed bound or depth says, or a range has
+    /// values for which the condition fails.
+    Broken,
+    /// It is not shown to keep its promise, nor to break it.
+    Unshown,
+    /// A formula is not what it should be.
+    Formula,
+    /// Numbers are not what their definition gives.
+    Number,
+    /// It is true, but more is: a range is larger, limits are smoother.
+    NotSharp,
+}
+
+impl Harm {
+    /// All of them, the worst first.
+    pub const ALL: [Harm; 6] =
+        [Harm::Refuted, Harm::Broken, Harm::Unshown, Harm::Formula, Harm::Number, Harm::NotSharp];
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Harm::Refuted => "refuted",
+            Harm::Broken => "broken",
+            Harm::Unshown => "unshown",
+            Harm::Formula => "formula",
+            Harm::Number => "number",
+            Harm::NotSharp => "not-sharp",
+        }
+    }
+}
+
+impl Erratum<'_, '_> {
+    /// The harm that it does.
+    #[must_use]
+    pub fn harm(&self) -> Harm {
+        match &self.subject {
+            Subject::Theorem(_) | Subject::Smoothness(_) => Harm::Refuted,
+            Subject::Cells(_) if self.consequences.broken > 0 => Harm::Broken,
+            Subject::Cells(_) if self.consequences.open > 0 => Harm::Unshown,
+            Subject::Cells(_) => Harm::Number,
+            Subject::Range(finding) if finding.kept => Harm::NotSharp,
+            Subject::Range(_) => Harm::Broken,
+            Subject::Equation(_) | Subject::Function(_) => Harm::Formula,
+        }
+    }
+}

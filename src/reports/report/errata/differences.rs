@@ -1,0 +1,264 @@
+//! Where the literature and the exact values differ: the errata of many papers in one table for each kind of harm.
+
+use super::cells;
+use crate::audit::{
+    Beyond, CellErratum, CellFinding, EquationFinding, EquationVerdict, Erratum, Harm, Known,
+    NotSharp, PaperAudit, Subject,
+};
+use crate::claim::{ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
+use crate::exact::{Enclosed as _, Rational, format::fixed};
+use crate::report::sheet::{Grid, Sheet};
+use crate::report::{function, smoothness, theorem};
+use crate::smoothness::Hoelder;
+
+/// The longest text of a cell; longer ones are cut.
+const LONGEST: usize = 160;
+
+/// The longest formula of an exponent.
+const SHORT: usize = 40;
+
+/// The places of the decimals of a bound.
+const PLACES: u32 = 4;
+
+/// A claim that is not what it should be.
+struct Line {
+    claim: String,
+    source: String,
+    place: String,
+    printed: String,
+    exact: String,
+    origin: String,
+}
+
+/// What differs in papers, the worst first: a table for each [`Harm`], whose first column has the ids of claims.
+#[must_use]
+pub fn differences_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
+    let mut lines: Vec<(Harm, Line)> = Vec::new();
+    for audit in audits {
+        let errata = audit.errata();
+        lines.extend(errata.errata.iter().map(|one| (one.harm(), Line::of_erratum(audit, one))));
+        let not_sharp = audit.not_sharp();
+        lines.extend(not_sharp.iter().map(|one| (Harm::NotSharp, Line::of_not_sharp(audit, one))));
+    }
+    let mut sheet = Sheet::default();
+    sheet.heading(1, "Where the literature and the exact values differ");
+    let with = |audit: &&PaperAudit<'_>| {
+        let key = format!("{}:", audit.paper.key);
+        lines.iter().any(|(_, line)| line.claim.starts_with(&key))
+    };
+    sheet.text(format!(
+        "{} differences in {} of {} papers, the worst first. Each line has the claim, by which `subcert explain` finds \
+         it, what is printed, what is exact, and how the printed one came about, where that is known.",
+        lines.len(),
+        audits.iter().filter(with).count(),
+        audits.len()
+    ));
+    for harm in Harm::ALL {
+        let rows: Vec<Vec<String>> =
+            lines.iter().filter(|(of, _)| *of == harm).map(|(_, line)| line.row()).collect();
+        if !rows.is_empty() {
+            sheet.heading(2, heading(harm));
+            let header = ["claim", "source", "place", "printed", "exact", "how it came about"];
+            let header = header.map(str::to_owned).to_vec();
+            sheet.grid(Grid { header, rows, left_columns: 6 });
+        }
+    }
+    let without: Vec<String> = audits
+        .iter()
+        .filter(|audit| !with(audit))
+        .map(|audit| format!("{} ({})", audit.paper.bibliography.short(), audit.paper.key))
+        .collect();
+    if !without.is_empty() {
+        sheet.heading(2, "Papers without a difference");
+        sheet.text(format!("{}.", without.join(", ")));
+    }
+    sheet
+}
+
+/// What the lines of a table have in common.
+fn heading(harm: Harm) -> &'static str {
+    match harm {
+        Harm::Refuted => "Refuted theorems and refuted smoothness",
+        Harm::Broken => "Promises that are broken for some control data",
+        Harm::Unshown => "Promises that are not shown to be kept",
+        Harm::Formula => "Formulas that are not what they should be",
+        Harm::Number => "Numbers that are not what their definitions give",
+        Harm::NotSharp => "True, but not sharp",
+    }
+}
+
+impl Line {
+    fn of_erratum(audit: &PaperAudit<'_>, erratum: &Erratum<'_, '_>) -> Line {
+        let subject = &erratum.subject;
+        let (title, printed, exact, origin) = match subject {
+            Subject::Cells(cells) => {
+                let [printed, exact] = numbers(cells, erratum.harm());
+                let origin = cells::origin(cells);
+                (&cells.finding.table.title, printed, exact, Some(origin))
+            }
+            Subject::Equation(finding) => {
+                let [printed, exact] = sides(finding);
+                (&finding.equation.title, printed, exact, mended(finding))
+            }
+            Subject::Function(finding) => {
+                let outcome = function::function_outcome(finding);
+                let exact = outcome.last().cloned().unwrap_or_default();
+                let claim = finding.claim;
+                (&claim.title, claim.left.text.clone(), exact, claim.note.clone())
+            }
+            Subject::Range(finding) => {
+                let claim = finding.claim;
+                let exact = finding.exact.describe(&claim.variable);
+                (&claim.title, function::printed(finding), exact, claim.note.clone())
+            }
+            Subject::Smoothness(finding) => {
+                let claim = finding.claim;
+                let printed = smoothness::statement(claim).unwrap_or_default();
+                let exact = smoothness::outcome(finding).join("; ");
+                (&claim.title, printed, exact, claim.note.clone())
+            }
+            Subject::Theorem(finding) => {
+                let theorem = finding.theorem;
+                let outcome = theorem::outcome(finding);
+                let exact = outcome.lines().next().unwrap_or_default().to_owned();
+                let printed = theorem::statement(&theorem.statement);
+                (&theorem.title, printed, exact, theorem.note.clone())
+            }
+        };
+        let place = place(subject.locus(), title);
+        Line::new(audit, subject.id(), place, printed, exact, origin)
+    }
+
+    fn of_not_sharp(audit: &PaperAudit<'_>, more: &NotSharp<'_, '_>) -> Line {
+        let claim = more.finding.claim;
+        let known = smoothness::outcome(more.finding);
+        let exact = match (&more.beyond, &more.finding.known) {
+            // Where the limits are so smooth, and where not.
+            (Beyond::Range(_), _) => {
+                known.iter().take(2).cloned().collect::<Vec<String>>().join("; ")
+            }
+            (Beyond::Exponent, Known::Limits(limits)) => {
+                let exponent = limits.smoothness.hoelder.as_ref().map(exponent);
+                format!("the exponent is {}", exponent.unwrap_or_default())
+            }
+            _ => known.first().cloned().unwrap_or_default(),
+        };
+        let decimal = bound(claim).map(|value| format!(" ≈ {value}")).unwrap_or_default();
+        let printed = format!("{}{decimal}", smoothness::statement(claim).unwrap_or_default());
+        let place = place(&claim.locus, &claim.title);
+        Line::new(audit, &claim.id, place, printed, exact, claim.note.clone())
+    }
+
+    fn new(
+        audit: &PaperAudit<'_>,
+        id: &str,
+        place: String,
+        printed: String,
+        exact: String,
+        origin: Option<String>,
+    ) -> Line {
+        let first = |text: String| text.lines().next().unwrap_or_default().to_owned();
+        Line {
+            claim: format!("{}:{id}", audit.paper.key),
+            source: audit.paper.bibliography.short(),
+            place,
+            printed: cut(printed),
+            exact: cut(exact),
+            origin: origin.map(first).unwrap_or_default(),
+        }
+    }
+
+    fn row(&self) -> Vec<String> {
+        let Line { claim, source, place, printed, exact, origin } = self;
+        [claim, source, place, printed, exact, origin].map(Clone::clone).to_vec()
+    }
+}
+
+/// Where a claim stands, and what it is about.
+fn place(locus: &str, title: &str) -> String {
+    [locus, title].into_iter().filter(|text| !text.is_empty()).collect::<Vec<&str>>().join(": ")
+}
+
+/// An exponent: its formula where that is short, and its decimals where it is irrational.
+fn exponent(hoelder: &Hoelder) -> String {
+    let [low, high] = smoothness::decimals(hoelder);
+    let decimals = if low == high { low } else { format!("{low} to {high}") };
+    match &hoelder.formula {
+        Some(formula) if formula.as_rational().is_some() => formula.to_string(),
+        Some(formula) if formula.to_string().chars().count() <= SHORT => {
+            format!("{formula}, {decimals}")
+        }
+        _ => decimals,
+    }
+}
+
+/// The only bound of an exponent that a claim states, in decimals.
+fn bound(claim: &SmoothnessClaim) -> Option<String> {
+    let SmoothnessBody::Statement(_, statement) = &claim.body else { return None };
+    let SmoothnessStatement::Exponent { exponent, .. } = &**statement else { return None };
+    let ExponentStatement::Bounds { at_least, at_most } = exponent else { return None };
+    let ((Some(bound), None) | (None, Some(bound))) = (at_least, at_most) else { return None };
+    let enclosure = bound.value.enclosure(1);
+    Some(fixed(&((enclosure.lower() + enclosure.upper()) / Rational::from(2)), PLACES))
+}
+
+/// The first of the cells as printed and as it should be, and how many there are. Where promises are broken, or not
+/// shown to be kept, the first of those.
+fn numbers(cells: &CellErratum<'_, '_>, harm: Harm) -> [String; 2] {
+    let counts = |cell: &CellFinding| match harm {
+        Harm::Broken => cell.keeps_promise() == Some(false),
+        Harm::Unshown => cell.may_break_promise(),
+        _ => true,
+    };
+    let mut of_harm = cells.cells.iter().zip(cells.findings()).filter(|(_, cell)| counts(cell));
+    let Some((&(row, column), cell)) = of_harm.next() else { return Default::default() };
+    let Some(printed) = cells.finding.table.cells[row][column].printed() else {
+        return Default::default();
+    };
+    let by_definition = cells::correct(cell.exact.as_ref(), printed);
+    let exact = match harm {
+        Harm::Broken | Harm::Unshown => {
+            format!("{by_definition} by definition; sound: {}", cells::sound(cell))
+        }
+        _ => by_definition,
+    };
+    let all = cells.cells.len();
+    let these = 1 + of_harm.count();
+    let printed = match (all, these) {
+        (1, _) => printed.text.clone(),
+        (_, 1) => format!("{}, one of {all} numbers", printed.text),
+        (all, these) if all == these => format!("{all} numbers, the first {}", printed.text),
+        (all, these) => format!("{these} of {all} numbers, the first {}", printed.text),
+    };
+    [printed, exact]
+}
+
+/// The first case in which an equation fails: what is printed, and what it should be.
+fn sides(finding: &EquationFinding<'_>) -> [String; 2] {
+    let EquationVerdict::Fails { failures, .. } = &finding.verdict else {
+        return Default::default();
+    };
+    let Some(first) = failures.first() else { return Default::default() };
+    let at = if first.at.is_empty() { String::new() } else { format!(" at {}", first.at) };
+    let more = match failures.len() {
+        1 => String::new(),
+        count => format!("; {count} cases fail"),
+    };
+    let [left, right] = [&first.left, &first.right].map(ToString::to_string);
+    [format!("{}{at}{more}", cut(left)), right]
+}
+
+/// The one symbol that mends an equation, or a remark.
+fn mended(finding: &EquationFinding<'_>) -> Option<String> {
+    let EquationVerdict::Fails { mends, .. } = &finding.verdict else { return None };
+    let mend = mends.first().map(|mend| format!("it holds with one side as {mend}"));
+    mend.or_else(|| finding.equation.note.clone())
+}
+
+/// A text of no more than [`LONGEST`] characters.
+fn cut(text: String) -> String {
+    if text.chars().count() <= LONGEST {
+        return text;
+    }
+    text.chars().take(LONGEST - 1).chain(['…']).collect()
+}
