@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 """The JSON schemas of docs/schema: `--write` writes them from the types of the program; without it they are compared,
-and answers of every command are validated against them (with the package jsonschema)."""
+answers of every command are validated against them (with the package jsonschema), and so are all claim files. Claim
+files with a field too many, too few or of another name are refused by schema and program alike."""
 
 import json
+import re
 import subprocess
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -77,7 +80,76 @@ def main():
         # A schema that allows everything would say nothing.
         if not list(Draft202012Validator(schema).iter_errors({"schema": "one"})):
             sys.exit(f"{name}.json allows an answer of no form")
+    files, spoiled = claim_files(program, kept)
     print(f"{len(kept)} schemas are those of the program, and {len(ANSWERS)} answers fit them")
+    print(f"{files} claim files fit them; of {spoiled} spoiled ones schema and program say the same")
+
+
+def claim_files(program, kept):
+    """How many claim files there are, and how many have been spoiled."""
+    from jsonschema import Draft202012Validator
+
+    schemas = {name: Draft202012Validator(json.loads(kept[f"{name}.json"])) for name in ("claims", "claims-project")}
+    for schema in schemas.values():
+        Draft202012Validator.check_schema(schema.schema)
+
+    def refused(text):
+        parsed = tomllib.loads(text)
+        name = "claims-project" if "project" in parsed else "claims"
+        return next((f"{e.json_path}: {e.message[:200]}" for e in schemas[name].iter_errors(parsed)), None)
+
+    files, spoiled, met = 0, 0, set()
+    places = [ROOT / "proofs/claims", ROOT / "examples"]
+    for file in sorted(path for place in places for path in place.rglob("*.toml")):
+        text = file.read_text()
+        # Other files of examples are schemes.
+        if not re.search(r"^\[(paper|project)\]", text, re.MULTILINE):
+            continue
+        files += 1
+        if error := refused(text):
+            sys.exit(f"{file}: {error}")
+        for number, other in enumerate(spoil(text, met)):
+            try:
+                wrong = refused(other)
+            except tomllib.TOMLDecodeError:
+                continue
+            spoiled += 1
+            with tempfile.NamedTemporaryFile("w", suffix=".toml") as copy:
+                copy.write(other)
+                copy.flush()
+                # The file is read, and of no such claim nothing is computed.
+                command = [program, "explain", "none:none", copy.name]
+                said = subprocess.run(command, capture_output=True, text=True).stderr
+            form = re.search("unknown field|missing field|invalid (type|value)", said)
+            if bool(form) != bool(wrong):
+                sys.exit(f"{file}, spoiled {number}: the schema says {wrong}, and the program {said or 'nothing'}")
+    return files, spoiled
+
+
+def spoil(text, met):
+    """The file with one field too many, with one of another name, with one of another type, and with one too few:
+    once for each kind of table and each field, of which `met` has those of other files."""
+    headers, fields = {}, {}
+    kind = ""
+    for number, line in enumerate(lines := text.splitlines()):
+        if header := re.match(r"\[\[?([a-z_.]+)\]", line):
+            kind = header[1]
+            if kind not in met:
+                headers[kind] = number
+                met.add(kind)
+        elif field := re.match(r"(\w+) = ['\"].*['\"]$", line):
+            if (kind, field[1]) not in met:
+                fields[kind, field[1]] = number
+                met.add((kind, field[1]))
+    for number in headers.values():
+        yield "\n".join([*lines[: number + 1], "nonsense = '1'", *lines[number + 1 :]])
+    for (_, name), number in fields.items():
+        before, after = lines[:number], lines[number + 1 :]
+        yield "\n".join([*before, *after])
+        yield "\n".join([*before, lines[number].replace(name, f"{name}s", 1), *after])
+        yield "\n".join([*before, f"{name} = true", *after])
+        yield "\n".join([*before, f"{name} = 7", *after])
+        yield "\n".join([*before, f"{name} = 0.5", *after])
 
 
 def target():

@@ -79,7 +79,8 @@ fn of_texts(mut papers: Vec<Paper>, texts: &[Arc<SourceText>]) -> Result<Claims,
 fn text(path: &Path) -> Result<Arc<SourceText>, Failure> {
     if path.as_os_str() != STANDARD_INPUT {
         let text = read_text(path, MAX_CLAIM_FILE_BYTES).map_err(|reason| {
-            Failure::Input(format!("cannot read `{}`: {reason}", path.display()))
+            let meant = if path.exists() { String::new() } else { meant(path) };
+            Failure::Input(format!("cannot read `{}`: {reason}{meant}", path.display()))
         })?;
         return Ok(SourceText::new(path.display().to_string(), text));
     }
@@ -90,6 +91,21 @@ fn text(path: &Path) -> Result<Arc<SourceText>, Failure> {
         return Err(Failure::Input(message.to_owned()));
     }
     Ok(SourceText::new("standard input", text))
+}
+
+/// What a name of no file may have meant: a key, of a file beside it or of an embedded paper.
+fn meant(path: &Path) -> String {
+    let file = PathBuf::from(format!("{}.toml", path.display()));
+    if file.exists() {
+        return format!("; the claim file is `{}`", file.display());
+    }
+    let is_key = |paper: &Paper| path.as_os_str() == paper.key.as_str();
+    let embedded = embedded_papers().is_ok_and(|papers| papers.iter().any(is_key));
+    if embedded {
+        format!("; the paper of this key is `--paper {}`", path.display())
+    } else {
+        String::new()
+    }
 }
 
 /// Checks that keys differ.

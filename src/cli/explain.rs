@@ -105,6 +105,17 @@ fn check(paper: &Paper, claim: &str) -> Outcome {
     };
     let claims = Listed::all(paper);
     if !claims.iter().any(|listed| listed.id == name) {
+        let cells = paper
+            .smoothness
+            .iter()
+            .filter(|claim| claim.cell.as_ref().is_some_and(|cell| cell.table.id == name));
+        let cells: Vec<String> = cells.map(|claim| format!("{key}:{}", claim.id)).collect();
+        if !cells.is_empty() {
+            return Err(Failure::Input(format!(
+                "each cell of `{key}:{name}` is a claim of its own: explain {}; `subcert audit` shows the table",
+                cells.join(" or ")
+            )));
+        }
         let meant = did_you_mean(name, claims.iter().map(|listed| listed.id));
         return Err(Failure::Input(format!(
             "`{key}` has no claim `{name}`{meant}; `subcert explain {key}` lists its claims"

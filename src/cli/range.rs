@@ -11,6 +11,7 @@ use subcert::bound::{Order, ParameterRange, RangeError, norm_function, polynomia
 use subcert::exact::{IntervalSet, PiecewisePolynomial, RationalPolynomial, RealAlgebraic};
 use subcert::report::{Grid, Sheet};
 use subcert::scheme::{open_parameters, parse_parametric};
+use subcert::suggestion::known;
 
 pub(super) fn range(arguments: &RangeArguments) -> Outcome {
     let named = [&arguments.names[..], &arguments.param[..]].concat();
@@ -36,7 +37,17 @@ pub(super) fn range(arguments: &RangeArguments) -> Outcome {
         let message = "`--valences` belongs to rules around a vertex or on a face";
         return Err(Failure::Input(message.to_owned()));
     }
-    let mask = parse_parametric(&arguments.scheme, parameter)?;
+    let mask = parse_parametric(&arguments.scheme, parameter).map_err(|error| {
+        let open = open_parameters(&arguments.scheme).unwrap_or_default();
+        if open.is_empty() || open.contains(parameter) {
+            return Failure::from(error);
+        }
+        let known = known(parameter, open.iter().map(String::as_str));
+        Failure::Input(format!(
+            "`{}` leaves no parameter `{parameter}` open{known}",
+            arguments.scheme
+        ))
+    })?;
     if let Some(m) = arguments.smoothness {
         return smooth_range(arguments, parameter, &mask, m);
     }

@@ -1,5 +1,5 @@
 //! `subcert schemas DIR`: the JSON schemas of what `--format json` writes, from the types that are
-//! written.
+//! written, and of claim files, from those that are read.
 
 use super::json::{
     certify, constants, depth, facts, geometric_depth, listing, mesh_depth, range, schemes,
@@ -8,6 +8,7 @@ use super::json::{
 use super::output::{Failure, Outcome, json_text};
 use super::save::save;
 use schemars::{JsonSchema, Schema, generate::SchemaSettings};
+use serde_json::Value;
 use std::path::Path;
 use subcert::oracle::OracleValues;
 use subcert::report::json::{
@@ -24,6 +25,8 @@ fn all() -> Vec<(&'static str, Schema)> {
         ("atlas", of::<facts::Atlas<'_>>()),
         ("audit", of::<AuditReport>()),
         ("audit-project", of::<ProjectsReport>()),
+        ("claims", read(subcert::claim::paper_schema())),
+        ("claims-project", read(subcert::shipped::project_schema())),
         ("certify", of::<certify::Certification<'_>>()),
         ("constants", of::<constants::Constants<'_>>()),
         ("constants-ring", of::<constants::LocalConstants<'_>>()),
@@ -47,6 +50,33 @@ fn all() -> Vec<(&'static str, Schema)> {
         ("smoothness-vertex", of::<vertex::Vertices<'_>>()),
         ("spectrum", of::<spectrum::Spectrum<'_>>()),
     ]
+}
+
+/// The schema of a file of TOML: it has no null, and whole numbers stand for the texts that they spell.
+fn read(mut schema: Schema) -> Schema {
+    fn typed(value: &mut Value) {
+        if let Some(Value::Array(options)) = value.get_mut("anyOf") {
+            options.retain(|option| option.get("type") != Some(&Value::from("null")));
+        }
+        match value.get_mut("type") {
+            Some(kind) if kind == "string" => *kind = Value::from(vec!["string", "integer"]),
+            Some(Value::Array(kinds)) => {
+                kinds.retain(|kind| kind != "null");
+                if kinds.iter().any(|kind| kind == "string") {
+                    kinds.push(Value::from("integer"));
+                }
+            }
+            _ => {}
+        }
+        match value {
+            Value::Array(items) => items.iter_mut().for_each(typed),
+            Value::Object(fields) => fields.iter_mut().for_each(|(_, value)| typed(value)),
+            _ => {}
+        }
+    }
+    let fields = schema.ensure_object();
+    fields.iter_mut().for_each(|(_, value)| typed(value));
+    schema
 }
 
 /// Writes all of them into a folder.

@@ -89,14 +89,14 @@ fn rings() {
 #[test]
 fn ranges() {
     let cases: [(&str, &str, &[&str]); 11] = [
-        ("six-point", "v", &["needs its parameter `w`"]),
+        ("six-point", "v", &["no parameter `v` open", "known: w"]),
         ("six-point:w=3/256", "w", &["does not depend on `w`", "no value", "it has: w"]),
         ("chaikin", "w", &["does not depend on `w`", "it has none"]),
-        ("six-point", "", &["does not depend on ``"]),
+        ("six-point", "", &["no parameter `` open"]),
         ("six-point x chaikin", "w", &["tensor product", "one of its factors"]),
         ("doo-sabin", "n", &["the number of points of `face` is n", "integer from 1"]),
         ("newton:j=1", "n", &["the arity is n", "integer"]),
-        ("newton:n=3", "w", &["needs its parameter `j`"]),
+        ("newton:n=3", "w", &["no parameter `w` open", "known: j"]),
         ("six-point:w=1/w", "w", &["w"]),
         ("six-point:w=cos(2*pi/7)*v", "v", &["no polynomial in `v` with rational coefficients"]),
         ("six-point:w=v^60", "v", &["degree 240", "smaller number of levels"]),
@@ -329,4 +329,26 @@ fn certificates_that_cannot_be_written() {
     for (arguments, parts) in cases {
         assert_parts(&refused(arguments.iter().copied()), parts);
     }
+}
+
+#[test]
+fn a_file_that_has_not_begun_is_told_how_to_begin() {
+    let help = ["missing fields", "[paper]", "subcert new"];
+    assert_parts(&refused_paper("empty", ""), &help);
+    assert_parts(&refused_paper("key-only", "key = \"k\"\n"), &help);
+    let begun = refused_paper("begun", "key = \"k\"\n[paper]\n");
+    assert!(!begun.contains("subcert new"), "{begun}");
+}
+
+#[test]
+fn a_table_of_smoothness_names_its_cells() {
+    let file = "examples/smoothness.toml";
+    let message = refused(["explain", "doe2026-smoothness:table-1", file]);
+    assert_parts(&message, &["each cell", "doe2026-smoothness:table-1.1.order", "subcert audit"]);
+}
+
+#[test]
+fn keys_in_the_place_of_files() {
+    assert_parts(&refused(["audit", "khan2019-newton"]), &["--paper khan2019-newton"]);
+    assert_parts(&refused(["audit", "examples/smoothness"]), &["`examples/smoothness.toml`"]);
 }

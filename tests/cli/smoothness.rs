@@ -240,3 +240,9 @@ fn rules_at_a_vertex() {
         &["no ring of points"],
     );
 }
+
+#[test]
+fn a_single_valence_is_a_range() {
+    let of = |valences| written(["smoothness", "loop", "--valences", valences]);
+    assert_eq!(of("5"), of("5..5"));
+}

@@ -22,6 +22,8 @@ pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
 pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
 pub use function::{FunctionClaim, Limit, RangeClaim};
 pub use paper::{Alternative, Bibliography, Paper, SchemeSource};
+#[cfg(feature = "schema")]
+pub use read::paper_schema;
 pub use read::{MAX_CLAIM_FILE_BYTES, is_id, read_paper, read_paper_file, read_whole_paper};
 pub use regularity::{RegularityCell, RegularityTable};
 pub use smoothness::{

@@ -55,4 +55,6 @@ pub use finding::{
 };
 pub use judge::{audit_project, audit_projects, audit_shipped};
 pub use number::{decimal, nearest_text};
+#[cfg(feature = "schema")]
+pub use read::project_schema;
 pub use read::{MAX_DESCRIBED, MAX_SHIPPED, is_project, read_project};

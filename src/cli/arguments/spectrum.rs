@@ -89,10 +89,10 @@ fn valence(text: &str) -> Result<usize, String> {
     text.parse().map_err(|_| "a valence is a whole number from 3 on".to_owned())
 }
 
-/// The first and the last valence.
+/// The first and the last valence; a single number is both.
 pub(super) fn valences(text: &str) -> Result<(usize, usize), String> {
-    let form = || "write the first and the last valence, such as 3..12".to_owned();
-    let (first, last) = text.split_once("..").ok_or_else(form)?;
+    let form = || "write the first and the last valence, such as 3..12, or a single one".to_owned();
+    let (first, last) = text.split_once("..").unwrap_or((text, text));
     let number = |text: &str| text.trim().parse::<usize>().map_err(|_| form());
     let (first, last) = (number(first)?, number(last)?);
     if first > last {

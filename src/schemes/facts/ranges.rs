@@ -60,7 +60,7 @@ impl FamilyFacts {
         let entry = find(reference.names().next()?)?;
         let valence = entry
             .is_ring()
-            .then(|| entry.valence_name(&BTreeMap::<String, crate::exact::Rational>::new()))
+            .then(|| entry.valence_name(&BTreeMap::<String, usize>::new()))
             .flatten();
         let free = |name: &&String| valence.is_none_or(|valence| valence != name.as_str());
         let mut parameters = entry.parameters.keys().filter(free);

@@ -1,10 +1,10 @@
 //! Reading TOML, with formulas, their names and their places.
 
+use super::spanned::Spanned;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{LocatedFormula, PI, is_identifier};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use toml::Spanned;
 
 /// Parses a TOML string as a formula.
 ///

@@ -4,6 +4,7 @@ use super::definition::{Coefficients, ParameterSpec, RuleFormulas, SchemeDefinit
 use super::fields::{definitions, formula, identifier};
 use super::local_file::{EdgeTable, OrbitTable, WeightTable, ring};
 use super::local_formulas::{LocalFormulas, NEW_INDEX, OLD_INDEX};
+use super::spanned::Spanned;
 use super::toml_file::from_toml;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::LocatedFormula;
@@ -11,7 +12,6 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
-use toml::Spanned;
 
 /// The rules of a mask as lists of formulas. The mask, each rule and each formula has its
 /// place.
@@ -19,37 +19,55 @@ type MaskTable = Spanned<Vec<Spanned<Vec<Spanned<String>>>>>;
 
 /// A scheme in TOML, as a whole file or as an entry `[[scheme]]`.
 #[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SchemeTable {
     /// The name by which claims call it, with its place.
     pub name: Spanned<String>,
+    /// What it is.
     #[serde(default)]
     title: String,
+    /// Where it is defined.
     #[serde(default)]
     source: String,
+    /// Values of the parameters for tables: `['w=1/16']`.
     #[serde(default)]
     samples: Vec<String>,
+    /// The parameters.
     #[serde(default)]
     parameters: BTreeMap<Spanned<String>, ParameterTable>,
+    /// Names with formulas that the coefficients use.
     #[serde(default, rename = "let")]
     definitions: BTreeMap<Spanned<String>, Spanned<String>>,
+    /// The index offset of the limit: a formula, or `first`.
     offset: Option<Spanned<String>>,
+    /// How many points a point becomes.
     arity: Option<Spanned<String>>,
+    /// How many coefficients a rule has, with `entry`.
     width: Option<Spanned<String>>,
+    /// One formula for all coefficients, in alpha and r.
     entry: Option<Spanned<String>>,
+    /// The rules: `[['3/4', '1/4'], ['1/4', '3/4']]`.
     mask: Option<MaskTable>,
+    /// Of a ring: the number of points of each orbit.
     orbits: Option<OrbitTable>,
+    /// Of a ring: for each orbit of new points, the weights of the orbits of old points.
     weights: Option<WeightTable>,
+    /// Of a ring: pairs of points.
     edges: Option<EdgeTable>,
     /// The scheme that `name` is an alias of. Allowed in claim files only.
     r#use: Option<Spanned<String>>,
 }
 
 #[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct ParameterTable {
+    /// Its value where none is given.
     default: Option<Spanned<String>>,
+    /// Its least value; it is then a whole number.
     least: Option<Spanned<String>>,
+    /// What it is.
     #[serde(default)]
     about: String,
 }

@@ -2,11 +2,11 @@
 
 use super::fields::{formula, identifier};
 use super::local_formulas::{EdgeFormulas, End, LocalFormulas};
+use super::spanned::Spanned;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{LocatedFormula, Node};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use toml::Spanned;
 
 /// Formulas under their names, all with their places.
 type FormulaTable = BTreeMap<Spanned<String>, Spanned<String>>;

@@ -21,6 +21,7 @@ mod parse;
 mod parse_open;
 mod reference;
 mod rules;
+mod spanned;
 mod tensor;
 mod toml_file;
 mod typed;
@@ -45,5 +46,6 @@ pub use parse_open::{
 };
 pub use reference::{Instance, Reference};
 pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};
+pub use spanned::Spanned;
 pub use tensor::Scheme;
 pub use toml_file::from_toml;

@@ -5,21 +5,27 @@ use super::reader::Reader;
 use crate::claim::{Axis, AxisEntry, Headers, Index, LocatedReference};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, parse_rational};
-use crate::scheme::{formula, identifier};
+use crate::scheme::{Spanned, formula, identifier};
 use serde::Deserialize;
-use toml::Spanned;
 
 #[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(
     deny_unknown_fields,
     expecting = "headers such as { name = \"c\", values = ['1', '2'] } or { schemes = [\"chaikin\"] }"
 )]
 pub(super) struct AxisTable {
+    /// The name that has these values in formulas.
     pub(super) name: Option<Spanned<String>>,
+    /// What reports call these headers.
     label: Option<String>,
+    /// The values, as printed.
     pub(super) values: Option<Spanned<Vec<Spanned<NumberField>>>>,
+    /// Schemes in place of values.
     pub(super) schemes: Option<Spanned<Vec<Spanned<SchemeField>>>>,
+    /// The first value of an index, a formula.
     from: Option<Spanned<String>>,
+    /// The last value of an index, a formula.
     to: Option<Spanned<String>>,
 }
 

@@ -4,14 +4,17 @@ use super::fields::CommonFields;
 use super::reader::Reader;
 use crate::claim::{Item, Label};
 use crate::diagnostic::Diagnostic;
+use crate::scheme::Spanned;
 use serde::Deserialize;
 use std::ops::Range;
-use toml::Spanned;
 
 #[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct UnclaimedTable {
+    /// What the paper numbers: `(1), (4)-(6)`.
     locus: Spanned<String>,
+    /// Why nothing of it can be checked.
     reason: String,
 }
 

@@ -6,26 +6,32 @@ use super::reader::{Head, Reader};
 use crate::claim::{Equation, EquationBody, Hypothesis, Identity, Index, Left, LocatedReference};
 use crate::diagnostic::Diagnostic;
 use crate::formula::{LocatedFormula, Node};
-use crate::scheme::{formula, identifier};
+use crate::scheme::{Spanned, formula, identifier};
 use serde::Deserialize;
 use serde::de::Visitor;
 use std::fmt;
-use toml::Spanned;
 
 claim_table!(EquationTable {
+    /// Names that stay symbolic; `q` may be a family such as `q[2*i-1]`.
     #[serde(default)]
     pub(super) symbols: Vec<Spanned<String>>,
+    /// What the paper presupposes, as linear equations.
     #[serde(default)]
     hypotheses: Vec<Spanned<String>>,
+    /// The indices of the cases.
     #[serde(default)]
     pub(super) indices: Vec<Spanned<AxisTable>>,
+    /// The left side: one formula for all cases, or one for each.
     left: Option<Spanned<LeftField>>,
+    /// The right side.
     right: Option<Spanned<String>>,
+    /// In place of both sides: what the paper lacks that the equation would need.
     absent: Option<String>,
 });
 
 /// One formula for all combinations of the indices, or one for each.
 #[derive(Debug)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
 enum LeftField {
     One(String),
     Each(Vec<Spanned<String>>),

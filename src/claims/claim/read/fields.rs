@@ -1,17 +1,18 @@
 //! The fields that several tables of a claim file share, as TOML gives them.
 
+use crate::scheme::Spanned;
 use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{MapAccess, SeqAccess, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
-use toml::Spanned;
 
 pub(super) type Formulas = BTreeMap<Spanned<String>, Spanned<String>>;
 
 /// `["w", "tau"]`: the names of unstated parameters; or `{ w = '1/16' }`: each with a value to
 /// assume.
 #[derive(Debug)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
 pub(super) enum Unstated {
     Names(Vec<Spanned<String>>),
     Assumed(Formulas),
@@ -66,13 +67,19 @@ pub(super) struct CommonFields<'a> {
 macro_rules! claim_table {
     ($name:ident { $($(#[$attribute:meta])* $visible:vis $field:ident: $type:ty,)* }) => {
         #[derive(Debug, serde::Deserialize)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
         #[serde(deny_unknown_fields)]
         pub(super) struct $name {
-            pub(super) id: toml::Spanned<String>,
-            pub(super) locus: toml::Spanned<String>,
+            /// The name of the claim, its own in the file: letters, digits, `-`, `_` and `.`.
+            pub(super) id: crate::scheme::Spanned<String>,
+            /// Where it stands: `Table 2`, `(3), (5)-(7)`.
+            pub(super) locus: crate::scheme::Spanned<String>,
+            /// What it says.
             #[serde(default)]
             pub(super) title: String,
-            pub(super) scheme: Option<toml::Spanned<String>>,
+            /// The scheme that it is about, such as `"corner:w=w"` or `"corner:w=w x chaikin"`.
+            pub(super) scheme: Option<crate::scheme::Spanned<String>>,
+            /// What a reader should know.
             pub(super) note: Option<String>,
             $($(#[$attribute])* $visible $field: $type,)*
         }
@@ -94,21 +101,28 @@ pub(super) use claim_table;
 
 /// `"0.742"`, or `{ printed = "h1.69e-4", read = "1.69e-4", note = "…" }`.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(with = "OneOf<Corrected>"))]
 pub(super) struct NumberField {
     pub(super) printed: String,
     pub(super) read: Option<String>,
     pub(super) note: Option<String>,
 }
 
+/// A number of which the text is damaged, or is no decimal.
+#[derive(Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct Corrected {
+    /// As the paper prints it.
+    printed: String,
+    /// What it means.
+    read: String,
+    /// Why.
+    note: String,
+}
+
 impl<'de> Deserialize<'de> for NumberField {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<NumberField, D::Error> {
-        #[derive(Deserialize)]
-        #[serde(deny_unknown_fields)]
-        struct Corrected {
-            printed: String,
-            read: String,
-            note: String,
-        }
         struct Either;
         impl<'de> Visitor<'de> for Either {
             type Value = NumberField;
@@ -130,6 +144,7 @@ impl<'de> Deserialize<'de> for NumberField {
 
 /// `"chaikin"`, or `{ printed = "Chaikin", scheme = "chaikin", note = "…" }` with or without `note`.
 #[derive(Debug)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(with = "OneOf<Named>"))]
 pub(super) struct SchemeField {
     pub(super) printed: String,
     /// The reference, where it is not what is printed.
@@ -137,15 +152,21 @@ pub(super) struct SchemeField {
     pub(super) note: Option<String>,
 }
 
+/// A scheme under the name that the paper prints.
+#[derive(Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct Named {
+    /// As the paper prints it.
+    printed: String,
+    /// The reference, such as `"four-point:w=1/16"`.
+    scheme: Spanned<String>,
+    /// What a reader should know.
+    note: Option<String>,
+}
+
 impl<'de> Deserialize<'de> for SchemeField {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<SchemeField, D::Error> {
-        #[derive(Deserialize)]
-        #[serde(deny_unknown_fields)]
-        struct Named {
-            printed: String,
-            scheme: Spanned<String>,
-            note: Option<String>,
-        }
         struct Either;
         impl<'de> Visitor<'de> for Either {
             type Value = SchemeField;
@@ -163,4 +184,14 @@ impl<'de> Deserialize<'de> for SchemeField {
         }
         deserializer.deserialize_any(Either)
     }
+}
+
+/// A text, or this: what the readers by hand take.
+#[cfg(feature = "schema")]
+#[derive(schemars::JsonSchema)]
+#[schemars(untagged)]
+#[expect(dead_code, reason = "it is a form, and no value")]
+pub(super) enum OneOf<T> {
+    Text(String),
+    Other(T),
 }

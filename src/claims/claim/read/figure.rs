@@ -3,17 +3,20 @@
 use super::reader::Reader;
 use crate::claim::{Axis, Figure};
 use crate::diagnostic::Diagnostic;
+use crate::scheme::Spanned;
 use crate::suggestion::did_you_mean;
 use serde::Deserialize;
-use toml::Spanned;
 
 /// The most figures of a table.
 const MAX_FIGURES: usize = 16;
 
 #[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct FigureTable {
+    /// Which figure: `Figure 1(a)`.
     locus: String,
+    /// The headers of the rows, or else of the columns, that are plotted; without them all are.
     #[serde(default)]
     lines: Vec<Spanned<String>>,
 }

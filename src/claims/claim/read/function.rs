@@ -9,26 +9,38 @@ use crate::claim::{
 use crate::diagnostic::Diagnostic;
 use crate::exact::{RealAlgebraic, RealCyclotomic, parse_decimal};
 use crate::formula::{LocatedFormula, Parameters, evaluate};
-use crate::scheme::{formula, identifier};
+use crate::scheme::{Spanned, formula, identifier};
 use std::ops::Range;
-use toml::Spanned;
 
 claim_table!(FunctionTable {
+    /// The free parameter.
     pub(super) variable: Spanned<String>,
+    /// The printed closed form.
     left: Spanned<String>,
+    /// What it is said to equal.
     right: Spanned<String>,
 });
 
 claim_table!(RangeTable {
+    /// The free parameter.
     pub(super) variable: Spanned<String>,
+    /// The value that is limited.
     value: Option<Spanned<String>>,
+    /// In place of `value`: m, where the limits are C^m.
     pub(super) smoothness: Option<Spanned<String>>,
+    /// The value is less than this.
     below: Option<Spanned<String>>,
+    /// The value is this at most.
     at_most: Option<Spanned<String>>,
+    /// The printed lower end.
     from: Option<Spanned<NumberField>>,
+    /// The printed upper end.
     to: Option<Spanned<NumberField>>,
+    /// Whether the ends belong to the range.
     closed: Option<bool>,
+    /// Whether the paper says that the limits are C^m for no other values.
     only: Option<Spanned<bool>>,
+    /// Of rules around a vertex or on a face: for which valences, `'5'`, `'3..50'` or `'all'`.
     valences: Option<Spanned<String>>,
 });
 

@@ -21,5 +21,7 @@ mod table;
 mod theorem;
 mod trial;
 
+#[cfg(feature = "schema")]
+pub use paper::paper_schema;
 pub use paper::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file, read_whole_paper};
 pub use reader::is_id;

@@ -16,6 +16,10 @@ use std::sync::Arc;
 /// The largest claim file that is read, in bytes.
 pub const MAX_CLAIM_FILE_BYTES: u64 = 4 << 20;
 
+/// What to do with a file that has no table yet.
+const BEGIN: &str = "begin with key = \"doe2026\" and [paper], where title = \"…\" and year = \"2026\"; \
+                     `subcert new doe2026` writes a whole file to start from";
+
 /// Reads a claim file.
 ///
 /// # Errors
@@ -46,7 +50,9 @@ pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
 /// assert_eq!(errors.all().len(), 2);
 /// ```
 pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
-    let mut file: PaperFile = from_toml(source).map_err(Errors::from)?;
+    let begun = source.text.lines().any(|line| line.trim_start().starts_with(['[', 'p']));
+    let mut file: PaperFile = from_toml(source)
+        .map_err(|error| Errors::from(if begun { error } else { error.with_help(BEGIN) }))?;
     let reader = Reader { source };
     let mut errors = Collected::default();
     for cells in errors.all(&file.regularity, |table| reader.regularity(table)) {
@@ -100,6 +106,13 @@ fn ranges(all: Vec<AnyRange>) -> (Vec<RangeClaim>, Vec<SmoothnessClaim>) {
         }
     }
     (values, smoothness)
+}
+
+/// The JSON schema of claim files about papers, from the types that are read. It says nothing of formulas.
+#[cfg(feature = "schema")]
+#[must_use]
+pub fn paper_schema() -> schemars::Schema {
+    schemars::schema_for!(PaperFile)
 }
 
 /// Named formulas, each read by itself.

@@ -5,10 +5,9 @@ use crate::claim::{LocatedReference, Printed};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{NumberError, parse_decimal};
 use crate::formula::LocatedFormula;
-use crate::scheme::{Reference, formula};
+use crate::scheme::{Reference, Spanned, formula};
 use std::ops::Range;
 use std::sync::Arc;
-use toml::Spanned;
 
 /// Reads the parts of a claim file: from TOML tables to claims.
 pub(super) struct Reader<'a> {

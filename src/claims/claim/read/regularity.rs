@@ -6,13 +6,16 @@ use super::reader::Reader;
 use super::smoothness::{ExponentTable, SmoothnessTable};
 use crate::claim::{Headers, RegularityCell, RegularityTable};
 use crate::diagnostic::Diagnostic;
+use crate::scheme::Spanned;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use toml::Spanned;
 
 claim_table!(RegularityFile {
+    /// Schemes, or values of a parameter.
     rows: Spanned<AxisTable>,
+    /// What each column states: `order`, `continuous`, `not_continuous`, `exponent`, `value`, `at_least` or `at_most`.
     columns: Spanned<Vec<Spanned<String>>>,
+    /// Rows of what is printed; `'-'` where nothing is.
     cells: Spanned<Vec<Spanned<Vec<Spanned<NumberField>>>>>,
 });
 

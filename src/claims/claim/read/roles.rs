@@ -4,10 +4,10 @@ use super::file::PaperFile;
 use super::reader::Reader;
 use crate::claim::THEOREM_NAMES;
 use crate::diagnostic::Diagnostic;
+use crate::scheme::Spanned;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
-use toml::Spanned;
 
 /// The role of a name in a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

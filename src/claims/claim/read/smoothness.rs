@@ -8,9 +8,8 @@ use crate::claim::{
     SmoothnessKind, SmoothnessStatement,
 };
 use crate::diagnostic::Diagnostic;
-use crate::scheme::definitions;
+use crate::scheme::{Spanned, definitions};
 use std::collections::BTreeMap;
-use toml::Spanned;
 
 /// The greatest m of a C^m.
 const MAX_ORDER: usize = 64;
@@ -19,10 +18,15 @@ const MAX_ORDER: usize = 64;
 const MAX_VALENCE: usize = 100;
 
 claim_table!(SmoothnessTable {
+    /// The limits are C^m for this m.
     pub(super) continuous: Option<Spanned<String>>,
+    /// Not all limits are C^m for this m.
     pub(super) not_continuous: Option<Spanned<String>>,
+    /// Of rules around a vertex or on a face: for which valences, `'5'`, `'3..50'` or `'all'`.
     pub(super) valences: Option<Spanned<String>>,
+    /// In place of all but the common fields: what the paper lacks.
     pub(super) absent: Option<String>,
+    /// Values of parameters for this claim alone.
     #[serde(default)]
     pub(super) given: Formulas,
     /// The cell of a table that it is.
@@ -31,12 +35,19 @@ claim_table!(SmoothnessTable {
 });
 
 claim_table!(ExponentTable {
+    /// The exponent: `'6 - log_2(9)'`.
     pub(super) value: Option<Spanned<String>>,
+    /// The exponent as a decimal.
     pub(super) printed: Option<Spanned<NumberField>>,
+    /// A lower bound, as a formula.
     pub(super) at_least: Option<Spanned<String>>,
+    /// An upper bound, as a formula.
     pub(super) at_most: Option<Spanned<String>>,
+    /// Whether the paper says that the exponent is attained.
     pub(super) attained: Option<bool>,
+    /// In place of all but the common fields: what the paper lacks.
     pub(super) absent: Option<String>,
+    /// Values of parameters for this claim alone.
     #[serde(default)]
     pub(super) given: Formulas,
     /// The cell of a table that it is.

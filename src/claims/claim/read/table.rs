@@ -7,42 +7,66 @@ use super::reader::{Head, Reader};
 use crate::claim::{Cell, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
-use crate::scheme::{definitions, formula, identifier};
+use crate::scheme::{Spanned, definitions, formula, identifier};
 use serde::Deserialize;
 use serde::de::Visitor;
 use std::collections::BTreeMap;
 use std::fmt;
-use toml::Spanned;
 
 claim_table!(TableTable {
+    /// The formula that each cell is said to equal.
     value: Spanned<String>,
+    /// What a cell promises beyond its value.
     promise: Option<Spanned<PromiseTable>>,
+    /// The headers of the rows.
     pub(super) rows: Option<Spanned<AxisTable>>,
+    /// The headers of the columns.
     pub(super) columns: Spanned<AxisTable>,
+    /// Rows of numbers as printed, or `"lost"`.
     cells: Spanned<CellsField>,
+    /// Values that the paper states for this table.
     #[serde(default)]
     pub(super) given: Formulas,
+    /// Parameters that the paper does not state.
     #[serde(default)]
     pub(super) unstated: Unstated,
+    /// The figures of the paper that plot numbers of this table.
     #[serde(default)]
     figures: Vec<Spanned<FigureTable>>,
 });
 
 #[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct PromiseTable {
+    /// Cells are depths: from this level on the distance is at most the tolerance.
     tolerance: Option<Spanned<String>>,
+    /// Cells are upper bounds of the distance at this level.
     level: Option<Spanned<String>>,
+    /// max ‖Δ^0‖, a formula.
     spread: Spanned<String>,
+    /// The index offset at which the paper compares polygon and limit.
     offset: Option<Spanned<String>>,
+    /// The rules of which the points are compared with their limit.
     ring: Option<Spanned<String>>,
 }
 
 /// Rows of cells, or `"lost"` when the source has none of them.
 #[derive(Debug)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
 enum CellsField {
+    #[cfg_attr(feature = "schema", schemars(with = "Lost"))]
     Lost,
     Rows(Vec<Spanned<Vec<Spanned<NumberField>>>>),
+}
+
+/// The word for cells of which the source has none.
+#[cfg(feature = "schema")]
+#[derive(schemars::JsonSchema)]
+#[schemars(rename_all = "lowercase")]
+#[expect(dead_code, reason = "it is a form, and no value")]
+enum Lost {
+    Lost,
 }
 
 impl<'de> Deserialize<'de> for CellsField {

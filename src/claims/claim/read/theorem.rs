@@ -5,30 +5,44 @@ use super::reader::{Head, Reader};
 use super::trial::{RewritingTable, SupposesTable, TrialFields};
 use crate::claim::{ByHand, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
-use crate::scheme::formula;
+use crate::scheme::{Spanned, formula};
 use crate::suggestion::did_you_mean;
 use std::collections::{BTreeMap, BTreeSet};
-use toml::Spanned;
 
 claim_table!(TheoremTable {
+    /// `distance`, `step`, `difference` or `depth`.
     bounds: Option<Spanned<String>>,
+    /// The bound, a formula in k and beta; of a depth, the level, in epsilon and beta.
     pub(super) by: Option<Spanned<String>>,
+    /// The first level that it is stated for.
     from: Option<Spanned<String>>,
+    /// In place of `bounds` and `by`: a statement of another kind, in words.
     says: Option<String>,
+    /// Schemes that a theorem about every scheme is tried on.
     #[serde(default)]
     schemes: Vec<Spanned<String>>,
+    /// Values of open names; all combinations are tried.
     #[serde(default)]
     pub(super) values: BTreeMap<Spanned<String>, Vec<Spanned<String>>>,
+    /// Where polygon and limit are compared.
     offset: Option<Spanned<String>>,
+    /// Of rings: what the points of the next level are compared with.
     interpolant: Option<Spanned<String>>,
+    /// A constant in `by` belongs to so many levels.
     block: Option<Spanned<String>>,
+    /// A hypothesis; other cases are out of question.
     supposes: Option<SupposesTable>,
+    /// Corrections to try beside those that the program knows.
     #[serde(default)]
     corrections: Vec<RewritingTable>,
+    /// Where a proof by hand stands.
     proved_by: Option<Spanned<String>>,
+    /// Where a refutation by hand stands.
     refuted_by: Option<Spanned<String>>,
+    /// Ids of claims of the file that the proof by hand uses.
     #[serde(default)]
     proof_uses: Vec<Spanned<String>>,
+    /// Ids of claims of the file that the theorem rests on.
     #[serde(default)]
     rests: Vec<Spanned<String>>,
 });

@@ -4,10 +4,9 @@ use super::reader::Reader;
 use crate::claim::{Rewriting, Trial};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, parse_rational};
-use crate::scheme::{formula, identifier};
+use crate::scheme::{Spanned, formula, identifier};
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use toml::Spanned;
 
 /// The most instances, combinations of a scheme and values, that a theorem is tried on.
 const MAX_TRIALS: usize = 256;
@@ -17,18 +16,25 @@ const MAX_OFFSET: i64 = 10_000;
 
 /// `supposes = { value = 'T', below = '1' }`.
 #[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct SupposesTable {
+    /// A formula.
     value: Spanned<String>,
+    /// What it is less than.
     below: Spanned<String>,
 }
 
 /// `corrections = [{ of = "GH", says = "…", value = '…' }]`.
 #[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct RewritingTable {
+    /// The name that gets another formula.
     of: Spanned<String>,
+    /// The correction in words.
     says: String,
+    /// The other formula.
     value: Spanned<String>,
 }
 

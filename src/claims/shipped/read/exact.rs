@@ -4,10 +4,9 @@ use super::nested::{Nested, flattened};
 use super::reader::Reader;
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
-use crate::scheme::formula;
+use crate::scheme::{Spanned, formula};
 use crate::shipped::claim::{Convention, ExactValues};
 use std::ops::Range;
-use toml::Spanned;
 
 /// The fields `equals` and `equals_cells`, of a table at a place of the file.
 pub(super) struct ExactFields<'a> {

@@ -2,9 +2,8 @@
 
 use super::reader::Reader;
 use crate::diagnostic::Diagnostic;
-use crate::scheme::identifier;
+use crate::scheme::{Spanned, identifier};
 use crate::shipped::claim::TableIndex;
-use toml::Spanned;
 
 /// The greatest absolute value of an index.
 const MAX_INDEX: i64 = 1_000_000;

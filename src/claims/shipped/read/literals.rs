@@ -7,10 +7,10 @@ use crate::diagnostic::{Diagnostic, SourceText, read_text};
 use crate::exact::Rational;
 use crate::float::exact;
 use crate::literal::{Entry, Language, Precision, Written, read_literals};
+use crate::scheme::Spanned;
 use crate::shipped::claim::{Digits, NumberType, ShippedNumber};
 use std::path::Path;
 use std::sync::Arc;
-use toml::Spanned;
 
 /// The largest source file that is read, in bytes.
 const MAX_SOURCE_BYTES: u64 = 16 << 20;

@@ -9,5 +9,7 @@ mod nested;
 mod project;
 mod reader;
 
+#[cfg(feature = "schema")]
+pub use file::project_schema;
 pub use project::{MAX_SHIPPED, is_project, read_project};
 pub use reader::MAX_DESCRIBED;

@@ -1,13 +1,14 @@
 //! Texts in nested lists, as a table has them row by row.
 
+use crate::scheme::Spanned;
 use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{SeqAccess, Visitor};
 use std::fmt;
-use toml::Spanned;
 
 /// A text, or a list of such.
 #[derive(Debug)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
 pub(super) enum Nested {
     Text(String),
     List(Vec<Spanned<Nested>>),

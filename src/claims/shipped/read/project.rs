@@ -7,11 +7,10 @@ use crate::claim::is_id;
 use crate::diagnostic::{Collected, Diagnostic, Errors, SourceText};
 use crate::exact::{Rational, parse_rational};
 use crate::literal::Language;
-use crate::scheme::{definitions, from_toml};
+use crate::scheme::{Spanned, definitions, from_toml};
 use crate::shipped::claim::{NumberType, Origin, Project, ShippedClaim, TableIndex};
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use toml::Spanned;
 
 /// The most tables of a claim file.
 pub const MAX_SHIPPED: usize = 64;
