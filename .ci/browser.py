@@ -3,7 +3,7 @@
 
     .ci/browser.py FOLDER [SCREENSHOTS]
 
-FOLDER holds the pages of `subcert audit --format html -o FOLDER`, and of `explain` and `depth`. Nothing may be written to the console or
+FOLDER holds the pages of `subcert audit --format html -o FOLDER` or of `atlas`, and of `explain` and `depth`. Nothing may be written to the console or
 loaded from elsewhere, no box may stand outside the window, anchors open their cells, filters hide what they
 should, certificates unfold, pictures have words, and all of it works by the keyboard alone and without scripts. With SCREENSHOTS, each page is drawn
 there at 390 and at 1280 pixels, light and dark. Chromium comes from Debian where it is missing; it is
@@ -169,6 +169,9 @@ class Checks:
                     self.chromium.picture(pictures / f"{page.stem}-{size[0]}-{scheme}.png")
             self.chromium.call("Emulation.setEmulatedMedia", features=[])
         self.texts(name)
+        if self.chromium.value("!!document.querySelector('table.atlas')"):
+            self.atlas(address, name)
+            self.skip(address, name)
         if name == "index.html":
             return
         self.anchors(address, name)
@@ -207,6 +210,54 @@ class Checks:
             ".filter(id => !document.getElementById(id))"
         )
         self.expect(f"{name}: links lead nowhere: {lost}", lost == [])
+
+    def atlas(self, address: str, name: str) -> None:
+        """The index of schemes is searched and sorted by the keyboard, and is whole without scripts."""
+        chromium = self.chromium
+        shown = "[...document.querySelectorAll('.atlas tbody tr')].filter(r => r.getClientRects().length)"
+        rows = chromium.value(f"{shown}.length")
+        chromium.call("Emulation.setScriptExecutionDisabled", value=True)
+        chromium.open(address, DESKTOP)
+        bare = chromium.value(f"{shown}.length + 100000 * document.querySelectorAll('.atlas button, input').length")
+        self.expect(f"{name}: {bare} rows without scripts, and {rows} with them", bare == rows > 0)
+        chromium.call("Emulation.setScriptExecutionDisabled", value=False)
+        for size in (DESKTOP, PHONE):
+            chromium.open(address, size)
+            # By Tab to the field, then to the buttons.
+            stops = 0
+            while chromium.value("document.activeElement.type") != "search" and stops < 10:
+                chromium.key("Tab", 9)
+                stops += 1
+            chromium.call("Input.insertText", text="not INTER")
+            found = chromium.value(f"{shown}.map(r => r.dataset.words)")
+            wrong = [words for words in found if "not" not in words or "inter" not in words]
+            self.expect(f"{name}: the search finds {wrong}, {len(found)} of {rows}", not wrong and 0 < len(found) < rows)
+            said = chromium.value("document.querySelector('[role=status]').textContent")
+            self.expect(f"{name}: {said} is said of {len(found)}", said.startswith(f"{len(found)} of "))
+            chromium.value("document.querySelector('input').select()")
+            chromium.key("Backspace", 8)
+            self.expect(f"{name}: the search does not end", chromium.value(f"{shown}.length") == rows)
+            columns = chromium.value("document.querySelectorAll('.atlas thead button').length")
+            stops = 0
+            for column in range(columns):
+                here = f"document.activeElement.closest('th')?.cellIndex === {column} && document.activeElement.type === 'button'"
+                while not chromium.value(here) and stops < 40:
+                    chromium.key("Tab", 9)
+                    stops += 1
+                for down in (False, True):
+                    chromium.key("Enter", 13)
+                    keys = chromium.value(f"{shown}.map(r => r.cells[{column}].dataset.key)")
+                    known = [key for key in keys if key]
+                    try:
+                        known = [float(key) for key in known]
+                        wanted = sorted(known, reverse=down)
+                    except ValueError:
+                        # The order of letters is that of the reader's language.
+                        wanted = known if chromium.value(
+                            f"(k => k.every((x, i) => !i || (k[i - 1].localeCompare(x)) * {-1 if down else 1} <= 0))"
+                            f"({json.dumps(known)})") else None
+                    last = all(not key for key in keys[len(known):])
+                    self.expect(f"{name}: column {column} is not sorted, {size[0]} pixels", known == wanted and last)
 
     def folds(self, address: str, name: str) -> None:
         """What is folded opens by Enter and closes again, with the lines of certificates among it."""

@@ -1,6 +1,8 @@
 //! `subcert atlas`.
 
 use super::arguments::AtlasArguments;
+use super::atlas_pages;
+use super::finding::no_page;
 use super::json::{SCHEMA, facts as form};
 use super::output::{Failure, Outcome, show};
 use super::progress::Progress;
@@ -24,6 +26,14 @@ pub(super) fn atlas(arguments: &AtlasArguments) -> Outcome {
         references.iter().map(move |reference| (*entry, reference))
     });
     let all: Vec<_> = all.collect();
+    let to = match arguments.format.of_text(arguments.file.as_ref()) {
+        None => return atlas_pages::pages(arguments, &entries),
+        Some(_) if !arguments.claims.is_empty() => {
+            let message = "--claims is for pages, which link to the claims: add --format html";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        Some(to) => no_page(to)?,
+    };
     let progress = Progress::of_schemes(all.len(), true);
     let found = on_all_cores(&all, |(entry, reference)| {
         let facts = SchemeFacts::of(reference).map(|facts| FactsForm::of(reference, &facts));
@@ -33,7 +43,7 @@ pub(super) fn atlas(arguments: &AtlasArguments) -> Outcome {
     drop(progress);
     let schemes = found.into_iter().collect::<Result<Vec<form::Entry<'_>>, _>>();
     let atlas = form::Atlas { schema: SCHEMA, schemes: schemes.map_err(Failure::from)? };
-    show(&arguments.output, || sheet(&atlas), || &atlas)
+    show(&to, || sheet(&atlas), || &atlas)
 }
 
 fn sheet(atlas: &form::Atlas<'_>) -> Sheet {

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod atlas;
+mod atlas_pages;
 mod audit;
 mod certified;
 mod certify;
@@ -32,6 +33,7 @@ mod oracle;
 mod output;
 mod pages;
 mod papers;
+mod plot;
 mod polygon;
 mod progress;
 mod projects;
@@ -103,6 +105,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Limit(command) => geometry::limit(&command),
         Command::Schemes(command) => schemes::schemes(&command),
         Command::Scheme(command) => scheme::scheme(&command),
+        Command::Plot(command) => plot::plot(&command),
         Command::Atlas(command) => atlas::atlas(&command),
         Command::Flags(output) => flags::flags(&output),
         #[cfg(feature = "schema")]

@@ -35,6 +35,19 @@ pub(super) fn pages(
     embedded: bool,
     folder: &Path,
 ) -> Outcome {
+    write_pages(audits, certified, embedded, folder)?;
+    let (count, folder) = (audits.len(), folder.display());
+    let pages = if count == 1 { "page" } else { "pages" };
+    write_results(&format!("{folder}: {count} {pages}, and index.html, which leads to them\n"))
+}
+
+/// The same, without a word.
+pub(super) fn write_pages(
+    audits: &[PaperAudit<'_>],
+    certified: Option<&Certified>,
+    embedded: bool,
+    folder: &Path,
+) -> Outcome {
     if audits.iter().any(|audit| audit.paper.key == INDEX) {
         let message =
             "a paper of the key `index` would take the place of the index: give it another key";
@@ -49,10 +62,7 @@ pub(super) fn pages(
     if let Some(certified) = certified {
         certified.section(&mut more);
     }
-    write(folder, INDEX, &index_page(audits, &more))?;
-    let (count, folder) = (audits.len(), folder.display());
-    let pages = if count == 1 { "page" } else { "pages" };
-    write_results(&format!("{folder}: {count} {pages}, and index.html, which leads to them\n"))
+    write(folder, INDEX, &index_page(audits, &more))
 }
 
 /// Writes the page of this name into a folder.

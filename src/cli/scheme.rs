@@ -47,7 +47,7 @@ fn write_family(family: &FamilyFacts, sheet: &mut Sheet) {
     sheet.text(format!("What is in neither set is open; `subcert range` looks closer. {end}."));
 }
 
-fn sheet(facts: &FactsForm, family: Option<&FamilyFacts>) -> Sheet {
+pub(super) fn sheet(facts: &FactsForm, family: Option<&FamilyFacts>) -> Sheet {
     let mut sheet = Sheet::default();
     sheet.heading(1, facts.scheme.clone());
     if let Some(curve) = &facts.curve {

@@ -49,7 +49,7 @@ pub(super) fn smooth_map(arguments: &RangeArguments, parameters: [&String; 2]) -
 }
 
 /// The region that `a=-1..1,b=0..1/2` names.
-fn region(text: Option<&str>, parameters: [&String; 2]) -> Result<Sides, String> {
+pub(super) fn region(text: Option<&str>, parameters: [&String; 2]) -> Result<Sides, String> {
     let mut sides = [None, None];
     for part in text.unwrap_or_default().split(',').filter(|part| !part.trim().is_empty()) {
         let wrong = |reason: &str| {

@@ -7,14 +7,39 @@ use super::save::save;
 use super::spectrum::failure;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use subcert::exact::Rational;
+use subcert::limit::Limit;
+use subcert::report::html::shell_word;
+use subcert::scheme::{AnyScheme, Mask, parse_algebraic, parse_any_scheme};
 use subcert::spectrum::surroundings;
-use subcert::spectrum::table::{Language, Origin, Row, TableError, write};
+use subcert::spectrum::table::{Language, Origin, RealType, Row, TableError, write, write_mask};
 
 /// The most valences of a table.
 const MAX_VALENCES: usize = 256;
 
 pub(super) fn table(arguments: &TableArguments) -> Outcome {
-    let (first, last) = arguments.valences;
+    let language = Language::from(arguments.format);
+    let real = arguments.real.into();
+    let text = match arguments.valences {
+        Some(valences) => of_valences(arguments, valences, language, real)?,
+        None => of_mask(&arguments.scheme, language, real)?.ok_or_else(|| {
+            let scheme = &arguments.scheme;
+            Failure::Input(format!(
+                "`{scheme}` has rules around one vertex or face: name the valences with --valences 3..12"
+            ))
+        })?,
+    };
+    let Some(path) = &arguments.output else { return write_results(&text) };
+    save(path, &text)
+        .map_err(|error| Failure::Input(format!("cannot write {}: {error}", path.display())))
+}
+
+fn of_valences(
+    arguments: &TableArguments,
+    (first, last): (usize, usize),
+    language: Language,
+    real: RealType,
+) -> Result<String, Failure> {
     let count = (last - first).saturating_add(1);
     if count > MAX_VALENCES {
         let message = format!("--valences: {count} valences; a table has at most {MAX_VALENCES}");
@@ -22,32 +47,76 @@ pub(super) fn table(arguments: &TableArguments) -> Outcome {
     }
     let done = Arc::new(AtomicU64::new(0));
     let progress = Progress::of_spectra(Arc::clone(&done), count, true);
-    let row = |valence: usize| {
-        let row = Row::of(&surroundings(&arguments.scheme, Some(valence))?)?;
+    let text = ring_table(&arguments.scheme, (first, last), language, real, &|| {
         done.fetch_add(1, Ordering::Relaxed);
-        Ok(row)
-    };
-    let rows: Result<Vec<Row>, TableError> = (first..=last).map(row).collect();
+    });
     drop(progress);
-    let language = Language::from(arguments.format);
-    let command = format!(
-        "subcert table {} --valences {first}..{last} --format {} --type {}",
-        arguments.scheme,
-        language.name(),
-        if arguments.real == super::arguments::TypeArgument::F32 { "f32" } else { "f64" },
-    );
-    let origin = Origin { scheme: &arguments.scheme, command: &command };
-    let text = rows
-        .and_then(|rows| write(&rows, language, arguments.real.into(), &origin))
-        .map_err(refused)?;
-    let Some(path) = &arguments.output else { return write_results(&text) };
-    save(path, &text)
-        .map_err(|error| Failure::Input(format!("cannot write {}: {error}", path.display())))
-}
-
-fn refused(error: TableError) -> Failure {
-    match error {
+    text.map_err(|error| match error {
         TableError::Spectrum(error) => failure(error),
         other => Failure::Input(other.to_string()),
+    })
+}
+
+/// The table of rules at these valences.
+pub(super) fn ring_table(
+    scheme: &str,
+    (first, last): (usize, usize),
+    language: Language,
+    real: RealType,
+    done: &dyn Fn(),
+) -> Result<String, TableError> {
+    let row = |valence: usize| {
+        let row = Row::of(&surroundings(scheme, Some(valence))?)?;
+        done();
+        Ok(row)
+    };
+    let rows = (first..=last).map(row).collect::<Result<Vec<Row>, TableError>>()?;
+    let command = format!(
+        "subcert table {scheme} --valences {first}..{last} --format {} --type {}",
+        language.name(),
+        type_name(real),
+    );
+    write(&rows, language, real, &Origin { scheme, command: &command })
+}
+
+fn type_name(real: RealType) -> &'static str {
+    match real {
+        RealType::F32 => "f32",
+        RealType::F64 => "f64",
     }
+}
+
+/// The table of a mask; `None` of rules around a vertex or on a face.
+pub(super) fn of_mask(
+    scheme: &str,
+    language: Language,
+    real: RealType,
+) -> Result<Option<String>, Failure> {
+    let command = format!(
+        "subcert table {} --format {} --type {}",
+        shell_word(scheme),
+        language.name(),
+        type_name(real)
+    );
+    let origin = Origin { scheme, command: &command };
+    Ok(Some(match parse_any_scheme(scheme) {
+        Ok(AnyScheme::LocalRules(_)) => return Ok(None),
+        Ok(AnyScheme::Uniform(found)) => {
+            let mask = Mask::try_from(found).map_err(|_| {
+                Failure::Input(format!(
+                    "`{scheme}` is a tensor product: its weights are products of those of its factors, one by one"
+                ))
+            })?;
+            let limit = Limit::new(&mask).ok().and_then(|limit| limit.at(&Rational::zero()).ok());
+            write_mask(&mask, limit.as_ref(), language, real, &origin)
+        }
+        Err(_) if subcert::scheme::parse_rules_of_valence(scheme, Some(3)).is_ok() => {
+            return Ok(None);
+        }
+        Err(error) => {
+            // What is wrong with the scheme is wrong in any field, but for roots.
+            let mask = parse_algebraic(scheme).map_err(|_| error)?;
+            write_mask(&mask, None, language, real, &origin)
+        }
+    }))
 }

@@ -8,7 +8,7 @@ use subcert::claim::read_paper_file;
 use subcert_check::{Outcome, check};
 
 /// The papers with claims about smoothness, and the claims of each that no certificate carries.
-const PAPERS: [(&str, &[&str]); 21] = [
+const PAPERS: [(&str, &[&str]); 23] = [
     ("cohen1992", &[]),
     ("deboor1987", &[]),
     ("dong2007", &[]),
@@ -21,9 +21,11 @@ const PAPERS: [(&str, &[&str]); 21] = [
     ("hechler2009", &["hechler2009:sharp"]),
     ("hormann2008", &[]),
     ("ko2007", &[]),
+    ("kobbelt2000", &["kobbelt2000:tangent-plane"]),
     ("lane1980", &[]),
     ("loop1987", &[]),
     ("mustafa2009", &[]),
+    ("peters1997", &["peters1997:tangent-plane"]),
     ("peters1998", &[]),
     ("rioul1992", &["rioul1992:four-points"]),
     ("rossignac2008", &["rossignac2008:tangent", "rossignac2008:third"]),
@@ -44,8 +46,12 @@ fn the_claims_of_the_papers_hold_and_are_certified() {
         assert_eq!(paper.key, key);
         let audit = audit(&paper).unwrap_or_else(|error| panic!("{error}"));
         for finding in &audit.smoothness {
-            let rounded = finding.id == "hechler2009:sharp";
-            let expected = if rounded { "rounding" } else { "confirmed" };
+            let expected = match key {
+                "hechler2009" => "rounding",
+                // The regular parts of their surfaces are not known here.
+                "kobbelt2000" | "peters1997" => "open",
+                _ => "confirmed",
+            };
             assert_eq!(finding.verdict.name(), expected, "{}", finding.id);
         }
         assert!(audit.errata().errata.is_empty());

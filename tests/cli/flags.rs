@@ -34,8 +34,8 @@ const OTHERS: [(&str, &[&str]); 4] = [
     ("table", &["c", "cpp", "rust", "python", "glsl", "json"]),
 ];
 
-/// What only writes files, or what shells read.
-const WITHOUT: [&str; 4] = ["prove", "new", "completions", "man"];
+/// What only writes files or one kind of text, or what shells read.
+const WITHOUT: [&str; 5] = ["prove", "new", "plot", "completions", "man"];
 
 /// The flags that mean one thing wherever they stand, and the commands for which they make sense.
 const SHARED: [(&str, &[&str]); 9] = [

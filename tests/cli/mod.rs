@@ -11,6 +11,7 @@ mod new;
 mod offset;
 mod output;
 mod pages;
+mod plot;
 mod polygons;
 mod projects;
 mod smoothness;

@@ -224,6 +224,11 @@ fn differences_stand_by_their_harm() {
     );
     // Nothing differs in no paper, and in one without claims.
     assert!(differences_sheet(&[]).to_markdown().contains("0 differences in 0 of 0 papers"));
+    let open = paper(
+        "[[smoothness]]\nid = 'o'\nlocus = 'O'\nscheme = 'sqrt3'\nvalences = '5'\ncontinuous = '1'\n",
+    );
+    let page = differences_sheet(&[judged(&open)]).to_markdown();
+    assert!(page.contains("(k, of which 1 claim is not decided)"), "{page}");
     let empty = paper("");
     let page = differences_sheet(&[judged(&empty)]).to_markdown();
     assert!(

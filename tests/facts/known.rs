@@ -59,14 +59,17 @@ fn generated_and_reproduced() {
 /// i/2^k they are half a difference off, 2^{-k}/2. The cubic spline's are 1/6 of a second difference, 4^{-k}/3, from it.
 #[test]
 fn depths_of_splines() {
-    let least = |base: f64, start: f64| (start * 100.0).log(base).ceil();
+    let least = |base: i64, start: Rational| {
+        let far = |k: &u32| &start * &Rational::from(base).pow(-i32::try_from(*k).expect("small"));
+        (0..9).find(|k| far(k) <= r(1, 100)).expect("a level")
+    };
     for (name, indexed, natural) in [
-        ("chaikin", least(2.0, 0.5), least(4.0, 0.25)),
-        ("b-spline:degree=3", least(4.0, 1.0 / 3.0), least(4.0, 1.0 / 3.0)),
+        ("chaikin", least(2, r(1, 2)), least(4, r(1, 4))),
+        ("b-spline:degree=3", least(4, r(1, 3)), least(4, r(1, 3))),
     ] {
         let depths = CurveFacts::of_rational(&mask(name)).depths;
         let found = [depths.indexed, depths.natural].map(|depth| depth.expect("a depth").upper);
-        assert_eq!(found.map(f64::from), [indexed, natural], "{name}");
+        assert_eq!(found, [indexed, natural], "{name}");
     }
 }
 

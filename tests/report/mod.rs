@@ -9,5 +9,6 @@ mod html;
 mod latex;
 mod latex_table;
 mod pictures;
+mod plots;
 mod smoothness;
 mod witnesses;

@@ -1,4 +1,5 @@
 mod algebraic;
+mod basic;
 mod known;
 mod laws;
 mod map;

@@ -13,10 +13,11 @@ from ._scheme import _text
 
 @dataclass(frozen=True)
 class Facts:
-    """All that is known of a scheme, as ``subcert scheme --format json`` has it; None stands for what is open.
+    """All that is known of a scheme, as ``subcert scheme --format json`` has it; None is what is open.
 
-    ``curve`` has the facts of a mask, ``valences`` those of rules around a vertex or on a face, one for each valence, and
-    ``ranges`` where in the only parameter of a family the limits are C^m. Exact numbers are texts, beside decimals.
+    ``curve`` has the facts of a mask, ``valences`` those of rules around a vertex or on a face, one for
+    each valence, and ``ranges`` where in the only parameter of a family the limits are C^m. Exact numbers
+    are texts, beside decimals.
 
     >>> found = scheme("four-point", w="1/16")
     >>> found.curve["continuity"], found.curve["hoelder"]["exact"], found.curve["contraction"][0]["exact"]
@@ -67,11 +68,22 @@ def _shown(exact: Optional[Dict[str, str]]) -> Optional[str]:
     return exact["exact"] if len(exact["exact"]) <= 24 else exact["decimal"]
 
 
+def _between(low: Any, high: Any) -> str:
+    """Two bounds of a value.
+
+    >>> _between(3, 3), _between(3, 4)
+    ('3', '3 to 4')
+    """
+    return str(low) if low == high else f"{low} to {high}"
+
+
 def _orders(curve: Dict[str, Any]) -> str:
     """C^m in words.
 
-    >>> _orders({"continuity": 1, "continuity_fails": 2}), _orders({"continuity": None, "continuity_fails": 0})
-    ('C^1, not C^2', 'diverges')
+    >>> _orders({"continuity": 1, "continuity_fails": 2})
+    'C^1, not C^2'
+    >>> _orders({"continuity": None, "continuity_fails": 0})
+    'diverges'
     """
     proved, fails = curve["continuity"], curve["continuity_fails"]
     if fails == 0:
@@ -83,7 +95,7 @@ def _orders(curve: Dict[str, Any]) -> str:
 def _curve(name: str, curve: Dict[str, Any]) -> List[str]:
     low, high = map(_shown, curve["support"])
     hoelder = curve["hoelder"]
-    exponent = hoelder and (hoelder["exact"] or f"{hoelder['lower']} to {hoelder['upper']}")
+    exponent = hoelder and (hoelder["exact"] or _between(hoelder["lower"], hoelder["upper"]))
     depth = curve["depth_natural"]
     known = _html.facts(
         name,
@@ -98,7 +110,7 @@ def _curve(name: str, curve: Dict[str, Any]) -> List[str]:
             ("limits", _orders(curve)),
             ("Hölder exponent", exponent),
             ("σ", _shown(curve["displacement"])),
-            ("depth for 1/100, natural", depth and (depth["upper"] if depth["lower"] == depth["upper"] else f"{depth['lower']} to {depth['upper']}")),
+            ("depth for 1/100, natural", depth and _between(depth["lower"], depth["upper"])),
             ("open", ", ".join(one["fact"] for one in curve["open"]) or None),
         ],
     )
@@ -111,7 +123,8 @@ def _surface(name: str, valences: List[Dict[str, Any]]) -> str:
     for one in valences:
         vertex = one["vertex"] or {}
         lead = _shown(vertex.get("subdominant"))
-        rows.append([one["valence"], vertex.get("verdict", "open"), lead, _shown(one["next"]), vertex.get("curvature")])
+        verdict, curvature = vertex.get("verdict", "open"), vertex.get("curvature")
+        rows.append([one["valence"], verdict, lead, _shown(one["next"]), curvature])
     return _html.table(name, ["valence", "C^1", "λ", "μ", "curvature"], rows)
 
 

@@ -126,6 +126,13 @@ Examples:
   subcert atlas chaikin four-point
   subcert atlas --format json -o atlas.json";
 
+pub(super) const PLOT: &str = "\
+Examples:
+  subcert plot four-point:w=1/16 -o four-point.svg
+  subcert plot '[1, 4, 6, 4, 1]/8' -o cubic.svg
+  subcert plot colella-heil -o region.svg
+  subcert plot doo-sabin:n=5 -o ring.svg";
+
 pub(super) const COMPLETIONS: &str = "\
 Examples:
   subcert completions bash

@@ -20,6 +20,7 @@ const GROUPS: [Group; 4] = [
             "schemes",
             "scheme",
             "atlas",
+            "plot",
             "constants",
             "depth",
             "range",

@@ -21,11 +21,11 @@ pub(super) use papers::{
 };
 pub(super) use schemes::{
     AtlasArguments, BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments,
-    DistanceArgument, FacesArgument, OracleArguments, OracleFormat, RangeArguments,
+    DistanceArgument, FacesArgument, OracleArguments, OracleFormat, PlotArguments, RangeArguments,
     SchemeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};
-pub(super) use spectrum::{SpectrumArguments, TableArguments, TypeArgument};
+pub(super) use spectrum::{SpectrumArguments, TableArguments};
 use std::path::PathBuf;
 
 const AFTER_HELP: &str = "\
@@ -116,6 +116,10 @@ pub(super) enum Command {
     /// The facts of all schemes of the catalogue at once
     #[command(after_help = examples::ATLAS)]
     Atlas(AtlasArguments),
+    /// The pictures of one scheme as SVG: basic limit function and derivatives, a refined polygon, where in its
+    /// parameters it is smooth, characteristic rings
+    #[command(after_help = examples::PLOT)]
+    Plot(PlotArguments),
     /// Write a completion script for a shell
     #[command(after_help = examples::COMPLETIONS)]
     Completions {

@@ -1,7 +1,7 @@
 //! The arguments of the commands about schemes.
 
 use super::meshes::ClosedArgument;
-use super::{FindingOutput, Output, Valences};
+use super::{FindingFormat, FindingOutput, Output, Valences};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -254,10 +254,33 @@ pub(in crate::cli) struct SchemeArguments {
 }
 
 #[derive(Debug, Args)]
+pub(in crate::cli) struct PlotArguments {
+    /// The scheme: a mask, also one with one or two parameters without a value; or rules around a vertex or on a face, these
+    /// without a valence for 3, 5 and 7
+    #[arg(value_name = "SCHEME")]
+    pub(in crate::cli) scheme: String,
+    /// The region of two parameters without a value, such as a=-1..1,b=0..1/2 [default: from -1 to 1]
+    #[arg(long, value_name = "BOX", allow_hyphen_values = true)]
+    pub(in crate::cli) bounds: Option<String>,
+    /// The file for the picture [default: the standard output]
+    #[arg(id = "output", short = 'o', long, value_name = "FILE")]
+    pub(in crate::cli) file: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
 pub(in crate::cli) struct AtlasArguments {
     /// Schemes of the catalogue [default: all]
     #[arg(value_name = "NAME")]
     pub(in crate::cli) names: Vec<String>,
-    #[command(flatten)]
-    pub(in crate::cli) output: Output,
+    /// A claim file (may be repeated): with `--format html`, the pages of schemes link to what it says of them, on the page
+    /// of its audit
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub(in crate::cli) claims: Vec<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = FindingFormat::Text)]
+    pub(in crate::cli) format: FindingFormat,
+    /// The file for the results; of `--format html` the folder for a page of each scheme, NAME.html, and index.html
+    /// [default: the standard output]
+    #[arg(id = "output", short = 'o', long, value_name = "FILE|DIR")]
+    pub(in crate::cli) file: Option<PathBuf>,
 }

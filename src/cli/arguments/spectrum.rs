@@ -19,12 +19,12 @@ pub(in crate::cli) struct SpectrumArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct TableArguments {
-    /// The rules around a vertex or on a face
+    /// The rules around a vertex or on a face, or a mask
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The valences, from the first to the last
+    /// The valences of rules around a vertex or on a face, from the first to the last
     #[arg(long, value_name = "FIRST..LAST", value_parser = valences)]
-    pub(in crate::cli) valences: (usize, usize),
+    pub(in crate::cli) valences: Option<(usize, usize)>,
     /// The language
     #[arg(long, value_enum)]
     pub(in crate::cli) format: LanguageArgument,

@@ -15,12 +15,16 @@
 
 mod curve;
 mod distance;
+mod drawing;
 mod ranges;
 mod scheme;
 mod shape;
 
 pub use curve::{Columns, CurveFacts, MAX_LEVELS};
 pub use distance::{Depths, LimitFacts};
+pub use drawing::{
+    CurveDrawing, CurveShape, Drawing, FamilyDrawing, LEVELS, MAX_DERIVATIVES, SAMPLE,
+};
 pub use ranges::{FamilyFacts, ParameterFacts, parameter_facts};
 pub use scheme::{SchemeFacts, VALENCES, ValenceFacts, atlas_references};
 pub use shape::{Kind, centre, is_interpolating, kind, points};

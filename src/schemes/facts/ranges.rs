@@ -58,8 +58,10 @@ impl FamilyFacts {
     pub fn of(scheme: &str) -> Option<FamilyFacts> {
         let reference = Reference::parse(scheme).ok()?;
         let entry = find(reference.names().next()?)?;
-        let valence =
-            entry.is_ring().then(|| entry.valence_name(&BTreeMap::<String, ()>::new())).flatten();
+        let valence = entry
+            .is_ring()
+            .then(|| entry.valence_name(&BTreeMap::<String, usize>::new()))
+            .flatten();
         let free = |name: &&String| valence.is_none_or(|valence| valence != name.as_str());
         let mut parameters = entry.parameters.keys().filter(free);
         let (Some(parameter), None) = (parameters.next(), parameters.next()) else { return None };

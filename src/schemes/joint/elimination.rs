@@ -28,7 +28,7 @@ fn reduced<F: Real + PartialEq>(mut rows: Vec<Vec<F>>) -> (Vec<Vec<F>>, Vec<usiz
 }
 
 /// A basis of the rows v with vM = 0 for a square matrix M.
-pub(super) fn null_rows<F: Real + PartialEq>(matrix: &[Vec<F>]) -> Vec<Vec<F>> {
+pub(crate) fn null_rows<F: Real + PartialEq>(matrix: &[Vec<F>]) -> Vec<Vec<F>> {
     let size = matrix.len();
     let transposed = (0..size).map(|j| matrix.iter().map(|row| row[j].clone()).collect()).collect();
     let (rows, pivots) = reduced(transposed);

@@ -32,6 +32,7 @@ mod radius;
 mod roots;
 mod verify;
 
+pub(crate) use elimination::null_rows;
 pub use entry::Entry;
 pub use hull::Hull;
 pub use interval::{Closing, contracts, expanding_product, expands};

@@ -18,6 +18,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod basic;
 mod coefficient;
 mod contraction;
 mod excluded;
@@ -33,6 +34,7 @@ mod search;
 mod symbol;
 mod transition;
 
+pub use basic::{BasicError, BasicValues};
 pub use coefficient::Coefficient;
 pub use contraction::contractions;
 pub use exponent::{Hoelder, Smoothness, SmoothnessError};

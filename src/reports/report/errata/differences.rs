@@ -3,7 +3,7 @@
 use super::cells;
 use crate::audit::{
     Beyond, CellErratum, CellFinding, EquationFinding, EquationVerdict, Erratum, Harm, Known,
-    NotSharp, PaperAudit, Subject,
+    NotSharp, PaperAudit, SmoothnessFinding, SmoothnessVerdict, Subject,
 };
 use crate::claim::{ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
 use crate::exact::{Enclosed as _, Rational, format::fixed};
@@ -63,16 +63,26 @@ pub fn differences_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
             sheet.grid(Grid { header, rows, left_columns: 6 });
         }
     }
-    let without: Vec<String> = audits
-        .iter()
-        .filter(|audit| !with(audit))
-        .map(|audit| format!("{} ({})", audit.paper.bibliography.short(), audit.paper.key))
-        .collect();
+    let without: Vec<String> =
+        audits.iter().filter(|audit| !with(audit)).map(without_difference).collect();
     if !without.is_empty() {
         sheet.heading(2, "Papers without a difference");
         sheet.text(format!("{}.", without.join(", ")));
     }
     sheet
+}
+
+/// `Kobbelt 2000 (kobbelt2000, of which 1 claim is not decided)`.
+fn without_difference(audit: &PaperAudit<'_>) -> String {
+    let undecided = |finding: &&SmoothnessFinding<'_>| {
+        matches!(finding.verdict, SmoothnessVerdict::Open | SmoothnessVerdict::NotCheckable)
+    };
+    let open = match audit.smoothness.iter().filter(undecided).count() {
+        0 => String::new(),
+        1 => ", of which 1 claim is not decided".to_owned(),
+        count => format!(", of which {count} claims are not decided"),
+    };
+    format!("{} ({}{open})", audit.paper.bibliography.short(), audit.paper.key)
 }
 
 /// What the lines of a table have in common.

@@ -17,6 +17,6 @@ impl Picture {
     /// ```
     #[must_use]
     pub fn of_ring(vertex: &Vertex) -> Option<Picture> {
-        ring(vertex).map(Picture)
+        ring(vertex).map(|panel| Picture(panel.figure()))
     }
 }

@@ -6,15 +6,18 @@
 //! | `rows` | the numbers of each valence |
 //! | `arrays` | the numbers of all valences as arrays |
 //! | `language` | the languages |
+//! | `mask` | the coefficients of a mask |
 //! | `write` | arrays as source code |
 
 mod arrays;
 mod language;
+mod mask;
 mod real;
 mod rows;
 mod write;
 
 pub use language::Language;
+pub use mask::write_mask;
 pub use real::RealType;
 pub use rows::{MAX_TABLE_WEIGHTS, Row, TableError};
 pub use write::{Origin, write};

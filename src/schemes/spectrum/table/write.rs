@@ -39,13 +39,10 @@ pub fn write(
 ) -> Result<String, TableError> {
     let arrays = arrays(rows, real)?;
     let (first, last) = (rows[0].valence, rows[rows.len() - 1].valence);
-    let writer =
-        Writer { language, real, name: identifier(origin.scheme), first, count: rows.len() };
-    let header = header(rows, real, origin);
-    Ok(match language {
-        Language::Json => writer.json(&header, &arrays, last),
-        _ => writer.source(&header, &arrays),
-    })
+    let valence = |n: usize| i64::try_from(n).expect("a small valence");
+    let constants = vec![("first_valence", valence(first)), ("last_valence", valence(last))];
+    let writer = Writer { language, real, name: identifier(origin.scheme), constants };
+    Ok(writer.written(&header(rows, real, origin), &arrays))
 }
 
 /// The lines at the head of a table.
@@ -75,7 +72,7 @@ fn quoted(text: &str) -> String {
 }
 
 /// The name of a scheme as an identifier: that of a file is its stem.
-fn identifier(scheme: &str) -> String {
+pub(super) fn identifier(scheme: &str) -> String {
     let path = scheme.split_once(".toml").map_or_else(
         || scheme.split(':').next().unwrap_or_default(),
         |(path, _)| path.rsplit(['/', '\\']).next().unwrap_or_default(),
@@ -85,50 +82,58 @@ fn identifier(scheme: &str) -> String {
     if name.starts_with(|c: char| c.is_ascii_alphabetic()) { name } else { format!("s_{name}") }
 }
 
-struct Writer {
-    language: Language,
-    real: RealType,
-    name: String,
-    first: usize,
-    count: usize,
+pub(super) struct Writer {
+    pub(super) language: Language,
+    pub(super) real: RealType,
+    pub(super) name: String,
+    /// Whole numbers before the arrays, with their names.
+    pub(super) constants: Vec<(&'static str, i64)>,
 }
 
 impl Writer {
+    pub(super) fn written(&self, header: &[String], arrays: &[Array]) -> String {
+        match self.language {
+            Language::Json => self.json(header, arrays),
+            _ => self.source(header, arrays),
+        }
+    }
+
+    /// A constant, in the form that a language has for it.
+    fn constant(&self, name: &str, value: i64) -> String {
+        match self.language {
+            Language::C => format!("{}_{name} = {value}", self.name),
+            Language::Rust => {
+                // An index of a table; the others may be negative.
+                let kind =
+                    if name.ends_with("valence") || name == "arity" { "usize" } else { "isize" };
+                format!("pub const {}: {kind} = {value};", name.to_uppercase())
+            }
+            Language::Glsl => format!("const int {}_{name} = {value};", self.name),
+            Language::Cpp | Language::Python | Language::Json => format!("{name} = {value}"),
+        }
+    }
+
     fn source(&self, header: &[String], arrays: &[Array]) -> String {
         let mut lines: Vec<String> =
             header.iter().map(|line| self.language.comment(line)).collect();
         lines.push(String::new());
-        let (first, last) = (self.first, self.first + self.count - 1);
+        let constants: Vec<String> =
+            self.constants.iter().map(|(name, value)| self.constant(name, *value)).collect();
         match self.language {
             Language::C => {
                 lines.extend(
                     self.guard().map(|guard| format!("#ifndef {guard}\n#define {guard}\n")),
                 );
-                lines.push(format!(
-                    "enum {{ {0}_first_valence = {first}, {0}_last_valence = {last} }};",
-                    self.name
-                ));
+                lines.push(format!("enum {{ {} }};", constants.join(", ")));
             }
             Language::Cpp => {
                 lines.extend(
                     self.guard().map(|guard| format!("#ifndef {guard}\n#define {guard}\n")),
                 );
                 lines.push(format!("namespace {} {{", self.name));
-                lines
-                    .push(format!("constexpr int first_valence = {first}, last_valence = {last};"));
+                lines.push(format!("constexpr int {};", constants.join(", ")));
             }
-            Language::Rust => {
-                lines.push(format!("pub const FIRST_VALENCE: usize = {first};"));
-                lines.push(format!("pub const LAST_VALENCE: usize = {last};"));
-            }
-            Language::Glsl => {
-                lines.push(format!("const int {}_first_valence = {first};", self.name));
-                lines.push(format!("const int {}_last_valence = {last};", self.name));
-            }
-            Language::Python | Language::Json => {
-                lines.push(format!("first_valence = {first}"));
-                lines.push(format!("last_valence = {last}"));
-            }
+            _ => lines.extend(constants),
         }
         for array in arrays {
             lines.push(String::new());
@@ -232,14 +237,13 @@ impl Writer {
         }
     }
 
-    fn json(&self, header: &[String], arrays: &[Array], last: usize) -> String {
+    fn json(&self, header: &[String], arrays: &[Array]) -> String {
         let text = |text: &str| serde_json::to_string(text).expect("a text");
         let header = header.iter().map(|line| format!("    {}", text(line.trim_start())));
-        let mut fields = vec![
-            format!("  \"about\": [\n{}\n  ]", header.collect::<Vec<String>>().join(",\n")),
-            format!("  \"first_valence\": {}", self.first),
-            format!("  \"last_valence\": {last}"),
-        ];
+        let mut fields =
+            vec![format!("  \"about\": [\n{}\n  ]", header.collect::<Vec<String>>().join(",\n"))];
+        let constants = self.constants.iter();
+        fields.extend(constants.map(|(name, value)| format!("  \"{name}\": {value}")));
         for array in arrays {
             let row = |row: &Vec<Real>| {
                 let entries: Vec<String> = row.iter().map(|x| self.literal(x)).collect();

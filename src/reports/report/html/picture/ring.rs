@@ -1,10 +1,11 @@
 //! The characteristic ring with lines of constant parameters.
 
-use super::frame::{WIDTH, picture, points};
+use super::frame::{WIDTH, points};
+use super::panel::Panel;
 use crate::characteristic::{Refutation, RingPoint, Verdict, Vertex};
 use crate::exact::Rational;
 use crate::float::nearest;
-use maud::{Markup, html};
+use maud::html;
 use std::f64::consts::PI;
 
 const HEIGHT: f64 = 560.0;
@@ -18,7 +19,7 @@ fn real(n: usize) -> f64 {
 }
 
 /// The ring in all sectors; `None` where there is none in the plane.
-pub(in crate::report::html) fn ring(vertex: &Vertex) -> Option<Markup> {
+pub(in crate::report::html) fn ring(vertex: &Vertex) -> Option<Panel> {
     let second = vertex.second.as_ref().filter(|second| second.block > 0)?;
     let (n, k) = (vertex.spectrum.order, second.block);
     let angle = 2.0 * PI * real(k) / real(n);
@@ -78,10 +79,5 @@ pub(in crate::report::html) fn ring(vertex: &Vertex) -> Option<Markup> {
             text.name.over.c4 x=(x + 8.0) y=(y - 6.0) { (name) }
         }
     };
-    Some(html! {
-        figure {
-            (picture(&title, &says, HEIGHT, &drawing))
-            figcaption { (says) }
-        }
-    })
+    Some(Panel { title, says, height: HEIGHT, drawing })
 }

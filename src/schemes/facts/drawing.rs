@@ -1,0 +1,315 @@
+//! What is drawn of a scheme, with exact coordinates: values of the basic limit function, a refined polygon, maps of
+//! parameters, rings.
+
+use super::ranges::{ParameterFacts, parameter_facts};
+use super::scheme::SchemeFacts;
+use crate::characteristic::Vertex;
+use crate::exact::{FieldElement, Polynomial, Rational};
+use crate::scheme::{
+    AnyScheme, Mask, SchemeError, open_parameters, parse_algebraic, parse_any_scheme,
+    parse_in_parameters, parse_rules_of_valence, parse_scheme,
+};
+use crate::smoothness::{
+    BasicError, BasicValues, Coefficient, Sides, SmoothMap, Smoothness, smooth_map,
+};
+use crate::spectrum::SpectrumError;
+use std::sync::atomic::AtomicUsize;
+
+/// The least number of values of a function that is drawn, where a cap does not stop it.
+const MIN_VALUES: usize = 160;
+
+/// The most derivatives that are drawn.
+pub const MAX_DERIVATIVES: usize = 3;
+
+/// The sample polygon is refined so many times.
+pub const LEVELS: usize = 5;
+
+/// The corners of the sample polygon, which is closed.
+pub const SAMPLE: [[i64; 2]; 6] = [[0, 1], [1, 5], [4, 3], [7, 6], [9, 2], [5, 0]];
+
+/// The most points of a level of the sample polygon, and of its limit.
+const MAX_POINTS: usize = 20_000;
+
+/// The same over a field of irrational numbers.
+const MAX_FIELD_POINTS: usize = 800;
+
+/// The least number of points of its limit, where the cap does not stop it.
+const MIN_LIMIT: usize = 300;
+
+/// The valences of rings that are drawn of rules that state none.
+const VALENCES: [usize; 3] = [3, 5, 7];
+
+/// The orders of smoothness of maps of two parameters.
+const MAP_ORDERS: std::ops::RangeInclusive<usize> = 0..=2;
+
+/// What is drawn of a scheme.
+#[derive(Clone, Debug)]
+pub struct Drawing {
+    /// Of a mask, with rational or with irrational coefficients.
+    pub curve: Option<CurveDrawing>,
+    /// Where in its open parameters the limits are smooth.
+    pub family: Option<FamilyDrawing>,
+    /// The characteristic rings of rules around a vertex or on a face, with their valences.
+    pub rings: Vec<(usize, Result<Vertex, SpectrumError>)>,
+}
+
+/// What is drawn of a mask.
+#[derive(Clone, Debug)]
+pub enum CurveDrawing {
+    /// With rational coefficients.
+    Rational(CurveShape),
+    /// With irrational coefficients.
+    Algebraic(CurveShape<FieldElement>),
+}
+
+/// The basic limit function with its derivatives, and a refined polygon.
+#[derive(Clone, Debug)]
+pub struct CurveShape<F = Rational> {
+    /// φ, φ′, …, as far as they are proven to be continuous, up to [`MAX_DERIVATIVES`].
+    pub functions: Vec<BasicValues<F>>,
+    /// Why there are no more; `None` where the cap ends them.
+    pub end: Option<String>,
+    /// The points of the levels of the polygon, up to [`LEVELS`], as far as the caps allow.
+    pub levels: Vec<Vec<[F; 2]>>,
+    /// Points of its limit, in their order; `None` where the scheme is not proven to converge.
+    pub limit: Option<Vec<[F; 2]>>,
+}
+
+/// Where limits are smooth, by the parameters that are left open.
+#[derive(Clone, Debug)]
+pub enum FamilyDrawing {
+    /// One parameter.
+    One {
+        /// Its name.
+        parameter: String,
+        /// The sets for m = 0, 1, …
+        ranges: Vec<ParameterFacts>,
+        /// Why they end.
+        end: String,
+    },
+    /// Two parameters.
+    Two {
+        /// Their names.
+        parameters: [String; 2],
+        /// The region.
+        region: Sides,
+        /// The maps for m = 0, 1, …
+        maps: Vec<SmoothMap>,
+        /// Why they end.
+        end: String,
+    },
+}
+
+impl Drawing {
+    /// What is drawn of a scheme of the catalogue, a file, or a mask. The region is that of a map of two parameters, in which
+    /// `boxes` boxes are looked at for each order of smoothness.
+    ///
+    /// # Errors
+    /// When there is no such scheme, or it is a tensor product, or it has parameters without a value that are neither one nor
+    /// two in which its coefficients are polynomials.
+    ///
+    /// ```
+    /// use subcert::facts::Drawing;
+    ///
+    /// let region = || [[-1, 1].map(Into::into), [-1, 1].map(Into::into)];
+    /// let drawing = Drawing::of("chaikin", &region(), 100)?;
+    /// assert!(drawing.curve.is_some() && drawing.family.is_none() && drawing.rings.is_empty());
+    /// # Ok::<(), subcert::scheme::SchemeError>(())
+    /// ```
+    pub fn of(scheme: &str, region: &Sides, boxes: usize) -> Result<Drawing, SchemeError> {
+        let family = || FamilyDrawing::of(scheme, region, boxes);
+        let none = Drawing { curve: None, family: None, rings: Vec::new() };
+        match parse_any_scheme(scheme) {
+            Ok(AnyScheme::Uniform(found)) => {
+                let mask = Mask::try_from(found)
+                    .map_err(|_| SchemeError::TensorProduct { scheme: scheme.trim().to_owned() })?;
+                let curve = Some(CurveDrawing::Rational(CurveShape::of(&mask, None)));
+                Ok(Drawing { curve, family: family(), ..none })
+            }
+            Ok(AnyScheme::LocalRules(_)) => match SchemeFacts::of(scheme)? {
+                SchemeFacts::Surface(rings) => Ok(Drawing { rings, ..none }),
+                _ => Ok(none),
+            },
+            Err(error) => {
+                if parse_rules_of_valence(scheme, Some(VALENCES[0])).is_ok() {
+                    let ring = |n| (n, Vertex::of(scheme, Some(n)));
+                    return Ok(Drawing { rings: VALENCES.map(ring).to_vec(), ..none });
+                }
+                if let Ok(mask) = parse_algebraic(scheme) {
+                    let curve = Some(CurveDrawing::Algebraic(CurveShape::of(&mask, None)));
+                    return Ok(Drawing { curve, ..none });
+                }
+                let family = family().ok_or(error)?;
+                Ok(Drawing { family: Some(family), ..none })
+            }
+        }
+    }
+}
+
+impl Drawing {
+    /// What is drawn of a scheme whose facts are known: the same without a family.
+    ///
+    /// # Errors
+    /// When there is no such scheme.
+    pub fn of_facts(scheme: &str, facts: &SchemeFacts) -> Result<Drawing, SchemeError> {
+        let (mut curve, mut rings) = (None, Vec::new());
+        match facts {
+            SchemeFacts::Rational(facts) => {
+                let mask = Mask::try_from(parse_scheme(scheme)?)
+                    .map_err(|_| SchemeError::TensorProduct { scheme: scheme.to_owned() })?;
+                let shape = CurveShape::of(&mask, facts.smoothness.as_ref().ok());
+                curve = Some(CurveDrawing::Rational(shape));
+            }
+            SchemeFacts::Algebraic(facts) => {
+                let mask = parse_algebraic(scheme)?;
+                let shape = CurveShape::of(&mask, facts.smoothness.as_ref().ok());
+                curve = Some(CurveDrawing::Algebraic(shape));
+            }
+            SchemeFacts::Surface(all) => {
+                let drawn = |(n, _): &&(usize, _)| all.len() == 1 || VALENCES.contains(n);
+                rings = all.iter().filter(drawn).cloned().collect();
+            }
+        }
+        Ok(Drawing { curve, family: None, rings })
+    }
+}
+
+impl<F: Coefficient> CurveShape<F> {
+    /// What is drawn of a mask; `known` is its smoothness, where it is known.
+    #[must_use]
+    pub fn of(mask: &Mask<F>, known: Option<&Smoothness<F>>) -> CurveShape<F> {
+        let smoothness = match known {
+            Some(known) => Ok(known.clone()),
+            None => Smoothness::of(mask).map_err(|error| error.to_string()),
+        };
+        let (mut functions, mut end) = (Vec::new(), None);
+        match &smoothness {
+            Err(error) => end = Some(error.clone()),
+            Ok(smoothness) => {
+                for m in 0..=MAX_DERIVATIVES {
+                    match drawn_values(smoothness, m) {
+                        Ok(values) => functions.push(values),
+                        Err(error) => {
+                            end = Some(error.to_string());
+                            break;
+                        }
+                    }
+                }
+            }
+        }
+        let sample = SAMPLE.map(|point| point.map(|x| F::from_rational(&Rational::from(x))));
+        let rational = mask.rules().rows().iter().flatten().all(|c| c.generator().is_none());
+        let most = if rational { MAX_POINTS } else { MAX_FIELD_POINTS };
+        let mut levels = vec![sample.to_vec()];
+        while levels.len() <= LEVELS && last(&levels).len() * mask.arity() <= most {
+            levels.push(refined(mask, last(&levels)));
+        }
+        let limit = smoothness.ok().and_then(|smoothness| {
+            let at_integers = BasicValues::of(&smoothness, 0, 0).ok()?;
+            let mut points = last(&levels).clone();
+            // A level that is drawn has enough points, or the next one does.
+            while points.len() < MIN_LIMIT && points.len() * mask.arity() <= most {
+                points = refined(mask, &points);
+            }
+            let enough = levels.iter().find(|level| level.len() >= MIN_LIMIT);
+            Some(limit_points(&at_integers, enough.unwrap_or(&points)))
+        });
+        CurveShape { functions, end, levels, limit }
+    }
+}
+
+fn last<T>(levels: &[Vec<T>]) -> &Vec<T> {
+    levels.last().expect("the control polygon")
+}
+
+/// Values that are as many as a picture needs, if the cap allows.
+fn drawn_values<F: Coefficient>(
+    smoothness: &Smoothness<F>,
+    m: usize,
+) -> Result<BasicValues<F>, BasicError> {
+    let mut found = BasicValues::of(smoothness, m, 0)?;
+    for level in 1.. {
+        if found.values.len() >= MIN_VALUES {
+            break;
+        }
+        match BasicValues::of(smoothness, m, level) {
+            Ok(finer) => found = finer,
+            Err(BasicError::TooMany(_)) => break,
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(found)
+}
+
+fn refined<F: Coefficient>(mask: &Mask<F>, points: &[[F; 2]]) -> Vec<[F; 2]> {
+    let [x, y] = [0, 1].map(|axis| {
+        let line: Vec<F> = points.iter().map(|point| point[axis].clone()).collect();
+        mask.rules().refine_closed(&line)
+    });
+    x.into_iter().zip(y).map(|(x, y)| [x, y]).collect()
+}
+
+/// Where the points of a closed polygon go: P^∞(j) = Σ_i φ(i) x_{j−i}.
+fn limit_points<F: Coefficient>(at_integers: &BasicValues<F>, points: &[[F; 2]]) -> Vec<[F; 2]> {
+    let count = points.len();
+    let at = |j: i64| {
+        let count = i64::try_from(count).expect("it fits in memory");
+        &points[usize::try_from(j.rem_euclid(count)).expect("0 ≤ it")]
+    };
+    let limit = |j: i64| {
+        [0, 1].map(|axis| {
+            let terms = (at_integers.first..).zip(&at_integers.values);
+            terms.fold(F::zero(), |sum, (i, value)| sum.plus(&value.times(&at(j - i)[axis])))
+        })
+    };
+    (0..).take(count).map(limit).collect()
+}
+
+impl FamilyDrawing {
+    /// `None` of a scheme whose open parameters are neither one nor two in which its coefficients are polynomials.
+    ///
+    /// ```
+    /// use subcert::facts::FamilyDrawing;
+    ///
+    /// let region = [[-1, 1].map(Into::into), [-1, 1].map(Into::into)];
+    /// assert!(matches!(FamilyDrawing::of("four-point", &region, 10), Some(FamilyDrawing::One { .. })));
+    /// assert!(FamilyDrawing::of("chaikin", &region, 10).is_none());
+    /// ```
+    ///
+    /// # Panics
+    /// Never.
+    #[must_use]
+    pub fn of(scheme: &str, region: &Sides, boxes: usize) -> Option<FamilyDrawing> {
+        match &open_parameters(scheme).ok()?[..] {
+            [parameter] => {
+                let (ranges, end) = parameter_facts(scheme, parameter).ok()?;
+                let parameter = parameter.clone();
+                (!ranges.is_empty()).then_some(FamilyDrawing::One { parameter, ranges, end })
+            }
+            [first, second] => {
+                let mask = parse_in_parameters(scheme, &[first, second]).ok()?;
+                let polynomial = |entry: &Polynomial| entry.in_variables([first, second]);
+                let known = mask.rules().rows().iter().flatten().all(|c| polynomial(c).is_some());
+                if !known {
+                    return None;
+                }
+                let rules = mask.rules().map(|entry| polynomial(entry).expect("a polynomial"));
+                let mut maps = Vec::new();
+                let mut end = format!("C^m is asked for up to m = {}", MAP_ORDERS.end());
+                for m in MAP_ORDERS {
+                    match smooth_map(&rules, m, region, boxes, &AtomicUsize::new(0)) {
+                        Ok(map) => maps.push(map),
+                        Err(error) => {
+                            end = error.to_string();
+                            break;
+                        }
+                    }
+                }
+                let parameters = [first.clone(), second.clone()];
+                let region = region.clone();
+                Some(FamilyDrawing::Two { parameters, region, maps, end })
+            }
+            _ => None,
+        }
+    }
+}

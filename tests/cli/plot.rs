@@ -1,0 +1,103 @@
+//! `subcert plot`, the pages of `subcert atlas`, and tables of masks.
+
+use super::{TemporaryFile, assert_parts, refused, written};
+
+#[test]
+fn a_picture_goes_to_the_output_or_into_a_file() {
+    let svg = written(["plot", "chaikin"]);
+    assert!(svg.starts_with("<svg ") && svg.ends_with("</svg>\n"));
+    let file = TemporaryFile::new("chaikin.svg", "");
+    assert_eq!(written(["plot", "chaikin", "-o", file.path()]), "");
+    assert_eq!(std::fs::read_to_string(file.path()).expect("the file"), svg);
+    // A scheme of one's own.
+    assert!(written(["plot", "[1, 3, 3, 1]/4"]).contains("φ′"));
+}
+
+#[test]
+fn nonsense_is_refused() {
+    assert_parts(&refused(["plot", "chaikn"]), &["chaikin"]);
+    assert_parts(&refused(["plot", "chaikin x chaikin"]), &["tensor product"]);
+    assert_parts(&refused(["plot", "chaikin", "-o", "docs"]), &["is a folder", "-o FILE.svg"]);
+    assert_parts(
+        &refused(["plot", "chaikin", "--bounds", "a=0..1"]),
+        &["--bounds", "two parameters"],
+    );
+    assert_parts(&refused(["plot", "colella-heil", "--bounds", "a=1..0"]), &["not below"]);
+    assert_parts(&refused(["plot", "newton"]), &["needs its parameter"]);
+}
+
+/// An index, a page for each entry, and the pages of audits that they link to.
+#[test]
+fn the_atlas_is_a_folder_of_pages() {
+    let folder = std::env::temp_dir().join(format!("subcert-{}-atlas", std::process::id()));
+    let path = folder.to_str().expect("a UTF-8 path");
+    let claims = "proofs/claims/smoothness/lane1980.toml";
+    let arguments = [
+        "atlas", "chaikin", "loop", "b-spline", "--claims", claims, "--format", "html", "-o", path,
+    ];
+    assert_eq!(
+        written(arguments),
+        format!("{path}: 3 pages of schemes, and index.html, which leads to them\n")
+    );
+    let page = |name: &str| std::fs::read_to_string(folder.join(name)).expect(name);
+    let (index, spline, rings) = (page("index.html"), page("b-spline.html"), page("loop.html"));
+    // A row for each scheme, which leads to its section.
+    for reference in ["b-spline:degree=3", "chaikin", "loop"] {
+        let name = reference.split(':').next().expect("a name");
+        assert!(index.contains(&format!("href=\"{name}.html#{reference}\"")), "{reference}");
+        assert!(
+            page(&format!("{name}.html")).contains(&format!("id=\"{reference}\"")),
+            "{reference}"
+        );
+    }
+    assert_eq!(index.matches("<tr data-words").count(), 7 + 1);
+    assert_parts(
+        &spline,
+        &["φ″", "C^2, not C^3", "pub const WEIGHTS", "static const double", "weights = ["],
+    );
+    assert_parts(&rings, &["The characteristic ring at valence 7", "pub const SUBDOMINANT"]);
+    // Each link to a claim leads to its section.
+    let links: Vec<&str> = spline.split("href=\"audits/").skip(1).collect();
+    assert!(!links.is_empty(), "no claims");
+    for link in links {
+        let (file, id) =
+            link.split('"').next().and_then(|link| link.split_once('#')).expect("a link");
+        assert!(page(&format!("audits/{file}")).contains(&format!("id=\"{id}\"")), "{file}#{id}");
+    }
+    assert_eq!(index.matches("<script").count(), 1);
+    assert!(!spline.contains("<script") && !index.contains("src="));
+    std::fs::remove_dir_all(&folder).expect("the folder goes");
+}
+
+#[test]
+fn pages_of_the_atlas_need_a_folder_and_claims_need_pages() {
+    assert_parts(&refused(["atlas", "chaikin", "--format", "html"]), &["-o DIR"]);
+    let claims = ["atlas", "chaikin", "--claims", "proofs/claims/smoothness/lane1980.toml"];
+    assert_parts(&refused(claims), &["--claims", "--format html"]);
+}
+
+/// The numbers in the code of a mask are its coefficients, and its limit stencil is that of Chaikin's scheme.
+#[test]
+fn masks_have_tables() {
+    let python = written(["table", "chaikin", "--format", "python"]);
+    assert_parts(
+        &python,
+        &[
+            "arity = 2",
+            "offset = 0",
+            "[0.75, 0.25]",
+            "[0.25, 0.75]",
+            "limit = [0.5, 0.5]",
+            "limit_first = 0",
+        ],
+    );
+    let json: serde_json::Value =
+        serde_json::from_str(&written(["table", "four-point:w=1/16", "--format", "json"]))
+            .expect("JSON");
+    assert_eq!(json["weights"][1], serde_json::json!([-0.0625, 0.5625, 0.5625, -0.0625]));
+    assert!(
+        written(["table", "daubechies-4", "--format", "rust"]).contains("pub const OFFSET: isize")
+    );
+    assert_parts(&refused(["table", "loop", "--format", "c"]), &["--valences 3..12"]);
+    assert_parts(&refused(["table", "chaikin x chaikin", "--format", "c"]), &["tensor product"]);
+}
