@@ -141,7 +141,7 @@ def picture() -> str:
     drawings = re.findall(r"<svg .*?</svg>", page, re.DOTALL)
     drawing = next(one for one in drawings if "<title>Against the level</title>" in one)
     style = re.search(r"<style>(.*?)</style>", page, re.DOTALL)[1]
-    used = [line for line in style.splitlines() if line.startswith((":root", "--", "@media (prefers", "svg"))]
+    used = [line for line in style.splitlines() if line.startswith((":root", "--", "@media screen and (prefers", "svg"))]
     ground = '<rect width="100%" height="100%" style="fill:var(--paper)"/>'
     head, rest = drawing.split(">", 1)
     words, rest = rest.split("</desc>", 1)
