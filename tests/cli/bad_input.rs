@@ -92,7 +92,7 @@ fn ranges() {
         ("six-point", "v", &["no parameter `v` open", "known: w"]),
         ("six-point:w=3/256", "w", &["does not depend on `w`", "no value", "it has: w"]),
         ("chaikin", "w", &["does not depend on `w`", "it has none"]),
-        ("six-point", "", &["no parameter `` open"]),
+        ("six-point", "", &["does not depend on ``", "it has: w"]),
         ("six-point x chaikin", "w", &["tensor product", "one of its factors"]),
         ("doo-sabin", "n", &["the number of points of `face` is n", "integer from 1"]),
         ("newton:j=1", "n", &["the arity is n", "integer"]),

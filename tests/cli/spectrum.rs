@@ -99,7 +99,7 @@ fn bad_input() {
     assert_parts(&spectrum(turned.path(), "5"), &["mirror image", "two steps"]);
     let table =
         |valences: &str| refused(["table", "loop", "--valences", valences, "--format", "c"]);
-    assert_parts(&table("3"), &["such as 3..12"]);
+    assert_parts(&table("x"), &["such as 3..12"]);
     assert_parts(&table("9..3"), &["is above the last"]);
     assert_parts(&table("3..999999999999"), &["at most 256"]);
     assert_parts(&table("0..4"), &["needs N >= 3"]);

@@ -71,7 +71,7 @@ pub fn parse_in_parameters(
         known,
     };
     if let Some(parameter) = parameters.iter().find(|parameter| !is_identifier(parameter)) {
-        return Err(independent(parameter, Vec::new()));
+        return Err(independent(parameter, open_parameters(text)?));
     }
     let named = Named::read(text)?;
     let variables = parameters.iter().map(|name| ((*name).to_owned(), Polynomial::variable(name)));
@@ -119,7 +119,7 @@ pub fn parse_rules_in_parameter(
         known,
     };
     if !is_identifier(parameter) {
-        return Err(independent(Vec::new()));
+        return Err(independent(open_parameters(text)?));
     }
     let named = Named::read(text)?;
     let variable = Polynomial::variable(parameter);
