@@ -71,9 +71,8 @@ impl Naive {
         }
         let mut scale = 1.0;
         for _ in 0..level {
-            let refined = |own: &Vec<f64>| match closed {
-                true => rules.refine_closed(own),
-                false => rules.refine_open(own),
+            let refined = |own: &Vec<f64>| {
+                if closed { rules.refine_closed(own) } else { rules.refine_open(own) }
             };
             own = own.iter().map(refined).collect();
             // Point n(i − o) of an open polygon is the first that needs point i and no earlier one.
@@ -82,8 +81,10 @@ impl Naive {
         }
         let shift = nearest(&natural_shift(mask).shift);
         let point = |i: usize| [own[0][i], own[1][i], own[2][i]];
-        let at =
-            |i: usize| (f64::from(i32::try_from(first).expect("small")) + i as f64 + shift) / scale;
+        let at = |i: usize| {
+            let index = first + i64::try_from(i).expect("few points");
+            (f64::from(i32::try_from(index).expect("small")) + shift) / scale
+        };
         let count = own[0].len();
         let mut points: Vec<[f64; 3]> = (0..count).map(point).collect();
         if closed {

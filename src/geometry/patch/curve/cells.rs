@@ -281,7 +281,7 @@ fn clips(
             (last, nearest(&(high - Rational::from(last)))),
         ]
     };
-    (0..).take_while(|level| numbered(*level)).map(clip).collect()
+    (0..64).take_while(|level| numbered(*level)).map(clip).collect()
 }
 
 /// ⌊x⌋.

@@ -3,7 +3,7 @@
 use super::super::geometric::SetKind;
 use super::cells::{Cells, Shape};
 use super::find::{Finder, MAX_POINTS};
-use super::level::{Far, Known, Level};
+use super::level::{Far, Known, LevelSearch};
 use super::points::RefinedPoints;
 use crate::bound::Budget;
 use crate::exact::Rational;
@@ -162,7 +162,7 @@ impl CurveSets {
             if !self.finder.cells.is_numbered(level + 1) {
                 break;
             }
-            let mut search = Level { finder: &mut self.finder, level, tolerance: scaled };
+            let mut search = LevelSearch { finder: &mut self.finder, level, tolerance: scaled };
             match search.examine() {
                 Known::Near => return Ok(CurveDepth { level, too_few, beyond }),
                 Known::Far(far) if certain => {

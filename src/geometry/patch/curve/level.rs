@@ -41,14 +41,14 @@ pub(super) struct Far {
 }
 
 /// The search on one level.
-pub(super) struct Level<'a> {
+pub(super) struct LevelSearch<'a> {
     pub(super) finder: &'a mut Finder,
     pub(super) level: u32,
     /// At most the tolerance.
     pub(super) tolerance: f64,
 }
 
-impl Level<'_> {
+impl LevelSearch<'_> {
     pub(super) fn examine(&mut self) -> Known {
         let Some(cells) = self.left() else { return Known::Open };
         let mut result = Known::Near;
