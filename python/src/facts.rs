@@ -1,9 +1,10 @@
-//! The facts of schemes, as the JSON that `subcert scheme` writes.
+//! The facts of schemes, as the JSON that `subcert scheme` writes, and their pictures.
 
 use crate::error::plain;
 use crate::run::aside;
 use pyo3::prelude::*;
-use subcert::facts::{FamilyFacts, SchemeFacts};
+use subcert::facts::{Drawing, FamilyFacts, SchemeFacts};
+use subcert::report::html::Plot;
 use subcert::report::json::{Facts, FactsForm};
 
 /// All facts of a scheme, and where in the parameter of its family the limits are C^m.
@@ -16,6 +17,23 @@ pub fn facts_json(py: Python<'_>, scheme: String) -> PyResult<String> {
             let found = FactsForm::of(&scheme, &SchemeFacts::of(&scheme).map_err(plain)?);
             let family = FamilyFacts::of(&scheme);
             serde_json::to_string(&Facts::of(&found, family.as_ref())).map_err(plain)
+        },
+    )
+}
+
+/// How many boxes of a map of two parameters are looked at for each order of smoothness.
+const BOXES: usize = 1_000;
+
+/// The pictures of a scheme as one SVG file.
+#[pyfunction]
+pub fn plot_svg(py: Python<'_>, scheme: String) -> PyResult<String> {
+    aside(
+        py,
+        || (),
+        move || {
+            let region = [[-1, 1].map(Into::into), [-1, 1].map(Into::into)];
+            let drawing = Drawing::of(&scheme, &region, BOXES).map_err(plain)?;
+            Ok(Plot::of(&scheme, &drawing).to_svg())
         },
     )
 }

@@ -33,7 +33,7 @@ mod _native {
     #[pymodule_export]
     use crate::check::{check_within_ulps, nearest};
     #[pymodule_export]
-    use crate::facts::facts_json;
+    use crate::facts::{facts_json, plot_svg};
     #[pymodule_export]
     use crate::mesh::{mesh_depth, mesh_limit, mesh_refine};
     #[pymodule_export]

@@ -22,7 +22,7 @@ from ._analysis import (
 )
 from ._audit import Audit, Finding, audit, papers
 from ._errors import SubcertError
-from ._facts import Facts, scheme
+from ._facts import Facts, Plot, plot, scheme
 from ._geometry import LimitPoint, MeshDepth
 from ._mesh import RefinedMesh, limit_points, mesh_depth, refine_mesh
 from ._net import limit_net, net_depth, refine_net
@@ -38,15 +38,16 @@ __all__ = [
     "Audit",
     "Constants",
     "Depth",
-    "GeometricDepth",
     "Eigenvalue",
     "Exponent",
     "Facts",
     "Finding",
+    "GeometricDepth",
     "Interval",
     "JointRadius",
     "LimitPoint",
     "MeshDepth",
+    "Plot",
     "Quantity",
     "Real",
     "Refined",
@@ -66,6 +67,7 @@ __all__ = [
     "mesh_depth",
     "net_depth",
     "papers",
+    "plot",
     "refine_mesh",
     "refine_net",
     "refine_solid",

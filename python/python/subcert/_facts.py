@@ -57,6 +57,37 @@ def scheme(name: str, **parameters: Number) -> Facts:
     return Facts(data["scheme"], data.get("curve"), data.get("valences"), data["ranges"], data)
 
 
+@dataclass(frozen=True)
+class Plot:
+    """Pictures of a scheme as one SVG file, which a notebook shows.
+
+    >>> plot("chaikin").svg[:4]
+    '<svg'
+    """
+
+    #: The scheme as it was given.
+    scheme: str
+    svg: str = field(repr=False)
+
+    def save(self, path: str) -> None:
+        """Writes the file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.svg)
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+
+def plot(name: str, **parameters: Number) -> Plot:
+    """What ``subcert plot`` draws of a scheme of the catalogue, a file, or a mask as text.
+
+    >>> "φ″ is not drawn" in plot("four-point", w="1/16").svg
+    True
+    """
+    text = _text(str(name), parameters)
+    return Plot(text, _native.plot_svg(text))
+
+
 def _shown(exact: Optional[Dict[str, str]]) -> Optional[str]:
     """The exact value where it is short, and else its decimal.
 
