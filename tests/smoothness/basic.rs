@@ -106,6 +106,10 @@ fn what_is_not_shown_has_no_values() {
     assert_eq!(values(&rational("chaikin"), 2, 0), Err(BasicError::Fails(2)));
     assert!(matches!(values(&rational("chaikin"), 0, 40), Err(BasicError::TooMany(_))));
     assert!(matches!(values(&rational("chaikin"), 0, 4_000), Err(BasicError::TooMany(_))));
+    // The support of the spline of degree d has d + 2 whole numbers.
+    let wide = Smoothness::of(&rational("b-spline:degree=39")).expect("short rules");
+    assert_eq!(BasicValues::of(&wide, 0, 0), Err(BasicError::Wide(40)));
+    assert_eq!(BasicValues::count(&wide, 1), Some(81));
 }
 
 proptest! {

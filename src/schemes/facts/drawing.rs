@@ -227,18 +227,17 @@ fn drawn_values<F: Coefficient>(
     smoothness: &Smoothness<F>,
     m: usize,
 ) -> Result<BasicValues<F>, BasicError> {
-    let mut found = BasicValues::of(smoothness, m, 0)?;
-    for level in 1.. {
-        if found.values.len() >= MIN_VALUES {
-            break;
-        }
+    // The equations at whole numbers are solved for each call: the level is chosen before.
+    let enough = |level: &u32| {
+        BasicValues::count(smoothness, *level).is_none_or(|count| count >= MIN_VALUES)
+    };
+    let mut level = (0..64).find(enough).unwrap_or(0);
+    loop {
         match BasicValues::of(smoothness, m, level) {
-            Ok(finer) => found = finer,
-            Err(BasicError::TooMany(_)) => break,
-            Err(error) => return Err(error),
+            Err(BasicError::TooMany(_)) if level > 0 => level -= 1,
+            found => return found,
         }
     }
-    Ok(found)
 }
 
 fn refined<F: Coefficient>(mask: &Mask<F>, points: &[[F; 2]]) -> Vec<[F; 2]> {
