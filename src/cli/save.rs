@@ -4,8 +4,14 @@ use std::fs::{File, create_dir_all, remove_file, rename};
 use std::io::{self, Write as _};
 use std::path::Path;
 
-/// Writes a file; if that fails, a file that was there before is unchanged.
+/// Writes a file; if that fails, a file that was there before is unchanged. A link is followed, and what is no regular
+/// file, such as a pipe, is written into.
 pub(super) fn save(path: &Path, text: &str) -> io::Result<()> {
+    let resolved = path.canonicalize();
+    let path = resolved.as_deref().unwrap_or(path);
+    if path.metadata().is_ok_and(|data| !data.is_file() && !data.is_dir()) {
+        return File::options().write(true).open(path)?.write_all(text.as_bytes());
+    }
     let folder = path.parent().unwrap_or(Path::new("."));
     create_dir_all(folder)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();

@@ -157,8 +157,12 @@ fn the_depth_as_the_eye_sees_it() {
     // The diagonal of the cube is 2√3.
     let relative = [&depth[..3], &["1/1559", "--relative", "--format", "json"]].concat();
     assert_eq!(level(&json(&written(of_cube(&relative)))), level(&form));
-    let tiny = [&depth[..3], &["1e-60", "--mesh", "examples/cube.obj"]].concat();
+    let tiny = [&depth[..3], &["1e-60", "--distance", "geometric", "--mesh", "examples/cube.obj"]]
+        .concat();
     assert_parts(&refused(tiny), &["2^-20 of the diagonal", "--distance parametric"]);
+    // Without a flag such a tolerance is answered by equal parameters.
+    let small = [&depth[..3], &["1e-9", "--format", "json"]].concat();
+    assert_eq!(json(&written(of_cube(&small)))["measure"], "parametric");
     let table = TemporaryFile::new("own.csv", "");
     let text = written(of_cube(&[&depth[..], &["--per-face", table.path()]].concat()));
     assert_parts(&text, &["adaptive refinement"]);

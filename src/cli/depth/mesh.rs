@@ -18,7 +18,7 @@ use subcert::exact::{Rational, format::short};
 use subcert::float::{shortest, upper};
 use subcert::mesh::{MeshScheme, PolygonMesh};
 use subcert::patch::{
-    APriori, FORMULA_PAPER, FaceSurface, FarPlace, MeshDepth, MeshDistances, a_priori,
+    APriori, FORMULA_PAPER, FaceSurface, FarPlace, LEAST_SHARE, MeshDepth, MeshDistances, a_priori,
     formula_level, relative_tolerance,
 };
 use subcert::report::Sheet;
@@ -27,7 +27,14 @@ use subcert::report::html::{FindingPage, Picture};
 pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destination) -> Outcome {
     let asked = positive("--tolerance", &arguments.tolerance)?;
     let (scheme, name, file) = read(&arguments.scheme, path)?;
-    let geometric = arguments.distance != Some(DistanceArgument::Parametric);
+    let share = Rational::new(1, 1 << LEAST_SHARE);
+    let least = relative_tolerance(file.mesh().points(), &share);
+    // Equal parameters have an answer for smaller tolerances too.
+    let small = !arguments.relative && least.is_none_or(|least| asked < least);
+    let geometric = match arguments.distance {
+        Some(distance) => distance == DistanceArgument::Geometric,
+        None => !small || arguments.faces == FacesArgument::Fan,
+    };
     let tolerance =
         if arguments.relative { relative(file.mesh(), &asked, geometric)? } else { asked.clone() };
     let refused = |error| failure(&file, &error);

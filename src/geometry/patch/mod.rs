@@ -54,7 +54,8 @@ pub use depth::{MAX_DEPTH_LEVEL, MeshDepth, MeshDistances};
 pub use far::FarPlace;
 pub use formula::{FORMULA_PAPER, formula_level};
 pub use geometric::{
-    FaceDepth, FaceSurface, GeometricDepth, GeometricPlace, SetKind, relative_tolerance,
+    FaceDepth, FaceSurface, GeometricDepth, GeometricPlace, LEAST_SHARE, SetKind,
+    relative_tolerance,
 };
 pub use hexes::{SOLID_FORMULA_PAPER, solid_a_priori, solid_formula_level};
 pub use net::{NET_FORMULA_PAPER, NetAPriori, NetDistances, net_a_priori, net_formula_level};

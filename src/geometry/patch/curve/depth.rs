@@ -81,6 +81,12 @@ impl CurveSets {
             width = width.max(&high - &low);
             middles.push(&(&low + &high) * &half);
         }
+        let shown = middles.iter().chain([&width]).map(nearest);
+        let small = nearest(&width) < f64::MIN_POSITIVE && !width.is_zero();
+        if small || shown.into_iter().any(|x| !x.is_finite()) {
+            let reason = "f64 has no numbers as large, or as small, as the coordinates".to_owned();
+            return Err(LimitError::Sets { reason });
+        }
         // In units of the width, so that no number is too large or too small.
         let scale = if width.is_zero() { Rational::one() } else { width.clone() };
         let unit = &scale;
@@ -162,6 +168,7 @@ impl CurveSets {
             if !self.finder.cells.is_numbered(level + 1) {
                 break;
             }
+            self.finder.spend(4);
             let mut search = LevelSearch { finder: &mut self.finder, level, tolerance: scaled };
             match search.examine() {
                 Known::Near => return Ok(CurveDepth { level, too_few, beyond }),
@@ -171,6 +178,7 @@ impl CurveSets {
                 Known::Far(_) => {}
                 Known::Open => certain = false,
             }
+            self.finder.rest = 0;
             if self.finder.is_at_its_end() {
                 break;
             }

@@ -38,6 +38,8 @@ pub(super) struct Finder {
     balls: Vec<Vec<Ball>>,
     /// How many cells may still be looked at.
     pub(super) budget: Budget,
+    /// How many of them are kept for later levels.
+    pub(super) rest: u64,
 }
 
 impl Finder {
@@ -67,12 +69,18 @@ impl Finder {
             balls.push(std::mem::replace(&mut row, next));
         }
         balls.push(row);
-        Finder { cells, balls, budget }
+        Finder { cells, balls, budget, rest: 0 }
+    }
+
+    /// Lets the search go on until one of so many parts of what is left is spent.
+    pub(super) fn spend(&mut self, parts: u64) {
+        let left = self.budget.left();
+        self.rest = left - left / parts;
     }
 
     /// Whether the caps on work or on memory are met.
     pub(super) fn is_at_its_end(&self) -> bool {
-        self.budget.left() == 0 || self.cells.points.len() > MAX_POINTS
+        self.budget.left() <= self.rest || self.cells.points.len() > MAX_POINTS
     }
 
     /// The clipped ends of the chord of a cell.

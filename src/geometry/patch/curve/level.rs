@@ -50,7 +50,7 @@ pub(super) struct LevelSearch<'a> {
 
 impl LevelSearch<'_> {
     pub(super) fn examine(&mut self) -> Known {
-        let Some(cells) = self.left() else { return Known::Open };
+        let (cells, all) = self.left();
         let mut result = Known::Near;
         let mut met = BTreeSet::new();
         // What is far shows in a few points, most often.
@@ -59,6 +59,9 @@ impl LevelSearch<'_> {
             if let Some(far) = self.far_point(name) {
                 return Known::Far(far);
             }
+        }
+        if !all {
+            return Known::Open;
         }
         for &name in &cells {
             for part in [SetKind::Limit, SetKind::Mesh] {
@@ -114,9 +117,10 @@ impl LevelSearch<'_> {
         self.finder.cells.slack()
     }
 
-    /// The cells of the level that equal parameters do not show to be near, the farthest first; `None` where they are
-    /// too many.
-    fn left(&mut self) -> Option<Vec<Name>> {
+    /// The cells of the level that equal parameters do not show to be near, the farthest first, and whether these are
+    /// all: of too many a sample is left.
+    fn left(&mut self) -> (Vec<Name>, bool) {
+        let mut all = true;
         let roots = self.finder.cells.shape.roots.clone();
         let mut names: BTreeSet<Name> = roots.map(|i| (0, i)).collect();
         for level in 0..=self.level {
@@ -136,13 +140,15 @@ impl LevelSearch<'_> {
             }
             names = next;
             if names.len() > MAX_OPEN || self.finder.is_at_its_end() {
-                return None;
+                all = false;
+                let step = names.len().div_ceil(MAX_TRIED);
+                names = names.into_iter().step_by(step.max(1)).collect();
             }
         }
         let mut left: Vec<Name> = names.into_iter().collect();
         let radius = |name: &Name| self.finder.cells.known_radius(*name);
         left.sort_by(|x, y| radius(y).total_cmp(&radius(x)));
-        Some(left)
+        (left, all)
     }
 
     /// The cell of the level that a cell of this level or a later one has its middle in, with both neighbours.

@@ -50,8 +50,8 @@ pub(super) enum Known {
     Open,
 }
 
-/// A tolerance is at least 2 to the power of minus this, times the diagonal of the box around the mesh.
-const LEAST_SHARE: u32 = 20;
+/// As a distance of sets, a tolerance is at least 2 to the power of minus this, times the diagonal of the box around the mesh.
+pub const LEAST_SHARE: u32 = 20;
 
 /// The search on a mesh.
 pub(super) struct Geometry<'a> {

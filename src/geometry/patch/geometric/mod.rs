@@ -27,6 +27,7 @@ mod shadow;
 mod whole;
 
 pub use depth::{FaceDepth, GeometricDepth};
+pub use level::LEAST_SHARE;
 pub use patch::FaceSurface;
 pub use place::{GeometricPlace, SetKind};
 pub use relative::relative_tolerance;
