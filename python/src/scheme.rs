@@ -23,6 +23,9 @@ use subcert::scheme::{AnyScheme, Mask, Scheme, catalogue, parse_any_scheme, pars
 /// Constants of at most so many classes times coefficients are computed without a thread.
 const SMALL: u64 = 20_000;
 
+/// A point that is far from the other set: whose it is, its parameter, its coordinates, a lower bound of the distance.
+type FarPoint = (String, Fraction, Vec<f64>, f64);
+
 /// The steps that a distance may take.
 const STEPS: u64 = 1_000_000_000;
 
@@ -237,7 +240,7 @@ impl Native {
         tolerance: &Bound<'_, PyAny>,
         coordinates: Vec<Vec<Bound<'_, PyAny>>>,
         closed: bool,
-    ) -> PyResult<(u32, Option<u32>, Option<(String, Fraction, Vec<f64>, f64)>)> {
+    ) -> PyResult<(u32, Option<u32>, Option<FarPoint>)> {
         let (tolerance, mask) = (rational(tolerance)?, self.mask()?);
         let coordinates: Vec<Vec<Rational>> =
             coordinates.iter().map(|own| rationals(own)).collect::<PyResult<_>>()?;

@@ -70,7 +70,14 @@ class Plot:
     svg: str = field(repr=False)
 
     def save(self, path: str) -> None:
-        """Writes the file."""
+        """Writes the file.
+
+        >>> import os, tempfile
+        >>> folder = tempfile.TemporaryDirectory()
+        >>> plot("chaikin").save(os.path.join(folder.name, "chaikin.svg"))
+        >>> os.listdir(folder.name)
+        ['chaikin.svg']
+        """
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.svg)
 
