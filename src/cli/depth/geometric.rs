@@ -1,7 +1,7 @@
 //! The depth of one polygon mesh by the distance of mesh and limit as sets of points.
 
 use super::faces::{FaceRow, FacesFormat};
-use super::numbers::{digits, point};
+use super::numbers::{digits, few_text, point};
 use super::promise::Formula;
 use super::refined::rounded;
 use crate::cli::arguments::DepthArguments;
@@ -135,12 +135,7 @@ impl GeometricReport<'_> {
         };
         sheet.heading(1, format!("{}, {scheme}, ε = {tolerance}", self.name));
         let found = &self.found;
-        let few = match found.too_few {
-            None if found.level == 0 => String::new(),
-            Some(few) if few + 1 == found.level => format!("; {few} are too few"),
-            Some(few) => format!("; {few} are too few, and those between are open"),
-            None => "; fewer are open".to_owned(),
-        };
+        let few = few_text(found);
         let mut facts =
             vec![("depth of the mesh".to_owned(), format!("{} levels{few}", found.level))];
         if self.relative.is_some() {

@@ -27,14 +27,18 @@ use subcert::report::html::{FindingPage, Picture};
 pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destination) -> Outcome {
     let asked = positive("--tolerance", &arguments.tolerance)?;
     let (scheme, name, file) = read(&arguments.scheme, path)?;
-    let share = Rational::new(1, 1 << LEAST_SHARE);
-    let least = relative_tolerance(file.mesh().points(), &share);
-    // Equal parameters have an answer for smaller tolerances too.
-    let small = !arguments.relative && least.is_none_or(|least| asked < least);
-    let geometric = match arguments.distance {
-        Some(distance) => distance == DistanceArgument::Geometric,
-        None => !small || arguments.faces == FacesArgument::Fan,
+    // Equal parameters have an answer for tolerances that are too small for sets.
+    let small = || {
+        let share = Rational::new(1, 1 << LEAST_SHARE);
+        relative_tolerance(file.mesh().points(), &share).is_none_or(|least| asked < least)
     };
+    let geometric = arguments.distance.map_or_else(
+        || {
+            let of_sets = arguments.relative || arguments.faces == FacesArgument::Fan;
+            of_sets || arguments.a_priori || !small()
+        },
+        |distance| distance == DistanceArgument::Geometric,
+    );
     let tolerance =
         if arguments.relative { relative(file.mesh(), &asked, geometric)? } else { asked.clone() };
     let refused = |error| failure(&file, &error);

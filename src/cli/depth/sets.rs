@@ -1,6 +1,6 @@
 //! The depth of one control polygon by the distance of polygon and limit as sets of points.
 
-use super::numbers::{digits, point as point_text};
+use super::numbers::{digits, few_text, point as point_text};
 use super::polygon::Points;
 use crate::cli::json::depth as form;
 use crate::cli::output::Failure;
@@ -34,16 +34,18 @@ pub(super) fn of_sets(
     }
 }
 
+/// The name of a set, and that of the other.
+fn names(set: SetKind) -> [&'static str; 2] {
+    match set {
+        SetKind::Mesh => ["polygon", "limit"],
+        SetKind::Limit => ["limit", "polygon"],
+    }
+}
+
 /// The depth in words.
 pub(super) fn depth_text(found: &CurveDepth) -> String {
-    let few = match found.too_few {
-        Some(few) if few + 1 == found.level => format!("; {few} are too few"),
-        Some(few) => format!("; {few} are too few, and levels between are open"),
-        None if found.level == 0 => String::new(),
-        None => "; fewer are open".to_owned(),
-    };
     let levels = if found.level == 1 { "level" } else { "levels" };
-    format!("{} {levels}, as sets of points{few}", found.level)
+    format!("{} {levels}, as sets of points{}", found.level, few_text(found))
 }
 
 pub(super) fn facts(found: &OfSets) -> Vec<(String, String)> {
@@ -55,10 +57,7 @@ pub(super) fn facts(found: &OfSets) -> Vec<(String, String)> {
     let mut facts = vec![(name, depth_text(found))];
     if let (Some(level), Some(place)) = (found.too_few, &found.beyond) {
         let CurvePlace { from, parameter, point, distance } = place;
-        let (from, other) = match from {
-            SetKind::Mesh => ("polygon", "limit"),
-            SetKind::Limit => ("limit", "polygon"),
-        };
+        let [from, other] = names(*from);
         let text = format!(
             "{} of the {from}, at t = {parameter}, is at least {} from the {other}",
             point_text(point),
@@ -71,10 +70,7 @@ pub(super) fn facts(found: &OfSets) -> Vec<(String, String)> {
 
 pub(super) fn sets_form(found: &OfSets) -> form::OrNone<form::Sets> {
     let place = |place: &CurvePlace| form::SetPlace {
-        from: match place.from {
-            SetKind::Mesh => "polygon",
-            SetKind::Limit => "limit",
-        },
+        from: names(place.from)[0],
         parameter: place.parameter.to_string(),
         point: place.point.iter().map(|x| shortest(*x)).collect(),
         distance: shortest(place.distance),

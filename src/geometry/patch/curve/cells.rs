@@ -134,6 +134,13 @@ pub(super) struct Cell {
     pub(super) part: [f64; 2],
 }
 
+impl Cell {
+    /// Where on the whole chord a share of the part that is looked at is.
+    pub(super) fn place(&self, share: f64) -> f64 {
+        self.part[0] + share * (self.part[1] - self.part[0])
+    }
+}
+
 /// All cells of a polygon.
 pub(super) struct Cells {
     pub(super) shape: Shape,

@@ -1,6 +1,6 @@
 //! The least level whose polygon is within a tolerance of the curve as a set of points.
 
-use super::super::geometric::SetKind;
+use super::super::geometric::{GeometricDepth, LEAST_SHARE, SetKind};
 use super::cells::{Cells, Shape};
 use super::find::{Finder, MAX_POINTS};
 use super::level::{Far, Known, LevelSearch};
@@ -16,20 +16,8 @@ const MAX_LEVEL: u32 = 24;
 /// How many pieces of a curve are looked at without another budget.
 pub const MAX_CURVE_PIECES: u64 = 60_000_000;
 
-/// A tolerance is at least 2 to the power of minus this, times the greatest width of the control polygon in a coordinate.
-const LEAST_SHARE: u32 = 20;
-
 /// How many levels a control polygon needs as a set of points.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CurveDepth {
-    /// The least level that was found to be sufficient.
-    pub level: u32,
-    /// The greatest level that is certainly not sufficient, with all levels below it; `None` where even
-    /// level 0 may be.
-    pub too_few: Option<u32>,
-    /// A point that shows that `too_few` is not sufficient.
-    pub beyond: Option<CurvePlace>,
-}
+pub type CurveDepth = GeometricDepth<CurvePlace>;
 
 /// A point of one set that is far from all of the other.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,12 +89,7 @@ impl CurveSets {
         let points = RefinedPoints::new(rules, &at_zero, control, coordinates.len(), closed);
         let finder = Finder::new(Cells::new(shape, points, 1.0), Budget::new(MAX_CURVE_PIECES));
         let centre = middles.iter().map(nearest).collect();
-        Ok(CurveSets {
-            finder,
-            scale: if width.is_zero() { Rational::one() } else { width.clone() },
-            centre,
-            width,
-        })
+        Ok(CurveSets { finder, scale, centre, width })
     }
 
     /// These sets with a budget of pieces, which others may share; it is [`MAX_CURVE_PIECES`] without it.

@@ -89,8 +89,7 @@ impl LevelSearch<'_> {
         for share in [0.0, 0.5] {
             let point = between(&u, &v, share);
             if self.is_beyond(Set::Curve, &point, self.tolerance, name) {
-                let share = cell.part[0] + share * (cell.part[1] - cell.part[0]);
-                return Some(self.far(SetKind::Mesh, point, name, share, name));
+                return Some(self.far(SetKind::Mesh, point, name, cell.place(share), name));
             }
         }
         let next: Vec<Name> = self.finder.cells.parts(name).collect();
@@ -291,8 +290,7 @@ impl LevelSearch<'_> {
             let middle = between(&u, &v, 0.5);
             let enough = self.tolerance - self.slack();
             let half = 0.5 * distance(&u, &v);
-            let part =
-                [low, high].map(|share| cell.part[0] + share * (cell.part[1] - cell.part[0]));
+            let part = [low, high].map(|share| cell.place(share));
             if self.is_beside_curve(name, part, &u, &v) {
                 continue;
             }
@@ -303,7 +301,7 @@ impl LevelSearch<'_> {
                 }
             }
             if self.is_beyond(Set::Curve, &middle, self.tolerance, name) {
-                let share = cell.part[0] + 0.5 * (low + high) * (cell.part[1] - cell.part[0]);
+                let share = cell.place(0.5 * (low + high));
                 return Known::Far(self.far(SetKind::Mesh, middle, name, share, name));
             }
             if half < self.tolerance * SMALL || self.finder.is_at_its_end() {

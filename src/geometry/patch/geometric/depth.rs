@@ -11,16 +11,16 @@ use crate::mesh::MeshError;
 /// The highest level that is looked at as a set of points.
 pub(super) const MAX_LEVEL: u32 = 14;
 
-/// How many levels a mesh needs as a set of points.
+/// How many levels a mesh, or a control polygon, needs as a set of points.
 #[derive(Clone, Debug, PartialEq)]
-pub struct GeometricDepth {
+pub struct GeometricDepth<P = GeometricPlace> {
     /// The least level that was found to be sufficient.
     pub level: u32,
     /// The greatest level that is certainly not sufficient, with all levels below it; `None` where even
     /// level 0 may be.
     pub too_few: Option<u32>,
     /// A point that shows that `too_few` is not sufficient.
-    pub beyond: Option<GeometricPlace>,
+    pub beyond: Option<P>,
 }
 
 /// What one face of the control mesh needs.

@@ -50,7 +50,8 @@ pub(super) enum Known {
     Open,
 }
 
-/// As a distance of sets, a tolerance is at least 2 to the power of minus this, times the diagonal of the box around the mesh.
+/// As a distance of sets, a tolerance is at least 2 to the power of minus this, times the diagonal of the box around a
+/// mesh, or the greatest width of a control polygon in a coordinate.
 pub const LEAST_SHARE: u32 = 20;
 
 /// The search on a mesh.
