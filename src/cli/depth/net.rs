@@ -15,6 +15,7 @@ use crate::cli::progress::Progress;
 use subcert::patch::{
     APriori, FaceSurface, NET_FORMULA_PAPER, NetDistances, net_a_priori, net_formula_level,
 };
+use subcert::scheme::Mask;
 
 pub(super) fn net_depth(
     asked: &NetInput<'_>,
@@ -56,7 +57,7 @@ pub(super) fn net_depth(
         let report = GeometricReport {
             scheme: scheme.name().to_owned(),
             kind,
-            growth: Growth::Arities(scheme.masks().iter().map(|mask| mask.arity()).product()),
+            growth: Growth::Arities(scheme.masks().iter().map(Mask::arity).product()),
             name,
             mesh: &mesh,
             tolerance,

@@ -93,15 +93,13 @@ impl Naive {
             let at = (x - own[0]) / (own[1] - own[0]);
             let low = at.floor();
             #[expect(clippy::cast_possible_truncation, reason = "few")]
-            let index = low as i64;
+            let first = low as i64;
             let index = |i: i64| {
                 let last = i64::try_from(count).expect("few") - 1;
                 let i = if closed { i.rem_euclid(last + 1) } else { i.clamp(0, last) };
                 usize::try_from(i).expect("not negative")
             };
-            #[expect(clippy::cast_possible_truncation, reason = "few")]
-            let next = index(low as i64 + 1);
-            (index(low as i64), next, at - low)
+            (index(first), index(first + 1), at - low)
         };
         let (i, up, s) = place(&self.rows, u, self.closed);
         let (j, right, t) = place(&self.columns, v, self.closed);
