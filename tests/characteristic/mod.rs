@@ -258,9 +258,20 @@ fn faces_with_chosen_eigenvalues() {
             "{name}: {hypothesis:?}"
         );
     }
-    // Not below 1.
-    let (vertex, _) = face_with("one", &[(1, 1), (1, 5)], n);
-    assert_eq!(vertex.verdict, Verdict::Fails(Hypothesis::SimpleOne));
+    // Not below 1: rings do not shrink to a point.
+    for (name, eigenvalues, value, blocks) in [
+        ("one", [(1, 1), (1, 5)], 1, vec![0, 1, 4]),
+        ("more", [(1, 2), (2, 1)], 2, vec![2, 3]),
+        ("minus", [(1, 2), (-1, 1)], -1, vec![2, 3]),
+    ] {
+        let (vertex, _) = face_with(name, &eigenvalues, n);
+        let Verdict::Refuted(Refutation::Diverges { eigenvalue }) = &vertex.verdict else {
+            panic!("{name}: {:?}", vertex.verdict)
+        };
+        assert_eq!(eigenvalue.real, Rational::from(value).into(), "{name}");
+        assert_eq!(eigenvalue.blocks, blocks, "{name}");
+        assert_eq!(vertex.is_continuous(1), Some(false));
+    }
     // Block n/2 alone.
     let (vertex, _) = face_with("half", &[(3, 10), (1, 2)], 4);
     assert_eq!(vertex.verdict, Verdict::Fails(Hypothesis::Blocks));

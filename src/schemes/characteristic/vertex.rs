@@ -15,7 +15,7 @@ use super::verdict::{Hypothesis, Refutation, Verdict};
 use super::winding::winding;
 use crate::exact::{Enclosed as _, Integer, Rational, RealExpression};
 use crate::scheme::LocalRules;
-use crate::spectrum::{Curvature, Spectrum, SpectrumError, surroundings};
+use crate::spectrum::{Eigenvalue, Spectrum, SpectrumError, surroundings};
 
 /// A real eigenvalue λ that is alone of its modulus after 1, of the blocks k and n − k, or of block 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -99,7 +99,10 @@ impl Vertex {
                     Some(net) => of_block(net, &value, second.block, spectrum.order),
                 }
             }
-            (Some(_), None, Err(hypothesis)) => Verdict::Fails(*hypothesis),
+            (Some(_), None, Err(hypothesis)) => match diverging(&spectrum) {
+                Some(eigenvalue) => Verdict::Refuted(Refutation::Diverges { eigenvalue }),
+                None => Verdict::Fails(*hypothesis),
+            },
             (_, reason, _) => Verdict::Open(reason.unwrap_or(Reason::RegularPart)),
         };
         let hypothesis = match &found {
@@ -117,7 +120,7 @@ impl Vertex {
     #[must_use]
     pub fn is_continuous(&self, m: usize) -> Option<bool> {
         let unbounded =
-            || self.exponent.as_ref().is_some_and(|found| found.curvature == Curvature::Unbounded);
+            || self.exponent.as_ref().is_some_and(|found| found.curvature.is_unbounded());
         match (&self.verdict, m) {
             (Verdict::Proved { .. }, 0 | 1) => Some(true),
             (Verdict::Proved { .. }, _) if unbounded() => Some(false),
@@ -206,6 +209,16 @@ fn second(spectrum: &Spectrum) -> Result<Second, Hypothesis> {
         _ => return Err(Hypothesis::Blocks),
     };
     Ok(Second { block, value: second.real.clone() })
+}
+
+/// The greatest eigenvalue that is not below 1 in absolute value, other than one simple 1.
+fn diverging(spectrum: &Spectrum) -> Option<Eigenvalue> {
+    let one = RealExpression::from(Rational::one());
+    let only = |found: &Eigenvalue| {
+        found.imaginary.is_none() && found.real == one && found.multiplicity == 1
+    };
+    let beyond = |found: &&Eigenvalue| found.modulus >= one && !only(found);
+    spectrum.eigenvalues.iter().find(beyond).cloned()
 }
 
 /// What an eigenvector of block k, 0 < k < n/2, shows.

@@ -1,19 +1,22 @@
 //! Whether a radius is below 1, quickly: for many sets along an interval of a parameter.
 
-use super::convert::floats;
+use super::convert::{floats, scaled};
 use super::hull::Hull;
-use super::lower::Lower;
+use super::lower::eigenvectors;
 use super::matrix_set::MatrixSet;
 use super::product::{largest_real, square_of_radius};
 use super::proposal::{beam, hull};
 use crate::exact::{Rational, RealAlgebraic};
-use crate::float::extremal::candidates;
+use crate::float::extremal::{Candidates, Rows, candidates, row_times};
 
 /// The cost of the searches on whole intervals of a parameter.
 const QUICK: (u32, usize, usize) = (8, 40, 400);
 
 /// The most work of a hull there.
 const QUICK_WORK: u64 = 60_000_000;
+
+/// How near to its beginning a cycle of eigenvectors ends. Its first row has the length 1.
+const CLOSED: f64 = 1e-6;
 
 /// How a hull for all matrices of an interval is looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,28 +30,53 @@ pub enum Closing {
 
 /// Whether the radius of a set is shown to be below 1, by a hull for a bound below 1. The hull is that of the
 /// cycle of a product that is large in `middle`, a set near the others.
+///
+/// `ends` are the sets at the ends of the interval, or at the corners of the box. Their rates stand for that of the
+/// whole set, which has many products of nearly the same size: to find the largest of them takes longer than a hull,
+/// and the bound that the hull is made for hardly depends on it.
 #[must_use]
-pub fn contracts(set: &MatrixSet, middle: &MatrixSet, closing: Closing) -> bool {
+pub fn contracts(
+    set: &MatrixSet,
+    middle: &MatrixSet,
+    ends: &[MatrixSet],
+    closing: Closing,
+) -> bool {
     let (factors, width, rows) = QUICK;
     let found = candidates(&floats(middle), factors, beam(middle, width));
-    let Some(lower) = Lower::of(middle, &found) else {
+    if found.words.is_empty() {
         return Hull::norm(set).bound < Rational::one();
-    };
-    // The radius of the whole set is larger than that in the middle; f64 tells by how much at least.
-    let rate = candidates(&floats(set), factors, beam(set, width)).rate.max(lower.rate);
+    }
+    let rates = ends.iter().map(|end| candidates(&floats(end), factors, beam(end, width)).rate);
+    let rate = rates.fold(found.rate, f64::max);
     if rate >= 1.0 - 1e-9 {
         return false;
     }
-    let seeds = lower.seeds(middle);
+    let seeds = seeds(middle, &found);
     // Shorter unit rows would leave longer chains of images outside.
     let unit = Rational::one();
     let (near, rate) = match closing {
         Closing::All => (set, rate),
-        Closing::Middle => (middle, lower.rate),
+        Closing::Middle => (middle, found.rate),
     };
     let excess = 0.95 * (1.0 / rate - 1.0);
     let hull = hull(set, near, &seeds, &unit, (rate, excess), (rows, QUICK_WORK));
     hull.is_some_and(|hull| hull.bound < Rational::one())
+}
+
+/// The cycle of eigenvectors of the first of these products whose largest eigenvalue is real, as far as f64 can tell:
+/// only then a row of a high power of it is an eigenvector. None where there is no such product.
+fn seeds(middle: &MatrixSet, found: &Candidates) -> Vec<Vec<f64>> {
+    let scale = |matrix| scaled(matrix, 1.0 / found.rate);
+    let matrices: Vec<Rows> = floats(middle).into_iter().map(scale).collect();
+    let closed = |word: &Vec<usize>| {
+        let rows = eigenvectors(&matrices, word);
+        let (first, last) = (rows.first()?, rows.last()?);
+        let next = row_times(last, &matrices[*word.last()?]);
+        let differ = |sign: f64| first.iter().zip(&next).map(move |(x, y)| (x - sign * y).abs());
+        let near = [1.0, -1.0].into_iter().any(|sign| differ(sign).sum::<f64>() < CLOSED);
+        near.then_some(rows)
+    };
+    found.words.iter().find_map(closed).unwrap_or_default()
 }
 
 /// A product whose spectral radius is 1 or more as far as f64 can tell.

@@ -179,33 +179,37 @@ impl<F: Entry> Lower<F> {
         if self.real { self.eigenvectors(set, &self.product) } else { Vec::new() }
     }
 
-    /// The left eigenvectors of the rotations of a product in f64, of which each is the one before it times a
-    /// factor over the rate: rows of a high power of the product. None where the power is 0.
+    /// The left eigenvectors of the rotations of a product.
     fn eigenvectors(&self, set: &MatrixSet<F>, word: &[usize]) -> Vec<Vec<f64>> {
-        let matrices = self.scaled(set);
-        let mut row = vec![1.0; set.size()];
-        for i in word.repeat(ROUNDS) {
-            row = row_times(&row, &matrices[i]);
-            let length: f64 = row.iter().map(|x| x.abs()).sum();
-            if length == 0.0 {
-                return Vec::new();
-            }
-            for x in &mut *row {
-                *x /= length;
-            }
-        }
-        let mut rows = Vec::new();
-        for &i in word {
-            let next = row_times(&row, &matrices[i]);
-            rows.push(std::mem::replace(&mut row, next));
-        }
-        rows
+        eigenvectors(&self.scaled(set), word)
     }
 
     /// The matrices in f64, over the rate.
     fn scaled(&self, set: &MatrixSet<F>) -> Vec<Rows> {
         floats(set).into_iter().map(|matrix| scaled(matrix, 1.0 / self.rate)).collect()
     }
+}
+
+/// The left eigenvectors of the rotations of a product in f64, of which each is the one before it times a
+/// factor: rows of a high power of the product. None where the power is 0. `matrices` are those over the rate.
+pub(super) fn eigenvectors(matrices: &[Rows], word: &[usize]) -> Vec<Vec<f64>> {
+    let mut row = vec![1.0; matrices.first().map_or(0, Vec::len)];
+    for i in word.repeat(ROUNDS) {
+        row = row_times(&row, &matrices[i]);
+        let length: f64 = row.iter().map(|x| x.abs()).sum();
+        if length == 0.0 {
+            return Vec::new();
+        }
+        for x in &mut *row {
+            *x /= length;
+        }
+    }
+    let mut rows = Vec::new();
+    for &i in word {
+        let next = row_times(&row, &matrices[i]);
+        rows.push(std::mem::replace(&mut row, next));
+    }
+    rows
 }
 
 /// p(x^degree).

@@ -38,6 +38,10 @@ pub(super) fn hull<F: Entry>(
     let mut absolute = AbsoluteHull::new(all.clone())?;
     let mut image = |row: &Vec<f64>, matrix: &Rows| -> Option<Vec<(usize, Rational)>> {
         let gauge = absolute.gauge(&row_times(row, matrix), target * (1.0 - excess / 4.0));
+        // The combination costs more than the bound, and nothing is to be gained by the other images.
+        if gauge.value > target * (1.0 + 1e-12) {
+            return None;
+        }
         let terms = gauge.combination.into_iter();
         let terms = terms.map(|(j, c)| Some((j, on_grid(c, bits + 6)?)));
         let terms = terms.collect::<Option<Vec<(usize, Rational)>>>()?;

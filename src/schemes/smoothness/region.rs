@@ -99,7 +99,10 @@ impl Search {
             }
             return Ok(self.excluded(sides, middle).map_or(Certain::Open, Certain::Outside));
         }
-        let inside = contracts(&self.corners(sides)?, &at_middle, Closing::All);
+        let [[a, b], [c, d]] = sides;
+        let ends = [[a, c], [a, d], [b, c], [b, d]].map(|corner| self.set_at(corner));
+        let ends = ends.into_iter().collect::<Result<Vec<MatrixSet>, _>>()?;
+        let inside = contracts(&self.corners(sides)?, &at_middle, &ends, Closing::All);
         Ok(if inside { Certain::Inside } else { Certain::Open })
     }
 

@@ -222,7 +222,8 @@ impl Search {
         }
         let parts = self.matrices.iter().flat_map(|matrix| bernstein(matrix, self.degree, (a, b)));
         let set = MatrixSet::new(parts.collect())?;
-        Ok(contracts(&set, &self.set_at(&middle)?, closing))
+        let ends = [self.set_at(a)?, self.set_at(b)?];
+        Ok(contracts(&set, &self.set_at(&middle)?, &ends, closing))
     }
 }
 
