@@ -364,6 +364,7 @@ fn farthest(points: impl Iterator<Item = P>, tree: &Tree, start: f64) -> f64 {
 }
 
 /// The Hausdorff distance of two sets of triangles, by the corners of each.
+#[allow(dead_code, reason = "the benchmark has closed meshes alone")]
 pub fn of_triangles(first: Vec<[P; 3]>, second: Vec<[P; 3]>) -> f64 {
     let points = [&first, &second].map(|x| x.iter().flatten().copied().collect::<Vec<P>>());
     let [from, to] = [Tree::new(first), Tree::new(second)];

@@ -1,7 +1,6 @@
 //! From one level to the next: the least level of all, and of each face.
 
-use super::depth::{FaceDepth, GeometricDepth};
-use super::place::GeometricPlace;
+use super::place::{FaceDepth, GeometricDepth, GeometricPlace};
 use crate::exact::Rational;
 use crate::float::upper;
 

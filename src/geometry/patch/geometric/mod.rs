@@ -13,7 +13,7 @@
 //! | `sweep` | both sides for many units |
 //! | `units`, `sets` | polygon meshes as the search sees them |
 //! | `region` | which faces are looked at, and the parts of a mesh that they need |
-//! | `place` | a point of one set that is far from the other |
+//! | `place` | answers: levels, and a point of one set that is far from the other |
 //! | `relative` | tolerances as a share of the size of a mesh |
 //! | `level` | one level of a polygon mesh; `levels`: from one to the next; `depth`: what a polygon mesh needs |
 
@@ -34,16 +34,15 @@ mod sweep;
 mod units;
 mod whole;
 
-pub use depth::{FaceDepth, GeometricDepth};
 pub use level::LEAST_SHARE;
 pub use patch::FaceSurface;
-pub use place::{GeometricPlace, SetKind};
+pub use place::{FaceDepth, GeometricDepth, GeometricPlace, SetKind};
 pub use relative::relative_tolerance;
 
 pub(in crate::patch) use cover::{FarPoint, Nearness};
 pub(in crate::patch) use levels::{Known, Levels, MAX_LEVEL, distances};
 pub(in crate::patch) use patch::Patch;
-pub(in crate::patch) use pieces::{Hull, MeshPart, Pieces, Sets, Units};
-pub(in crate::patch) use scene::{Scene, Unit};
+pub(in crate::patch) use pieces::{Hull, MeshPart, Pieces, Sets, Unit, Units};
+pub(in crate::patch) use scene::Scene;
 pub(in crate::patch) use sweep::{far_distance, first_far, sweep};
 pub(in crate::patch) use whole::Whole;

@@ -1,7 +1,6 @@
 //! What the search needs to know of a surface: pieces of the limit with hulls, and a mesh that is compared with it.
 
 use super::patch::{Patch, ball};
-use super::scene::Unit;
 use crate::mesh::Point;
 
 /// Where a piece of the limit is.
@@ -30,6 +29,16 @@ pub(in crate::patch) trait Pieces: Sync {
 
     /// The pieces that together are this one.
     fn parts(&self, piece: &Self::Piece) -> Vec<Self::Piece>;
+}
+
+/// A part of the mesh, together with the part of the limit that has the same parameters: a quarter of a quadrilateral at a
+/// vertex, a quarter of a triangle, a cell of a net.
+pub(in crate::patch) struct Unit {
+    pub(in crate::patch) patches: Vec<Patch>,
+    /// A closed chain around it, of points of the mesh at the corners, and their numbers: units with a corner in common
+    /// touch there.
+    pub(in crate::patch) base: Vec<Point<f64>>,
+    pub(in crate::patch) corners: Vec<usize>,
 }
 
 /// The mesh of a level, in units that each have a piece of the limit.

@@ -1,23 +1,13 @@
 //! A mesh of a level, or a part of it, with its pieces of the limit.
 
 use super::super::number::Vector as _;
-use super::patch::{Patch, length};
-use super::pieces::Units;
+use super::patch::length;
+use super::pieces::{Unit, Units};
 use super::place::SetKind;
 use super::shadow::Segment;
 use crate::mesh::Point;
 use std::collections::HashMap;
 use std::sync::OnceLock;
-
-/// A part of the mesh, together with the part of the limit that has the same parameters: a quarter of a quadrilateral at a
-/// vertex, a quarter of a triangle, a cell of a net.
-pub(in crate::patch) struct Unit {
-    pub(in crate::patch) patches: Vec<Patch>,
-    /// A closed chain around it, of points of the mesh at the corners, and their numbers: units with a corner in common
-    /// touch there.
-    pub(in crate::patch) base: Vec<Point<f64>>,
-    pub(in crate::patch) corners: Vec<usize>,
-}
 
 /// The mesh with its units.
 pub(in crate::patch) struct Scene<P> {

@@ -8,8 +8,8 @@ use super::super::roots::{Root, Roots, corners};
 use super::super::search::{Search, Verdict};
 use super::super::shapes::Shapes;
 use super::patch::{FaceSurface, Patch};
-use super::pieces::{Hull, Pieces, Units};
-use super::scene::{Scene, Unit};
+use super::pieces::{Hull, Pieces, Unit, Units};
+use super::scene::Scene;
 use crate::mesh::{Connectivity, MeshError, MeshScheme, Point, PolygonMesh, Stencils, step_with};
 
 /// How many pieces are looked at for the distance of a unit at equal parameters.
