@@ -72,9 +72,10 @@ mod setting;
 mod table;
 mod witness;
 
-// Joint spectral radii, constants that programs ship, and theorems of Coq.
+// Joint spectral radii, depths of control data, constants that programs ship, and theorems of Coq.
 mod kernel;
 mod radius;
+mod sets;
 mod shipped;
 
 use catalogue::catalogue;
@@ -86,8 +87,11 @@ use paper::Paper;
 pub use radius::{Radius, check_radius};
 use regularity::expanded;
 use reject::Checked;
-pub use reject::{RadiusReason, RadiusRejection, Reason, Rejection, Stop, Text};
+pub use reject::{
+    DepthReason, DepthRejection, RadiusReason, RadiusRejection, Reason, Rejection, Stop, Text,
+};
 use rules::{Given, Recovered, Verdict};
+pub use sets::{Depth, check_depth};
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::panic::resume_unwind;

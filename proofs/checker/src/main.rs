@@ -4,11 +4,12 @@
 use std::io::Write;
 use std::process::ExitCode;
 use subcert_check::{
-    Agreement, Outcome, Reason, Rejection, Report, check, check_radius, check_theorems,
+    Agreement, Outcome, Reason, Rejection, Report, check, check_depth, check_radius, check_theorems,
 };
 
 const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… [--accept WHAT]… CLAIMS CERTIFICATE…
        subcert-check --radius CERTIFICATE…
+       subcert-check --depth CERTIFICATE…
        subcert-check --coq CLAIMS [CERTIFICATE…] THEOREMS.v…
 
 Checks certificates against their claim file. It checks all claims, or with --only the claims of
@@ -18,6 +19,8 @@ cited, claims pass that a statement of THEOREMS.md decides; with --accept open, 
 that a certificate calls open. They are listed as such.
 With --radius, the files are certificates of joint spectral radii and of smoothness, which need no
 claim file; a line says what each proves.
+With --depth, the files are certificates of how many levels a control polygon or a net needs as a set of
+points; they need no claim file either.
 With --coq, files of theorems of Coq, whose names end in .v, are compared with the claim file: masks,
 numbers, levels and places. The certificates give the values of parameters that the paper does not
 state. Whether the theorems are true, Coq checks.
@@ -81,6 +84,11 @@ impl Arguments {
                 return Err(format!(
                     "`{claims}` is about a joint spectral radius, which needs no claim file: \
                      subcert-check --radius {claims}"
+                ));
+            }
+            Some("subcert-depth") => {
+                return Err(format!(
+                    "`{claims}` is about a depth, which needs no claim file: subcert-check --depth {claims}"
                 ));
             }
             _ => {}
@@ -154,30 +162,47 @@ fn is_named(name: &str, key: &str, kind: &str, id: &str) -> bool {
     name == kind || name == id || name.strip_prefix(key).is_some_and(own)
 }
 
-/// Checks certificates of joint spectral radii.
-fn radii(paths: &[String]) -> ExitCode {
+/// Checks certificates that stand alone; `check` gives the outcome and what follows the file in its line.
+fn alone(flag: &str, paths: &[String], check: impl Fn(&str) -> (&'static str, String)) -> ExitCode {
     let mut code = if paths.is_empty() { 2 } else { 0 };
     for path in paths {
-        let line = match std::fs::read_to_string(path) {
+        let text = match std::fs::read_to_string(path) {
             Err(error) => {
                 let _ = writeln!(std::io::stderr(), "cannot read `{path}`: {error}");
                 code = 2;
                 continue;
             }
-            Ok(text) => match check_radius(&text) {
-                Ok(radius) => format!("certified   {path}: {radius}"),
-                Err(rejection) => {
-                    code = code.max(1);
-                    format!("invalid     {path}:{}: {}", rejection.line, rejection.reason)
-                }
-            },
+            Ok(text) => text,
         };
-        let _ = writeln!(std::io::stdout(), "{line}");
+        let (outcome, said) = check(&text);
+        if outcome != "certified" {
+            code = code.max(1);
+        }
+        let _ = writeln!(std::io::stdout(), "{outcome:<12}{path}{said}");
     }
     if paths.is_empty() {
-        let _ = writeln!(std::io::stderr(), "`--radius` needs a file\n{USAGE}");
+        let _ = writeln!(std::io::stderr(), "`{flag}` needs a file\n{USAGE}");
     }
     ExitCode::from(code)
+}
+
+/// A joint spectral radius.
+fn radius(text: &str) -> (&'static str, String) {
+    match check_radius(text) {
+        Ok(radius) => ("certified", format!(": {radius}")),
+        Err(rejection) => ("invalid", format!(":{}: {}", rejection.line, rejection.reason)),
+    }
+}
+
+/// A depth.
+fn depth(text: &str) -> (&'static str, String) {
+    match check_depth(text) {
+        Ok(depth) => ("certified", format!(": {depth}")),
+        Err(rejection) => {
+            let outcome = if rejection.given_up() { "incomplete" } else { "invalid" };
+            (outcome, format!(":{}: {}", rejection.line, rejection.reason))
+        }
+    }
 }
 
 /// Compares files of theorems of Coq with their claim file. Gives whether all agree.
@@ -236,10 +261,9 @@ fn main() -> ExitCode {
         let _ = writeln!(std::io::stdout(), "{text}");
         return ExitCode::SUCCESS;
     }
-    if arguments.first().is_some_and(|first| first == "--radius") {
-        return radii(&arguments[1..]);
-    }
     let outcome = match arguments.first() {
+        Some(first) if first == "--radius" => return alone(first, &arguments[1..], radius),
+        Some(first) if first == "--depth" => return alone(first, &arguments[1..], depth),
         Some(first) if first == "--coq" => theorems(&arguments[1..]),
         _ => Arguments::read(arguments.into_iter()).and_then(|arguments| arguments.run()),
     };

@@ -182,6 +182,42 @@ reasons! {
     Stopped(why: Stop) "{why}"
 }
 
+reasons! {
+    /// A side condition of a certificate of a depth that does not hold.
+    DepthReason:
+    Version "the first line is not `subcert-depth 1`"
+    Malformed(what: &'static str) "the line does not have the form that is expected: {what}"
+    Truncated "the certificate is cut off: `end` is missing"
+    AfterEnd "the certificate goes on after its end, or it is too long"
+    Order "this line stands twice, or after lines that have to follow it"
+    Empty "the certificate says nothing of any level"
+    Rule "a rule does not sum to 1"
+    NoLines "the scheme does not take lines to lines, so that points have no natural parameters"
+    NotConvergent "the differences are not shown to fall"
+    Range "the given points do not determine the sets in this range"
+    Outside "the parameters are not in the range"
+    Twice "this level is said to be too few twice"
+    NotFar "the point is not shown to be farther than the tolerance from the other set"
+    Stopped(why: Stop) "{why}"
+}
+
+/// A reason to refuse a certificate of a depth, and the line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DepthRejection {
+    /// The line, counted from 1.
+    pub line: usize,
+    /// The reason.
+    pub reason: DepthReason,
+}
+
+impl DepthRejection {
+    /// Whether the certificate may be right: what it says is beyond a cap, or too near to call.
+    #[must_use]
+    pub fn given_up(&self) -> bool {
+        matches!(self.reason, DepthReason::Stopped(Stop::Capped(_) | Stop::Undecided(_)))
+    }
+}
+
 /// A reason to refuse a certificate, and the line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RadiusRejection {

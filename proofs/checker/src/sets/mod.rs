@@ -1,0 +1,89 @@
+//! Certificates of depths: how many levels a control polygon or a net needs as a set of points. FORMAT.md, «Depths».
+
+mod direction;
+mod far;
+mod near;
+mod net;
+mod read;
+
+use crate::meter::Meter;
+use crate::reject::{DepthReason, DepthRejection};
+use direction::Direction;
+use near::Set;
+use net::{Net, Ratio, less};
+use read::Certificate;
+use std::fmt;
+
+/// What a valid certificate proves.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Depth {
+    /// The Hausdorff distance is at most the tolerance at this level.
+    pub enough: Option<u32>,
+    /// It is more than the tolerance at these levels.
+    pub too_few: Vec<u32>,
+}
+
+/// Checks a certificate of a depth.
+///
+/// # Errors
+/// The line that is wrong, or not decided, and the reason.
+pub fn check_depth(text: &str) -> Result<Depth, DepthRejection> {
+    let certificate = Certificate::read(text)?;
+    let meter = Meter::default();
+    let at = |line: usize| move |reason: DepthReason| DepthRejection { line, reason };
+    let mut directions = Vec::new();
+    for given in &certificate.directions {
+        directions.push(Direction::new(given, &meter).map_err(at(given.line))?);
+    }
+    let Certificate { points, tolerance, end, .. } = &certificate;
+    let mut net = Net::new(&directions, points, tolerance, &meter).map_err(at(*end))?;
+    let mut too_few: Vec<u32> = Vec::new();
+    for far in &certificate.too_few {
+        meter.restart();
+        let reject = at(far.line);
+        if too_few.contains(&far.level) {
+            return Err(reject(DepthReason::Twice));
+        }
+        let parameters: Vec<Ratio> =
+            far.at.iter().map(Ratio::of).collect::<Result<_, _>>().map_err(reject)?;
+        let outside = parameters
+            .iter()
+            .zip(&net.ranges)
+            .any(|(x, [from, to])| less(*x, *from) || less(*to, *x));
+        if outside {
+            return Err(reject(DepthReason::Outside));
+        }
+        let set = if far.of_limit { Set::Limit } else { Set::Polygon };
+        far::check(&mut net, far.level, set, &parameters, &meter).map_err(reject)?;
+        too_few.push(far.level);
+    }
+    let enough = match certificate.enough {
+        None => None,
+        Some((line, level)) => {
+            meter.restart();
+            near::check(&mut net, level, &meter).map_err(at(line))?;
+            Some(level)
+        }
+    };
+    too_few.sort_unstable();
+    Ok(Depth { enough, too_few })
+}
+
+impl fmt::Display for Depth {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let few: Vec<String> = self.too_few.iter().map(ToString::to_string).collect();
+        let few = match &few[..] {
+            [] => String::new(),
+            [one] => format!("level {one} is not enough"),
+            [all @ .., last] => format!("levels {} and {last} are not enough", all.join(", ")),
+        };
+        let enough = self.enough.map(|level| format!("level {level} is enough"));
+        let least = self.enough.is_some_and(|level| (0..level).eq(self.too_few.iter().copied()));
+        match (enough, &few[..]) {
+            (Some(enough), "") => f.write_str(&enough),
+            (Some(enough), few) if least => write!(f, "{enough}, and {few}: it is the least"),
+            (Some(enough), few) => write!(f, "{enough}, and {few}"),
+            (None, few) => f.write_str(few),
+        }
+    }
+}
