@@ -1,5 +1,6 @@
 //! C¹ at the vertex: against closed formulas, meshes that are refined, and rules that were broken.
 
+mod butterfly;
 mod slow;
 
 use slow::{Kind, Net};
@@ -155,7 +156,7 @@ fn vertex_rules(vertex: &str, edge: &str) -> String {
 #[test]
 fn an_eigenvalue_of_block_0_above_the_others_refutes() {
     let changed = ring("block0", &vertex_rules("'1/100'", "vertex = '3/8'"));
-    let Verdict::Refuted(Refutation::Block0 { value }) = &changed.verdict else {
+    let Verdict::Refuted(Refutation::Block0 { value, size: 1 }) = &changed.verdict else {
         panic!("{:?}", changed.verdict)
     };
     assert_eq!(short(value, 6), "0.565");

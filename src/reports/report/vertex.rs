@@ -60,9 +60,14 @@ pub fn verdict_reason(verdict: &Verdict) -> String {
             "the Jacobian of the characteristic map has both signs"
         }
         Verdict::Refuted(Refutation::Diverges { eigenvalue }) => return diverges(eigenvalue),
-        Verdict::Refuted(Refutation::Block0 { value }) => {
+        Verdict::Refuted(Refutation::Block0 { value, size }) => {
+            let above = if *size == 1 {
+                "is above all others but 1".to_owned()
+            } else {
+                format!("has a Jordan block of size {size}, which outweighs all others but 1")
+            };
             return format!(
-                "the eigenvalue {} of block 0 is above all others but 1, and its eigenfunction has one sign",
+                "the eigenvalue {} of block 0 {above}, and its eigenfunction has one sign",
                 with_decimal(value)
             );
         }

@@ -43,10 +43,12 @@ pub enum Refutation {
         /// J there, in the scale of [`Verdict::Proved`].
         values: [Enclosure; 2],
     },
-    /// A simple eigenvalue of block 0 is alone above all but 1, and its eigenfunction has one sign.
+    /// An eigenvalue of block 0, simple or with one Jordan block, outweighs all but 1, and its eigenfunction has one sign.
     Block0 {
         /// The eigenvalue.
         value: RealExpression,
+        /// The size of its Jordan block.
+        size: usize,
     },
     /// λ is negative, and the Jacobian has one sign.
     Negative,

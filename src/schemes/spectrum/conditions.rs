@@ -73,7 +73,8 @@ pub struct Conditions {
     pub next: Option<RealExpression>,
     /// How μ compares with λ²; `None` also where that depends on a Jordan block that is not decided.
     pub curvature: Option<Curvature>,
-    /// The Jordan blocks of the eigenvalues of the modulus μ, and of those of the modulus λ².
+    /// The Jordan blocks of the eigenvalues of the modulus μ, and of those of the modulus λ²; without such a λ, those of the
+    /// greatest modulus after 1.
     pub chains: Vec<Chain>,
 }
 
@@ -104,6 +105,9 @@ impl Conditions {
             && second.blocks == [1, n - 1]
             && alone;
         if !simple_one || !right {
+            if simple_one {
+                conditions.chains = chains(blocks, eigenvalues, &second.modulus, cosines)?;
+            }
             return Ok(conditions);
         }
         conditions.subdominant = Some(second.real.clone());
@@ -120,7 +124,7 @@ impl Conditions {
         Ok(conditions)
     }
 
-    /// The size of the greatest Jordan block of the eigenvalues of a modulus, μ or λ², of some Fourier blocks; `None` where it
+    /// The size of the greatest Jordan block of the eigenvalues of one of the moduli of [`chains`](Self::chains), of some Fourier blocks; `None` where it
     /// is not decided.
     pub fn longest(&self, of: impl Fn(usize) -> bool, modulus: &RealExpression) -> Option<usize> {
         let own = self.chains.iter().filter(|one| of(one.block) && one.modulus == *modulus);
