@@ -89,14 +89,17 @@ pub(in crate::cli) struct DepthArguments {
     /// distance is that of sets: .csv, .json, or .ply with colours
     #[arg(long, value_name = "FILE", requires = "mesh", conflicts_with = "a_priori")]
     pub(in crate::cli) per_face: Option<PathBuf>,
-    /// How far a mesh or a control polygon is from its limit: as sets of points, or at equal parameters. Nets and solids
-    /// have the latter alone [default: a mesh as sets, a polygon of points both]
+    /// How far a mesh, a net or a control polygon is from its limit: as sets of points, or at equal parameters. Solids
+    /// have the latter alone [default: a mesh or a net as sets, a polygon of points both]
     #[arg(long, value_enum)]
     pub(in crate::cli) distance: Option<DistanceArgument>,
     /// What a face of a polygon mesh is whose vertices are not in one plane; triangles are flat
     #[arg(long, value_enum, default_value_t = FacesArgument::Bilinear, requires = "mesh")]
     pub(in crate::cli) faces: FacesArgument,
-    /// The tolerance is that part of the diagonal of the box around the polygon mesh or the control polygon
+    /// Write a certificate of the depth of a control polygon or a net as a set of points, for subcert-check --depth
+    #[arg(long, value_name = "FILE", conflicts_with = "a_priori")]
+    pub(in crate::cli) certificate: Option<PathBuf>,
+    /// The tolerance is that part of the diagonal of the box around the polygon mesh, the net or the control polygon
     #[arg(long)]
     pub(in crate::cli) relative: bool,
     /// How narrow the intervals around exact distances are [default: ε/1000]

@@ -263,9 +263,13 @@ impl GeometricReport<'_> {
             _ => " Faces and vertices are numbered from 0.",
         };
         let name = kind.name();
+        let certificate = match kind {
+            Kind::Net { .. } => "`--certificate` writes it for subcert-check.",
+            _ => "It has no certificate.",
+        };
         sheet.text(format!(
             "The distance is the greatest one of any point of the {name} from the limit surface, and of any \
-             point of the surface from the {name}. It has no certificate. Levels between are not claimed \
+             point of the surface from the {name}. {certificate} Levels between are not claimed \
              to be better than earlier ones: the depth is the least level that is within the tolerance. \
              `--distance parametric` compares points of equal parameters.{net}"
         ));

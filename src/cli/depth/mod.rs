@@ -2,6 +2,7 @@
 
 mod answer;
 mod bound;
+mod certified;
 mod exact;
 mod faces;
 mod geometric;
@@ -49,9 +50,15 @@ use subcert::scheme::{AnyScheme, Scheme, parse_any_scheme};
 
 pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     let to = Destination::of(&arguments.output, &page_name(arguments))?;
+    if arguments.certificate.is_some() && arguments.mesh.is_none() && arguments.polygon.is_none() {
+        return Err(certified::none("give one by --polygon or --mesh"));
+    }
     if let Some(path) = &arguments.mesh {
         let net = NetInput { scheme: &arguments.scheme, path, closed: arguments.closed };
         return match Geometry::of(&net)? {
+            Geometry::Mesh | Geometry::Solid if arguments.certificate.is_some() => {
+                Err(certified::none("polygon meshes and solids have none"))
+            }
             Geometry::Mesh => mesh::mesh_depth(path, arguments, &to),
             Geometry::Net => net::net_depth(&net, arguments, &to),
             Geometry::Solid => {
@@ -162,7 +169,7 @@ impl Report {
         let answer = |(&parametrisation, budgets): (&Parametrisation, &[Budget])| {
             Answer::of(scheme, parametrisation, points.as_ref(), &asked, budgets)
         };
-        let sets = sets(scheme, points.as_ref(), arguments.distance, &tolerance, pieces)?;
+        let sets = sets(scheme, points.as_ref(), arguments, &tolerance, pieces)?;
         let answers = wanted.iter().zip(budgets.chunks(count / wanted.len())).map(answer);
         let answers = answers.collect::<Result<Vec<Answer>, Failure>>()?;
         drop(progress);
@@ -254,7 +261,7 @@ impl Report {
             if self.sets.is_some() {
                 sheet.text(
                     "As sets of points: no point of the polygon is farther than ε from the limit, and no point of the \
-                     limit from the polygon, in the Euclidean distance. It has no certificate. Levels between are not \
+                     limit from the polygon, in the Euclidean distance. `--certificate` writes it for subcert-check. Levels between are not \
                      claimed to be better than earlier ones: the depth is the least level that is within the tolerance.",
                 );
             }
@@ -311,19 +318,23 @@ fn or_none<'a, T, F>(answer: &'a Result<T, String>, form: impl Fn(&'a T) -> F) -
 fn sets(
     scheme: &Scheme,
     points: Option<&Points>,
-    distance: Option<DistanceArgument>,
+    arguments: &DepthArguments,
     tolerance: &Rational,
     budget: Budget,
 ) -> Result<Option<OfSets>, Failure> {
+    let certificate = arguments.certificate.as_deref();
     let (Scheme::Curve(mask), Some(points)) = (scheme, points) else { return Ok(None) };
-    match (points.coordinates.len(), distance) {
+    match (points.coordinates.len(), arguments.distance) {
+        (_, Some(DistanceArgument::Parametric)) | (1, None) if certificate.is_some() => {
+            Err(certified::none("leave out --distance parametric, and write (i, x) for numbers"))
+        }
         (_, Some(DistanceArgument::Parametric)) | (1, None) => Ok(None),
         (1, Some(DistanceArgument::Geometric)) => {
             let message = "--distance geometric is for points of two coordinates or more; numbers are values \
                            at parameters: write (i, x) on each line for their graph";
             Err(Failure::Input(message.to_owned()))
         }
-        _ => of_sets(mask, points, tolerance, budget).map(Some),
+        _ => of_sets(mask, points, tolerance, budget, certificate).map(Some),
     }
 }
 

@@ -1,5 +1,6 @@
 //! The depth of one tensor net.
 
+use super::certified;
 use super::faces::{FacesFormat, plain_rows};
 use super::geometric::{Faces, GeometricReport, Growth, measure};
 use super::kind::Kind;
@@ -42,10 +43,13 @@ pub(super) fn net_depth(
     let kind = Kind::Net { faces_in_row };
     if geometric && !arguments.a_priori {
         let mesh = net.mesh().map_err(|error| Failure::Input(error.to_string()))?;
-        let distances = NetDistances::new(net, &scheme).map_err(failure)?;
+        let distances = NetDistances::new(net.clone(), &scheme).map_err(failure)?;
         let wanted = arguments.output.format != FindingFormat::Json;
         let progress = Progress::of_pieces(distances.work(), wanted);
         let found = distances.geometric_depth(&tolerance).map_err(failure)?;
+        if let Some(path) = &arguments.certificate {
+            certified::of_net(path, &net, &scheme, &distances, &found, &tolerance)?;
+        }
         let faces = if per_face.is_some() || arguments.output.is_page() {
             let depths = distances.geometric_faces(&tolerance).map_err(failure)?;
             let bounds = distances.geometric_distances(found.level, &tolerance).map_err(failure)?;
@@ -69,6 +73,9 @@ pub(super) fn net_depth(
             faces,
         };
         return report.show(arguments, to);
+    }
+    if arguments.certificate.is_some() {
+        return Err(certified::none("leave out --distance parametric"));
     }
     let mut pictures = Vec::new();
     let found = if arguments.a_priori {

@@ -1,9 +1,11 @@
 //! The depth of one control polygon by the distance of polygon and limit as sets of points.
 
+use super::certified;
 use super::numbers::{digits, few_text, point as point_text};
 use super::polygon::Points;
 use crate::cli::json::depth as form;
 use crate::cli::output::Failure;
+use std::path::Path;
 use subcert::bound::Budget;
 use subcert::exact::Rational;
 use subcert::float::shortest;
@@ -20,17 +22,27 @@ pub(super) fn of_sets(
     points: &Points,
     tolerance: &Rational,
     budget: Budget,
+    certificate: Option<&Path>,
 ) -> Result<OfSets, Failure> {
     let depth = || {
         let limit = Limit::new(mask)?;
         let sets = CurveSets::new(&limit, &points.numbers, points.closed)?;
-        sets.with_budget(budget).depth(tolerance)
+        let mut sets = sets.with_budget(budget);
+        let found = sets.depth(tolerance)?;
+        Ok((sets, found))
     };
-    match depth() {
-        Err(error @ LimitError::TooFew { .. }) => {
+    match (depth(), certificate) {
+        (Err(error @ LimitError::TooFew { .. }), _) => {
             Err(Failure::Input(format!("--polygon: {error}")))
         }
-        found => Ok(found.map_err(|error| error.to_string())),
+        (Err(error), Some(_)) => Err(certified::none(&format!("there is none here: {error}"))),
+        (Err(error), None) => Ok(Err(error.to_string())),
+        (Ok((sets, found)), path) => {
+            if let Some(path) = path {
+                certified::of_polygon(path, mask, &sets, &found, &points.numbers, tolerance)?;
+            }
+            Ok(Ok(found))
+        }
     }
 }
 

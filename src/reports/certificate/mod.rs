@@ -6,6 +6,7 @@
 mod block;
 mod constant;
 mod coq;
+mod depth;
 mod equation;
 mod family;
 mod limits;
@@ -24,6 +25,7 @@ mod witness;
 use crate::audit::PaperAudit;
 use block::{Block, words};
 pub use coq::{CoqFile, coq_files};
+pub use depth::{DepthDirection, DepthFar, depth_certificate};
 pub use radius::{radius_certificate, smoothness_certificate};
 pub use shipped::project_certificate;
 

@@ -142,11 +142,11 @@ fn write_radius<F: Entry>(
     eigenvalue.map(|eigenvalue| eigenvalue.at_least)
 }
 
-fn line(text: &mut String, word: &str, rest: &str) {
+pub(super) fn line(text: &mut String, word: &str, rest: &str) {
     let blank = if rest.is_empty() { "" } else { " " };
     writeln!(text, "{word}{blank}{rest}").expect("a text in memory");
 }
 
-fn numbers(row: &[Rational]) -> String {
+pub(super) fn numbers(row: &[Rational]) -> String {
     row.iter().map(ToString::to_string).collect::<Vec<String>>().join(" ")
 }

@@ -146,12 +146,14 @@ impl Direction {
         let low = moved.iter().min().map_or_else(Q::zero, |x| x * &whole);
         let high = moved.iter().max().map_or_else(Q::zero, |x| x * &whole);
         // Of level k, q = n^-k, points j with |j − (tn^k − s)| < 1 are used, which depend on x_i with
-        // t − (s + 1)q + (1 − q)low < i < t + (1 − s)q + (1 − q)high; these are linear in q.
+        // t − (s + 1)q + (1 − q)low < i < t + (1 − s)q + (1 − q)high; these are linear in q. For q = 0 it is the limit: the
+        // function of each point is continuous, and so 0 at the ends of its support.
         let (q, rest) = (int(1) / &n, int(1) - int(1) / &n);
         let later = from - (&self.shift + int(1)) * &q + &low * &rest;
-        let first = [(from - &self.shift).floor(), (from + low).ceil(), later.floor() + int(1)];
+        let first =
+            [(from - &self.shift).floor(), (from + low).floor() + int(1), later.floor() + int(1)];
         let later = to + (int(1) - &self.shift) * q + &high * rest;
-        let last = [(to - &self.shift).ceil(), (to + high).floor(), later.ceil() - int(1)];
+        let last = [(to - &self.shift).ceil(), (to + high).ceil() - int(1), later.ceil() - int(1)];
         let inside = |x: &Q| !x.is_negative() && *x < int(self.count);
         let fits = first.iter().chain(&last).all(inside);
         if fits { Ok(()) } else { Err(DepthReason::Range) }

@@ -7,6 +7,9 @@ use crate::reject::{DepthReason, Stop};
 /// How many levels beyond that of the polygon cells are divided.
 const MORE_LEVELS: u32 = 14;
 
+/// How many levels beyond that of the polygon equal parameters are compared.
+const MORE_BY_PARAMETER: u32 = 4;
+
 /// How many levels beyond that of a piece points of the limit are taken from.
 const MORE_DIGITS: u32 = 4;
 
@@ -72,18 +75,20 @@ pub fn check(net: &mut Net, level: u32, meter: &Meter) -> Check<()> {
         if !is_inside(net, own, cell)? {
             continue;
         }
-        // At equal parameters: the limit and the polygon of the level are both so near to that of this level.
+        // At equal parameters: the limit, and before its own level the polygon, are so near to the polygon of this level.
         let slack = net.slack(own)? + net.slack(level)?;
-        let factor = if own == level { 1 } else { 2 };
-        if factor * net.radius(own, cell)? + slack <= TOLERANCE {
+        let radius = net.radius(own, cell)?;
+        let apart = if own <= level { 0 } else { net.apart(own, cell, level)? };
+        let factor = if own < level { 2 } else { 1 };
+        if apart + factor * radius + slack <= TOLERANCE {
             continue;
         }
-        if own < level {
+        if own < level || own < level + MORE_BY_PARAMETER && apart <= TOLERANCE + radius {
             stack.extend(parts(net, cell).into_iter().map(|cell| (own + 1, cell)));
             continue;
         }
         for of in [Set::Limit, Set::Polygon] {
-            cover(net, level, Piece { of, level, cell, hint: Vec::new() }, meter)?;
+            cover(net, level, Piece { of, level: own, cell, hint: Vec::new() }, meter)?;
         }
     }
     Ok(())

@@ -328,6 +328,26 @@ impl<'a> Net<'a> {
         Ok(all)
     }
 
+    /// The greatest distance of the polygon of a level from that of `net` at equal parameters, on a cell of the level:
+    /// the difference is linear, in each direction, between the nodes of both.
+    pub fn apart(&mut self, level: u32, cell: Cell, net: u32) -> Check<i128> {
+        let mut nodes = [vec![Ratio { top: 0, bottom: 1 }], vec![Ratio { top: 0, bottom: 1 }]];
+        for which in 0..self.count() {
+            nodes[which] = self.nodes(which, level, cell[which], level)?;
+            nodes[which].extend(self.nodes(which, level, cell[which], net)?);
+            nodes[which].sort_by(|x, y| less(*y, *x).cmp(&less(*x, *y)));
+            nodes[which].dedup();
+        }
+        let mut greatest = 0;
+        for row in &nodes[0] {
+            for column in &nodes[1] {
+                let [own, other] = [level, net].map(|net| self.at(net, &[*row, *column]));
+                greatest = greatest.max(square(&*own?, &*other?));
+            }
+        }
+        Ok(length(greatest))
+    }
+
     /// All values of the polygon of `net` on a cell are in the hull of these.
     pub fn hull(&mut self, level: u32, cell: Cell, net: u32) -> Check<Vec<Point>> {
         let rows = self.nodes(0, level, cell[0], net)?;

@@ -146,7 +146,7 @@ impl CurveSets {
             });
         }
         let scaled = lower(&(tolerance / &self.scale));
-        let (mut too_few, mut beyond, mut certain) = (None, None, true);
+        let (mut places, mut certain) = (Vec::new(), true);
         for level in 0..=MAX_LEVEL {
             if !self.finder.cells.is_numbered(level + 1) {
                 break;
@@ -154,10 +154,8 @@ impl CurveSets {
             self.finder.spend(4);
             let mut search = LevelSearch { finder: &mut self.finder, level, tolerance: scaled };
             match search.examine() {
-                Known::Near => return Ok(CurveDepth { level, too_few, beyond }),
-                Known::Far(far) if certain => {
-                    (too_few, beyond) = (Some(level), Some(self.place(&far)));
-                }
+                Known::Near => return Ok(CurveDepth::new(level, places)),
+                Known::Far(far) if certain => places.push(self.place(&far)),
                 Known::Far(_) => {}
                 Known::Open => certain = false,
             }

@@ -435,6 +435,7 @@ impl Places<'_> {
         let vertex = part.and_then(|part| mesh.faces()[face].get(part).copied());
         GeometricPlace {
             face,
+            parameters: None,
             vertex,
             level_face,
             from: far.from,

@@ -40,12 +40,12 @@ pub(in crate::patch) trait Levels {
     /// The least level that is sufficient.
     fn depth(&mut self) -> Result<GeometricDepth, Self::Error> {
         let wanted = vec![true; self.count()];
-        let (mut too_few, mut beyond, mut certain) = (None, None, true);
+        let (mut places, mut certain) = (Vec::new(), true);
         // A level that equal parameters show to be sufficient, found when it is needed.
         let mut sure: Option<u32> = None;
         for level in 0..=MAX_LEVEL {
             if sure.is_some_and(|sure| sure <= level) {
-                return Ok(GeometricDepth { level, too_few, beyond });
+                return Ok(GeometricDepth::new(level, places));
             }
             let found = self.examine(level, &wanted, false)?;
             let far = found.iter().find_map(|(_, known)| match known {
@@ -54,7 +54,7 @@ pub(in crate::patch) trait Levels {
             });
             let open = found.iter().any(|(_, known)| matches!(known, Known::Open));
             match far {
-                Some(place) if certain => (too_few, beyond) = (Some(level), Some(place)),
+                Some(place) if certain => places.push(place),
                 Some(_) => {}
                 None if open => {
                     certain = false;
@@ -62,14 +62,14 @@ pub(in crate::patch) trait Levels {
                         sure = self.parametric()?;
                     }
                     if sure.is_some_and(|sure| sure <= level) {
-                        return Ok(GeometricDepth { level, too_few, beyond });
+                        return Ok(GeometricDepth::new(level, places));
                     }
                 }
-                None => return Ok(GeometricDepth { level, too_few, beyond }),
+                None => return Ok(GeometricDepth::new(level, places)),
             }
         }
         match sure.map_or_else(|| self.parametric(), |sure| Ok(Some(sure)))? {
-            Some(level) => Ok(GeometricDepth { level, too_few, beyond }),
+            Some(level) => Ok(GeometricDepth::new(level, places)),
             None => Err(self.too_many()),
         }
     }

@@ -1,5 +1,6 @@
 //! How many levels are needed, and where a point of one set is far from the other.
 
+use crate::exact::Rational;
 use crate::mesh::Point;
 
 /// One of the two sets.
@@ -27,6 +28,8 @@ impl SetKind {
 pub struct GeometricPlace {
     /// The face of the control mesh.
     pub face: usize,
+    /// Natural parameters at which, or near which, a net or its limit has the point; `None` of polygon meshes.
+    pub parameters: Option<[Rational; 2]>,
     /// The vertex of that face that it is near to, where that is known.
     pub vertex: Option<usize>,
     /// The face of the level; `None` at level 0 and for Doo and Sabin.
@@ -51,6 +54,22 @@ pub struct GeometricDepth<P = GeometricPlace> {
     pub too_few: Option<u32>,
     /// A point that shows that `too_few` is not sufficient.
     pub beyond: Option<P>,
+    /// The same for the levels below it, from level 0 on.
+    pub before: Vec<P>,
+}
+
+impl<P> GeometricDepth<P> {
+    /// What is known of the levels that were looked at: points that show that they are not sufficient, from level 0 on.
+    pub(in crate::patch) fn new(level: u32, mut places: Vec<P>) -> GeometricDepth<P> {
+        let beyond = places.pop();
+        let too_few = beyond.as_ref().map(|_| u32::try_from(places.len()).unwrap_or(u32::MAX));
+        GeometricDepth { level, too_few, beyond, before: places }
+    }
+
+    /// For each level that is certainly not sufficient, from 0 on, a point that shows it.
+    pub fn places(&self) -> impl Iterator<Item = (u32, &P)> {
+        (0..).zip(self.before.iter().chain(&self.beyond))
+    }
 }
 
 /// What one face of the control mesh needs.

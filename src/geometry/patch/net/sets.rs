@@ -3,7 +3,8 @@
 use super::super::far::FarPlace;
 use super::super::geometric::{
     FaceDepth, FarPoint, GeometricDepth, GeometricPlace, Known, LEAST_SHARE, Levels, MAX_LEVEL,
-    Nearness, Scene, SetKind, Whole, distances, far_distance, first_far, relative_tolerance, sweep,
+    Nearness, Pieces as _, Scene, SetKind, Whole, distances, far_distance, first_far,
+    relative_tolerance, sweep,
 };
 use super::super::judge::Judge;
 use super::super::number::Vector as _;
@@ -30,6 +31,9 @@ const MAX_CELLS: usize = 1 << 20;
 
 /// How many cells are tried first.
 const FIRST: usize = 400;
+
+/// How many levels deeper the parameters of a far point are looked for.
+const NEAR_LEVELS: u32 = 10;
 
 type Index = [i128; 2];
 
@@ -78,6 +82,16 @@ impl NetDistances {
     /// ```
     pub fn geometric_depth(&self, tolerance: &Rational) -> Result<GeometricDepth, NetError> {
         NetLevels::new(self, tolerance)?.depth()
+    }
+
+    /// The natural parameters of the cells that are compared, in each direction; `None` for a closed one.
+    #[must_use]
+    pub fn ranges(&self) -> [Option<[Rational; 2]>; 2] {
+        self.model.directions.each_ref().map(|direction| {
+            let first = direction.window.first_cell(false);
+            let last = first + i64::try_from(direction.cells()).unwrap_or(i64::MAX);
+            (!direction.closed).then(|| [first, last].map(Rational::from))
+        })
     }
 
     /// What each face of the net needs: its part of the net of a level, and its part of the limit, are within the
@@ -252,6 +266,74 @@ impl<'a> NetLevels<'a> {
         (Scene::new(pieces, units, slack), owners)
     }
 
+    /// Natural parameters in a cell of a level near which the net, or the limit, has a point.
+    fn parameters(&self, cell: &Cell<f64>, point: &Point<f64>, from: SetKind) -> [Rational; 2] {
+        let directions = self.directions();
+        let pieces = self.pieces(cell.level(), Vec::new());
+        let squared = |x: &Point<f64>| {
+            let way = x.minus(point);
+            way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
+        };
+        let at = |cell: &Cell<f64>, which: usize, share: &Rational| {
+            let unit = Rational::from(directions[which].arity).pow(cell.level().cast_signed());
+            (Rational::from(cell.index[which]) + share) / unit
+        };
+        let mut best: Option<(f64, [Rational; 2])> = None;
+        let mut offer = |square: f64, parameters: [Rational; 2]| {
+            if best.as_ref().is_none_or(|(least, _)| square < *least) {
+                best = Some((square, parameters));
+            }
+        };
+        match from {
+            SetKind::Limit => {
+                // Those parts whose corners are nearest, level by level.
+                let mut cells = vec![cell.clone()];
+                for _ in 0..NEAR_LEVELS {
+                    let mut parts: Vec<(f64, Cell<f64>)> = Vec::new();
+                    for part in cells.iter().flat_map(|cell| cell.parts(directions, [true; 2])) {
+                        let corners = [[0, 0], [0, 1], [1, 1], [1, 0]];
+                        let mut least = f64::INFINITY;
+                        for (corner, limit) in corners.into_iter().zip(&pieces.hull(&part).limits) {
+                            let (square, shares) = (squared(limit), corner.map(Rational::from));
+                            least = least.min(square);
+                            offer(square, [0, 1].map(|which| at(&part, which, &shares[which])));
+                        }
+                        parts.push((least, part));
+                    }
+                    parts.sort_by(|left, right| left.0.total_cmp(&right.0));
+                    cells = parts.into_iter().take(4).map(|(_, part)| part).collect();
+                }
+            }
+            SetKind::Mesh => {
+                let base = cell.clone().begun(directions).base;
+                let Some(base) = base else {
+                    return [0, 1].map(|which| at(cell, which, &Rational::zero()));
+                };
+                let nodes =
+                    [0, 1].map(|which| &directions[which].exact.phases[base.phases[which]].nodes);
+                let columns = nodes[1].len();
+                let shares = [0, 1, 2, 3, 4].map(|i| Rational::new(i, 4));
+                for (i, j) in (1..nodes[0].len()).flat_map(|i| (1..columns).map(move |j| (i, j))) {
+                    let corner =
+                        |a: usize, b: usize| &base.points[(i - 1 + a) * columns + j - 1 + b];
+                    for (u, v) in shares.iter().flat_map(|u| shares.iter().map(move |v| (u, v))) {
+                        let (s, t) = (nearest(u), nearest(v));
+                        let x = [0, 1, 2].map(|c| {
+                            (1.0 - s) * ((1.0 - t) * corner(0, 0)[c] + t * corner(0, 1)[c])
+                                + s * ((1.0 - t) * corner(1, 0)[c] + t * corner(1, 1)[c])
+                        });
+                        let share = |which: usize, end: usize, part: &Rational| {
+                            let (low, high) = (&nodes[which][end - 1], &nodes[which][end]);
+                            at(cell, which, &(low + &(part * &(high - low))))
+                        };
+                        offer(squared(&x), [share(0, i, u), share(1, j, v)]);
+                    }
+                }
+            }
+        }
+        best.map_or_else(|| [0, 1].map(|which| at(cell, which, &Rational::zero())), |(_, at)| at)
+    }
+
     fn place(
         &self,
         scene: &Scene<NetPieces>,
@@ -273,6 +355,7 @@ impl<'a> NetLevels<'a> {
             .min_by(|i, j| squared(&grid[*i]).total_cmp(&squared(&grid[*j])))
             .unwrap_or(0);
         let columns = self.directions()[1].rounded.phases[phases[1]].nodes.len();
+        let parameters = self.parameters(cell, &far.point, far.from);
         let (polygon, limit) = match far.from {
             SetKind::Mesh => (far.point, far.other),
             SetKind::Limit => (far.other, far.point),
@@ -292,7 +375,16 @@ impl<'a> NetLevels<'a> {
             SetKind::Limit => (on_limit, on_mesh),
         };
         let distance = distance * nearest(&model.scale) * (1.0 - 1e-15);
-        GeometricPlace { face, vertex, level_face, from: far.from, point, other, distance }
+        GeometricPlace {
+            face,
+            parameters: Some(parameters),
+            vertex,
+            level_face,
+            from: far.from,
+            point,
+            other,
+            distance,
+        }
     }
 }
 
