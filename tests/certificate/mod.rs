@@ -2,6 +2,7 @@
 
 mod constants;
 mod coq;
+mod depth;
 mod levels;
 mod papers;
 mod smoothness;

@@ -46,10 +46,10 @@ pub fn check_depth(text: &str) -> Result<Depth, DepthRejection> {
         }
         let parameters: Vec<Ratio> =
             far.at.iter().map(Ratio::of).collect::<Result<_, _>>().map_err(reject)?;
-        let outside = parameters
-            .iter()
-            .zip(&net.ranges)
-            .any(|(x, [from, to])| less(*x, *from) || less(*to, *x));
+        let outside = (0..).zip(&parameters).any(|(which, x): (usize, &Ratio)| {
+            let [from, to] = net.ranges[which];
+            directions[which].range.is_some() && (less(*x, from) || less(to, *x))
+        });
         if outside {
             return Err(reject(DepthReason::Outside));
         }
