@@ -1,7 +1,7 @@
 //! The depth of one polygon mesh by the distance of mesh and limit as sets of points.
 
 use super::faces::{FaceRow, FacesFormat};
-use super::numbers::{digits, few_text, point};
+use super::numbers::{digits, few_text, levels, point};
 use super::promise::Formula;
 use super::refined::rounded;
 use crate::cli::arguments::DepthArguments;
@@ -116,10 +116,7 @@ impl GeometricReport<'_> {
     fn sentence(&self) -> String {
         let tolerance = short(&self.tolerance, 6);
         let few = self.found.too_few.map(|few| format!(", and not after {few}"));
-        let levels = match self.found.level {
-            1 => "1 level".to_owned(),
-            level => format!("{level} levels"),
-        };
+        let levels = levels(self.found.level);
         let few = few.unwrap_or_default();
         format!(
             "The mesh is within {tolerance} of its limit, as a set of points, after {levels} of refinement{few}."
@@ -137,7 +134,7 @@ impl GeometricReport<'_> {
         let found = &self.found;
         let few = few_text(found);
         let mut facts =
-            vec![("depth of the mesh".to_owned(), format!("{} levels{few}", found.level))];
+            vec![("depth of the mesh".to_owned(), format!("{}{few}", levels(found.level)))];
         if self.relative.is_some() {
             facts.push(("tolerance".to_owned(), short(&self.tolerance, 9)));
         }
@@ -161,16 +158,16 @@ impl GeometricReport<'_> {
         facts.push((
             "a priori".to_owned(),
             format!(
-                "{} levels, of all meshes with these valences and edges of {} at most, by equal \
+                "{}, of all meshes with these valences and edges of {} at most, by equal \
                  parameters",
-                self.guaranteed.level,
+                levels(self.guaranteed.level),
                 digits(self.guaranteed.longest_edge)
             ),
         ));
         if let Some(Formula { paper, level }) = self.promised {
             let text = match level {
                 None => "nothing: its constant is not below 1 for this mesh".to_owned(),
-                Some(level) => format!("{level} levels: {}", self.verdict(level)),
+                Some(level) => format!("{}: {}", levels(level), self.verdict(level)),
             };
             facts.push((format!("formula of {paper}"), text));
         }
