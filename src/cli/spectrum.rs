@@ -98,6 +98,11 @@ impl Report<'_> {
             let square = value.times(value);
             let text = match curvature {
                 Curvature::Bounded => format!("bounded: μ = λ² = {}", with_decimal(next)),
+                Curvature::Growing => format!(
+                    "unbounded in general, slowly: μ = λ² = {} has a Jordan block of size {}",
+                    with_decimal(next),
+                    found.longest(|_| true, next).unwrap_or(2)
+                ),
                 Curvature::Vanishing => format!(
                     "tends to 0: μ = {} is below λ² = {}",
                     short(next, 12),

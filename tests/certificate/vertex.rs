@@ -29,7 +29,7 @@ weights.face = { face = '(1 + 2*l*cos(2*pi*(j - i)/5) + 2*m*cos(4*pi*(j - i)/5))
 ";
 
 /// Claims: scheme, valences, what is stated, and the verdict.
-const CLAIMS: [(&str, &str, &str, &str, bool); 16] = [
+const CLAIMS: [(&str, &str, &str, &str, bool); 19] = [
     ("catmull-clark", "3..8", "continuous = '1'", "confirmed", true),
     ("loop", "3..8", "continuous = '1'", "confirmed", true),
     ("loop-warren", "3..5", "continuous = '1'", "confirmed", true),
@@ -46,6 +46,9 @@ const CLAIMS: [(&str, &str, &str, &str, bool); 16] = [
     ("face:l=1/2,m=1/2", "", "continuous = '1'", "open", false),
     ("sqrt3", "5", "continuous = '1'", "open", false),
     ("loop", "7", "not_continuous = '2'", "confirmed", false),
+    ("face:l=3/2,m=1/5", "", "continuous = '0'", "open", false),
+    ("face:l=1/2,m=-3/2", "", "continuous = '1'", "refuted", true),
+    ("face:l=1,m=1/5", "", "not_continuous = '1'", "confirmed", false),
 ];
 
 fn claims() -> String {
@@ -63,7 +66,7 @@ fn claims() -> String {
 }
 
 /// The line that is changed first, what stands there, and what is put there.
-const CHANGES: [(&str, &str, &str); 24] = [
+const CHANGES: [(&str, &str, &str); 28] = [
     ("c4", "vertex 5", "vertex 6"),
     ("c4", "part box-spline", "part bicubic"),
     ("c4", "eigenvalue 1", "eigenvalue 2"),
@@ -88,6 +91,10 @@ const CHANGES: [(&str, &str, &str); 24] = [
     ("c9", "positive ", "positive 1"),
     ("c9", "positive ", "negative "),
     ("c11", "eigenvalue 2", "eigenvalue 1"),
+    ("c17", "diverges 2 -", "diverges 2 +"),
+    ("c17", "diverges 2 -", "diverges 1 -"),
+    ("c17", "diverges 2 -", "diverges 3 -"),
+    ("c17", "diverges 2 -", "diverges 2 - 1"),
 ];
 
 #[test]

@@ -1,5 +1,6 @@
 //! C¹ at the vertex: against closed formulas, meshes that are refined, and rules that were broken.
 
+mod butterfly;
 mod slow;
 
 use slow::{Kind, Net};
@@ -155,7 +156,7 @@ fn vertex_rules(vertex: &str, edge: &str) -> String {
 #[test]
 fn an_eigenvalue_of_block_0_above_the_others_refutes() {
     let changed = ring("block0", &vertex_rules("'1/100'", "vertex = '3/8'"));
-    let Verdict::Refuted(Refutation::Block0 { value }) = &changed.verdict else {
+    let Verdict::Refuted(Refutation::Block0 { value, size: 1 }) = &changed.verdict else {
         panic!("{:?}", changed.verdict)
     };
     assert_eq!(short(value, 6), "0.565");
@@ -258,9 +259,20 @@ fn faces_with_chosen_eigenvalues() {
             "{name}: {hypothesis:?}"
         );
     }
-    // Not below 1.
-    let (vertex, _) = face_with("one", &[(1, 1), (1, 5)], n);
-    assert_eq!(vertex.verdict, Verdict::Fails(Hypothesis::SimpleOne));
+    // Not below 1: rings do not shrink to a point.
+    for (name, eigenvalues, value, blocks) in [
+        ("one", [(1, 1), (1, 5)], 1, vec![0, 1, 4]),
+        ("more", [(1, 2), (2, 1)], 2, vec![2, 3]),
+        ("minus", [(1, 2), (-1, 1)], -1, vec![2, 3]),
+    ] {
+        let (vertex, _) = face_with(name, &eigenvalues, n);
+        let Verdict::Refuted(Refutation::Diverges { eigenvalue }) = &vertex.verdict else {
+            panic!("{name}: {:?}", vertex.verdict)
+        };
+        assert_eq!(eigenvalue.real, Rational::from(value).into(), "{name}");
+        assert_eq!(eigenvalue.blocks, blocks, "{name}");
+        assert_eq!(vertex.is_continuous(1), Some(false));
+    }
     // Block n/2 alone.
     let (vertex, _) = face_with("half", &[(3, 10), (1, 2)], 4);
     assert_eq!(vertex.verdict, Verdict::Fails(Hypothesis::Blocks));

@@ -363,6 +363,15 @@ fn farthest(points: impl Iterator<Item = P>, tree: &Tree, start: f64) -> f64 {
     greatest.sqrt()
 }
 
+/// The Hausdorff distance of two sets of triangles, by the corners of each.
+#[allow(dead_code, reason = "the benchmark has closed meshes alone")]
+pub fn of_triangles(first: Vec<[P; 3]>, second: Vec<[P; 3]>) -> f64 {
+    let points = [&first, &second].map(|x| x.iter().flatten().copied().collect::<Vec<P>>());
+    let [from, to] = [Tree::new(first), Tree::new(second)];
+    let there = farthest(points[0].iter().copied(), &to, 0.0);
+    farthest(points[1].iter().copied(), &from, there)
+}
+
 /// H_0, …, H_{levels − 1}: the limit by the points of level `dense`, the mesh of level k by 2^(`fine` − k) parts of
 /// each edge, two at least.
 pub fn distances(control: &Plain, rule: Rule, levels: u32, dense: u32, fine: u32) -> Vec<f64> {

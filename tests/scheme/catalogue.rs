@@ -6,7 +6,7 @@ use subcert::exact::{FieldElement, Integer, Polynomial, Rational, Scalar};
 use subcert::formula::{Parameters, evaluate, parse};
 use subcert::scheme::{
     AnyScheme, Mask, MaskError, RulesError, catalogue, find, lagrange_mask, parse_algebraic,
-    parse_any_scheme,
+    parse_any_scheme, parse_local_rules,
 };
 
 fn sums_to_one<S: Scalar + PartialEq>(mask: &Mask<S>, name: &str) {
@@ -203,6 +203,43 @@ fn orthonormal_filters() {
                 .collect();
             let expected = FieldElement::from_rational(&Rational::from(if k == 0 { 2 } else { 0 }));
             assert!(FieldElement::total(&products) == expected, "{name}, k = {k}");
+        }
+    }
+}
+
+/// Kobbelt's rules: cubic polynomials are reproduced at valence 4; and face points are their own mirror image, so that they are the
+/// same by rows and by columns, at every valence.
+#[test]
+fn kobbelt_by_rows_and_columns() {
+    let places = [(1, 0), (1, 1), (2, 0), (2, 1), (1, 2), (2, 2)];
+    let turned = |(a, b): (i64, i64), turns: usize| (0..turns).fold((a, b), |(a, b), _| (-b, a));
+    let mut points = vec![(0, 0)];
+    for place in places {
+        points.extend((0..4).map(|turns| turned(place, turns)));
+    }
+    let ring = parse_local_rules("kobbelt:N=4").expect("rules");
+    for (p, q) in (0..=3).flat_map(|p| (0..=3).map(move |q| (p, q))) {
+        let value = |(a, b): (i64, i64), scale: i64| r(a, scale).pow(p) * r(b, scale).pow(q);
+        for (row, place) in points.iter().enumerate() {
+            let terms = points.iter().enumerate().map(|(column, old)| {
+                ring.weights().entry(row, column).as_rational().expect("rational") * &value(*old, 1)
+            });
+            let sum = terms.fold(Rational::zero(), |sum, x| sum + x);
+            assert_eq!(sum, value(*place, 2), "{place:?} {p} {q}");
+        }
+    }
+    // (orbit, its mirror image, i to shift − i).
+    let mirror = [(1, 1, 1), (2, 2, 0), (3, 3, 1), (4, 5, 0), (5, 4, 0), (6, 6, 0)];
+    for scheme in ["kobbelt:N=3", "kobbelt:N=5", "kobbelt:N=6", "kobbelt:N=9", "kobbelt:N=7,w=1/20"]
+    {
+        let ring = parse_local_rules(scheme).expect("rules");
+        let n = ring.orbits()[1].count;
+        let weight =
+            |orbit: usize, i: usize| ring.weights().entry(1 + n, 1 + (orbit - 1) * n + i % n);
+        for (orbit, other, shift) in mirror {
+            for i in 0..n {
+                assert_eq!(weight(orbit, i), weight(other, n + shift - i), "{scheme} {orbit} {i}");
+            }
         }
     }
 }

@@ -2,7 +2,10 @@
 
 use super::{SCHEMES, cosine, number, power_sum, spectrum};
 use crate::common::r;
-use subcert::exact::{Rational, Real, RealCyclotomic, RealExpression, Scalar, format::fixed};
+use subcert::exact::{
+    Rational, Real, RealCyclotomic, RealExpression, Scalar, format::fixed, format::short,
+};
+use subcert::float::nearest;
 use subcert::scheme::{LocalRules, Orbit};
 use subcert::spectrum::{Eigenvalue, Spectrum, SpectrumError, surroundings};
 
@@ -177,4 +180,35 @@ fn complex_eigenvalues() {
     assert_eq!((pair.real.sign(), fixed(&pair.modulus, 3)), (0, "0.500".to_owned()));
     assert_eq!((pair.multiplicity, &pair.blocks[..]), (4, &[1, 2, 3, 4][..]));
     assert!(spectrum.conditions.subdominant.is_none() && spectrum.tangents.is_none());
+}
+
+/// Cubic factors with a pair of complex roots: the powers of all roots sum to the traces of powers of the matrix.
+#[test]
+fn cubic_factors_with_complex_roots() {
+    for n in [5, 8, 11] {
+        let ring = surroundings("butterfly", Some(n)).expect("a ring").ring;
+        let found = spectrum("butterfly", n);
+        assert!(found.eigenvalues.iter().any(|one| one.imaginary.is_some()));
+        let count = ring.point_count();
+        let entry = |a: usize, b: usize| nearest(ring.weights().entry(a, b));
+        let trace: f64 = (0..count).map(|a| entry(a, a)).sum();
+        let square: f64 = (0..count)
+            .flat_map(|a| (0..count).map(move |b| (a, b)))
+            .map(|(a, b)| entry(a, b) * entry(b, a))
+            .sum();
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for one in &found.eigenvalues {
+            let decimal = |x| short(x, 14).parse::<f64>().expect("a number");
+            let (x, y) = (decimal(&one.real), one.imaginary.as_ref().map_or(0.0, decimal));
+            let times = f64::from(u16::try_from(one.multiplicity).expect("small"));
+            let times = if one.imaginary.is_some() { 2.0 * times } else { times };
+            sum += times * x;
+            squares += times * (x * x - y * y);
+            assert!((decimal(&one.modulus) - x.hypot(y)).abs() < 1e-12);
+        }
+        assert!(
+            (sum - trace).abs() < 1e-9 && (squares - square).abs() < 1e-9,
+            "{n}: {sum} {squares}"
+        );
+    }
 }

@@ -1,28 +1,111 @@
-//! The depth of one polygon mesh by the distance of mesh and limit as sets of points.
+//! The depth of one polygon mesh, or of one net, by its distance from the limit as sets of points.
 
 use super::faces::{FaceRow, FacesFormat};
+use super::kind::Kind;
 use super::numbers::{digits, few_text, levels, point};
 use super::promise::Formula;
 use super::refined::rounded;
-use crate::cli::arguments::DepthArguments;
+use crate::cli::arguments::{DepthArguments, DistanceArgument, FacesArgument};
 use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, geometric_depth as form, mesh_depth};
-use crate::cli::output::Outcome;
+use crate::cli::output::{Failure, Outcome};
 use subcert::exact::{Rational, format::short};
-use subcert::float::shortest;
-use subcert::mesh::{MeshScheme, PolygonMesh};
-use subcert::patch::{APriori, FaceDepth, FaceSurface, GeometricDepth, GeometricPlace};
+use subcert::float::{shortest, upper};
+use subcert::mesh::{MeshScheme, Point, PolygonMesh};
+use subcert::patch::{
+    APriori, FaceDepth, FaceSurface, GeometricDepth, GeometricPlace, LEAST_SHARE,
+    relative_tolerance,
+};
 use subcert::report::Sheet;
 use subcert::report::html::{ColouredFaces, FindingPage, Picture};
 
+/// Whether the distance of sets is asked for, and the tolerance.
+pub(super) fn measure(
+    points: &[Point<Rational>],
+    arguments: &DepthArguments,
+    asked: &Rational,
+    name: &str,
+) -> Result<(bool, Rational), Failure> {
+    // Equal parameters have an answer for tolerances that are too small for sets.
+    let small = || {
+        let share = Rational::new(1, 1 << LEAST_SHARE);
+        relative_tolerance(points, &share).is_none_or(|least| *asked < least)
+    };
+    let geometric = arguments.distance.map_or_else(
+        || {
+            let of_sets = arguments.relative || arguments.faces == FacesArgument::Fan;
+            of_sets || arguments.a_priori || !small()
+        },
+        |distance| distance == DistanceArgument::Geometric,
+    );
+    if !arguments.relative {
+        return Ok((geometric, asked.clone()));
+    }
+    if !geometric {
+        // The diagonal is a root, and ties at equal parameters are decided exactly.
+        let message = "--relative is for the distance of sets; leave out --distance parametric, or give \
+                       the tolerance itself";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    let tolerance = relative_tolerance(points, asked).ok_or_else(|| {
+        let message =
+            format!("--relative: the box around the {name} has no diagonal that f64 can hold");
+        Failure::Input(message)
+    })?;
+    Ok((true, tolerance))
+}
+
+/// How many faces come from one face: at level 1, and at each level after it.
+#[derive(Clone, Copy)]
+pub(super) enum Growth {
+    /// Four, at every level.
+    Triangles,
+    /// One for each corner, then four.
+    Corners,
+    /// A product of arities, at every level.
+    Arities(usize),
+}
+
+impl Growth {
+    pub(super) fn of(scheme: MeshScheme) -> Growth {
+        match scheme {
+            MeshScheme::Loop | MeshScheme::LoopWarren => Growth::Triangles,
+            _ => Growth::Corners,
+        }
+    }
+
+    fn count(self, face: &[usize], level: u32) -> f64 {
+        let [first, later] = match self {
+            Growth::Triangles => [4, 4],
+            Growth::Corners => [face.len(), 4],
+            Growth::Arities(product) => [product; 2],
+        }
+        .map(|count| f64::from(u32::try_from(count).unwrap_or(u32::MAX)));
+        let more = i32::try_from(level).unwrap_or(i32::MAX) - 1;
+        if level == 0 { 1.0 } else { first * later.powi(more) }
+    }
+}
+
 /// What each face needs, and its distance at the level found.
 pub(super) struct Faces {
-    pub(super) depths: Vec<FaceDepth>,
+    depths: Vec<FaceDepth>,
     /// Lower and upper bounds at the level.
-    pub(super) distances: Vec<[f64; 2]>,
+    distances: Vec<[f64; 2]>,
 }
 
 impl Faces {
+    pub(super) fn new(
+        depths: Vec<FaceDepth>,
+        mut distances: Vec<[f64; 2]>,
+        tolerance: &Rational,
+    ) -> Faces {
+        // The level is sufficient for all.
+        for bounds in &mut distances {
+            bounds[1] = bounds[1].min(upper(tolerance));
+        }
+        Faces { depths, distances }
+    }
+
     /// The rows of `--per-face`.
     fn rows(&self, level: u32) -> Vec<FaceRow> {
         let row = |(depth, bounds): (&FaceDepth, &[f64; 2])| FaceRow {
@@ -49,25 +132,18 @@ impl Faces {
     }
 
     /// How many faces there are at one level for all, and where each face has its own.
-    fn counts(&self, mesh: &PolygonMesh<Rational>, scheme: MeshScheme, level: u32) -> [f64; 2] {
-        let count = |face: &Vec<usize>, level: u32| {
-            let first = match scheme {
-                MeshScheme::Loop | MeshScheme::LoopWarren => 4,
-                _ => face.len(),
-            };
-            let first = f64::from(u32::try_from(first).unwrap_or(u32::MAX));
-            let later = i32::try_from(level).unwrap_or(i32::MAX) - 1;
-            if level == 0 { 1.0 } else { first * 4.0_f64.powi(later) }
-        };
-        let all = mesh.faces().iter().map(|face| count(face, level)).sum();
-        let own = mesh.faces().iter().zip(&self.depths).map(|(face, own)| count(face, own.level));
-        [all, own.sum()]
+    fn counts(&self, mesh: &PolygonMesh<Rational>, growth: Growth, level: u32) -> [f64; 2] {
+        let all = mesh.faces().iter().map(|face| growth.count(face, level)).sum();
+        let own = mesh.faces().iter().zip(&self.depths);
+        [all, own.map(|(face, own)| growth.count(face, own.level)).sum()]
     }
 }
 
-/// The answer for one mesh.
+/// The answer for one mesh or net.
 pub(super) struct GeometricReport<'a> {
-    pub(super) scheme: MeshScheme,
+    pub(super) scheme: String,
+    pub(super) kind: Kind,
+    pub(super) growth: Growth,
     pub(super) name: String,
     pub(super) mesh: &'a PolygonMesh<Rational>,
     pub(super) tolerance: Rational,
@@ -80,16 +156,17 @@ pub(super) struct GeometricReport<'a> {
     pub(super) faces: Option<Faces>,
 }
 
-fn place_text(place: &GeometricPlace) -> String {
+fn place_text(place: &GeometricPlace, kind: Kind) -> String {
     let GeometricPlace { face, vertex, level_face, from, point: at, distance, .. } = place;
+    let cell = kind.cell(*face).map(|[i, j]| format!(" (cell {i}, {j})")).unwrap_or_default();
     let corner = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
     let of_level = level_face.map(|face| format!(", face {face} of the level")).unwrap_or_default();
     let (from, other) = match from {
-        subcert::patch::SetKind::Mesh => ("mesh", "limit"),
-        subcert::patch::SetKind::Limit => ("limit", "mesh"),
+        subcert::patch::SetKind::Mesh => (kind.name(), "limit"),
+        subcert::patch::SetKind::Limit => ("limit", kind.name()),
     };
     format!(
-        "face {face}{corner}{of_level}: {} of the {from} is at least {} from the {other}",
+        "face {face}{cell}{corner}{of_level}: {} of the {from} is at least {} from the {other}",
         point(at),
         digits(*distance)
     )
@@ -119,13 +196,14 @@ impl GeometricReport<'_> {
         let levels = levels(self.found.level);
         let few = few.unwrap_or_default();
         format!(
-            "The mesh is within {tolerance} of its limit, as a set of points, after {levels} of refinement{few}."
+            "The {} is within {tolerance} of its limit, as a set of points, after {levels} of refinement{few}.",
+            self.kind.name()
         )
     }
 
     fn sheet(&self, arguments: &DepthArguments) -> Sheet {
         let mut sheet = Sheet::default();
-        let scheme = self.scheme.name();
+        let (scheme, kind) = (&self.scheme, self.kind);
         let tolerance = match &self.relative {
             None => arguments.tolerance.clone(),
             Some(_) => format!("{} of the diagonal", arguments.tolerance),
@@ -133,20 +211,24 @@ impl GeometricReport<'_> {
         sheet.heading(1, format!("{}, {scheme}, ε = {tolerance}", self.name));
         let found = &self.found;
         let few = few_text(found);
-        let mut facts =
-            vec![("depth of the mesh".to_owned(), format!("{}{few}", levels(found.level)))];
+        let mut facts = vec![(
+            format!("depth of the {}", kind.name()),
+            format!("{}{few}", levels(found.level)),
+        )];
         if self.relative.is_some() {
             facts.push(("tolerance".to_owned(), short(&self.tolerance, 9)));
         }
         facts.push((
             "distance".to_owned(),
-            "Hausdorff: of mesh and limit as sets of points, from both sides".to_owned(),
+            format!("Hausdorff: of {} and limit as sets of points, from both sides", kind.name()),
         ));
-        facts.push(("faces".to_owned(), faces_text(self.surface).to_owned()));
+        facts.push(("faces".to_owned(), faces_text(self.surface, kind).to_owned()));
         let few = found.too_few.zip(found.beyond.as_ref());
-        facts.extend(few.map(|(level, x)| (format!("too far at level {level}"), place_text(x))));
+        facts.extend(
+            few.map(|(level, x)| (format!("too far at level {level}"), place_text(x, kind))),
+        );
         if let Some(faces) = &self.faces {
-            let [all, own] = faces.counts(self.mesh, self.scheme, found.level);
+            let [all, own] = faces.counts(self.mesh, self.growth, found.level);
             facts.push((
                 "adaptive refinement".to_owned(),
                 format!(
@@ -158,9 +240,9 @@ impl GeometricReport<'_> {
         facts.push((
             "a priori".to_owned(),
             format!(
-                "{}, of all meshes with these valences and edges of {} at most, by equal \
-                 parameters",
+                "{}, of all {} edges of {} at most, by equal parameters",
                 levels(self.guaranteed.level),
+                kind.all(),
                 digits(self.guaranteed.longest_edge)
             ),
         ));
@@ -172,13 +254,20 @@ impl GeometricReport<'_> {
             facts.push((format!("formula of {paper}"), text));
         }
         sheet.facts(facts);
-        sheet.text(
-            "The distance is the greatest one of any point of the mesh from the limit surface, and of any \
-             point of the surface from the mesh. It has no certificate. Levels between are not claimed \
+        let net = match kind {
+            Kind::Net { .. } => {
+                " Both are taken where the points determine the limit. Cells, faces and vertices are numbered \
+                 from 0, row by row."
+            }
+            _ => " Faces and vertices are numbered from 0.",
+        };
+        let name = kind.name();
+        sheet.text(format!(
+            "The distance is the greatest one of any point of the {name} from the limit surface, and of any \
+             point of the surface from the {name}. It has no certificate. Levels between are not claimed \
              to be better than earlier ones: the depth is the least level that is within the tolerance. \
-             `--distance parametric` compares points of equal parameters. Faces and vertices are numbered \
-             from 0.",
-        );
+             `--distance parametric` compares points of equal parameters.{net}"
+        ));
         sheet
     }
 
@@ -195,6 +284,7 @@ impl GeometricReport<'_> {
     fn form(&self) -> form::Report<'_> {
         let place = |place: &GeometricPlace| form::Place {
             face: place.face,
+            cell: self.kind.cell(place.face),
             vertex: place.vertex,
             level_face: place.level_face.map(|face| face.to_string()),
             from: place.from.name(),
@@ -204,12 +294,12 @@ impl GeometricReport<'_> {
         };
         let level = self.found.level;
         let adaptive = self.faces.as_ref().map(|faces| {
-            let [uniform, adaptive] = faces.counts(self.mesh, self.scheme, level);
+            let [uniform, adaptive] = faces.counts(self.mesh, self.growth, level);
             form::Adaptive { uniform: shortest(uniform), adaptive: shortest(adaptive) }
         });
         form::Report {
             schema: SCHEMA,
-            scheme: self.scheme.name(),
+            scheme: &self.scheme,
             mesh: &self.name,
             tolerance: self.tolerance.to_string(),
             relative: self.relative.as_ref().map(ToString::to_string),
@@ -235,8 +325,9 @@ impl GeometricReport<'_> {
 }
 
 /// What faces are, in words.
-fn faces_text(surface: FaceSurface) -> &'static str {
+fn faces_text(surface: FaceSurface, kind: Kind) -> &'static str {
     match surface {
+        _ if kind != Kind::Mesh => "bilinear",
         FaceSurface::Bilinear => {
             "triangles flat, quadrilaterals bilinear, others as fans from their centroids"
         }

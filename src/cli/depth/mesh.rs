@@ -1,13 +1,13 @@
 //! The depth of one polygon mesh.
 
 use super::faces::{FacesFormat, plain_rows};
-use super::geometric::{Faces, GeometricReport};
+use super::geometric::{Faces, GeometricReport, Growth, measure};
 use super::kind::Kind;
 use super::numbers::{digits, levels, point, too_few};
 use super::pictures::{Drawn, Pieces};
 use super::promise::{Formula, Promise, promises};
 use super::refined::Refined;
-use crate::cli::arguments::{DepthArguments, DistanceArgument, FacesArgument, FindingFormat};
+use crate::cli::arguments::{DepthArguments, FacesArgument, FindingFormat};
 use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, mesh_depth as form};
 use crate::cli::mesh::{failure, read};
@@ -15,11 +15,11 @@ use crate::cli::output::{Failure, Outcome, positive};
 use crate::cli::progress::Progress;
 use std::path::Path;
 use subcert::exact::{Rational, format::short};
-use subcert::float::{shortest, upper};
-use subcert::mesh::{MeshScheme, PolygonMesh};
+use subcert::float::shortest;
+use subcert::mesh::MeshScheme;
 use subcert::patch::{
-    APriori, FORMULA_PAPER, FaceSurface, FarPlace, LEAST_SHARE, MeshDepth, MeshDistances, a_priori,
-    formula_level, relative_tolerance,
+    APriori, FORMULA_PAPER, FaceSurface, FarPlace, MeshDepth, MeshDistances, a_priori,
+    formula_level,
 };
 use subcert::report::Sheet;
 use subcert::report::html::{FindingPage, Picture};
@@ -27,20 +27,7 @@ use subcert::report::html::{FindingPage, Picture};
 pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destination) -> Outcome {
     let asked = positive("--tolerance", &arguments.tolerance)?;
     let (scheme, name, file) = read(&arguments.scheme, path)?;
-    // Equal parameters have an answer for tolerances that are too small for sets.
-    let small = || {
-        let share = Rational::new(1, 1 << LEAST_SHARE);
-        relative_tolerance(file.mesh().points(), &share).is_none_or(|least| asked < least)
-    };
-    let geometric = arguments.distance.map_or_else(
-        || {
-            let of_sets = arguments.relative || arguments.faces == FacesArgument::Fan;
-            of_sets || arguments.a_priori || !small()
-        },
-        |distance| distance == DistanceArgument::Geometric,
-    );
-    let tolerance =
-        if arguments.relative { relative(file.mesh(), &asked, geometric)? } else { asked.clone() };
+    let (geometric, tolerance) = measure(file.mesh().points(), arguments, &asked, "mesh")?;
     let refused = |error| failure(&file, &error);
     let guaranteed = a_priori(file.mesh(), scheme, &tolerance).map_err(refused)?;
     let promised = (scheme == MeshScheme::DooSabin).then(|| Formula {
@@ -64,19 +51,16 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
         let faces = if per_face.is_some() || arguments.output.is_page() {
             let depths = distances.geometric_faces(&tolerance, surface).map_err(refused)?;
             let bounds = distances.geometric_distances(found.level, &tolerance, surface);
-            let mut bounds = bounds.map_err(refused)?;
-            // The level is sufficient for all.
-            for bounds in &mut bounds {
-                bounds[1] = bounds[1].min(upper(&tolerance));
-            }
-            Some(Faces { depths, distances: bounds })
+            Some(Faces::new(depths, bounds.map_err(refused)?, &tolerance))
         } else {
             None
         };
         drop(progress);
         let relative = arguments.relative.then_some(asked);
         let report = GeometricReport {
-            scheme,
+            scheme: scheme.name().to_owned(),
+            kind: Kind::Mesh,
+            growth: Growth::of(scheme),
             name,
             mesh,
             tolerance,
@@ -118,24 +102,6 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
     let (scheme, kind) = (scheme.name().to_owned(), Kind::Mesh);
     Report { scheme, name, tolerance, guaranteed, promised, found, kind, pictures }
         .show(arguments, to)
-}
-
-/// A tolerance that is a share of the diagonal of the box around a mesh.
-fn relative(
-    mesh: &PolygonMesh<Rational>,
-    share: &Rational,
-    geometric: bool,
-) -> Result<Rational, Failure> {
-    if !geometric {
-        // The diagonal is a root, and ties at equal parameters are decided exactly.
-        let message = "--relative is for the distance of sets; leave out --distance parametric, or give \
-                       the tolerance itself";
-        return Err(Failure::Input(message.to_owned()));
-    }
-    relative_tolerance(mesh.points(), share).ok_or_else(|| {
-        let message = "--relative: the box around the mesh has no diagonal that f64 can hold";
-        Failure::Input(message.to_owned())
-    })
 }
 
 /// The answers for one mesh, net or solid.

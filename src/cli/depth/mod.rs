@@ -51,14 +51,13 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     let to = Destination::of(&arguments.output, &page_name(arguments))?;
     if let Some(path) = &arguments.mesh {
         let net = NetInput { scheme: &arguments.scheme, path, closed: arguments.closed };
-        let kind = Geometry::of(&net)?;
-        if !matches!(kind, Geometry::Mesh) {
-            only_parametric(arguments, "nets and solids")?;
-        }
-        return match kind {
+        return match Geometry::of(&net)? {
             Geometry::Mesh => mesh::mesh_depth(path, arguments, &to),
             Geometry::Net => net::net_depth(&net, arguments, &to),
-            Geometry::Solid => solid::solid_depth(path, arguments, &to),
+            Geometry::Solid => {
+                only_parametric(arguments, "solids")?;
+                solid::solid_depth(path, arguments, &to)
+            }
         };
     }
     match (&arguments.polygon, arguments.distance) {
@@ -85,7 +84,7 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     to.deliver(|| report.sheet(arguments), || report.form(arguments), page)
 }
 
-/// Refuses the options of distances of sets, which are known of polygon meshes and control polygons.
+/// Refuses the options of distances of sets.
 fn only_parametric(arguments: &DepthArguments, of: &str) -> Outcome {
     let asked = [
         (arguments.distance == Some(DistanceArgument::Geometric), "--distance geometric"),
@@ -96,8 +95,8 @@ fn only_parametric(arguments: &DepthArguments, of: &str) -> Outcome {
         None => Ok(()),
         Some((_, option)) => {
             let message = format!(
-                "{option} is for polygon meshes and control polygons; {of} are compared with their limits at equal \
-                 parameters"
+                "{option} is for polygon meshes, nets and control polygons; {of} are compared with their limits at \
+                 equal parameters"
             );
             Err(Failure::Input(message))
         }

@@ -1,25 +1,34 @@
 //! The depth of one tensor net.
 
 use super::faces::{FacesFormat, plain_rows};
+use super::geometric::{Faces, GeometricReport, Growth, measure};
 use super::kind::Kind;
 use super::mesh::Report;
 use super::pictures::{Drawn, Pieces};
 use super::promise::{Formula, promises};
 use super::refined::Refined;
-use crate::cli::arguments::{DepthArguments, FindingFormat};
+use crate::cli::arguments::{DepthArguments, FacesArgument, FindingFormat};
 use crate::cli::finding::Destination;
 use crate::cli::net::{NetFile, NetInput, failure};
 use crate::cli::output::{Failure, Outcome, positive};
 use crate::cli::progress::Progress;
-use subcert::patch::{APriori, NET_FORMULA_PAPER, NetDistances, net_a_priori, net_formula_level};
+use subcert::patch::{
+    APriori, FaceSurface, NET_FORMULA_PAPER, NetDistances, net_a_priori, net_formula_level,
+};
+use subcert::scheme::Mask;
 
 pub(super) fn net_depth(
     asked: &NetInput<'_>,
     arguments: &DepthArguments,
     to: &Destination,
 ) -> Outcome {
-    let tolerance = positive("--tolerance", &arguments.tolerance)?;
+    let given = positive("--tolerance", &arguments.tolerance)?;
+    if arguments.faces == FacesArgument::Fan {
+        let message = "--faces fan is for polygon meshes; the faces of a net are bilinear";
+        return Err(Failure::Input(message.to_owned()));
+    }
     let NetFile { scheme, name, net } = asked.read()?;
+    let (geometric, tolerance) = measure(net.points(), arguments, &given, "net")?;
     let guaranteed = net_a_priori(&net, &scheme, &tolerance).map_err(failure)?;
     let promised = net_formula_level(&net, &scheme, &tolerance)
         .map(|level| Formula { paper: NET_FORMULA_PAPER, level });
@@ -30,6 +39,37 @@ pub(super) fn net_depth(
     let [u, v] = guaranteed.longest_edges;
     let guaranteed =
         APriori { level: guaranteed.level, longest_edge: u.max(v), ratio: guaranteed.ratio };
+    let kind = Kind::Net { faces_in_row };
+    if geometric && !arguments.a_priori {
+        let mesh = net.mesh().map_err(|error| Failure::Input(error.to_string()))?;
+        let distances = NetDistances::new(net, &scheme).map_err(failure)?;
+        let wanted = arguments.output.format != FindingFormat::Json;
+        let progress = Progress::of_pieces(distances.work(), wanted);
+        let found = distances.geometric_depth(&tolerance).map_err(failure)?;
+        let faces = if per_face.is_some() || arguments.output.is_page() {
+            let depths = distances.geometric_faces(&tolerance).map_err(failure)?;
+            let bounds = distances.geometric_distances(found.level, &tolerance).map_err(failure)?;
+            Some(Faces::new(depths, bounds, &tolerance))
+        } else {
+            None
+        };
+        drop(progress);
+        let report = GeometricReport {
+            scheme: scheme.name().to_owned(),
+            kind,
+            growth: Growth::Arities(scheme.masks().iter().map(Mask::arity).product()),
+            name,
+            mesh: &mesh,
+            tolerance,
+            relative: arguments.relative.then_some(given),
+            surface: FaceSurface::Bilinear,
+            guaranteed,
+            promised,
+            found,
+            faces,
+        };
+        return report.show(arguments, to);
+    }
     let mut pictures = Vec::new();
     let found = if arguments.a_priori {
         None
@@ -60,7 +100,7 @@ pub(super) fn net_depth(
         guaranteed,
         promised,
         found,
-        kind: Kind::Net { faces_in_row },
+        kind,
         pictures,
     };
     report.show(arguments, to)

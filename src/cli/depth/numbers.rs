@@ -16,7 +16,7 @@ pub(super) fn point(point: &[f64]) -> String {
 }
 
 /// `1 level`, `2 levels`.
-pub(super) fn levels<N: Display + PartialEq + From<u8>>(count: N) -> String {
+pub(super) fn levels<N: Copy + Display + PartialEq + From<u8>>(count: N) -> String {
     if count == N::from(1) { "1 level".to_owned() } else { format!("{count} levels") }
 }
 

@@ -3,7 +3,7 @@
 use super::mesh_depth::{APriori, Formula};
 use serde::Serialize;
 
-/// The depth of one mesh.
+/// The depth of one mesh or net.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Report<'a> {
@@ -41,13 +41,16 @@ pub struct Report<'a> {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Place {
-    /// The face of the control mesh, from 0.
+    /// The face of the control mesh or net, from 0.
     pub face: usize,
+    /// For a net, the row and the column of that face.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cell: Option<[usize; 2]>,
     /// The vertex of that face that it is near.
     pub vertex: Option<usize>,
     /// The face of the level.
     pub level_face: Option<String>,
-    /// `mesh` or `limit`.
+    /// `mesh`, which a net is too, or `limit`.
     pub from: &'static str,
     /// The point.
     pub point: [String; 3],

@@ -67,7 +67,8 @@ pub struct Conditions {
     pub square: Option<Exact>,
     /// The greatest absolute value μ after λ.
     pub next: Option<Exact>,
-    /// `bounded` where μ = λ², `vanishing` where it is less, `unbounded` where it is greater.
+    /// `bounded` where μ = λ² without a Jordan block, `growing` with one, `vanishing` where μ is less, `unbounded` where it is
+    /// greater.
     pub curvature: Option<&'static str>,
 }
 

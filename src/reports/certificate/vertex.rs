@@ -4,7 +4,8 @@ use super::block::Block;
 use crate::audit::{RangeAtValence, SmoothnessVerdict, Vertices};
 use crate::characteristic::{Refutation, Second, Verdict, Vertex};
 use crate::claim::SmoothRangeStatement;
-use crate::exact::{Enclosed as _, Integer, Rational};
+use crate::exact::{Enclosed as _, Integer, Rational, RealExpression};
+use crate::spectrum::Eigenvalue;
 
 /// The binary places of the ends of an eigenvalue.
 const PLACES: u32 = 96;
@@ -82,6 +83,16 @@ pub(super) fn range_lines(
 
 /// The lines about one valence.
 fn of_vertex(block: &mut Block, vertex: &Vertex) -> Result<(), &'static str> {
+    if let (Some(family), Verdict::Refuted(Refutation::Diverges { .. })) =
+        (vertex.family, &vertex.verdict)
+    {
+        let (k, sign) = beyond(vertex).ok_or(
+            "eigenvalues of absolute value 1, and an even number of them beyond 1 or −1 in a block, are not certified",
+        )?;
+        block.line(format!("part {}", family.name()));
+        block.line(format!("diverges {k} {sign}"));
+        return Ok(());
+    }
     let (Some(family), Some(second)) = (vertex.family, &vertex.second) else {
         return Err("nothing is known of the ring");
     };
@@ -124,6 +135,28 @@ fn of_vertex(block: &mut Block, vertex: &Vertex) -> Result<(), &'static str> {
         }
     }
     Ok(())
+}
+
+/// A block with an odd number of real eigenvalues above 1, or below −1, and none there: its characteristic polynomial shows
+/// it by its sign.
+fn beyond(vertex: &Vertex) -> Option<(usize, char)> {
+    let one = RealExpression::from(Rational::one());
+    let real = || vertex.spectrum.eigenvalues.iter().filter(|found| found.imaginary.is_none());
+    let count = |k: usize, hit: &dyn Fn(&Eigenvalue) -> bool| -> usize {
+        let times = |found: &Eigenvalue| found.blocks.iter().filter(|block| **block == k).count();
+        real().filter(|found| hit(found)).map(times).sum()
+    };
+    for k in 0..=vertex.spectrum.order / 2 {
+        for (sign, side) in [('+', 1), ('-', -1)] {
+            let apart = count(k, &|found| found.modulus > one && found.real.sign() == side);
+            let at = count(k, &|found| found.modulus == one && found.real.sign() == side);
+            let trivial = usize::from(k == 0 && side == 1);
+            if apart % 2 == 1 && at == trivial {
+                return Some((k, sign));
+            }
+        }
+    }
+    None
 }
 
 /// Numbers below and above the eigenvalue.

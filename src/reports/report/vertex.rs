@@ -6,7 +6,7 @@ use crate::characteristic::{
     Exponent, Hypothesis, MAX_BISECTIONS, Reason, Refutation, RingPoint, Verdict, Vertex,
 };
 use crate::exact::{Enclosed, Integer, Rational, format::fixed, format::short};
-use crate::spectrum::Curvature;
+use crate::spectrum::{Curvature, Eigenvalue};
 use std::fmt::Display;
 
 /// What is said, and what is not.
@@ -59,9 +59,15 @@ pub fn verdict_reason(verdict: &Verdict) -> String {
         Verdict::Refuted(Refutation::Folds { .. }) => {
             "the Jacobian of the characteristic map has both signs"
         }
-        Verdict::Refuted(Refutation::Block0 { value }) => {
+        Verdict::Refuted(Refutation::Diverges { eigenvalue }) => return diverges(eigenvalue),
+        Verdict::Refuted(Refutation::Block0 { value, size }) => {
+            let above = if *size == 1 {
+                "is above all others but 1".to_owned()
+            } else {
+                format!("has a Jordan block of size {size}, which outweighs all others but 1")
+            };
             return format!(
-                "the eigenvalue {} of block 0 is above all others but 1, and its eigenfunction has one sign",
+                "the eigenvalue {} of block 0 {above}, and its eigenfunction has one sign",
                 with_decimal(value)
             );
         }
@@ -97,6 +103,25 @@ pub fn verdict_reason(verdict: &Verdict) -> String {
         },
     };
     text.to_owned()
+}
+
+/// Why the surface is not continuous.
+fn diverges(found: &Eigenvalue) -> String {
+    let blocks = found.blocks.iter().map(ToString::to_string).collect::<Vec<_>>();
+    let of = match &blocks[..] {
+        [block] => format!("of block {block}"),
+        _ => format!("of the blocks {}", blocks.join(", ")),
+    };
+    let value = match &found.imaginary {
+        None => format!("the eigenvalue {}", with_decimal(&found.real)),
+        Some(_) => {
+            format!("a complex eigenvalue of absolute value {}", with_decimal(&found.modulus))
+        }
+    };
+    format!(
+        "{value} {of} is not below 1 in absolute value, beside the simple 1: the rings do not shrink to a point, and the \
+         surface is not continuous"
+    )
 }
 
 /// What a failing hypothesis means.
@@ -175,25 +200,41 @@ fn exponent_facts(found: &Exponent) -> Vec<(&'static str, String)> {
     let ends = exponent_ends(found);
     let text = if ends[0] == ends[1] { "1".to_owned() } else { ends.join(" to ") };
     let blocks = found.blocks.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-    let jordan = if found.curvature == Curvature::Bounded {
-        "; any smaller one where μ has a Jordan block"
-    } else {
-        ""
+    let jordan = match found.attained {
+        Some(true) => "",
+        Some(false) => "; any smaller one, as μ has a Jordan block",
+        None => "; any smaller one where μ has a Jordan block",
     };
     let mut facts = vec![
         ("Hölder exponent", format!("{text}, of the first derivatives{jordan}")),
-        ("curvature", format!("{}; decided by the blocks {blocks}", found.curvature.name())),
+        (
+            "curvature",
+            format!("{}; decided by the blocks {blocks}", curvature_text(found.curvature)),
+        ),
     ];
     let names = ["elliptic shapes", "hyperbolic shapes"];
     let blocks = ["block 0", "the blocks 2 and n − 2"];
     for ((name, of), shape) in names.into_iter().zip(blocks).zip(&found.shapes) {
         if let Some((modulus, curvature)) = shape {
-            let text =
-                format!("|μ| = {} of {of}: {} curvature", with_decimal(modulus), curvature.name());
+            let text = format!(
+                "|μ| = {} of {of}: curvature {}",
+                with_decimal(modulus),
+                curvature_text(*curvature)
+            );
             facts.push((name, text));
         }
     }
     facts
+}
+
+/// What the curvature does, in words.
+fn curvature_text(curvature: Curvature) -> &'static str {
+    match curvature {
+        Curvature::Growing => {
+            "unbounded, growing like a power of the number of steps (μ = λ² with a Jordan block)"
+        }
+        other => other.name(),
+    }
 }
 
 /// Decimals around the exponent of the first derivatives.

@@ -9,6 +9,9 @@ use crate::spectrum::{Curvature, Eigenvalue, Spectrum};
 pub struct Exponent {
     /// min(1, ln μ/ln λ − 1), enclosed; μ is the greatest modulus after λ.
     pub value: Enclosure,
+    /// Whether the first derivatives have the exponent `value` itself, and not all smaller ones only: where no Jordan block
+    /// decides. `None` where that is not decided.
+    pub attained: Option<bool>,
     /// How μ compares with λ².
     pub curvature: Curvature,
     /// The blocks with eigenvalues of the modulus μ, ascending.
@@ -31,7 +34,8 @@ pub(super) fn exponent(spectrum: &Spectrum) -> Option<Exponent> {
         let own = |one: &&Eigenvalue| one.blocks.contains(&block);
         let found = spectrum.eigenvalues[1..].iter().find(own)?;
         let square = value.times(value);
-        Some((found.modulus.clone(), Curvature::of(&found.modulus, &square)))
+        let size = conditions.longest(|k| k == block, &found.modulus);
+        Some((found.modulus.clone(), Curvature::of(&found.modulus, size, &square)?))
     };
     let shapes = [shape(0), if spectrum.order > 3 { shape(2) } else { None }];
     let one = Rational::one();
@@ -47,5 +51,9 @@ pub(super) fn exponent(spectrum: &Spectrum) -> Option<Exponent> {
     } else {
         Enclosure::exact(one)
     };
-    Some(Exponent { value, curvature, blocks, shapes })
+    let attained = match curvature {
+        Curvature::Vanishing => Some(true),
+        _ => conditions.longest(|_| true, next).map(|size| size == 1),
+    };
+    Some(Exponent { value, attained, curvature, blocks, shapes })
 }

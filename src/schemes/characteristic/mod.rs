@@ -13,6 +13,7 @@
 //! | `winding` | the winding number of the outer curve |
 //! | `rules` | which regular part rules have |
 //! | `inner` | eigenvectors on the points with rules of their own |
+//! | `interpolating` | eigenfunctions of the butterfly scheme, which are no polynomials |
 //! | `lines` | lines on the ring, for pictures |
 //! | `jacobian` | values of the Jacobian |
 //! | `verdict` | what is said |
@@ -28,6 +29,7 @@ mod bernstein;
 mod exponent;
 mod family;
 mod inner;
+mod interpolating;
 mod jacobian;
 mod laurent;
 mod lines;

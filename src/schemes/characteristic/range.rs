@@ -201,6 +201,16 @@ fn of_vertex(
     if one_sign(family, model, &ends.0, &ends.1) {
         outside = outside.union(&all_positive(&lower)?);
     }
+    // A root that is not below 1 in absolute value: the surface is not even continuous.
+    let mut shrinking = vec![at(&one)];
+    if family == Family::BoxSpline {
+        shrinking.push(lowered(at(&minus(&one))));
+    } else {
+        shrinking.push(at(&minus(&one)));
+        let less = combination(&[(&minus(&one), &quotient[0])]);
+        shrinking.push([one.plus(&less[0]), less[1].clone()]);
+    }
+    outside = outside.union(&IntervalSet::everything().without(&all_positive(&shrinking)?));
     Ok([inside, outside])
 }
 
@@ -259,8 +269,17 @@ fn of_face(
         conditions.push(expression([constant.plus(&c), slope.plus(&s)]));
     }
     let ordered = all_positive(&conditions)?;
+    let mut shrinking = Vec::new();
+    for k in 1..=n / 2 {
+        let [c, s] = linear(&eigenvalue(k), variable)?;
+        let (c, s) = (RealExpression::from(c), RealExpression::from(s));
+        let one = RealExpression::from(Rational::one());
+        shrinking.push([one.minus(&c), RealExpression::zero().minus(&s)]);
+        shrinking.push([one.plus(&c), s]);
+    }
+    let diverging = IntervalSet::everything().without(&all_positive(&shrinking)?);
     if ordered.is_empty() {
-        return Ok([ordered.clone(), ordered]);
+        return Ok([ordered, diverging]);
     }
     let net = Family::Biquadratic.eigenvector(&Polynomial::constant(cosine(1)), &value);
     let pieces = ring_pieces(&net, &value);
@@ -280,7 +299,7 @@ fn of_face(
         above = above.union(&signs[1]);
         below = below.union(&signs[2]);
     }
-    let outside = ordered.intersection(&above).intersection(&below);
+    let outside = ordered.intersection(&above).intersection(&below).union(&diverging);
     Ok([inside, outside])
 }
 

@@ -3,6 +3,7 @@
 use super::ring::RingPoint;
 use super::rules::Reason;
 use crate::exact::{Enclosure, Rational, RealExpression};
+use crate::spectrum::Eigenvalue;
 
 /// Whether the limit surface is C¹ at the vertex or on the face, in Reif's sense: for generic data, with the
 /// regular part's smoothness elsewhere.
@@ -29,6 +30,12 @@ pub enum Verdict {
 /// Why a surface is not C¹.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refutation {
+    /// An eigenvalue, other than one simple 1, is not below 1 in absolute value: the rings of generic data do not shrink to a
+    /// point, and the surface is not continuous.
+    Diverges {
+        /// The eigenvalue; 1 where it is multiple.
+        eigenvalue: Eigenvalue,
+    },
     /// The Jacobian has both signs, at these points.
     Folds {
         /// The points, the positive one first.
@@ -36,10 +43,12 @@ pub enum Refutation {
         /// J there, in the scale of [`Verdict::Proved`].
         values: [Enclosure; 2],
     },
-    /// A simple eigenvalue of block 0 is alone above all but 1, and its eigenfunction has one sign.
+    /// An eigenvalue of block 0, simple or with one Jordan block, outweighs all but 1, and its eigenfunction has one sign.
     Block0 {
         /// The eigenvalue.
         value: RealExpression,
+        /// The size of its Jordan block.
+        size: usize,
     },
     /// λ is negative, and the Jacobian has one sign.
     Negative,

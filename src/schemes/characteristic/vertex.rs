@@ -4,6 +4,7 @@ use super::ball::Ball;
 use super::exponent::{Exponent, exponent};
 use super::family::Family;
 use super::inner::Inner;
+use super::interpolating::{self, is_butterfly};
 use super::jacobian::{jacobian_at, least, unit};
 use super::lines::{RingLine, lines, mapped};
 use super::net::Net;
@@ -13,9 +14,9 @@ use super::ring::{
 use super::rules::{Reason, Rules, rules};
 use super::verdict::{Hypothesis, Refutation, Verdict};
 use super::winding::winding;
-use crate::exact::{Enclosed as _, Integer, Rational, RealExpression};
+use crate::exact::{Enclosed as _, Integer, Rational, RealCyclotomic, RealExpression};
 use crate::scheme::LocalRules;
-use crate::spectrum::{Curvature, Spectrum, SpectrumError, surroundings};
+use crate::spectrum::{Eigenvalue, Spectrum, SpectrumError, surroundings};
 
 /// A real eigenvalue λ that is alone of its modulus after 1, of the blocks k and n − k, or of block 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -99,7 +100,11 @@ impl Vertex {
                     Some(net) => of_block(net, &value, second.block, spectrum.order),
                 }
             }
-            (Some(_), None, Err(hypothesis)) => Verdict::Fails(*hypothesis),
+            (Some(_), None, Err(hypothesis)) => match diverging(&spectrum) {
+                Some(eigenvalue) => Verdict::Refuted(Refutation::Diverges { eigenvalue }),
+                None => Verdict::Fails(*hypothesis),
+            },
+            (None, _, _) if is_butterfly(&ring, spectrum.order) => of_butterfly(&spectrum, &found),
             (_, reason, _) => Verdict::Open(reason.unwrap_or(Reason::RegularPart)),
         };
         let hypothesis = match &found {
@@ -117,7 +122,7 @@ impl Vertex {
     #[must_use]
     pub fn is_continuous(&self, m: usize) -> Option<bool> {
         let unbounded =
-            || self.exponent.as_ref().is_some_and(|found| found.curvature == Curvature::Unbounded);
+            || self.exponent.as_ref().is_some_and(|found| found.curvature.is_unbounded());
         match (&self.verdict, m) {
             (Verdict::Proved { .. }, 0 | 1) => Some(true),
             (Verdict::Proved { .. }, _) if unbounded() => Some(false),
@@ -208,6 +213,16 @@ fn second(spectrum: &Spectrum) -> Result<Second, Hypothesis> {
     Ok(Second { block, value: second.real.clone() })
 }
 
+/// The greatest eigenvalue that is not below 1 in absolute value, other than one simple 1.
+fn diverging(spectrum: &Spectrum) -> Option<Eigenvalue> {
+    let one = RealExpression::from(Rational::one());
+    let only = |found: &Eigenvalue| {
+        found.imaginary.is_none() && found.real == one && found.multiplicity == 1
+    };
+    let beyond = |found: &&Eigenvalue| found.modulus >= one && !only(found);
+    spectrum.eigenvalues.iter().find(beyond).cloned()
+}
+
 /// What an eigenvector of block k, 0 < k < n/2, shows.
 fn of_block(net: &Net<Ball>, value: &Ball, k: usize, n: usize) -> Verdict {
     let pieces = ring_pieces(net, value);
@@ -241,11 +256,51 @@ fn of_block(net: &Net<Ball>, value: &Ball, k: usize, n: usize) -> Verdict {
     }
 }
 
+/// What is known of the butterfly scheme: it is refuted where the eigenvectors of another block than 1 outweigh the others.
+fn of_butterfly(spectrum: &Spectrum, found: &Result<Second, Hypothesis>) -> Verdict {
+    let open = Verdict::Open(Reason::RegularPart);
+    let (block, value, size) = match (found, still_chain(spectrum)) {
+        (Ok(second), _) if second.block >= 2 => (second.block, &second.value, 1),
+        (_, Some((value, size))) => (0, value, size),
+        _ => return open,
+    };
+    // The points that are not in the ring have eigenvalues of absolute value 1/16 at most.
+    if value.cmp(&RealExpression::from(Rational::new(1, 8))).is_le() {
+        return open;
+    }
+    let Ok(cosine) = RealCyclotomic::cosine(&Rational::new(block, spectrum.order)) else {
+        return open;
+    };
+    let ball = Ball::of(value);
+    let net = interpolating::eigenvector(&cosine, &ball);
+    match interpolating::is_apart(net, &ball, block == 0) {
+        false => open,
+        true if block == 0 => Verdict::Refuted(Refutation::Block0 { value: value.clone(), size }),
+        true => Verdict::Refuted(Refutation::Winds { number: None }),
+    }
+}
+
+/// The only eigenvalue of the greatest modulus after 1, if block 0 has one Jordan block for it that is greater than those
+/// of all other blocks.
+fn still_chain(spectrum: &Spectrum) -> Option<(&RealExpression, usize)> {
+    let conditions = &spectrum.conditions;
+    let second = spectrum.eigenvalues.get(1).filter(|_| conditions.simple_one)?;
+    let alone = spectrum.eigenvalues.get(2).is_none_or(|next| next.modulus != second.modulus);
+    if !alone || second.imaginary.is_some() || second.real.sign() <= 0 {
+        return None;
+    }
+    let size = conditions.longest(|k| k == 0, &second.modulus)?;
+    let others = conditions.longest(|k| k != 0, &second.modulus)?;
+    let own = second.blocks.iter().filter(|k| **k == 0).count();
+    let outweighs = others < size || second.blocks.iter().all(|k| *k == 0);
+    (own == size && outweighs).then_some((&second.real, size))
+}
+
 /// What an eigenvector of block 0 shows.
 fn of_block_0(net: &Net<Ball>, value: &Ball, second: &Second) -> Verdict {
     let curve = outer_curve(net, &ring_pieces(net, value));
     if [1, -1].iter().any(|side| curve.iter().all(|x| x.sign() == Some(*side))) {
-        return Verdict::Refuted(Refutation::Block0 { value: second.value.clone() });
+        return Verdict::Refuted(Refutation::Block0 { value: second.value.clone(), size: 1 });
     }
     Verdict::Fails(Hypothesis::Blocks)
 }

@@ -1,7 +1,10 @@
 //! What the literature asks of the eigenvalues.
 
+use super::blocks::Blocks;
 use super::eigenvalues::Eigenvalue;
-use crate::exact::{Rational, RealExpression, Scalar};
+use super::error::SpectrumError;
+use super::jordan::{Chain, chains};
+use crate::exact::{Rational, RealCyclotomic, RealExpression, Scalar};
 use std::cmp::Ordering;
 
 /// How the greatest modulus μ of the eigenvalues after 1 and λ compares with λ².
@@ -9,29 +12,46 @@ use std::cmp::Ordering;
 pub enum Curvature {
     /// μ < λ²: the curvature tends to 0.
     Vanishing,
-    /// μ = λ²: the curvature is bounded and in general not 0.
+    /// μ = λ² without a Jordan block: the curvature is bounded and in general not 0.
     Bounded,
+    /// μ = λ² with a Jordan block of size s ≥ 2: the curvature is unbounded in general, and grows like the power s − 1 of the
+    /// number of steps.
+    Growing,
     /// μ > λ²: the curvature is unbounded in general.
     Unbounded,
 }
 
 impl Curvature {
-    /// By a modulus and λ².
+    /// By a modulus, the size of the greatest Jordan block of its eigenvalues, and λ²; `None` where the size decides and is not
+    /// known.
     #[must_use]
-    pub fn of(modulus: &RealExpression, square: &RealExpression) -> Curvature {
-        match modulus.cmp(square) {
-            Ordering::Less => Curvature::Vanishing,
-            Ordering::Equal => Curvature::Bounded,
-            Ordering::Greater => Curvature::Unbounded,
-        }
+    pub fn of(
+        modulus: &RealExpression,
+        size: Option<usize>,
+        square: &RealExpression,
+    ) -> Option<Curvature> {
+        Some(match (modulus.cmp(square), size) {
+            (Ordering::Less, _) => Curvature::Vanishing,
+            (Ordering::Equal, Some(1)) => Curvature::Bounded,
+            (Ordering::Equal, Some(_)) => Curvature::Growing,
+            (Ordering::Equal, None) => return None,
+            (Ordering::Greater, _) => Curvature::Unbounded,
+        })
     }
 
-    /// `vanishing`, `bounded` or `unbounded`.
+    /// Whether the curvature of the surface of generic data is unbounded.
+    #[must_use]
+    pub fn is_unbounded(self) -> bool {
+        matches!(self, Curvature::Growing | Curvature::Unbounded)
+    }
+
+    /// `vanishing`, `bounded`, `growing` or `unbounded`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Curvature::Vanishing => "vanishing",
             Curvature::Bounded => "bounded",
+            Curvature::Growing => "growing",
             Curvature::Unbounded => "unbounded",
         }
     }
@@ -51,35 +71,63 @@ pub struct Conditions {
     /// The greatest modulus after λ, with its eigenvalues in the list; `None` without λ, or where nothing
     /// follows.
     pub next: Option<RealExpression>,
-    /// How μ compares with λ².
+    /// How μ compares with λ²; `None` also where that depends on a Jordan block that is not decided.
     pub curvature: Option<Curvature>,
+    /// The Jordan blocks of the eigenvalues of the modulus μ, and of those of the modulus λ²; without such a λ, those of the
+    /// greatest modulus after 1.
+    pub chains: Vec<Chain>,
 }
 
 impl Conditions {
-    /// Of all eigenvalues of a ring with a rotation of order n, in descending order of the moduli.
-    pub(super) fn of(eigenvalues: &[Eigenvalue], n: usize) -> Conditions {
+    /// Of all eigenvalues of a ring, in descending order of the moduli.
+    pub(super) fn of(
+        blocks: &Blocks,
+        eigenvalues: &[Eigenvalue],
+        cosines: &[RealCyclotomic],
+    ) -> Result<Conditions, SpectrumError> {
+        let n = blocks.order;
         let one = RealExpression::from(Rational::one());
         let first = eigenvalues.first();
         let simple_one = first.is_some_and(|first| {
             first.imaginary.is_none() && first.real == one && first.multiplicity == 1
         }) && eigenvalues.get(1).is_none_or(|next| next.modulus < one);
-        let mut conditions =
-            Conditions { simple_one, subdominant: None, next: None, curvature: None };
-        let [_, second, rest @ ..] = eigenvalues else { return conditions };
+        let mut conditions = Conditions {
+            simple_one,
+            subdominant: None,
+            next: None,
+            curvature: None,
+            chains: vec![],
+        };
+        let [_, second, rest @ ..] = eigenvalues else { return Ok(conditions) };
         let alone = rest.first().is_none_or(|next| next.modulus < second.modulus);
         let right = second.imaginary.is_none()
             && second.real.sign() > 0
             && second.blocks == [1, n - 1]
             && alone;
         if !simple_one || !right {
-            return conditions;
+            if simple_one {
+                conditions.chains = chains(blocks, eigenvalues, &second.modulus, cosines)?;
+            }
+            return Ok(conditions);
         }
         conditions.subdominant = Some(second.real.clone());
         if let Some(next) = rest.first() {
             let square = second.real.times(&second.real);
-            conditions.curvature = Some(Curvature::of(&next.modulus, &square));
             conditions.next = Some(next.modulus.clone());
+            conditions.chains = chains(blocks, eigenvalues, &next.modulus, cosines)?;
+            if next.modulus != square {
+                conditions.chains.extend(chains(blocks, eigenvalues, &square, cosines)?);
+            }
+            let size = conditions.longest(|_| true, &next.modulus);
+            conditions.curvature = Curvature::of(&next.modulus, size, &square);
         }
-        conditions
+        Ok(conditions)
+    }
+
+    /// The size of the greatest Jordan block of the eigenvalues of one of the moduli of [`chains`](Self::chains), of some Fourier blocks; `None` where it
+    /// is not decided.
+    pub fn longest(&self, of: impl Fn(usize) -> bool, modulus: &RealExpression) -> Option<usize> {
+        let own = self.chains.iter().filter(|one| of(one.block) && one.modulus == *modulus);
+        own.map(|one| one.size).try_fold(1, |most, size| Some(most.max(size?)))
     }
 }

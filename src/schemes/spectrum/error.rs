@@ -45,7 +45,7 @@ pub enum SpectrumError {
     /// A factor of a characteristic polynomial with complex or multiple roots.
     #[error(
         "block {block}: an irreducible factor of degree {degree} of the characteristic polynomial has complex \
-         roots; such roots are computed of factors of degree 2 only"
+         roots; such roots are computed of factors of degree 2, and of degree 3 with one real root"
     )]
     Complex {
         /// The block.

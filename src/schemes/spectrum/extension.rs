@@ -53,6 +53,11 @@ impl Extension {
         Extension { polynomial, form: Form::General(root) }
     }
 
+    /// The monic polynomial f.
+    pub(super) fn polynomial(&self) -> &Polynomial {
+        &self.polynomial
+    }
+
     /// e.
     pub(super) fn degree(&self) -> usize {
         self.polynomial.len() - 1

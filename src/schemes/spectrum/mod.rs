@@ -9,6 +9,7 @@
 //! | `extension` | the field that a root generates |
 //! | `roots` | roots of these polynomials |
 //! | `eigenvalues` | all eigenvalues with their multiplicities |
+//! | `jordan` | the sizes of Jordan blocks |
 //! | `stencil` | left eigenvectors: limit and tangents |
 //! | `conditions` | what the literature asks of the eigenvalues |
 //! | `schemes` | schemes by name, and the wider rings whose eigenvalues are taken |
@@ -21,6 +22,7 @@ mod conditions;
 mod eigenvalues;
 mod error;
 mod extension;
+mod jordan;
 mod polynomial;
 mod ring_spectrum;
 mod roots;
@@ -31,6 +33,7 @@ pub mod table;
 pub use conditions::{Conditions, Curvature};
 pub use eigenvalues::Eigenvalue;
 pub use error::SpectrumError;
+pub use jordan::Chain;
 pub use ring_spectrum::Spectrum;
 pub use schemes::{Surroundings, surroundings};
 pub use stencil::Stencil;

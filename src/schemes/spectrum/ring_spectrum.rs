@@ -22,6 +22,7 @@ use crate::scheme::LocalRules;
 ///     .collect();
 /// assert_eq!(found, [("1".to_owned(), 1), ("1/2".to_owned(), 2), ("1/4".to_owned(), 4)]);
 /// assert_eq!(spectrum.limit, Some(vec![RealCyclotomic::from(Rational::new(1, 7)); 7]));
+/// // The points of the face alone: one eigenvalue 1/4 in each block.
 /// assert_eq!(spectrum.conditions.curvature, Some(Curvature::Bounded));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -69,11 +70,10 @@ impl Spectrum {
         let inner = Blocks::new(ring)?;
         let order = inner.order;
         let cosines = cosines(order);
-        let eigenvalues = match wider {
-            None => eigenvalues(&inner, &cosines)?,
-            Some(wider) => eigenvalues(&Blocks::new(wider)?, &cosines)?,
-        };
-        let conditions = Conditions::of(&eigenvalues, order);
+        let outer = wider.map(Blocks::new).transpose()?;
+        let all = outer.as_ref().unwrap_or(&inner);
+        let eigenvalues = eigenvalues(all, &cosines)?;
+        let conditions = Conditions::of(all, &eigenvalues, &cosines)?;
         let limit = if conditions.simple_one { limit(&inner) } else { None };
         let tangents = match &conditions.subdominant {
             Some(eigenvalue) => tangents(&inner, eigenvalue, &cosines)?,

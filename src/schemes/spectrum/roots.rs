@@ -2,7 +2,7 @@
 
 use super::extension::Extension;
 use super::polynomial::{Polynomial, monic, quotient, rational_part};
-use crate::exact::{Rational, RealCyclotomic, RealExpression, Scalar};
+use crate::exact::{Rational, Real as _, RealCyclotomic, RealExpression, Scalar};
 
 /// A real root, or a pair of complex roots.
 #[derive(Clone, Debug)]
@@ -52,6 +52,12 @@ fn simple(polynomial: &Polynomial, multiplicity: usize) -> Result<Vec<Root>, Com
         _ => {
             let root = |index: usize| RealExpression::root(polynomial, index).ok();
             let found: Vec<RealExpression> = (1..=degree).map_while(root).collect();
+            if let (3, [root]) = (degree, &found[..]) {
+                let [constant, _, square, _] = &polynomial[..] else { return Err(Complex(degree)) };
+                let pair = pair(constant, square, root, multiplicity).ok_or(Complex(degree))?;
+                let extension = Extension::general(polynomial.clone(), root.clone());
+                return Ok(vec![real(extension, multiplicity), pair]);
+            }
             if found.len() < degree {
                 return Err(Complex(degree));
             }
@@ -59,6 +65,24 @@ fn simple(polynomial: &Polynomial, multiplicity: usize) -> Result<Vec<Root>, Com
             Ok(found.into_iter().map(|root| real(extension(root), multiplicity)).collect())
         }
     }
+}
+
+/// The complex roots of x³ + bx² + … + d with one real root r: their sum is −b − r, and their product is −d/r.
+fn pair(
+    constant: &RealCyclotomic,
+    square: &RealCyclotomic,
+    root: &RealExpression,
+    multiplicity: usize,
+) -> Option<Root> {
+    let minus = |x: &RealCyclotomic| RealExpression::from(-x);
+    if root.sign() == 0 {
+        return None;
+    }
+    let real = minus(square).minus(root).times(&RealExpression::from(Rational::new(1, 2)));
+    let product = minus(constant).over(root);
+    let imaginary = product.minus(&real.times(&real)).sqrt().ok()?;
+    let modulus = product.sqrt().ok()?;
+    Some(Root { real, imaginary: Some(imaginary), modulus, multiplicity, extension: None })
 }
 
 fn real(extension: Extension, multiplicity: usize) -> Root {

@@ -3,6 +3,7 @@
 mod attack;
 mod exactness;
 mod laws;
+mod sets;
 mod tensor;
 
 use subcert::exact::Rational;

@@ -39,6 +39,17 @@ pub fn check_vertex(
     let inner = Inner::read(ring)?;
     require(inner.order == valence, Reason::Vertex("this is the valence of the rules"))?;
     agree(block.after("part")?, inner.part.name(), Reason::Said)?;
+    if block.next_word() == "diverges" {
+        let mut words = block.after("diverges")?.split_whitespace();
+        let k = words.next().and_then(|k| k.parse().ok()).ok_or(Reason::Malformed("a block"))?;
+        let side = match (words.next(), words.next()) {
+            (Some("+"), None) => 1,
+            (Some("-"), None) => -1,
+            _ => return Err(Reason::Malformed("a block, and + or -").into()),
+        };
+        spectrum::diverges(&inner, k, side)?;
+        return Ok(Found::Rough);
+    }
     let mut words = block.after("eigenvalue")?.split_whitespace();
     let k = words.next().and_then(|k| k.parse().ok()).ok_or(Reason::Malformed("a block"))?;
     let (low, high) = (number(words.next())?, number(words.next())?);

@@ -101,6 +101,22 @@ pub fn check(inner: &Inner, k: usize, [low, high]: [&Q; 2], r: &Q) -> Checked<()
     )
 }
 
+/// Checks that block k has an eigenvalue above 1, or below −1: its characteristic polynomial, for k = 0 divided by x − 1,
+/// is negative at 1, or has at −1 another sign than far to the left.
+pub fn diverges(inner: &Inner, k: usize, side: i64) -> Checked<()> {
+    require(2 * k <= inner.order, Reason::Vertex("k ≤ n/2"))?;
+    let mut p = characteristic(&inner.block(k)?);
+    if k == 0 {
+        p = without(&p, &Ball::from(1));
+    }
+    let even = side > 0 || p.len() % 2 == 1;
+    let sign = at(&p, &int(side)).sign();
+    require(
+        sign == Some(if even { -1 } else { 1 }),
+        Reason::Vertex("an eigenvalue beyond 1 or −1 by the sign of the characteristic polynomial"),
+    )
+}
+
 /// Whether the rules of the outer points have no eigenvalue of the absolute value r or more. Their weights are not negative,
 /// so that those of no block exceed the sums over all sectors.
 fn outer_is_within(part: Part, r: &Q) -> bool {

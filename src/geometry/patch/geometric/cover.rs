@@ -1,8 +1,9 @@
 //! Whether the two parts of a unit are near the other set (`proofs/THEOREMS.md`, 161 and 162).
 
 use super::super::number::Vector as _;
-use super::node::{Node, Nodes};
+use super::node::Nodes;
 use super::patch::{Patch, ball, cross, dot, length, unit};
+use super::pieces::{Hull, Units};
 use super::place::SetKind;
 use super::scene::{Ring, Scene};
 use super::shadow::Direction;
@@ -19,16 +20,16 @@ const MAX_TRIED: u32 = 24;
 
 /// A point of one set, and one that is near it of the other.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct FarPoint {
-    pub(super) unit: usize,
-    pub(super) from: SetKind,
-    pub(super) point: Point<f64>,
-    pub(super) other: Point<f64>,
+pub(in crate::patch) struct FarPoint {
+    pub(in crate::patch) unit: usize,
+    pub(in crate::patch) from: SetKind,
+    pub(in crate::patch) point: Point<f64>,
+    pub(in crate::patch) other: Point<f64>,
 }
 
 /// Whether a unit is near the other set, with both of its parts.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Nearness {
+pub(in crate::patch) enum Nearness {
     Near,
     Far(FarPoint),
     Open,
@@ -36,9 +37,9 @@ pub(super) enum Nearness {
 
 /// The search on one unit. `is_far` says whether a point of a set is surely beyond the tolerance from the other
 /// set, all of it.
-pub(super) struct Cover<'a, 's, F> {
-    scene: &'a Scene<'s>,
-    nodes: Nodes<'a>,
+pub(super) struct Cover<'a, P: Units, F> {
+    scene: &'a Scene<P>,
+    nodes: Nodes<'a, P>,
     unit: usize,
     ring: Ring,
     /// For the units of the ring, their pieces of the limit.
@@ -52,9 +53,9 @@ pub(super) struct Cover<'a, 's, F> {
     is_far: &'a F,
 }
 
-impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
+impl<'a, P: Units, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, P, F> {
     /// Looks at one unit.
-    pub(super) fn unit(scene: &'a Scene<'s>, unit: usize, is_far: &'a F) -> Nearness {
+    pub(super) fn unit(scene: &'a Scene<P>, unit: usize, is_far: &'a F) -> Nearness {
         if scene.is_near_by_parameter(unit) {
             return Nearness::Near;
         }
@@ -79,22 +80,23 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
         result
     }
 
-    fn around(scene: &'a Scene<'s>, unit: usize, is_far: &'a F, steps: usize) -> Self {
+    fn around(scene: &'a Scene<P>, unit: usize, is_far: &'a F, steps: usize) -> Self {
         let ring = scene.ring(unit, steps);
-        let mut nodes = Nodes::new(scene.shapes);
+        let mut nodes = Nodes::new(&scene.pieces);
         let roots: Vec<usize> =
-            ring.units.iter().map(|&unit| nodes.add(scene.cell(unit))).collect();
+            ring.units.iter().map(|&unit| nodes.add(scene.pieces.piece(unit))).collect();
         let patches: Vec<Patch> =
             ring.units.iter().flat_map(|&unit| scene.units[unit].patches.iter().copied()).collect();
         let own = nodes.get(roots[0]);
         let corners = scene.units[unit].patches.iter().flat_map(|patch| patch.corners().to_vec());
-        let all: Vec<Point<f64>> = own.hull.iter().copied().chain(corners).collect();
+        let all: Vec<Point<f64>> = own.hull.points.iter().copied().chain(corners).collect();
         let (centre, radius) = ball(&all);
+        let radius = radius + own.hull.extra;
         let normals = scene.units[unit].patches.iter().filter_map(Patch::normal);
         let sum = normals.fold([0.0; 3], |sum, x| [0, 1, 2].map(|i| sum[i] + x[i]));
         let direction = Direction::new(&sum)
             .filter(|direction| direction.winds(&ring.boundary, &centre, radius + scene.slack));
-        let tolerance = scene.tolerance();
+        let tolerance = scene.pieces.tolerance();
         Cover {
             scene,
             nodes,
@@ -123,8 +125,8 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
         {
             return Nearness::Near;
         }
-        for i in 0..self.nodes.get(node).limits.len() {
-            let point = self.nodes.get(node).limits[i];
+        for i in 0..self.nodes.get(node).hull.limits.len() {
+            let point = self.nodes.get(node).hull.limits[i];
             let other = self.near_on_mesh(&point);
             if length(&other.minus(&point)) > self.tolerance && self.tries(&point, SetKind::Limit) {
                 return self.far(SetKind::Limit, point, other);
@@ -161,7 +163,7 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
     /// The normal of a piece of the limit, if the ring surrounds the piece in this direction.
     fn surrounded(&self, node: usize) -> Option<Direction> {
         let node = self.nodes.get(node);
-        let direction = normal(node)?;
+        let direction = normal(&node.hull)?;
         let radius = node.radius + self.scene.slack;
         direction.winds(&self.ring.boundary, &node.centre, radius).then_some(direction)
     }
@@ -169,12 +171,12 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
     /// 161 for a piece of the limit over the patches of the ring.
     fn is_over_mesh(&mut self, node: usize, direction: &Direction) -> bool {
         let node = self.nodes.get(node);
-        let slack = self.scene.slack;
+        let slack = self.scene.slack + node.hull.extra;
         let mut stack: Vec<(Patch, u32)> = self.patches.iter().map(|patch| (*patch, 0)).collect();
         while let Some((patch, divisions)) = stack.pop() {
             self.pairs = self.pairs.saturating_sub(1);
-            if direction.separates(&node.hull, &patch, slack)
-                || direction.gap(&node.hull, &patch, slack) <= self.tolerance
+            if direction.separates(&node.hull.points, &patch, slack)
+                || direction.gap(&node.hull.points, &patch, slack) <= self.tolerance
             {
                 continue;
             }
@@ -196,8 +198,8 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
             .min_by(|left, right| from(left, &node.centre).total_cmp(&from(right, &node.centre)));
         self.pairs = self.pairs.saturating_sub(4);
         nearest.is_some_and(|patch| {
-            let enough = self.tolerance - patch.warp() - self.scene.slack;
-            node.hull.iter().all(|point| from(patch, point) <= enough)
+            let enough = self.tolerance - patch.warp() - self.scene.slack - node.hull.extra;
+            node.hull.points.iter().all(|point| from(patch, point) <= enough)
         })
     }
 
@@ -218,12 +220,15 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
         }
         let (centre, radius) = ball(patch.corners());
         if divisions > 0 || self.direction.is_none() {
-            let direction = normal(self.nodes.get(failed)).filter(|direction| {
+            let direction = normal(&self.nodes.get(failed).hull).filter(|direction| {
                 direction.winds(&self.ring.boundary, &centre, radius + self.scene.slack)
             });
             if direction.is_some_and(|direction| self.is_over_limit(patch, &direction).is_none()) {
                 return Nearness::Near;
             }
+        }
+        if self.is_near_limit_point(patch, &centre, radius) {
+            return Nearness::Near;
         }
         for point in patch.corners().iter().chain([&centre]) {
             // The mean of the corners is a point of the patch.
@@ -260,17 +265,47 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
         while let Some(at) = stack.pop() {
             self.pairs = self.pairs.saturating_sub(1);
             let node = self.nodes.get(at);
-            if direction.separates(&node.hull, patch, slack)
-                || direction.gap(&node.hull, patch, slack) <= self.tolerance
+            let slack = slack + node.hull.extra;
+            if direction.separates(&node.hull.points, patch, slack)
+                || direction.gap(&node.hull.points, patch, slack) <= self.tolerance
             {
                 continue;
             }
-            if node.radius < radius / 2.0 || node.level > MAX_DIVISIONS + 2 || self.pairs == 0 {
+            if node.radius < radius / 2.0 || node.hull.level > MAX_DIVISIONS + 2 || self.pairs == 0
+            {
                 return Some(at);
             }
             stack.extend(self.nodes.parts(at));
         }
         None
+    }
+
+    /// Whether all of a patch is near one limit point, as a ball is convex: this needs no ring that surrounds the patch.
+    fn is_near_limit_point(&mut self, patch: &Patch, centre: &Point<f64>, radius: f64) -> bool {
+        let enough = self.tolerance - self.scene.slack;
+        if radius >= enough {
+            return false;
+        }
+        let mut stack = self.roots.clone();
+        while let Some(at) = stack.pop() {
+            self.pairs = self.pairs.saturating_sub(1);
+            let node = self.nodes.get(at);
+            let is_near = |limit: &Point<f64>| {
+                patch.corners().iter().all(|corner| length(&limit.minus(corner)) <= enough)
+            };
+            if node.hull.limits.iter().any(is_near) {
+                return true;
+            }
+            let far = reach(centre, &node.hull, &node.centre, node.radius) > enough;
+            if far || node.radius < radius / 2.0 || node.hull.level > MAX_DIVISIONS + 2 {
+                continue;
+            }
+            if self.pairs == 0 {
+                return false;
+            }
+            stack.extend(self.nodes.parts(at));
+        }
+        false
     }
 
     /// A limit point that is near, if the point is farther than the tolerance from all limits of the ring.
@@ -280,7 +315,7 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
         while let Some(at) = stack.pop() {
             self.pairs = self.pairs.saturating_sub(1);
             let node = self.nodes.get(at);
-            for limit in &node.limits {
+            for limit in &node.hull.limits {
                 let distance = length(&limit.minus(point));
                 if distance < least {
                     (nearest, least) = (*limit, distance);
@@ -293,7 +328,7 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
                 continue;
             }
             if node.radius < self.tolerance * 1e-4
-                || node.level > MAX_DIVISIONS + 2
+                || node.hull.level > MAX_DIVISIONS + 2
                 || self.pairs == 0
             {
                 return None;
@@ -304,29 +339,24 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
     }
 }
 
-/// A lower bound, up to rounding, of the distance of a point from the hull of some points: by their ball, and by a
-/// plane between them.
-pub(super) fn reach(
-    point: &Point<f64>,
-    hull: &[Point<f64>],
-    centre: &Point<f64>,
-    radius: f64,
-) -> f64 {
+/// A lower bound, up to rounding, of the distance of a point from a piece: by its ball, and by a plane before its hull.
+pub(super) fn reach(point: &Point<f64>, hull: &Hull, centre: &Point<f64>, radius: f64) -> f64 {
     let way = centre.minus(point);
     let round = length(&way) - radius;
     let squared = |x: &Point<f64>| dot(&x.minus(point), &x.minus(point));
-    let nearest = hull.iter().min_by(|x, y| squared(x).total_cmp(&squared(y)));
+    let nearest = hull.points.iter().min_by(|x, y| squared(x).total_cmp(&squared(y)));
     let beyond = |way: &Point<f64>| {
         let Some(normal) = unit(way) else { return 0.0 };
-        hull.iter().map(|x| dot(&normal, &x.minus(point))).fold(f64::INFINITY, f64::min)
+        let heights = hull.points.iter().map(|x| dot(&normal, &x.minus(point)));
+        heights.fold(f64::INFINITY, f64::min) - hull.extra
     };
     let to_nearest = nearest.map_or(0.0, |x| beyond(&x.minus(point)));
     round.max(beyond(&way)).max(to_nearest)
 }
 
 /// The normal of a piece of the limit, from its corners.
-fn normal(node: &Node) -> Option<Direction> {
-    let normal = match &node.limits[..] {
+fn normal(hull: &Hull) -> Option<Direction> {
+    let normal = match &hull.limits[..] {
         [a, b, c] => cross(&b.minus(a), &c.minus(a)),
         corners if corners.len() >= 4 => {
             cross(&corners[2].minus(&corners[0]), &corners[3].minus(&corners[1]))

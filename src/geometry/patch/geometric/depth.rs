@@ -1,38 +1,12 @@
 //! The least level whose mesh is within a tolerance of the limit surface as a set of points.
 
 use super::super::depth::MeshDistances;
-use super::level::{Geometry, Known};
+use super::level::Geometry;
+use super::levels::{Levels as _, distances};
 use super::patch::FaceSurface;
-use super::place::GeometricPlace;
+use super::place::{FaceDepth, GeometricDepth};
 use crate::exact::Rational;
-use crate::float::upper;
 use crate::mesh::MeshError;
-
-/// The highest level that is looked at as a set of points.
-pub(super) const MAX_LEVEL: u32 = 14;
-
-/// How many levels a mesh, or a control polygon, needs as a set of points.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GeometricDepth<P = GeometricPlace> {
-    /// The least level that was found to be sufficient.
-    pub level: u32,
-    /// The greatest level that is certainly not sufficient, with all levels below it; `None` where even
-    /// level 0 may be.
-    pub too_few: Option<u32>,
-    /// A point that shows that `too_few` is not sufficient.
-    pub beyond: Option<P>,
-}
-
-/// What one face of the control mesh needs.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FaceDepth {
-    /// The least level that was found to be sufficient for its part of the mesh and its part of the limit.
-    pub level: u32,
-    /// Whether all levels below certainly are not.
-    pub is_least: bool,
-    /// The last distance that was found to be too great, and its level: a lower bound.
-    pub too_far: Option<(u32, f64)>,
-}
 
 impl MeshDistances {
     /// The least level k with H_k ≤ ε, where
@@ -68,45 +42,7 @@ impl MeshDistances {
         tolerance: &Rational,
         surface: FaceSurface,
     ) -> Result<GeometricDepth, MeshError> {
-        let mut geometry = Geometry::new(self, surface, tolerance)?;
-        let wanted = vec![true; geometry.face_count()];
-        let (mut too_few, mut beyond, mut certain) = (None, None, true);
-        // A level that equal parameters show to be sufficient, found when it is needed.
-        let mut sure: Option<u32> = None;
-        for level in 0..=MAX_LEVEL {
-            if sure.is_some_and(|sure| sure <= level) {
-                return Ok(GeometricDepth { level, too_few, beyond });
-            }
-            let found = geometry.examine(level, &wanted, false)?;
-            let far = found.iter().find_map(|(_, known)| match known {
-                Known::Far(place) => Some(place.clone()),
-                _ => None,
-            });
-            let open = found.iter().any(|(_, known)| matches!(known, Known::Open));
-            match far {
-                Some(place) if certain => (too_few, beyond) = (Some(level), Some(place)),
-                Some(_) => {}
-                None if open => {
-                    certain = false;
-                    if sure.is_none() && geometry.is_plain_everywhere() {
-                        let parametric = self.parametric_level(tolerance)?;
-                        if parametric <= level {
-                            return Ok(GeometricDepth { level, too_few, beyond });
-                        }
-                        sure = Some(parametric);
-                    }
-                }
-                None => return Ok(GeometricDepth { level, too_few, beyond }),
-            }
-        }
-        if let Some(level) = sure {
-            return Ok(GeometricDepth { level, too_few, beyond });
-        }
-        if geometry.is_plain_everywhere() {
-            let level = self.parametric_level(tolerance)?;
-            return Ok(GeometricDepth { level, too_few, beyond });
-        }
-        Err(too_many())
+        Geometry::new(self, surface, tolerance)?.depth()
     }
 
     /// For each face of the control mesh a lower and an upper bound of the distance, at a level, of its part of the mesh
@@ -121,30 +57,7 @@ impl MeshDistances {
         tolerance: &Rational,
         surface: FaceSurface,
     ) -> Result<Vec<[f64; 2]>, MeshError> {
-        let mut bounds = Vec::new();
-        let mut wanted = Vec::new();
-        for halved in 0..4 {
-            let tolerance = tolerance * &Rational::new(1, 1_i64 << halved);
-            let mut geometry = Geometry::new(self, surface, &tolerance)?;
-            if halved == 0 {
-                bounds = vec![[0.0, f64::INFINITY]; geometry.face_count()];
-                wanted = vec![true; geometry.face_count()];
-            }
-            let mut near = wanted.clone();
-            for (face, known) in geometry.examine(level, &wanted, true)? {
-                match known {
-                    Known::Near => continue,
-                    Known::Open => {}
-                    Known::Far(place) => bounds[face][0] = bounds[face][0].max(place.distance),
-                }
-                near[face] = false;
-            }
-            for (bounds, _) in bounds.iter_mut().zip(&near).filter(|(_, near)| **near) {
-                bounds[1] = upper(&tolerance);
-            }
-            wanted = near;
-        }
-        Ok(bounds)
+        distances(level, tolerance, |tolerance| Geometry::new(self, surface, tolerance))
     }
 
     /// What each face of the control mesh needs: its part of the mesh of a level, and its part of the limit, are
@@ -157,34 +70,6 @@ impl MeshDistances {
         tolerance: &Rational,
         surface: FaceSurface,
     ) -> Result<Vec<FaceDepth>, MeshError> {
-        let mut geometry = Geometry::new(self, surface, tolerance)?;
-        let none = FaceDepth { level: 0, is_least: true, too_far: None };
-        let mut faces = vec![none; geometry.face_count()];
-        let mut wanted = vec![true; faces.len()];
-        for level in 0..=MAX_LEVEL {
-            let mut next = vec![false; faces.len()];
-            for (face, known) in geometry.examine(level, &wanted, true)? {
-                match known {
-                    Known::Near => continue,
-                    Known::Open => faces[face].is_least = false,
-                    Known::Far(place) => faces[face].too_far = Some((level, place.distance)),
-                }
-                faces[face].level = level + 1;
-                next[face] = true;
-            }
-            if !next.contains(&true) {
-                return Ok(faces);
-            }
-            wanted = next;
-        }
-        Err(too_many())
+        Geometry::new(self, surface, tolerance)?.faces()
     }
-}
-
-fn too_many() -> MeshError {
-    let reason = format!(
-        "the tolerance needs more than {MAX_LEVEL} levels as a distance of sets, or is too near to call; \
-         take a greater one, or --distance parametric"
-    );
-    MeshError::TooMuch { reason }
 }

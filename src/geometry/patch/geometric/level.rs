@@ -1,34 +1,33 @@
 //! One level: whether its mesh, or the parts of it that belong to some faces, are within the tolerance.
 
 use super::super::depth::{MeshDistances, not_positive};
-use super::super::judge::{Judge, Rounded};
+use super::super::judge::Rounded;
 use super::super::kind::Kind;
 use super::super::levels::Source;
-use super::super::number::Vector as _;
+use super::super::roots::Root;
 use super::super::search::{Search, Verdict};
 use super::super::shapes::Shapes;
 use super::super::threads::in_threads;
-use super::cover::{Cover, FarPoint, Nearness};
-use super::patch::{FaceSurface, length};
-use super::place::{GeometricPlace, SetKind};
+use super::cover::{FarPoint, Nearness};
+use super::levels::{Known, Levels, MAX_LEVEL};
+use super::patch::FaceSurface;
+use super::place::GeometricPlace;
 use super::region::{cut, groups, grown};
 use super::relative::relative_tolerance;
-use super::scene::{Scene, Stage, Unit};
+use super::scene::Scene;
+use super::sets::MeshSets;
+use super::sweep::{far_distance, first_far, sweep};
+use super::units::{MeshUnits, Stage};
 use super::whole::Whole;
 use crate::exact::Rational;
 use crate::float::nearest;
-use crate::mesh::{
-    MeshError, MeshScheme, Point, PolygonMesh, Stencils, step_with, weighted_valences,
-};
+use crate::mesh::{MeshError, MeshScheme, PolygonMesh, Stencils, step_with, weighted_valences};
 
 /// How many pieces are looked at by parameter in one piece of level 1 before its face is looked at closely.
 const FILTER_STEPS: u64 = 2_000;
 
 /// About how many faces of a level are made at once.
 const GROUP: usize = 16_384;
-
-/// How many points are tried at the faces that are farthest by parameter.
-const TRIED: usize = 400;
 
 /// With more faces than this, a mesh on the way to a level is trimmed.
 const TRIMMED: usize = 2_048;
@@ -40,15 +39,7 @@ const LARGEST: usize = 100_000;
 type Owner = Option<(usize, usize)>;
 
 /// A scene with the owners of its units.
-type Owned<'s> = (Scene<'s>, Vec<Owner>);
-
-/// What is known of a face at a level.
-#[derive(Clone, Debug)]
-pub(super) enum Known {
-    Near,
-    Far(GeometricPlace),
-    Open,
-}
+type Owned<'s> = (Scene<MeshUnits<'s>>, Vec<Owner>);
 
 /// As a distance of sets, a tolerance is at least 2 to the power of minus this, times the diagonal of the box around a
 /// mesh, or the greatest width of a control polygon in a coordinate.
@@ -98,7 +89,7 @@ impl<'a> Geometry<'a> {
     }
 
     /// Whether the mesh of every level is that of 91, so that equal parameters bound the distance of the sets.
-    pub(super) fn is_plain_everywhere(&self) -> bool {
+    fn is_plain_everywhere(&self) -> bool {
         let quadrilaterals = || self.control.faces().iter().all(|face| face.len() == 4);
         let fours = || {
             let connectivity = self.control.connectivity();
@@ -112,10 +103,6 @@ impl<'a> Geometry<'a> {
         }
     }
 
-    pub(super) fn face_count(&self) -> usize {
-        self.control.faces().len()
-    }
-
     fn judge(&self) -> Rounded {
         self.distances.model.rounded_judge(&self.tolerance)
     }
@@ -125,7 +112,7 @@ impl<'a> Geometry<'a> {
     fn waiting(&self, level: u32, wanted: &[bool]) -> Vec<usize> {
         let model = &self.distances.model;
         let judge = self.judge();
-        let mut best = vec![-1.0_f64; self.face_count()];
+        let mut best = vec![-1.0_f64; self.count()];
         let bounds: Vec<f64> = match level {
             0 => vec![0.0; model.roots.all.len()],
             _ => model.bounds(level).collect(),
@@ -166,52 +153,6 @@ impl<'a> Geometry<'a> {
             }
             _ => self.surface == FaceSurface::Bilinear,
         }
-    }
-
-    /// What is known of the faces that are asked for. Where `all` is false the search ends at the first face that is
-    /// far.
-    pub(super) fn examine(
-        &mut self,
-        level: u32,
-        wanted: &[bool],
-        all: bool,
-    ) -> Result<Vec<(usize, Known)>, MeshError> {
-        let waiting = self.waiting(level, wanted);
-        let work = self.distances.work();
-        work.begin(level, waiting.len());
-        let whole = Whole::new(&self.distances.model, &self.judge(), self.surface, level);
-        let mut known = Vec::new();
-        if !all {
-            let first = self.first_points(level, &waiting, &whole)?;
-            if !first.is_empty() {
-                return Ok(first);
-            }
-        }
-        let connectivity = self.control.connectivity();
-        let size = (GROUP >> (2 * level).min(20)).max(1);
-        let mut left = groups(connectivity, &waiting, size);
-        left.reverse();
-        while let Some(group) = left.pop() {
-            if work.is_stopped() {
-                known.extend(group.iter().map(|&face| (face, Known::Open)));
-                continue;
-            }
-            let Some(found) = self.group(level, &group, &whole, all)? else {
-                if let [face] = group[..] {
-                    known.push((face, Known::Open));
-                } else {
-                    let (first, second) = group.split_at(group.len() / 2);
-                    left.extend([second.to_vec(), first.to_vec()]);
-                }
-                continue;
-            };
-            let far = found.iter().any(|(_, known)| matches!(known, Known::Far(_)));
-            known.extend(found);
-            if far && !all {
-                break;
-            }
-        }
-        Ok(known)
     }
 
     /// The mesh of the level around some faces, as a scene, and for each unit the number, in the group, of its
@@ -262,10 +203,10 @@ impl<'a> Geometry<'a> {
         let judge = model.rounded_judge_after(&self.tolerance, level);
         let stage = Stage::new(mesh, self.scheme, &self.stencils, &mut self.shapes)?;
         let scene = stage.scene(self.scheme, self.surface, &self.shapes, judge);
-        let of = |unit: &Unit| {
-            if by_vertex { owners[vertices[unit.face][unit.part]] } else { owners[unit.face] }
+        let of = |root: &Root| {
+            if by_vertex { owners[vertices[root.face][root.part]] } else { owners[root.face] }
         };
-        let owners = scene.units.iter().map(of).collect();
+        let owners = (0..scene.units.len()).map(|unit| of(scene.pieces.root(unit))).collect();
         Ok(Some((scene, owners)))
     }
 
@@ -285,19 +226,20 @@ impl<'a> Geometry<'a> {
         let judge = self.distances.model.rounded_judge_after(&self.tolerance, step);
         let stage = Stage::new(mesh.clone(), self.scheme, &self.stencils, &mut self.shapes)?;
         let scene = stage.scene(self.scheme, self.surface, &self.shapes, judge);
-        let at = |unit: &Unit| {
-            if doo_sabin { mesh.faces()[unit.face][unit.part] } else { unit.face }
+        let at = |root: &Root| {
+            if doo_sabin { mesh.faces()[root.face][root.part] } else { root.face }
         };
         let numbers: Vec<usize> = (0..scene.units.len()).collect();
         let far = in_threads(&numbers, |&number| {
-            owners[at(&scene.units[number])].is_some()
-                && !scene.is_near_later(number, level - step, doo_sabin)
+            owners[at(scene.pieces.root(number))].is_some()
+                && !scene.pieces.is_near_later(number, level - step, doo_sabin)
         });
         let mut kept = vec![false; owners.len()];
         let mut faces = vec![false; mesh.faces().len()];
-        for (unit, _) in scene.units.iter().zip(far).filter(|(_, far)| *far) {
-            kept[at(unit)] = true;
-            faces[unit.face] = true;
+        for (&number, _) in numbers.iter().zip(far).filter(|(_, far)| *far) {
+            let root = scene.pieces.root(number);
+            kept[at(root)] = true;
+            faces[root.face] = true;
         }
         let chosen: Vec<usize> = (0..faces.len()).filter(|&face| faces[face]).collect();
         if chosen.is_empty() {
@@ -319,7 +261,7 @@ impl<'a> Geometry<'a> {
         &mut self,
         level: u32,
         waiting: &[usize],
-        whole: &Whole,
+        whole: &Whole<MeshSets>,
     ) -> Result<Vec<(usize, Known)>, MeshError> {
         let size = (2_048 >> (2 * level).min(20)).clamp(1, 64).min(waiting.len());
         let group = &waiting[..size];
@@ -328,25 +270,12 @@ impl<'a> Geometry<'a> {
         }
         let this = self.place_maker(level);
         let Some((scene, owners)) = self.scene(level, group)? else { return Ok(Vec::new()) };
-        let tolerance = Judge::<Point<f64>>::tolerance(&scene.judge);
         let own: Vec<usize> =
             (0..scene.units.len()).filter(|&unit| owners[unit].is_some()).collect();
-        let step = own.len().div_ceil(TRIED).max(1);
-        let tried: Vec<usize> = own.into_iter().step_by(step).collect();
-        let far = in_threads(&tried, |&unit| {
-            let points = scene.unit_points(unit);
-            points
-                .into_iter()
-                .find(|(point, from)| whole.is_beyond(point, *from, tolerance * 1.000_001))
-        });
-        let far = tried.iter().zip(far).find_map(|(&unit, far)| {
-            let ((point, from), owner) = (far?, owners[unit]?);
-            let other = scene.near(unit, &point, from);
-            let far = FarPoint { unit, from, point, other };
-            Some((
-                group[owner.0],
-                Known::Far(this.place(whole, &scene, group[owner.0], owner.1, &far)),
-            ))
+        let far = first_far(&scene, &own, whole).and_then(|far| {
+            let owner = owners[far.unit]?;
+            let face = group[owner.0];
+            Some((face, Known::Far(this.place(whole, &scene, face, owner.1, &far))))
         });
         Ok(far.into_iter().collect())
     }
@@ -356,29 +285,16 @@ impl<'a> Geometry<'a> {
         &mut self,
         level: u32,
         group: &[usize],
-        whole: &Whole,
+        whole: &Whole<MeshSets>,
         all: bool,
     ) -> Result<Option<Vec<(usize, Known)>>, MeshError> {
         let this = self.place_maker(level);
         let work = self.distances.work();
         let Some((scene, owners)) = self.scene(level, group)? else { return Ok(None) };
         let tolerance = nearest(&(&this.tolerance / &this.scale));
-        let is_far =
-            |point: &Point<f64>, from: SetKind| whole.is_beyond(point, from, tolerance.next_up());
         let own: Vec<usize> =
             (0..scene.units.len()).filter(|&unit| owners[unit].is_some()).collect();
-        let stop = std::sync::atomic::AtomicBool::new(false);
-        let order = std::sync::atomic::Ordering::Relaxed;
-        let found = in_threads(&own, |&unit| {
-            if work.is_stopped() || stop.load(order) {
-                return Nearness::Open;
-            }
-            let nearness = Cover::unit(&scene, unit, &is_far);
-            if matches!(nearness, Nearness::Far(_)) && !all {
-                stop.store(true, order);
-            }
-            nearness
-        });
+        let found = sweep(&scene, &own, whole, tolerance, &work, all);
         for _ in group {
             work.step();
         }
@@ -415,6 +331,72 @@ impl<'a> Geometry<'a> {
     }
 }
 
+impl Levels for Geometry<'_> {
+    type Error = MeshError;
+
+    fn count(&self) -> usize {
+        self.control.faces().len()
+    }
+
+    fn examine(
+        &mut self,
+        level: u32,
+        wanted: &[bool],
+        all: bool,
+    ) -> Result<Vec<(usize, Known)>, MeshError> {
+        let waiting = self.waiting(level, wanted);
+        let work = self.distances.work();
+        work.begin(level, waiting.len());
+        let sets = MeshSets::new(&self.distances.model, &self.judge(), self.surface, level);
+        let whole = Whole::new(sets);
+        let mut known = Vec::new();
+        if !all {
+            let first = self.first_points(level, &waiting, &whole)?;
+            if !first.is_empty() {
+                return Ok(first);
+            }
+        }
+        let connectivity = self.control.connectivity();
+        let size = (GROUP >> (2 * level).min(20)).max(1);
+        let mut left = groups(connectivity, &waiting, size);
+        left.reverse();
+        while let Some(group) = left.pop() {
+            if work.is_stopped() {
+                known.extend(group.iter().map(|&face| (face, Known::Open)));
+                continue;
+            }
+            let Some(found) = self.group(level, &group, &whole, all)? else {
+                if let [face] = group[..] {
+                    known.push((face, Known::Open));
+                } else {
+                    let (first, second) = group.split_at(group.len() / 2);
+                    left.extend([second.to_vec(), first.to_vec()]);
+                }
+                continue;
+            };
+            let far = found.iter().any(|(_, known)| matches!(known, Known::Far(_)));
+            known.extend(found);
+            if far && !all {
+                break;
+            }
+        }
+        Ok(known)
+    }
+
+    fn parametric(&self) -> Result<Option<u32>, MeshError> {
+        let plain = self.is_plain_everywhere();
+        plain.then(|| self.distances.parametric_level(&self.tolerance)).transpose()
+    }
+
+    fn too_many(&self) -> MeshError {
+        let reason = format!(
+            "the tolerance needs more than {MAX_LEVEL} levels as a distance of sets, or is too near to call; \
+             take a greater one, or --distance parametric"
+        );
+        MeshError::TooMuch { reason }
+    }
+}
+
 /// Says where a point is.
 struct Places<'a> {
     distances: &'a MeshDistances,
@@ -427,23 +409,15 @@ struct Places<'a> {
 impl Places<'_> {
     fn place(
         &self,
-        whole: &Whole,
-        scene: &Scene,
+        whole: &Whole<MeshSets>,
+        scene: &Scene<MeshUnits>,
         face: usize,
         number: usize,
         far: &FarPoint,
     ) -> GeometricPlace {
         let model = &self.distances.model;
         let scale = nearest(&self.scale);
-        let least = nearest(&(&self.tolerance / &self.scale));
-        // The greatest of a few lower bounds that holds.
-        let greatest = length(&far.other.minus(&far.point));
-        let share = |i: u32| least + (greatest - least) * f64::from(i) / 16.0;
-        let lower = (0..16)
-            .rev()
-            .map(share)
-            .find(|&distance| distance > least && whole.is_beyond(&far.point, far.from, distance));
-        let lower = lower.unwrap_or(least);
+        let lower = far_distance(whole, far, &(&self.tolerance / &self.scale));
         let Source::Surface { mesh, .. } = &model.source else { unreachable!("a surface") };
         let doo_sabin = self.scheme == MeshScheme::DooSabin;
         let level_face = (self.level > 0 && !doo_sabin).then(|| {
@@ -454,7 +428,7 @@ impl Places<'_> {
             ((before as u128) << (2 * (self.level - 1))) + number as u128
         });
         let part = match self.level {
-            0 => Some(scene.units[far.unit].part),
+            0 => Some(scene.pieces.root(far.unit).part),
             _ if doo_sabin => None,
             level => Some(number >> (2 * (level - 1))),
         };

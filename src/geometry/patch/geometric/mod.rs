@@ -5,29 +5,44 @@
 //! |---|---|
 //! | `patch` | flat and bilinear parts of a mesh |
 //! | `shadow` | projections along a direction, and the gap between two things that lie over each other |
-//! | `node` | pieces of the limit with the hulls that they are in |
+//! | `pieces` | what the search needs to know of a surface |
+//! | `node` | pieces of the limit, divided when they are needed |
 //! | `scene` | a mesh of a level, or a part of it, with its pieces of the limit and their rings |
 //! | `cover` | whether a piece of the mesh, or of the limit, is near the other set: the upper side |
 //! | `whole` | whether a point is far from a whole set: the lower side |
+//! | `sweep` | both sides for many units |
+//! | `units`, `sets` | polygon meshes as the search sees them |
 //! | `region` | which faces are looked at, and the parts of a mesh that they need |
-//! | `place` | a point of one set that is far from the other |
+//! | `place` | answers: levels, and a point of one set that is far from the other |
 //! | `relative` | tolerances as a share of the size of a mesh |
-//! | `level` | one level; `depth`: the least level that is sufficient |
+//! | `level` | one level of a polygon mesh; `levels`: from one to the next; `depth`: what a polygon mesh needs |
 
 mod cover;
 mod depth;
 mod level;
+mod levels;
 mod node;
 mod patch;
+mod pieces;
 mod place;
 mod region;
 mod relative;
 mod scene;
+mod sets;
 mod shadow;
+mod sweep;
+mod units;
 mod whole;
 
-pub use depth::{FaceDepth, GeometricDepth};
 pub use level::LEAST_SHARE;
 pub use patch::FaceSurface;
-pub use place::{GeometricPlace, SetKind};
+pub use place::{FaceDepth, GeometricDepth, GeometricPlace, SetKind};
 pub use relative::relative_tolerance;
+
+pub(in crate::patch) use cover::{FarPoint, Nearness};
+pub(in crate::patch) use levels::{Known, Levels, MAX_LEVEL, distances};
+pub(in crate::patch) use patch::Patch;
+pub(in crate::patch) use pieces::{Hull, MeshPart, Pieces, Sets, Unit, Units};
+pub(in crate::patch) use scene::Scene;
+pub(in crate::patch) use sweep::{far_distance, first_far, sweep};
+pub(in crate::patch) use whole::Whole;

@@ -1,4 +1,4 @@
-//! Where a point of one set is far from the other.
+//! How many levels are needed, and where a point of one set is far from the other.
 
 use crate::mesh::Point;
 
@@ -39,4 +39,27 @@ pub struct GeometricPlace {
     pub other: Point<f64>,
     /// A lower bound of the distance of the point from the other set.
     pub distance: f64,
+}
+
+/// How many levels a mesh, or a control polygon, needs as a set of points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GeometricDepth<P = GeometricPlace> {
+    /// The least level that was found to be sufficient.
+    pub level: u32,
+    /// The greatest level that is certainly not sufficient, with all levels below it; `None` where even
+    /// level 0 may be.
+    pub too_few: Option<u32>,
+    /// A point that shows that `too_few` is not sufficient.
+    pub beyond: Option<P>,
+}
+
+/// What one face of the control mesh needs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FaceDepth {
+    /// The least level that was found to be sufficient for its part of the mesh and its part of the limit.
+    pub level: u32,
+    /// Whether all levels below certainly are not.
+    pub is_least: bool,
+    /// The last distance that was found to be too great, and its level: a lower bound.
+    pub too_far: Option<(u32, f64)>,
 }

@@ -1,48 +1,20 @@
 //! A mesh of a level, or a part of it, with its pieces of the limit.
 
-use super::super::cell::Cell;
-use super::super::judge::{Judge, Rounded};
-use super::super::kind::Kind;
 use super::super::number::Vector as _;
-use super::super::number::combinations;
-use super::super::roots::{Roots, corners};
-use super::super::search::{Search, Verdict};
-use super::super::shapes::Shapes;
-use super::node::Nodes;
-use super::patch::{FaceSurface, Patch, length};
+use super::patch::length;
+use super::pieces::{Unit, Units};
 use super::place::SetKind;
 use super::shadow::Segment;
-use crate::mesh::{Connectivity, MeshError, MeshScheme, Point, PolygonMesh, Stencils, step_with};
+use crate::mesh::Point;
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
-/// How many pieces are looked at for the distance of a unit at equal parameters.
-const UNIT_STEPS: u64 = 400;
-
-/// A part of a face of the mesh, together with the part of the limit that has the same parameters: a quarter
-/// of a quadrilateral at a vertex, a quarter of a triangle.
-pub(super) struct Unit {
-    /// The face of the mesh of the level, and which part of it.
-    pub(super) face: usize,
-    pub(super) part: usize,
-    pub(super) patches: Vec<Patch>,
-    /// Whether the mesh on it is that of 91.
-    plain: bool,
-    base: Vec<Point<f64>>,
-    /// The numbers of the corners: of the vertices, then the edges, then the faces.
-    corners: Vec<usize>,
-}
-
 /// The mesh with its units.
-pub(super) struct Scene<'a> {
-    pub(super) shapes: &'a Shapes,
-    kind: Kind,
-    roots: Roots,
-    refined: Vec<Point<f64>>,
-    pub(super) units: Vec<Unit>,
+pub(in crate::patch) struct Scene<P> {
+    pub(in crate::patch) pieces: P,
+    pub(in crate::patch) units: Vec<Unit>,
     /// The units at each corner.
     at_corner: HashMap<usize, Vec<usize>>,
-    pub(super) judge: Rounded,
     /// How far lengths may be off.
     pub(super) slack: f64,
     moved: Vec<OnceLock<f64>>,
@@ -54,122 +26,24 @@ pub(super) struct Ring {
     pub(super) boundary: Vec<Segment>,
 }
 
-/// The pieces of a mesh before it is a scene: making them needs all shapes, which then are only read.
-pub(super) struct Stage {
-    mesh: PolygonMesh<f64>,
-    refined: Vec<Point<f64>>,
-    roots: Roots,
-}
-
-impl Stage {
-    pub(super) fn new(
-        mesh: PolygonMesh<f64>,
-        scheme: MeshScheme,
-        stencils: &Stencils<f64>,
-        shapes: &mut Shapes,
-    ) -> Result<Stage, MeshError> {
-        let next = step_with(&mesh, scheme, stencils)?;
-        let roots = Roots::of(scheme, mesh.connectivity(), next.connectivity(), shapes);
-        Ok(Stage { refined: next.points().to_vec(), roots, mesh })
-    }
-
-    pub(super) fn scene(
-        self,
-        scheme: MeshScheme,
-        surface: FaceSurface,
-        shapes: &Shapes,
-        judge: Rounded,
-    ) -> Scene<'_> {
-        let Stage { mesh, refined, roots } = self;
-        let connectivity = mesh.connectivity();
-        let rows = corners::<f64>(scheme, connectivity);
-        let triangles = Kind::Surface(scheme).is_triangular();
-        let units: Vec<Unit> = roots
-            .all
-            .iter()
-            .map(|root| {
-                let face = &mesh.faces()[root.face];
-                let points: Vec<Point<f64>> = face.iter().map(|&v| mesh.points()[v]).collect();
-                let base = combinations(&rows[&face.len()][root.part], &points);
-                let bilinear = surface.is_bilinear(face.len());
-                let corners = corner_numbers(connectivity, root.face, root.part, triangles);
-                let patches = Patch::between(&base, bilinear);
-                let (face, part) = (root.face, root.part);
-                Unit { face, part, patches, plain: bilinear || triangles, base, corners }
-            })
-            .collect();
+impl<P: Units> Scene<P> {
+    pub(in crate::patch) fn new(pieces: P, units: Vec<Unit>, slack: f64) -> Scene<P> {
         let mut at_corner: HashMap<usize, Vec<usize>> = HashMap::new();
         for (number, unit) in units.iter().enumerate() {
             for &corner in &unit.corners {
                 at_corner.entry(corner).or_default().push(number);
             }
         }
-        // At the highest level of pieces that are made here.
-        let slack = 4.0 * judge.slack(32);
         let moved = units.iter().map(|_| OnceLock::new()).collect();
-        let kind = Kind::Surface(scheme);
-        Scene { shapes, kind, roots, refined, units, at_corner, judge, slack, moved }
-    }
-}
-
-/// The numbers of the corners of a part of a face, in the order of `Roots`.
-fn corner_numbers(
-    connectivity: &Connectivity,
-    face: usize,
-    part: usize,
-    triangles: bool,
-) -> Vec<usize> {
-    let vertices = &connectivity.faces()[face];
-    let n = vertices.len();
-    let edge = |i: usize| connectivity.point_count() + connectivity.face_edges(face)[i % n];
-    if triangles && part == 3 {
-        return vec![edge(0), edge(1), edge(2)];
-    }
-    let (vertex, next, before) = (vertices[part], edge(part), edge(part + n - 1));
-    if triangles {
-        return vec![vertex, next, before];
-    }
-    let centre = connectivity.point_count() + connectivity.edges().len() + face;
-    vec![vertex, next, centre, before]
-}
-
-impl Scene<'_> {
-    /// The piece of the limit of a unit.
-    pub(super) fn cell(&self, unit: usize) -> Cell<Point<f64>> {
-        self.roots.cell(&self.roots.all[unit], self.shapes, &self.refined)
+        Scene { pieces, units, at_corner, slack, moved }
     }
 
-    fn based(&self, unit: usize) -> Cell<Point<f64>> {
-        Cell { base: Some(self.units[unit].base.clone()), ..self.cell(unit) }
-    }
-
-    /// Whether mesh and limit are within the tolerance on a unit, point by point at equal parameters.
     pub(super) fn is_near_by_parameter(&self, unit: usize) -> bool {
-        if !self.units[unit].plain {
-            return false;
-        }
-        let mut search = Search::new(self.shapes, self.kind, &self.judge, 0, UNIT_STEPS);
-        matches!(search.examine(self.based(unit)), Verdict::Within)
+        self.pieces.is_near_by_parameter(unit, &self.units[unit])
     }
 
-    /// The same for a mesh that is so many levels later, at least one. `regular`: only of regular pieces.
-    pub(super) fn is_near_later(&self, unit: usize, later: u32, regular: bool) -> bool {
-        let cell = self.cell(unit);
-        if regular && !self.shapes.get(cell.shape).is_regular() {
-            return false;
-        }
-        let mut search = Search::new(self.shapes, self.kind, &self.judge, later, UNIT_STEPS);
-        matches!(search.examine(cell), Verdict::Within)
-    }
-
-    /// How far the limit is at most from the mesh of 91, on a unit at equal parameters.
     fn moved(&self, unit: usize) -> f64 {
-        *self.moved[unit].get_or_init(|| {
-            let mut search = Search::new(self.shapes, self.kind, &self.judge, 0, UNIT_STEPS);
-            let (mut best, mut place) = (0.0, None);
-            let upper = search.measure(self.based(unit), 0.2, &mut best, &mut place);
-            upper.max(best)
-        })
+        *self.moved[unit].get_or_init(|| self.pieces.moved(unit, &self.units[unit]))
     }
 
     /// The units that are so many steps away, from corner to corner.
@@ -208,18 +82,10 @@ impl Scene<'_> {
         Ring { units, boundary: boundary.into_iter().map(|(_, segment)| segment).collect() }
     }
 
-    /// A f64 that is at most the tolerance.
-    pub(super) fn tolerance(&self) -> f64 {
-        Judge::<Point<f64>>::tolerance(&self.judge)
-    }
-}
-
-impl Scene<'_> {
     /// The points of a unit that are tried first: limits at its corners, corners of its mesh.
     pub(super) fn unit_points(&self, unit: usize) -> Vec<(Point<f64>, SetKind)> {
-        let mut nodes = Nodes::new(self.shapes);
-        let node = nodes.add(self.cell(unit));
-        let limits = nodes.get(node).limits.iter().map(|point| (*point, SetKind::Limit));
+        let hull = self.pieces.hull(&self.pieces.piece(unit));
+        let limits = hull.limits.into_iter().map(|point| (point, SetKind::Limit));
         let corners = self.units[unit].base.iter().map(|point| (*point, SetKind::Mesh));
         limits.chain(corners).collect()
     }

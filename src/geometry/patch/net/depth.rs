@@ -83,15 +83,23 @@ impl NetDistances {
     /// When the tolerance is not positive, or may need more levels than are looked at.
     pub fn depth(&self, tolerance: &Rational) -> Result<MeshDepth, NetError> {
         positive(tolerance)?;
-        let sure = self.sure_level(tolerance)?;
-        let descent = descend(sure, |level, left| self.examine(level, tolerance, left));
-        let Descent { level, beyond, exact_pieces } = descent;
+        let Descent { level, beyond, exact_pieces } = self.descended(tolerance)?;
         let (mut distance, worst) = self.measured(level);
         // What the level was found to be sufficient for may be less than what was measured.
         distance[1] = distance[1].min(upper(tolerance));
         let apart = if self.looks_apart { self.apart(level) } else { 0.0 };
         let (too_few, beyond) = beyond.unzip();
         Ok(MeshDepth { level, too_few, beyond, distance, worst, apart, exact_pieces })
+    }
+
+    fn descended(&self, tolerance: &Rational) -> Result<Descent, NetError> {
+        let sure = self.sure_level(tolerance)?;
+        Ok(descend(sure, |level, left| self.examine(level, tolerance, left)))
+    }
+
+    /// The level of the depth alone.
+    pub(super) fn level(&self, tolerance: &Rational) -> Result<u32, NetError> {
+        Ok(self.descended(tolerance)?.level)
     }
 
     /// The least level from which on simple bounds are within the tolerance.

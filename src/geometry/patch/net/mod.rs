@@ -13,12 +13,14 @@ mod formula;
 mod judge;
 mod measure;
 mod model;
+mod pieces;
 mod place;
 mod points;
 mod polynomial;
 mod rules;
 mod scaled;
 mod search;
+mod sets;
 
 pub use apriori::{NetAPriori, net_a_priori};
 pub use depth::NetDistances;

@@ -42,7 +42,9 @@ pub struct VertexForm {
     pub points: Vec<[String; 2]>,
     /// Two decimals around the Hölder exponent of the first derivatives; of a proof only.
     pub hoelder: Option<[String; 2]>,
-    /// `bounded`, `vanishing`, `unbounded`, or null.
+    /// Whether the exponent itself is one, as no Jordan block lowers it; null where that is not decided, or nothing is proved.
+    pub attained: Option<bool>,
+    /// `bounded`, `vanishing`, `growing` (unbounded, by a Jordan block), `unbounded`, or null.
     pub curvature: Option<&'static str>,
     /// The blocks that decide the last two.
     pub blocks: Vec<usize>,
@@ -58,7 +60,7 @@ pub struct VertexForm {
 pub struct ShapeForm {
     /// Its modulus.
     pub modulus: Exact,
-    /// `bounded`, `vanishing` or `unbounded`.
+    /// `bounded`, `vanishing`, `growing` or `unbounded`.
     pub curvature: &'static str,
 }
 
@@ -100,6 +102,7 @@ impl VertexForm {
             least_jacobian: least(vertex),
             points,
             hoelder: exponent.map(exponent_ends),
+            attained: exponent.and_then(|found| found.attained),
             curvature: exponent.map(|found| found.curvature.name()),
             blocks: exponent.map(|found| found.blocks.clone()).unwrap_or_default(),
             elliptic: shape(0),

@@ -1,0 +1,144 @@
+//! From one level to the next: the least level of all, and of each face.
+
+use super::place::{FaceDepth, GeometricDepth, GeometricPlace};
+use crate::exact::Rational;
+use crate::float::upper;
+
+/// The highest level that is looked at as a set of points.
+pub(in crate::patch) const MAX_LEVEL: u32 = 14;
+
+/// What is known of a face at a level.
+#[derive(Clone, Debug)]
+pub(in crate::patch) enum Known {
+    Near,
+    Far(GeometricPlace),
+    Open,
+}
+
+/// A surface that can be looked at level by level.
+pub(in crate::patch) trait Levels {
+    type Error;
+
+    /// How many faces there are.
+    fn count(&self) -> usize;
+
+    /// What is known of the faces that are asked for. Where `all` is false the search ends at the first face that is
+    /// far. A face that is not in the result is near.
+    fn examine(
+        &mut self,
+        level: u32,
+        wanted: &[bool],
+        all: bool,
+    ) -> Result<Vec<(usize, Known)>, Self::Error>;
+
+    /// A level that is sufficient at equal parameters, where that bounds the distance of the sets.
+    fn parametric(&self) -> Result<Option<u32>, Self::Error>;
+
+    /// That the levels are too many.
+    fn too_many(&self) -> Self::Error;
+
+    /// The least level that is sufficient.
+    fn depth(&mut self) -> Result<GeometricDepth, Self::Error> {
+        let wanted = vec![true; self.count()];
+        let (mut too_few, mut beyond, mut certain) = (None, None, true);
+        // A level that equal parameters show to be sufficient, found when it is needed.
+        let mut sure: Option<u32> = None;
+        for level in 0..=MAX_LEVEL {
+            if sure.is_some_and(|sure| sure <= level) {
+                return Ok(GeometricDepth { level, too_few, beyond });
+            }
+            let found = self.examine(level, &wanted, false)?;
+            let far = found.iter().find_map(|(_, known)| match known {
+                Known::Far(place) => Some(place.clone()),
+                _ => None,
+            });
+            let open = found.iter().any(|(_, known)| matches!(known, Known::Open));
+            match far {
+                Some(place) if certain => (too_few, beyond) = (Some(level), Some(place)),
+                Some(_) => {}
+                None if open => {
+                    certain = false;
+                    if sure.is_none() {
+                        sure = self.parametric()?;
+                    }
+                    if sure.is_some_and(|sure| sure <= level) {
+                        return Ok(GeometricDepth { level, too_few, beyond });
+                    }
+                }
+                None => return Ok(GeometricDepth { level, too_few, beyond }),
+            }
+        }
+        match sure.map_or_else(|| self.parametric(), |sure| Ok(Some(sure)))? {
+            Some(level) => Ok(GeometricDepth { level, too_few, beyond }),
+            None => Err(self.too_many()),
+        }
+    }
+
+    /// What each face needs.
+    fn faces(&mut self) -> Result<Vec<FaceDepth>, Self::Error> {
+        let none = FaceDepth { level: 0, is_least: true, too_far: None };
+        let mut faces = vec![none; self.count()];
+        let mut wanted = vec![true; faces.len()];
+        for level in 0..=MAX_LEVEL {
+            let mut next = vec![false; faces.len()];
+            for (face, known) in self.examine(level, &wanted, true)? {
+                match known {
+                    Known::Near => continue,
+                    Known::Open => faces[face].is_least = false,
+                    Known::Far(place) => faces[face].too_far = Some((level, place.distance)),
+                }
+                faces[face].level = level + 1;
+                next[face] = true;
+            }
+            if !next.contains(&true) {
+                return Ok(faces);
+            }
+            wanted = next;
+        }
+        Err(self.too_many())
+    }
+
+    /// Which of the faces that are asked for are within the tolerance of this search, of which `upper` is an upper bound;
+    /// `bounds` are those of their distances.
+    fn sharpen(
+        &mut self,
+        level: u32,
+        upper: f64,
+        wanted: &[bool],
+        bounds: &mut [[f64; 2]],
+    ) -> Result<Vec<bool>, Self::Error> {
+        let mut near = wanted.to_vec();
+        for (face, known) in self.examine(level, wanted, true)? {
+            match known {
+                Known::Near => continue,
+                Known::Open => {}
+                Known::Far(place) => bounds[face][0] = bounds[face][0].max(place.distance),
+            }
+            near[face] = false;
+        }
+        for (bounds, _) in bounds.iter_mut().zip(&near).filter(|(_, near)| **near) {
+            bounds[1] = upper;
+        }
+        Ok(near)
+    }
+}
+
+/// For each face a lower and an upper bound of its distance: with upper bounds ε, ε/2, ε/4 or ε/8, or infinite where ε
+/// is none. `search` makes the search for a tolerance.
+pub(in crate::patch) fn distances<S: Levels>(
+    level: u32,
+    tolerance: &Rational,
+    search: impl Fn(&Rational) -> Result<S, S::Error>,
+) -> Result<Vec<[f64; 2]>, S::Error> {
+    let (mut bounds, mut wanted) = (Vec::new(), Vec::new());
+    for halved in 0..4 {
+        let tolerance = tolerance * &Rational::new(1, 1_i64 << halved);
+        let mut search = search(&tolerance)?;
+        if halved == 0 {
+            bounds = vec![[0.0, f64::INFINITY]; search.count()];
+            wanted = vec![true; search.count()];
+        }
+        wanted = search.sharpen(level, upper(&tolerance), &wanted, &mut bounds)?;
+    }
+    Ok(bounds)
+}

@@ -1,0 +1,75 @@
+//! One unit after the other, in all cores.
+
+use super::super::number::Vector as _;
+use super::super::threads::in_threads;
+use super::super::work::MeshWork;
+use super::cover::{Cover, FarPoint, Nearness};
+use super::patch::length;
+use super::pieces::{Sets, Units};
+use super::scene::Scene;
+use super::whole::Whole;
+use crate::exact::Rational;
+use crate::float::nearest;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// How many points are tried at the units that are farthest by parameter.
+const TRIED: usize = 400;
+
+/// What is known of some units; where `all` is false, the others are open once one is far.
+pub(in crate::patch) fn sweep<P: Units, S: Sets>(
+    scene: &Scene<P>,
+    own: &[usize],
+    whole: &Whole<S>,
+    tolerance: f64,
+    work: &MeshWork,
+    all: bool,
+) -> Vec<Nearness> {
+    let stop = AtomicBool::new(false);
+    let is_far = |point: &_, from| whole.is_beyond(point, from, tolerance.next_up());
+    in_threads(own, |&unit| {
+        if work.is_stopped() || stop.load(Ordering::Relaxed) {
+            return Nearness::Open;
+        }
+        let nearness = Cover::unit(scene, unit, &is_far);
+        if matches!(nearness, Nearness::Far(_)) && !all {
+            stop.store(true, Ordering::Relaxed);
+        }
+        nearness
+    })
+}
+
+/// The first of some points of units that is far from the other set: for a level that is far from sufficient.
+pub(in crate::patch) fn first_far<P: Units, S: Sets>(
+    scene: &Scene<P>,
+    own: &[usize],
+    whole: &Whole<S>,
+) -> Option<FarPoint> {
+    let tolerance = scene.pieces.tolerance() * 1.000_001;
+    let step = own.len().div_ceil(TRIED).max(1);
+    let tried: Vec<usize> = own.iter().copied().step_by(step).collect();
+    let far = in_threads(&tried, |&unit| {
+        let points = scene.unit_points(unit);
+        points.into_iter().find(|(point, from)| whole.is_beyond(point, *from, tolerance))
+    });
+    tried.iter().zip(far).find_map(|(&unit, far)| {
+        let (point, from) = far?;
+        Some(FarPoint { unit, from, point, other: scene.near(unit, &point, from) })
+    })
+}
+
+/// The greatest of a few lower bounds of the distance of a far point that holds; `tolerance` is one, in the scale of
+/// the sets.
+pub(in crate::patch) fn far_distance<S: Sets>(
+    whole: &Whole<S>,
+    far: &FarPoint,
+    tolerance: &Rational,
+) -> f64 {
+    let least = nearest(tolerance);
+    let greatest = length(&far.other.minus(&far.point));
+    let share = |i: u32| least + (greatest - least) * f64::from(i) / 16.0;
+    (0..16)
+        .rev()
+        .map(share)
+        .find(|&distance| distance > least && whole.is_beyond(&far.point, far.from, distance))
+        .unwrap_or(least)
+}
