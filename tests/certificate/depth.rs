@@ -82,7 +82,7 @@ fn depths_of_nets_are_certified() {
         let scheme = net_scheme(scheme);
         let distances = NetDistances::new(net.clone(), &scheme).expect("a small net");
         let found = distances.geometric_depth(&tolerance).expect("few levels");
-        let directions = scheme.masks().into_iter().zip(net.sizes()).zip(distances.ranges());
+        let directions = scheme.masks().iter().zip(net.sizes()).zip(distances.ranges());
         let directions: Vec<DepthDirection<'_>> = directions
             .map(|((mask, count), range)| DepthDirection { mask, count, range })
             .collect();

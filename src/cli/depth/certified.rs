@@ -59,7 +59,7 @@ pub(super) fn of_net(
 ) -> Outcome {
     let ranges = distances.ranges();
     let direction = |((mask, count), range)| DepthDirection { mask, count, range };
-    let directions = scheme.masks().into_iter().zip(net.sizes()).zip(ranges);
+    let directions = scheme.masks().iter().zip(net.sizes()).zip(ranges);
     let directions: Vec<DepthDirection<'_>> = directions.map(direction).collect();
     let points: Vec<Vec<Rational>> = net.points().iter().map(|point| point.to_vec()).collect();
     let places = found

@@ -59,8 +59,8 @@ pub fn parts(net: &Net, cell: Cell) -> Vec<Cell> {
 
 /// Whether a cell has something of the range.
 pub fn is_inside(net: &Net, level: u32, cell: Cell) -> Check<bool> {
-    for which in 0..net.count() {
-        if net.nodes(which, level, cell[which], 0)?.is_empty() {
+    for (which, index) in cell.into_iter().enumerate().take(net.count()) {
+        if net.nodes(which, level, index, 0)?.is_empty() {
             return Ok(false);
         }
     }
@@ -107,8 +107,8 @@ fn cover(net: &mut Net, level: u32, piece: Piece, meter: &Meter) -> Check<()> {
             Set::Polygon => (net.hull(own, cell, level)?, net.slack(level)?),
         };
         let mut middle = Vec::with_capacity(2);
-        for which in 0..net.count() {
-            let nodes = net.nodes(which, own, cell[which], 0)?;
+        for (which, index) in cell.into_iter().enumerate().take(net.count()) {
+            let nodes = net.nodes(which, own, index, 0)?;
             let sum = nodes[0].times_plus(1, 1, nodes[nodes.len() - 1])?;
             middle.push(Ratio { top: sum.top, bottom: 2 * sum.bottom });
         }

@@ -127,12 +127,12 @@ impl<'a> Net<'a> {
             .iter()
             .map(|point| point.iter().zip(&points[0]).map(coordinate).collect::<Check<Point>>())
             .collect::<Check<Vec<Point>>>()?;
-        let ranges = directions.iter().map(|direction| match &direction.range {
-            Some([from, to]) => Ok([Ratio::of(from)?, Ratio::of(to)?]),
-            None => {
-                let whole = |x: i64| Ratio { top: x.into(), bottom: 1 };
-                Ok([whole(0), whole(direction.count)])
+        let ranges = directions.iter().map(|direction| {
+            if let Some([from, to]) = &direction.range {
+                return Ok([Ratio::of(from)?, Ratio::of(to)?]);
             }
+            let whole = |x: i64| Ratio { top: x.into(), bottom: 1 };
+            Ok([whole(0), whole(direction.count)])
         });
         let ranges = ranges.collect::<Check<Vec<[Ratio; 2]>>>()?;
         let of = |of: fn(&Direction) -> &Q| {
@@ -225,11 +225,10 @@ impl<'a> Net<'a> {
     /// The point of a level.
     pub fn point(&mut self, level: u32, index: [i64; 2]) -> Check<Point> {
         let mut index = index;
-        for which in 0..self.count() {
-            let direction = &self.directions[which];
+        for (which, (index, direction)) in index.iter_mut().zip(self.directions).enumerate() {
             if direction.range.is_none() {
                 let all = i128::from(direction.count) * self.unit(which, level)?;
-                index[which] = i64::try_from(i128::from(index[which]).rem_euclid(all)).unwrap_or(0);
+                *index = i64::try_from(i128::from(*index).rem_euclid(all)).unwrap_or(0);
             }
         }
         if let Some(point) = self.known.get(&(level, index)) {
@@ -253,16 +252,15 @@ impl<'a> Net<'a> {
         let (row, up, over) = rule(0);
         let mut terms = Vec::with_capacity(up.len());
         for (i, x) in up {
-            let point = match directions.len() {
-                1 => self.point(level - 1, [row + i, 0])?,
-                _ => {
-                    let (column, along, over) = rule(1);
-                    let mut terms = Vec::with_capacity(along.len());
-                    for (j, y) in along {
-                        terms.push((*y, self.point(level - 1, [row + i, column + j])?));
-                    }
-                    self.combined(&terms, over)?
+            let point = if directions.len() == 1 {
+                self.point(level - 1, [row + i, 0])?
+            } else {
+                let (column, along, over) = rule(1);
+                let mut terms = Vec::with_capacity(along.len());
+                for (j, y) in along {
+                    terms.push((*y, self.point(level - 1, [row + i, column + j])?));
                 }
+                self.combined(&terms, over)?
             };
             terms.push((*x, point));
         }
@@ -342,7 +340,7 @@ impl<'a> Net<'a> {
         for row in &nodes[0] {
             for column in &nodes[1] {
                 let [own, other] = [level, net].map(|net| self.at(net, &[*row, *column]));
-                greatest = greatest.max(square(&*own?, &*other?));
+                greatest = greatest.max(square(&own?, &other?));
             }
         }
         Ok(length(greatest))
