@@ -1,7 +1,7 @@
 //! Smoothness, spectra, joint spectral radii, and where limits are smooth.
 
 use crate::algebraic::Algebraic;
-use crate::error::plain;
+use crate::error::{plain, with_remedy};
 use crate::number::{Fraction, fraction, rationals};
 use crate::run::aside;
 use crate::scheme::{Ends, Native, ends};
@@ -13,9 +13,9 @@ use subcert::exact::{Enclosed, Interval, Rational, RealCyclotomic, RealExpressio
 use subcert::float::nearest;
 use subcert::joint::{MatrixSet, joint_radius};
 use subcert::report::{verdict_name, verdict_reason};
-use subcert::scheme::{AnyScheme, open_parameters, parse_any_scheme, parse_parametric};
+use subcert::scheme::{names_ring, open_parameters, parse_parametric};
 use subcert::smoothness::{Hoelder, Smoothness, smooth_range as computed};
-use subcert::spectrum::{Curvature, Spectrum, surroundings};
+use subcert::spectrum::{Curvature, Spectrum, SpectrumError, surroundings};
 
 /// A real number: exactly as text, as a fraction if it is one, and the nearest float.
 type Real = (String, Option<Fraction>, f64);
@@ -72,10 +72,21 @@ pub fn version() -> &'static str {
     env!("CARGO_PKG_VERSION")
 }
 
+/// The error, with the argument that gives a valence, if that is what is missing.
+fn of_rules(error: &SpectrumError) -> PyErr {
+    match error {
+        SpectrumError::Scheme(missing) if missing.asks_for_valence() => with_remedy(
+            &missing.to_string(),
+            "or give the valence apart, as in spectrum(valence=5)",
+        ),
+        other => plain(other),
+    }
+}
+
 /// Whether a text names rules around a vertex or on a face.
 #[pyfunction]
 pub fn is_ring(text: &str) -> bool {
-    matches!(parse_any_scheme(text), Ok(AnyScheme::LocalRules(_)))
+    names_ring(text).unwrap_or(false)
 }
 
 /// The parameters that a text leaves open.
@@ -132,7 +143,7 @@ pub fn vertex_smoothness(
         py,
         || (),
         move || {
-            let vertex = Vertex::of(&scheme, valence).map_err(plain)?;
+            let vertex = Vertex::of(&scheme, valence).map_err(|error| of_rules(&error))?;
             let verdict = &vertex.verdict;
             Ok((vertex.spectrum.order, verdict_name(verdict), verdict_reason(verdict)))
         },
@@ -147,7 +158,7 @@ pub fn spectrum(py: Python<'_>, scheme: String, valence: Option<usize>) -> PyRes
         py,
         || (),
         move || {
-            let rings = surroundings(&scheme, valence).map_err(plain)?;
+            let rings = surroundings(&scheme, valence).map_err(|error| of_rules(&error))?;
             let Spectrum { order, eigenvalues, conditions, limit, tangents } =
                 rings.spectrum().map_err(plain)?;
             let each = eigenvalues.iter().map(|one| {

@@ -79,6 +79,8 @@ def test_ranges_of_smoothness():
         (lambda: jsr([[[object()]]]), "object"),
         (lambda: jsr([[[float("nan")]]]), "nan is no number"),
         (lambda: Scheme("chaikin").spectrum(5), "no ring"),
+        (lambda: Scheme("loop").spectrum(), "spectrum(valence=5)"),
+        (lambda: Scheme("loop").smoothness(), "spectrum(valence=5)"),
         (lambda: Scheme("chaikin x chaikin").smoothness(), "tensor product"),
         (lambda: Scheme("loop").smoothness(2), ""),
         (lambda: Scheme("loop").smoothness(10**6), ""),

@@ -92,6 +92,12 @@ def test_numbers_of_all_kinds():
     [
         (lambda: Scheme("chaikn"), "chaikin"),
         (lambda: Scheme("six-point").contraction(1), "`w`"),
+        (lambda: Scheme(mask=[1, 3, 3, 1]), r"""Scheme("[1, 3, 3, 1]/4")"""),
+        (lambda: Scheme(mask=["3/4", "1/4"]), "a mask is a list of rules"),
+        (lambda: Scheme(mask=7), "a mask is a list of rules"),
+        (lambda: Scheme([1, 3, 3, 1]), "a list is no name of a scheme"),
+        (lambda: Scheme("chaikin").refine("polygon.csv"), "read a file first"),
+        (lambda: Scheme("chaikin").depth(1, polygon="polygon.csv"), "no list of points"),
         (lambda: Scheme(mask=[[0.1, 0.9], [1, 0]]), 'write "0.1" for 1/10'),
         (lambda: Scheme(mask=[[float("inf"), 0.9], [1, 0]]), "inf is no number"),
         (lambda: Scheme("six-point", w=float("nan")), "nan is no number"),

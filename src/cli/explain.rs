@@ -8,7 +8,7 @@ use super::output::{Failure, Outcome, deliver};
 use super::papers::{judge_claim, select};
 use super::projects;
 use subcert::audit::{self, by_hand, readings};
-use subcert::claim::{Paper, Table};
+use subcert::claim::{Paper, RegularityCell, Table};
 use subcert::report::html::explain_page;
 use subcert::report::json::Explained;
 use subcert::report::{Background, corrected_table, explain_sheet, table_of};
@@ -30,6 +30,9 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
     if claim.is_empty() {
         return list(paper, arguments);
     }
+    let own = cell_of_smoothness(paper, claim).map(|name| format!("{key}:{name}"));
+    let id = own.as_ref().unwrap_or(id);
+    let claim = id.split_once(':').map_or("", |(_, claim)| claim);
     check(paper, claim)?;
     let name = claim.split(':').next().unwrap_or(claim);
     let to = Destination::of(&arguments.output, &id.replace(':', "."))?;
@@ -96,6 +99,17 @@ fn list(paper: &Paper, arguments: &ExplainArguments) -> Outcome {
     }
 }
 
+/// The id of the claim that is this cell of a table of smoothness: of `table-1:2:1`, `table-1.2.order`.
+fn cell_of_smoothness<'a>(paper: &'a Paper, claim: &str) -> Option<&'a str> {
+    let (table, at) = claim.split_once(':')?;
+    let is_at = |cell: &RegularityCell| at == format!("{}:{}", cell.row + 1, cell.column + 1);
+    let found = paper
+        .smoothness
+        .iter()
+        .find(|claim| claim.is_cell_of(table) && claim.cell.as_ref().is_some_and(is_at))?;
+    Some(&found.id)
+}
+
 /// Checks that the paper has this claim, before all of its claims are judged.
 fn check(paper: &Paper, claim: &str) -> Outcome {
     let key = &paper.key;
@@ -104,18 +118,14 @@ fn check(paper: &Paper, claim: &str) -> Outcome {
         None => (claim, None),
     };
     let claims = Listed::all(paper);
+    if paper.smoothness.iter().any(|claim| claim.is_cell_of(name)) {
+        return cell.map_or(Ok(()), |cell| {
+            Err(Failure::Input(format!(
+                "`{key}:{name}` has no statement in a cell `{cell}`; `subcert explain {key}:{name}` has all of them"
+            )))
+        });
+    }
     if !claims.iter().any(|listed| listed.id == name) {
-        let cells = paper
-            .smoothness
-            .iter()
-            .filter(|claim| claim.cell.as_ref().is_some_and(|cell| cell.table.id == name));
-        let cells: Vec<String> = cells.map(|claim| format!("{key}:{}", claim.id)).collect();
-        if !cells.is_empty() {
-            return Err(Failure::Input(format!(
-                "each cell of `{key}:{name}` is a claim of its own: explain {}; `subcert audit` shows the table",
-                cells.join(" or ")
-            )));
-        }
         let meant = did_you_mean(name, claims.iter().map(|listed| listed.id));
         return Err(Failure::Input(format!(
             "`{key}` has no claim `{name}`{meant}; `subcert explain {key}` lists its claims"

@@ -2,13 +2,12 @@
 
 use std::fs::{File, create_dir_all, remove_file, rename};
 use std::io::{self, Write as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Writes a file; if that fails, a file that was there before is unchanged. A link is followed, and what is no regular
 /// file, such as a pipe, is written into.
 pub(super) fn save(path: &Path, text: &str) -> io::Result<()> {
-    let resolved = path.canonicalize();
-    let path = resolved.as_deref().unwrap_or(path);
+    let path = &target(path)?;
     if path.metadata().is_ok_and(|data| !data.is_file() && !data.is_dir()) {
         return File::options().write(true).open(path)?.write_all(text.as_bytes());
     }
@@ -25,4 +24,20 @@ pub(super) fn save(path: &Path, text: &str) -> io::Result<()> {
         let _ = remove_file(&draft);
     }
     done
+}
+
+/// As many links are followed, one from the other, as Linux follows.
+const MAX_LINKS: usize = 40;
+
+/// What a path leads to, also if nothing is there yet.
+fn target(path: &Path) -> io::Result<PathBuf> {
+    if let Ok(found) = path.canonicalize() {
+        return Ok(found);
+    }
+    let mut path = path.to_path_buf();
+    for _ in 0..MAX_LINKS {
+        let Ok(next) = path.read_link() else { return Ok(path) };
+        path = path.parent().unwrap_or(Path::new("")).join(next);
+    }
+    Err(io::Error::other("the link leads to itself"))
 }

@@ -13,12 +13,12 @@ use super::vertex;
 use subcert::certificate::smoothness_certificate;
 use subcert::exact::{Integer, Rational, RationalPolynomial, format::short};
 use subcert::report::{Sheet, html::FindingPage, json::Exact};
-use subcert::scheme::{AnyScheme, Mask, parse_any_scheme};
+use subcert::scheme::{Mask, names_ring};
 use subcert::smoothness::{Coefficient, Hoelder, Smoothness, Symbol, contractions};
 
 pub(super) fn smoothness(arguments: &SmoothnessArguments) -> Outcome {
     let to = Destination::of(&arguments.output, &format!("smoothness-{}", arguments.scheme))?;
-    let ring = || matches!(parse_any_scheme(&arguments.scheme), Ok(AnyScheme::LocalRules(_)));
+    let ring = || names_ring(&arguments.scheme).unwrap_or(false);
     if arguments.valences.is_some() || (arguments.certificate.is_none() && ring()) {
         return vertex::vertex(arguments, &to);
     }

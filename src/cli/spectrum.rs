@@ -23,7 +23,8 @@ const NECESSARY: &str = "These conditions on eigenvalues are necessary only: for
 const SHOWN_WEIGHTS: usize = 12;
 
 pub(super) fn spectrum(arguments: &SpectrumArguments) -> Outcome {
-    let rings = surroundings(&arguments.scheme, arguments.valence).map_err(failure)?;
+    let rings = surroundings(&arguments.scheme, arguments.valence)
+        .map_err(|error| failure_without_valence(error, "--valence 5"))?;
     let progress = Progress::of_spectra(Arc::new(AtomicU64::new(0)), 1, true);
     let spectrum = rings.spectrum().map_err(failure)?;
     drop(progress);
@@ -35,6 +36,16 @@ pub(super) fn failure(error: SpectrumError) -> Failure {
     match error {
         SpectrumError::Scheme(error) => Failure::from(error),
         other => Failure::Input(other.to_string()),
+    }
+}
+
+/// The failure, with the flag that gives a valence, if that is what is missing.
+pub(super) fn failure_without_valence(error: SpectrumError, flag: &str) -> Failure {
+    match error {
+        SpectrumError::Scheme(error) if error.asks_for_valence() => {
+            Failure::Input(format!("{error}, or give the valence apart: `{flag}`"))
+        }
+        other => failure(other),
     }
 }
 

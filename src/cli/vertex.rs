@@ -4,7 +4,7 @@ use super::arguments::{SmoothnessArguments, Valences};
 use super::finding::{Destination, command};
 use super::json::{SCHEMA, vertex as form};
 use super::output::{Failure, Outcome};
-use super::spectrum::failure;
+use super::spectrum::{failure, failure_without_valence};
 use subcert::characteristic::{Family, ORDERED, Vertex, regular_for_all_valences};
 use subcert::report::html::{FindingPage, Picture};
 use subcert::report::json::VertexForm;
@@ -16,7 +16,10 @@ pub(super) fn vertex(arguments: &SmoothnessArguments, to: &Destination) -> Outco
     let scheme = &arguments.scheme;
     let (mut all, mut found) = (None, Vec::new());
     match arguments.valences {
-        None => found.push(Vertex::of(scheme, None).map_err(failure)?),
+        None => {
+            let vertex = Vertex::of(scheme, None);
+            found.push(vertex.map_err(|error| failure_without_valence(error, "--valences 5"))?);
+        }
         Some(Valences::Some(first, last)) => {
             for n in first..=last {
                 found.push(Vertex::of(scheme, Some(n)).map_err(failure)?);

@@ -103,6 +103,20 @@ fn what_is_ambiguous_is_refused_with_its_place_and_a_remedy() {
     assert!(error.source.text[error.span.start..].starts_with(hidden));
 }
 
+/// An array is no table, though it holds the fields in their order.
+#[test]
+fn a_figure_is_a_table() {
+    let with = |figures: &str| {
+        read(&format!("columns = {C}\ncells = [['1', '2']]\nfigures = [{figures}]"))
+    };
+    assert_eq!(with("{ locus = 'F' }").expect("a file").tables[0].figures[0].locus, "F");
+    for figures in ["['F']", "[1]", "'F'"] {
+        let error = with(figures).expect_err(figures);
+        assert!(error.to_string().contains("expected a table such as { locus"), "{error}");
+        assert!(error.source.text[error.span.start..].starts_with(figures), "{error}");
+    }
+}
+
 #[test]
 fn an_index_has_no_schemes() {
     let equation = "[[equation]]\nid = 'e'\nlocus = ''\nleft = '1'\nright = '1'\n\

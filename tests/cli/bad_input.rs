@@ -1,7 +1,7 @@
 //! Bad input: exit code 2, nothing on the standard output, and a message with
 //! the place and a remedy.
 
-use super::{assert_parts, refused};
+use super::{TemporaryFile, assert_parts, refused};
 
 /// Audits a claim file with this text.
 fn refused_paper(name: &str, text: &str) -> String {
@@ -84,6 +84,17 @@ fn rings() {
     for (arguments, parts) in cases {
         assert_parts(&refused(arguments.iter().copied()), parts);
     }
+}
+
+/// The remedy names the file as it is typed, not the name that it gives the scheme.
+#[test]
+fn a_scheme_of_a_file() {
+    let file = TemporaryFile::new(
+        "own.toml",
+        "name = 'mine'\nparameters.w = {}\nmask = [['w', '1 - w'], ['0', '1']]\n",
+    );
+    let remedy = format!("write `{}:w=…`", file.path());
+    assert_parts(&refused(["scheme", file.path()]), &[&remedy]);
 }
 
 #[test]
@@ -341,10 +352,13 @@ fn a_file_that_has_not_begun_is_told_how_to_begin() {
 }
 
 #[test]
-fn a_table_of_smoothness_names_its_cells() {
+fn a_cell_of_a_table_of_smoothness_that_states_nothing() {
     let file = "examples/smoothness.toml";
-    let message = refused(["explain", "doe2026-smoothness:table-1", file]);
-    assert_parts(&message, &["each cell", "doe2026-smoothness:table-1.1.order", "subcert audit"]);
+    // The second exponent of the table is not printed.
+    for cell in ["2:2", "4:1", "0:1", "x"] {
+        let message = refused(["explain", &format!("doe2026-smoothness:table-1:{cell}"), file]);
+        assert_parts(&message, &[&format!("cell `{cell}`"), "explain doe2026-smoothness:table-1`"]);
+    }
 }
 
 #[test]

@@ -89,6 +89,66 @@ fn explain_a_cell_an_equation_and_a_theorem() {
         .stdout_eq(file!["snapshots/explain-theorem.txt"]);
 }
 
+/// A table of smoothness has each of its cells in full, and a cell has two names.
+#[test]
+fn explain_a_table_of_smoothness() {
+    let explain = |id: &str, format: &str| {
+        let id = format!("doe2026-smoothness:{id}");
+        written(["explain", &id, "examples/smoothness.toml", "--format", format])
+    };
+    let table = explain("table-1", "text");
+    let order = explain("table-1:1:1", "text");
+    assert_eq!(order, explain("table-1.1.order", "text"));
+    let words = |text: &str| text.split_whitespace().collect::<Vec<&str>>().join(" ");
+    let whole = words(&table);
+    // All lines of a cell but its title and the rule below it.
+    for (cell, text) in [("1.order", order), ("3.exponent", explain("table-1:3:2", "text"))] {
+        assert!(whole.contains(&format!("doe2026-smoothness:table-1.{cell} · Table 1")), "{table}");
+        let facts = text.split_once("\n  ").expect("facts").1;
+        assert!(facts.contains("matrices"), "{facts}");
+        assert!(whole.contains(&words(facts)), "{facts} is not in {table}");
+    }
+    let form: serde_json::Value = serde_json::from_str(&explain("table-1", "json")).expect("JSON");
+    let ids: Vec<&str> = form["claims"]
+        .as_array()
+        .expect("claims")
+        .iter()
+        .filter_map(|c| c["id"].as_str())
+        .collect();
+    let all = ["1.order", "2.order", "3.order", "1.exponent", "3.exponent"];
+    assert_eq!(ids.len(), all.len(), "{ids:?}");
+    assert!(all.iter().all(|id| ids.contains(&&format!("doe2026-smoothness:table-1.{id}")[..])));
+    let page = explain("table-1", "html");
+    assert!(page.contains("4 of the 5 statements of Table 1 are confirmed."), "{page}");
+}
+
+/// What a link leads to is written, whether it is there already or not; the link stays.
+#[cfg(unix)]
+#[test]
+fn a_link_is_written_through() {
+    let folder = std::env::temp_dir().join(format!("subcert-{}-links", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let (file, link, round) = (folder.join("file.txt"), folder.join("link"), folder.join("round"));
+    std::os::unix::fs::symlink("file.txt", &link).expect("a link");
+    std::os::unix::fs::symlink("round", &round).expect("a link");
+    let write = |to: &std::path::Path| {
+        subcert(["schemes", "-o", to.to_str().expect("a path")])
+            .output()
+            .expect("the program runs")
+            .status
+            .code()
+    };
+    for _ in 0..2 {
+        assert_eq!(write(&link), Some(0));
+        assert!(std::fs::read_to_string(&file).expect("the file").contains("chaikin"));
+        assert!(link.is_symlink() && !file.is_symlink());
+        std::fs::write(&file, "old").expect("the file");
+    }
+    assert_eq!(write(&round), Some(2));
+    assert!(round.is_symlink());
+    std::fs::remove_dir_all(&folder).expect("the folder is there");
+}
+
 #[test]
 fn constants_of_a_curve_and_of_a_surface() {
     subcert(["constants", "newton:j=1,n=3", "--forward"])

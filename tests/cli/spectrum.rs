@@ -89,7 +89,8 @@ fn bad_input() {
     assert_parts(&spectrum("loop:N=5", "5"), &["leaves no parameter `N` or `n` open"]);
     assert_parts(&spectrum("chaikin", "5"), &["is no ring of points"]);
     assert_parts(&spectrum("lop", "5"), &["did you mean `loop`?"]);
-    assert_parts(&refused(["spectrum", "loop"]), &["needs its parameter `N`"]);
+    assert_parts(&refused(["spectrum", "loop"]), &["needs its parameter `N`", "`--valence 5`"]);
+    assert_parts(&refused(["smoothness", "loop"]), &["parameter `N`", "`--valences 5`"]);
     let turned = TemporaryFile::new(
         "turned.toml",
         "name = 'turned'\ntitle = 't'\nsource = 's 2000'\nparameters.n = { about = 'the valence' }\n\

@@ -95,3 +95,25 @@ fn a_table_of_orders_and_exponents_has_its_shape_and_a_verdict_in_each_cell() {
         "{page}"
     );
 }
+
+/// Where a paper does not say whether the ends belong to a range, none of them is printed as if it did.
+#[test]
+fn ends_that_are_neither_open_nor_closed() {
+    let range = |fields: &str| {
+        let claims = format!(
+            "[[range]]\nid = 'r'\nlocus = 'R'\nvariable = 'w'\nvalue = 'w^2'\nbelow = '1/4'\n{fields}\n"
+        );
+        let paper = paper(&claims);
+        audit_sheet(&[judged(&paper)], true).to_text(None)
+    };
+    for (fields, said) in [
+        ("from = '0'\nto = '0.3'", "printed w from 0 to 0.3;"),
+        ("from = '0'", "printed w from 0 on;"),
+        ("to = '0.3'", "printed w up to 0.3;"),
+        ("from = '0'\nto = '0.3'\nclosed = true", "printed 0 <= w <= 0.3;"),
+        ("from = '0'\nto = '0.3'\nclosed = false", "printed 0 < w < 0.3;"),
+    ] {
+        let text = range(fields);
+        assert!(text.contains(said), "{text}");
+    }
+}

@@ -37,7 +37,8 @@ fn a_file_is_a_scheme_with_parameters() {
     let tensor = parse_scheme(&format!("{text}:w=1/8 x chaikin")).unwrap();
     assert_eq!(tensor, parse_scheme("chaikin x chaikin").unwrap());
     let error = parse_scheme(&format!("{text}:v=1")).unwrap_err().to_string();
-    assert!(error.contains("`corner` has no parameter `v`; it has: w"), "{error}");
+    let expected = format!("`{text}` has no parameter `v`; it has: w");
+    assert!(error.contains(&expected), "{error}");
     std::fs::remove_file(path).unwrap();
 }
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from os import PathLike
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union, overload
 
 from . import _native
@@ -222,7 +223,7 @@ class Scheme:
         if mask is not None:
             if parameters:
                 raise SubcertError("a mask has no parameters")
-            rows = [list(row) for row in mask]
+            rows = _rows(mask)
             try:
                 self._known = _native._Native.of_mask(rows, offset)
             except SubcertError as error:
@@ -230,8 +231,10 @@ class Scheme:
                     remedy = 'a float is the number that it is: write "0.1" for 1/10'
                     raise SubcertError(error.message, remedy=remedy) from None
                 raise
-        else:
+        elif isinstance(name, (str, PathLike)):
             self._text = _text(str(name), parameters)
+        else:
+            raise SubcertError(f"a {type(name).__name__} is no name of a scheme", remedy=_MASKS)
 
     @property
     def _native(self) -> Any:
@@ -473,6 +476,23 @@ def _above(value: Fraction) -> float:
     return nearest if Fraction(nearest) >= value else math.nextafter(nearest, math.inf)
 
 
+_MASKS = (
+    'write the rules of a mask as Scheme(mask=[["3/4", "1/4"], ["1/4", "3/4"]]), or its symbol as text, '
+    'Scheme("[1, 3, 3, 1]/4")'
+)
+
+
+def _rows(mask: Any) -> List[List[Any]]:
+    """The coefficients of a mask, rule by rule."""
+    try:
+        rows = [row if isinstance(row, str) else list(row) for row in mask]
+    except TypeError:
+        rows = [""]
+    if any(isinstance(row, str) for row in rows):
+        raise SubcertError("a mask is a list of rules, and a rule a list of coefficients", remedy=_MASKS)
+    return rows
+
+
 def _text(name: str, parameters: Dict[str, Number]) -> str:
     values = []
     for key, value in parameters.items():
@@ -483,6 +503,11 @@ def _text(name: str, parameters: Dict[str, Number]) -> str:
 def _coordinates(points: Any) -> Tuple[List[List[Any]], bool, Any]:
     """One list for each coordinate, whether points are tuples, and what makes an array of a list."""
     array = None
+    if isinstance(points, (str, PathLike)):
+        raise SubcertError(
+            f"{str(points)!r} is text, and no list of points",
+            remedy='read a file first: numpy.loadtxt("polygon.csv", delimiter=",")',
+        )
     if hasattr(points, "dtype") and hasattr(points, "tolist"):
         import numpy
 

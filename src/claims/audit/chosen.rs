@@ -14,7 +14,7 @@ impl Chosen {
 
     /// A claim, and the claims that its finding needs: of a theorem, those on which it rests,
     /// directly or through other theorems; of a table, those that are judged with it or have an
-    /// open parameter in common with it.
+    /// open parameter in common with it. The cells of a table of smoothness are claims of their own.
     pub(super) fn claim(paper: &Paper, id: &str) -> Chosen {
         let mut ids: BTreeSet<&str> = BTreeSet::new();
         let mut waiting = vec![id];
@@ -28,6 +28,8 @@ impl Chosen {
                 waiting.extend(by_hand.map(String::as_str));
             }
         }
+        let cells = paper.smoothness.iter().filter(|claim| claim.is_cell_of(id));
+        ids.extend(cells.map(|claim| &claim.id[..]));
         let groups = related(paper);
         loop {
             let before = ids.len();

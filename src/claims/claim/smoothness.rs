@@ -29,6 +29,12 @@ pub struct SmoothnessClaim {
 }
 
 impl SmoothnessClaim {
+    /// Whether it is a cell of the table of this id.
+    #[must_use]
+    pub fn is_cell_of(&self, table: &str) -> bool {
+        self.cell.as_ref().is_some_and(|cell| cell.table.id == table)
+    }
+
     /// The range that it states, if it is about one.
     #[must_use]
     pub fn range(&self) -> Option<&SmoothRangeStatement> {

@@ -1,5 +1,6 @@
 //! The depth by the sound bound, and as papers compute it.
 
+use super::numbers::levels;
 use crate::cli::json::depth as form;
 use subcert::bound::{
     ClassCap, Constants, DepthError, Operator, Order, SoundBound, SoundDepth, Terms, displacement,
@@ -95,14 +96,14 @@ impl Bounds {
 
     pub(super) fn facts(&self) -> Vec<(String, String)> {
         let sound = match &self.sound {
-            Ok(depth) => format!("{} levels, by blocks of {}", depth.level, depth.block),
+            Ok(depth) => format!("{}, by blocks of {}", levels(depth.level), depth.block),
             Err(error) => format!("none: {error}"),
         };
         let depths = (1..).zip(&self.printed).filter_map(|(c, (_, depth)): (u32, _)| {
             let depth = depth.as_ref().ok()?;
             Some((*depth, c))
         });
-        let printed = depths.min().map(|(depth, c)| format!("{depth} levels, with c = {c}"));
+        let printed = depths.min().map(|(depth, c)| format!("{}, with c = {c}", levels(depth)));
         vec![
             ("depth by the sound bound".to_owned(), sound),
             ("by the printed formula".to_owned(), printed.unwrap_or_else(|| "none".to_owned())),

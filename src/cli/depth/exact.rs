@@ -1,6 +1,7 @@
 //! The true depth for every control polygon of a spread.
 
 use super::interval::{interval_form, interval_text};
+use super::numbers;
 use super::place::Place;
 use crate::cli::json::depth as form;
 use subcert::audit::{Attained, Control, Place as AttainedAt};
@@ -161,7 +162,7 @@ const WIDTHS: i64 = 20;
 pub(super) fn depth_text(depth: TwoSidedDepth, whom: &str, caps: &str) -> String {
     let TwoSidedDepth { lower, upper } = depth;
     if lower == upper {
-        return format!("{upper} levels, for {whom}{}", too_few(lower));
+        return format!("{}, for {whom}{}", numbers::levels(upper), too_few(lower));
     }
     let below = too_few(lower);
     format!(
@@ -170,7 +171,7 @@ pub(super) fn depth_text(depth: TwoSidedDepth, whom: &str, caps: &str) -> String
 }
 
 fn too_few(lower: u32) -> String {
-    if lower == 0 { String::new() } else { format!("; {} are too few", lower - 1) }
+    if lower == 0 { String::new() } else { numbers::too_few(lower - 1) }
 }
 
 pub(super) fn depth_form(depth: TwoSidedDepth) -> form::TwoSided {

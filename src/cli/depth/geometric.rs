@@ -2,7 +2,7 @@
 
 use super::faces::{FaceRow, FacesFormat};
 use super::kind::Kind;
-use super::numbers::{digits, few_text, point};
+use super::numbers::{digits, few_text, levels, point};
 use super::promise::Formula;
 use super::refined::rounded;
 use crate::cli::arguments::{DepthArguments, DistanceArgument, FacesArgument};
@@ -193,10 +193,7 @@ impl GeometricReport<'_> {
     fn sentence(&self) -> String {
         let tolerance = short(&self.tolerance, 6);
         let few = self.found.too_few.map(|few| format!(", and not after {few}"));
-        let levels = match self.found.level {
-            1 => "1 level".to_owned(),
-            level => format!("{level} levels"),
-        };
+        let levels = levels(self.found.level);
         let few = few.unwrap_or_default();
         format!(
             "The {} is within {tolerance} of its limit, as a set of points, after {levels} of refinement{few}.",
@@ -214,8 +211,10 @@ impl GeometricReport<'_> {
         sheet.heading(1, format!("{}, {scheme}, ε = {tolerance}", self.name));
         let found = &self.found;
         let few = few_text(found);
-        let mut facts =
-            vec![(format!("depth of the {}", kind.name()), format!("{} levels{few}", found.level))];
+        let mut facts = vec![(
+            format!("depth of the {}", kind.name()),
+            format!("{}{few}", levels(found.level)),
+        )];
         if self.relative.is_some() {
             facts.push(("tolerance".to_owned(), short(&self.tolerance, 9)));
         }
@@ -241,8 +240,8 @@ impl GeometricReport<'_> {
         facts.push((
             "a priori".to_owned(),
             format!(
-                "{} levels, of all {} edges of {} at most, by equal parameters",
-                self.guaranteed.level,
+                "{}, of all {} edges of {} at most, by equal parameters",
+                levels(self.guaranteed.level),
                 kind.all(),
                 digits(self.guaranteed.longest_edge)
             ),
@@ -250,7 +249,7 @@ impl GeometricReport<'_> {
         if let Some(Formula { paper, level }) = self.promised {
             let text = match level {
                 None => "nothing: its constant is not below 1 for this mesh".to_owned(),
-                Some(level) => format!("{level} levels: {}", self.verdict(level)),
+                Some(level) => format!("{}: {}", levels(level), self.verdict(level)),
             };
             facts.push((format!("formula of {paper}"), text));
         }

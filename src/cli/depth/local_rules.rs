@@ -1,6 +1,7 @@
 //! `subcert depth` of a ring.
 
 use super::exact::points_text;
+use super::numbers::{levels, too_few};
 use crate::cli::arguments::DepthArguments;
 use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, depth as form};
@@ -125,9 +126,9 @@ impl Report<'_> {
         };
         let few = match depth.settled {
             0 => String::new(),
-            level => format!("; {} are too few", level - 1),
+            level => too_few(level - 1),
         };
-        let mut facts = vec![("exact depth".to_owned(), format!("{} levels{few}", depth.settled))];
+        let mut facts = vec![("exact depth".to_owned(), format!("{}{few}", levels(depth.settled)))];
         if depth.settled > depth.level {
             let text = format!("level {}, but not all later ones", depth.level);
             facts.push(("first met at".to_owned(), text));

@@ -3,7 +3,7 @@
 use super::faces::{FacesFormat, plain_rows};
 use super::geometric::{Faces, GeometricReport, Growth, measure};
 use super::kind::Kind;
-use super::numbers::{digits, point};
+use super::numbers::{digits, levels, point, too_few};
 use super::pictures::{Drawn, Pieces};
 use super::promise::{Formula, Promise, promises};
 use super::refined::Refined;
@@ -168,13 +168,13 @@ impl Report {
         if let Some(found) = &self.found {
             let few = match found.too_few {
                 None if found.level == 0 => String::new(),
-                Some(few) if few + 1 == found.level => format!("; {few} are too few"),
-                Some(few) => format!("; {few} are too few, and those between are open"),
+                Some(few) if few + 1 == found.level => too_few(few),
+                Some(few) => format!("{}, and those between are open", too_few(few)),
                 None => "; fewer are open".to_owned(),
             };
             facts.push((
                 format!("depth of the {}", kind.name()),
-                format!("{} levels{few}", found.level),
+                format!("{}{few}", levels(found.level)),
             ));
             let [least, most] = found.distance.map(digits);
             facts
@@ -195,8 +195,8 @@ impl Report {
         }
         let all = kind.all();
         let text = format!(
-            "{} levels, of all {all} edges of {} at most",
-            guaranteed.level,
+            "{}, of all {all} edges of {} at most",
+            levels(guaranteed.level),
             digits(guaranteed.longest_edge)
         );
         facts.push(("a priori".to_owned(), text));
@@ -205,9 +205,9 @@ impl Report {
                 (None, _) => {
                     format!("nothing: its constant is not below 1 for this {}", kind.name())
                 }
-                (Some(level), None) => format!("{level} levels"),
+                (Some(level), None) => levels(level),
                 (Some(level), Some(found)) => {
-                    format!("{level} levels: {}", Promise::of(level, found).name())
+                    format!("{}: {}", levels(level), Promise::of(level, found).name())
                 }
             };
             let text =
@@ -259,9 +259,4 @@ impl Report {
             }),
         }
     }
-}
-
-/// `1 level`, `2 levels`.
-fn levels(count: u32) -> String {
-    if count == 1 { "1 level".to_owned() } else { format!("{count} levels") }
 }

@@ -1,5 +1,6 @@
 //! Numbers and points in words.
 
+use std::fmt::Display;
 use subcert::exact::format::short;
 use subcert::float::{exact, shortest};
 use subcert::patch::GeometricDepth;
@@ -14,12 +15,22 @@ pub(super) fn point(point: &[f64]) -> String {
     format!("({})", numbers.join(", "))
 }
 
+/// `1 level`, `2 levels`.
+pub(super) fn levels<N: Copy + Display + PartialEq + From<u8>>(count: N) -> String {
+    if count == N::from(1) { "1 level".to_owned() } else { format!("{count} levels") }
+}
+
+/// `; 1 is too few`, `; 2 are too few`.
+pub(super) fn too_few(count: u32) -> String {
+    format!("; {count} {} too few", if count == 1 { "is" } else { "are" })
+}
+
 /// Which levels are too few as a set of points, after the level that is enough.
 pub(super) fn few_text<P>(found: &GeometricDepth<P>) -> String {
     match found.too_few {
         None if found.level == 0 => String::new(),
-        Some(few) if few + 1 == found.level => format!("; {few} are too few"),
-        Some(few) => format!("; {few} are too few, and those between are open"),
+        Some(few) if few + 1 == found.level => too_few(few),
+        Some(few) => format!("{}, and those between are open", too_few(few)),
         None => "; fewer are open".to_owned(),
     }
 }

@@ -1,6 +1,6 @@
 //! The depth of one control polygon by the distance of polygon and limit as sets of points.
 
-use super::numbers::{digits, few_text, point as point_text};
+use super::numbers::{digits, few_text, levels, point as point_text};
 use super::polygon::Points;
 use crate::cli::json::depth as form;
 use crate::cli::output::Failure;
@@ -44,8 +44,7 @@ fn names(set: SetKind) -> [&'static str; 2] {
 
 /// The depth in words.
 pub(super) fn depth_text(found: &CurveDepth) -> String {
-    let levels = if found.level == 1 { "level" } else { "levels" };
-    format!("{} {levels}, as sets of points{}", found.level, few_text(found))
+    format!("{}, as sets of points{}", levels(found.level), few_text(found))
 }
 
 pub(super) fn facts(found: &OfSets) -> Vec<(String, String)> {

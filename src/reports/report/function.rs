@@ -128,10 +128,19 @@ fn end_text(finding: &RangeFinding<'_>, end: &EndFinding) -> String {
     format!("{}: {against}; {place}, with {value} against {limit}", end.printed)
 }
 
-/// The range as printed.
+/// The range as printed: `0 <= w <= 1/2`, or `w from 0 to 1/2` where the paper does not say whether its ends belong to it.
 pub(super) fn printed(finding: &RangeFinding<'_>) -> String {
     let claim = finding.claim;
-    let relation = if claim.closed == Some(false) { "<" } else { "<=" };
+    let Some(closed) = claim.closed else {
+        let from = claim.from.as_ref().map(|from| format!(" from {}", from.text));
+        let to = match (&from, &claim.to) {
+            (_, None) => " on".to_owned(),
+            (Some(_), Some(to)) => format!(" to {}", to.text),
+            (None, Some(to)) => format!(" up to {}", to.text),
+        };
+        return format!("{}{}{to}", claim.variable, from.unwrap_or_default());
+    };
+    let relation = if closed { "<=" } else { "<" };
     let from = claim.from.as_ref().map(|from| format!("{} {relation} ", from.text));
     let to = claim.to.as_ref().map(|to| format!(" {relation} {}", to.text));
     format!("{}{}{}", from.unwrap_or_default(), claim.variable, to.unwrap_or_default())

@@ -36,28 +36,41 @@ pub(super) fn printed<'f>(finding: &SmoothnessFinding<'f>) -> &'f str {
     finding.claim.cell.as_ref().map_or("", |cell| &cell.printed)
 }
 
+/// The table of this id, `key:table-1`.
+pub(super) fn table_of<'f, 'a>(audit: &'f PaperAudit<'a>, id: &str) -> Option<Regularity<'f, 'a>> {
+    let (key, name) = id.split_once(':')?;
+    let is_asked = |found: &Regularity<'_, '_>| found.table.id == name;
+    tables(audit).into_iter().find(is_asked).filter(|_| audit.paper.key == key)
+}
+
 /// Appends the tables; without `all`, those that are not confirmed throughout.
 pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
-    for Regularity { table, cells } in tables(audit) {
-        let mut found = cells.iter().flatten().flatten();
-        if !all && found.all(|finding| finding.verdict == SmoothnessVerdict::Confirmed) {
+    for found in tables(audit) {
+        let Regularity { table, cells } = &found;
+        let mut findings = cells.iter().flatten().flatten();
+        if !all && findings.all(|finding| finding.verdict == SmoothnessVerdict::Confirmed) {
             continue;
         }
         sheet.heading(3, titled(&[&table.locus, &table.title, &table.id]));
-        let cell = |finding: Option<&SmoothnessFinding<'_>>| {
-            finding.map_or_else(
-                || "·".to_owned(),
-                |finding| format!("{} {}", printed(finding), mark(finding.verdict.name())),
-            )
-        };
-        let row = |(header, cells): (&String, &Vec<Option<&SmoothnessFinding<'_>>>)| {
-            [header.clone()].into_iter().chain(cells.iter().copied().map(cell)).collect()
-        };
-        let header = [table.label.clone()].into_iter().chain(table.columns.clone()).collect();
-        let rows = table.rows.iter().zip(&cells).map(row).collect();
-        sheet.grid(Grid { header, rows, left_columns: 1 });
-        if let Some(note) = &table.note {
-            sheet.text(note.clone());
-        }
+        grid(sheet, &found);
+    }
+}
+
+/// Appends the cells with their verdicts, and the note.
+pub(super) fn grid(sheet: &mut Sheet, Regularity { table, cells }: &Regularity<'_, '_>) {
+    let cell = |finding: Option<&SmoothnessFinding<'_>>| {
+        finding.map_or_else(
+            || "·".to_owned(),
+            |finding| format!("{} {}", printed(finding), mark(finding.verdict.name())),
+        )
+    };
+    let row = |(header, cells): (&String, &Vec<Option<&SmoothnessFinding<'_>>>)| {
+        [header.clone()].into_iter().chain(cells.iter().copied().map(cell)).collect()
+    };
+    let header = [table.label.clone()].into_iter().chain(table.columns.clone()).collect();
+    let rows = table.rows.iter().zip(cells).map(row).collect();
+    sheet.grid(Grid { header, rows, left_columns: 1 });
+    if let Some(note) = &table.note {
+        sheet.text(note.clone());
     }
 }

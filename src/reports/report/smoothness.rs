@@ -42,13 +42,29 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
     }
 }
 
-/// The claim of this id in full, if it is one about smoothness.
+/// The claim of this id in full, if it is one about smoothness; of a table of them, each cell.
 pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
-    let finding = audit.smoothness.iter().find(|finding| finding.id == id)?;
-    let claim = finding.claim;
     let mut sheet = Sheet::default();
-    sheet.heading(1, format!("{id} · {}", claim.locus));
-    sheet.text(claim.title.clone());
+    if let Some(finding) = audit.smoothness.iter().find(|finding| finding.id == id) {
+        sheet.heading(1, format!("{id} · {}", finding.claim.locus));
+        sheet.text(finding.claim.title.clone());
+        sheet.facts(in_full(finding));
+        return Some(sheet);
+    }
+    let found = regularity::table_of(audit, id)?;
+    sheet.heading(1, format!("{id} · {}", found.table.locus));
+    sheet.text(found.table.title.clone());
+    regularity::grid(&mut sheet, &found);
+    for finding in found.cells.iter().flatten().flatten() {
+        sheet.heading(2, format!("{} · {}", finding.id, finding.claim.locus));
+        sheet.facts(in_full(finding));
+    }
+    Some(sheet)
+}
+
+/// What is stated, what is known and how, and the verdict.
+fn in_full(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
+    let claim = finding.claim;
     let fact = |name: &str, text: String| (name.to_owned(), text);
     let mut facts = Vec::new();
     facts.extend(scheme(claim).map(|scheme| fact("scheme", scheme)));
@@ -57,8 +73,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     facts.push((format!("{} {name}", mark(name)), outcome(finding).join("\n")));
     facts.extend(details(finding));
     facts.extend(claim.note.clone().map(|note| fact("note", note)));
-    sheet.facts(facts);
-    Some(sheet)
+    facts
 }
 
 /// The scheme, and the values that the claim itself states: `four-point:w=w, w = 1/16`.

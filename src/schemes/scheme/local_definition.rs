@@ -58,6 +58,15 @@ impl<'a> Block<'a> {
 /// The names of a parameter that is a valence.
 const VALENCE_NAMES: [&str; 2] = ["N", "n"];
 
+impl SchemeError {
+    /// Whether what is missing is a valence.
+    #[must_use]
+    pub fn asks_for_valence(&self) -> bool {
+        let SchemeError::MissingParameter { parameter, .. } = self else { return false };
+        VALENCE_NAMES.contains(&parameter.as_str())
+    }
+}
+
 impl SchemeDefinition {
     /// The parameter that is a valence, if it has no value among these: `N` or `n`.
     #[must_use]

@@ -48,6 +48,26 @@ pub fn parse_scheme(text: &str) -> Result<Scheme<Rational>, SchemeError> {
     Named::read(text)?.scheme()
 }
 
+/// Whether SCHEME names rules around a vertex or on a face, also where it leaves their parameters open.
+///
+/// # Errors
+/// When there is no such scheme, or the file is not a scheme file.
+///
+/// ```
+/// use subcert::scheme::names_ring;
+///
+/// assert!(names_ring("loop")? && names_ring("loop:N=5")?);
+/// assert!(!names_ring("newton")?);
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn names_ring(text: &str) -> Result<bool, SchemeError> {
+    let named = Named::read(text)?;
+    match named.reference.names().collect::<Vec<&str>>()[..] {
+        [name] => Ok(named.definition(name)?.is_ring()),
+        _ => Ok(false),
+    }
+}
+
 /// The exact ring that SCHEME names: a catalogue entry such as `doo-sabin:n=5`, or a
 /// file.
 ///
@@ -187,7 +207,9 @@ impl Named<'_> {
                 let definition = typed(name).map_err(|error| SchemeError::File(Box::new(error)))?;
                 defined.insert(name.to_owned(), definition);
             } else if is_file(name) {
-                defined.insert(name.to_owned(), read_file(name)?);
+                // An error calls the scheme by what is typed: the name in the file is unknown outside of it.
+                let definition = SchemeDefinition { name: name.to_owned(), ..read_file(name)? };
+                defined.insert(name.to_owned(), definition);
             }
         }
         Ok(Named { text, reference, defined })

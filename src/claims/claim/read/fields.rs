@@ -6,6 +6,7 @@ use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{MapAccess, SeqAccess, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::marker::PhantomData;
 
 pub(super) type Formulas = BTreeMap<Spanned<String>, Spanned<String>>;
 
@@ -49,6 +50,46 @@ impl<'de> Deserialize<'de> for Unstated {
             }
         }
         deserializer.deserialize_any(Either)
+    }
+}
+
+/// A table, and nothing else. An array is taken for a struct as well by the code that serde derives, field by field: what
+/// is no table to a reader of the format.
+#[derive(Debug)]
+pub(super) struct TableOf<T>(pub(super) T);
+
+#[cfg(feature = "schema")]
+impl<T: schemars::JsonSchema> schemars::JsonSchema for TableOf<T> {
+    fn inline_schema() -> bool {
+        T::inline_schema()
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        T::schema_name()
+    }
+
+    fn schema_id() -> std::borrow::Cow<'static, str> {
+        T::schema_id()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        T::json_schema(generator)
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for TableOf<T> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<TableOf<T>, D::Error> {
+        struct Only<T>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Only<T> {
+            type Value = TableOf<T>;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a table such as { locus = \"Figure 1\" }")
+            }
+            fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<TableOf<T>, M::Error> {
+                T::deserialize(MapAccessDeserializer::new(map)).map(TableOf)
+            }
+        }
+        deserializer.deserialize_any(Only(PhantomData))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Reading the figures that plot numbers of a table.
 
+use super::fields::TableOf;
 use super::reader::Reader;
 use crate::claim::{Axis, Figure};
 use crate::diagnostic::Diagnostic;
@@ -25,14 +26,14 @@ impl Reader<'_> {
     /// The figures of a table with these rows, if it has some, and columns.
     pub(super) fn figures(
         &self,
-        tables: &[Spanned<FigureTable>],
+        tables: &[Spanned<TableOf<FigureTable>>],
         axes: [Option<&Axis>; 2],
     ) -> Result<Vec<Figure>, Diagnostic> {
         if let Some(one) = tables.get(MAX_FIGURES) {
             let message = format!("a table has {MAX_FIGURES} figures at most");
             return Err(self.error(one.span(), message).with_help("leave the others out"));
         }
-        tables.iter().map(|table| self.figure(table.get_ref(), axes)).collect()
+        tables.iter().map(|table| self.figure(&table.get_ref().0, axes)).collect()
     }
 
     fn figure(&self, table: &FigureTable, axes: [Option<&Axis>; 2]) -> Result<Figure, Diagnostic> {

@@ -1,7 +1,7 @@
 //! Reading tables.
 
 use super::axis::AxisTable;
-use super::fields::{Formulas, NumberField, Unstated, claim_table};
+use super::fields::{Formulas, NumberField, TableOf, Unstated, claim_table};
 use super::figure::FigureTable;
 use super::reader::{Head, Reader};
 use crate::claim::{Cell, Promise, Table};
@@ -32,7 +32,7 @@ claim_table!(TableTable {
     pub(super) unstated: Unstated,
     /// The figures of the paper that plot numbers of this table.
     #[serde(default)]
-    figures: Vec<Spanned<FigureTable>>,
+    figures: Vec<Spanned<TableOf<FigureTable>>>,
 });
 
 #[derive(Debug, Deserialize)]

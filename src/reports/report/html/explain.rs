@@ -7,14 +7,15 @@ use super::command;
 use super::context::Context;
 use super::document::document;
 use super::picture::digits;
+use super::regularity as regularity_table;
 use super::sheet::blocks;
 use super::table;
-use crate::audit::{PaperAudit, TableFinding};
+use crate::audit::{PaperAudit, SmoothnessVerdict, TableFinding};
 use crate::diagnostic::Diagnostic;
 use crate::exact::format::short;
 use crate::report::explain::{Background, explain_sheet, table_of};
 use crate::report::sheet::{Block, Sheet};
-use crate::report::{equation, function, smoothness, theorem};
+use crate::report::{equation, function, regularity, smoothness, theorem};
 use maud::{Markup, html};
 
 /// How many digits the exact value of a cell has in the sentence on top.
@@ -127,6 +128,20 @@ fn shown(context: &Context<'_, '_>, id: &str) -> Result<Option<Shown>, Diagnosti
     if let Some(one) = audit.smoothness.iter().find(|one| one.id == id) {
         let outcome = smoothness::outcome(one).join("\n");
         return Ok(claim(&one.claim.locus, &outcome, claims::smoothness(context, one)));
+    }
+    if let Some(found) = regularity::table_of(audit, id) {
+        let cells = || found.cells.iter().flatten().flatten();
+        let sentence = format!(
+            "{} of the {} statements of {} are confirmed.",
+            cells().filter(|one| one.verdict == SmoothnessVerdict::Confirmed).count(),
+            cells().count(),
+            found.table.locus
+        );
+        return Ok(Some(Shown {
+            sentence,
+            contents: regularity_table::section(&found),
+            grid: true,
+        }));
     }
     let Some(one) = audit.theorems.iter().find(|one| one.id == id) else { return Ok(None) };
     Ok(claim(&one.theorem.locus, &theorem::outcome(one), claims::theorem(context, one)?))

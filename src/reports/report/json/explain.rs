@@ -40,8 +40,16 @@ impl<'a> Explained<'a> {
         let Background { readings, by_hand, working } = background;
         let table = table_of(audits, id);
         let claims = AuditReport::of(audits).papers.into_iter().flat_map(|paper| paper.claims);
+        let own = audits
+            .iter()
+            .find_map(|audit| id.strip_prefix(&audit.paper.key[..])?.strip_prefix(':'));
+        let findings = audits.iter().flat_map(|audit| &audit.smoothness);
+        let cells = findings.filter(|finding| own.is_some_and(|own| finding.claim.is_cell_of(own)));
+        let cells: Vec<&str> = cells.map(|finding| &finding.id[..]).collect();
         let named = |claim: &Claim<'_>| {
-            claim.id == id || claim.id.strip_prefix(id).is_some_and(|rest| rest.starts_with(':'))
+            claim.id == id
+                || cells.contains(&claim.id)
+                || claim.id.strip_prefix(id).is_some_and(|rest| rest.starts_with(':'))
         };
         Explained {
             schema: SCHEMA,
