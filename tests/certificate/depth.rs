@@ -115,8 +115,9 @@ fn a_square_is_as_far_as_its_corners() {
     let says = |tolerance: Rational, enough: Option<u32>, few: &[&str]| {
         let direction = DepthDirection { mask: scheme.masks()[0], count: 4, range: None };
         let text = depth_certificate(&tolerance, &[direction], &square, enough, &[]);
-        let lines: String = few.iter().map(|line| format!("too-few 0 {line}\n")).collect();
-        check_depth(&text.replace("end\n", &format!("{lines}end\n")))
+        let mut lines: Vec<String> = few.iter().map(|line| format!("too-few 0 {line}")).collect();
+        lines.push("end\n".to_owned());
+        check_depth(&text.replace("end\n", &lines.join("\n")))
     };
     // The corner is a quarter of the diagonal of the square, √2/2·1/2.
     assert!(says(r(3536, 10_000), Some(0), &[]).is_ok());

@@ -15,6 +15,16 @@ weights.vertex = { vertex = '19/20', edge = '1/20/N' }
 weights.edge = { vertex = '3/8', edge = '(3*kronecker(turn, 0) + kronecker(turn, 1) + kronecker(turn, N - 1))/8' }
 let = { turn = 'mod(j - i, N)' }
 [[scheme]]
+name = 'edges'
+parameters = { N = {}, l = {} }
+orbits = { vertex = '1', edge = 'N', corner = 'N', outer = 'N' }
+edges = [['vertex', 'edge[i]'], ['edge[i]', 'edge[i + 1]'], ['edge[i]', 'corner[i]'], ['edge[i]', 'outer[i]']]
+weights.corner = { vertex = '1/8', edge = '3*(here + next)/8', corner = 'here/8' }
+weights.outer = { vertex = '1/16', edge = '5*here/8 + (next + last)/16', corner = '(here + last)/16', outer = 'here/16' }
+weights.vertex = { vertex = '5/8', edge = '3/8/N' }
+weights.edge = { vertex = '3/8', edge = 'kronecker(turn, 0)/8 + (1/2 + (2*l - 1/4)*cos(2*pi*turn/N) + cos(4*pi*turn/N)/4)/N' }
+let = { turn = 'mod(j - i, N)', here = 'kronecker(turn, 0)', next = 'kronecker(turn, 1)', last = 'kronecker(turn, N - 1)' }
+[[scheme]]
 name = 'folding'
 parameters.n = {}
 orbits = { face = 'n' }
@@ -29,7 +39,7 @@ weights.face = { face = '(1 + 2*l*cos(2*pi*(j - i)/5) + 2*m*cos(4*pi*(j - i)/5))
 ";
 
 /// Claims: scheme, valences, what is stated, and the verdict.
-const CLAIMS: [(&str, &str, &str, &str, bool); 19] = [
+const CLAIMS: [(&str, &str, &str, &str, bool); 21] = [
     ("catmull-clark", "3..8", "continuous = '1'", "confirmed", true),
     ("loop", "3..8", "continuous = '1'", "confirmed", true),
     ("loop-warren", "3..5", "continuous = '1'", "confirmed", true),
@@ -49,6 +59,8 @@ const CLAIMS: [(&str, &str, &str, &str, bool); 19] = [
     ("face:l=3/2,m=1/5", "", "continuous = '0'", "open", false),
     ("face:l=1/2,m=-3/2", "", "continuous = '1'", "refuted", true),
     ("face:l=1,m=1/5", "", "not_continuous = '1'", "confirmed", false),
+    ("edges:N=7,l=1/2", "", "continuous = '1'", "confirmed", true),
+    ("edges:N=7,l=99/100", "", "not_continuous = '1'", "confirmed", true),
 ];
 
 fn claims() -> String {
@@ -66,7 +78,7 @@ fn claims() -> String {
 }
 
 /// The line that is changed first, what stands there, and what is put there.
-const CHANGES: [(&str, &str, &str); 28] = [
+const CHANGES: [(&str, &str, &str); 31] = [
     ("c4", "vertex 5", "vertex 6"),
     ("c4", "part box-spline", "part bicubic"),
     ("c4", "eigenvalue 1", "eigenvalue 2"),
@@ -91,6 +103,9 @@ const CHANGES: [(&str, &str, &str); 28] = [
     ("c9", "positive ", "positive 1"),
     ("c9", "positive ", "negative "),
     ("c11", "eigenvalue 2", "eigenvalue 1"),
+    ("c19", "box 11 -", "# box 11 -"),
+    ("c19", "box 3 - ", "box 3 - 9"),
+    ("c20", "positive ", "negative "),
     ("c17", "diverges 2 -", "diverges 2 +"),
     ("c17", "diverges 2 -", "diverges 1 -"),
     ("c17", "diverges 2 -", "diverges 3 -"),

@@ -14,6 +14,7 @@ use subcert::exact::{Interval, Rational, RealCyclotomic};
 use subcert::float::{exact as exactly, nearest};
 use subcert::mesh::{MeshScheme, PolygonMesh, refine_mesh};
 use subcert::scheme::parse_rules_in_parameter;
+use subcert::spectrum::Curvature;
 
 /// λ at a valence, by closed formulas.
 fn subdominant(scheme: &str, n: usize) -> f64 {
@@ -355,4 +356,51 @@ fn other_regular_parts_are_open_with_what_the_eigenvalues_say() {
     }
     let vertex = Vertex::of("mid-edge", Some(5)).expect("a spectrum");
     assert!(matches!(vertex.verdict, Verdict::Open(_)) && vertex.hypothesis.is_none());
+}
+
+/// Rules of their own for edge points: eigenvalues of the blocks 1, 2, and of all others, are chosen.
+#[test]
+fn edge_points_with_rules_of_their_own() {
+    let text = std::fs::read_to_string("examples/loop-own-edges.toml").expect("an example");
+    for (n, [p, q, rest], smooth) in [
+        (6, [1, 2, 8], true),
+        (5, [1, 2, 8], true),
+        (9, [1, 2, 8], true),
+        (5, [99, 100, 8], false),
+        (7, [99, 100, 8], false),
+    ] {
+        // λ of block 1, 1/4 of block 2, and 1/8.
+        let value = f64::from(p) / f64::from(q);
+        let own = format!(
+            "kronecker(turn, 0)/{rest} + (1/2 + 2*({p}/{q} - 1/{rest})*cos(2*pi*turn/N) + 2*(1/4 - 1/{rest})*cos(4*pi*turn/N))/N"
+        );
+        let old = "here/8 + (1/2 + 3/4*cos(2*pi*turn/N) + 1/4*cos(4*pi*turn/N))/N";
+        assert!(text.contains(old));
+        let text =
+            text.replace(old, &own).replace("{ least = '5',", &format!("{{ default = '{n}',"));
+        let vertex = ring(&format!("edges{n}-{p}"), &text);
+        let weight = |d: usize| {
+            let turn = 2.0 * PI * real(d) / real(n);
+            let around = 0.5 + 2.0 * (value - 0.125) * turn.cos() + 0.25 * (2.0 * turn).cos();
+            around / real(n) + if d == 0 { 0.125 } else { 0.0 }
+        };
+        let weights: Vec<f64> = (0..n).map(weight).collect();
+        let order = i32::try_from(n).expect("small");
+        let net = Net::new(Kind::Triangles, order, 1, &weights);
+        let (positive, negative) = net.areas();
+        assert_eq!(vertex.own, n != 6);
+        if smooth {
+            assert!(matches!(vertex.verdict, Verdict::Proved { .. }), "{n}: {:?}", vertex.verdict);
+            assert_eq!(vertex.exponent.expect("a proof").curvature, Curvature::Bounded);
+            assert_eq!(negative, 0, "{n}");
+            assert!((net.winding() - 1.0).abs() < 1e-6);
+        } else {
+            assert!(
+                matches!(vertex.verdict, Verdict::Refuted(Refutation::Folds { .. })),
+                "{n}: {:?}, {positive} and {negative}",
+                vertex.verdict
+            );
+            assert!(positive > 0 && negative > 0, "{n}: {positive} {negative}");
+        }
+    }
 }

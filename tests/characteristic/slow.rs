@@ -35,7 +35,7 @@ pub struct Net {
     kind: Kind,
     n: i32,
     k: i32,
-    /// The weights of the points of a face by their distance.
+    /// The weights of the points of a face, or, if there are any, of the edge points in an edge point, by their distance.
     weights: Vec<f64>,
     points: BTreeMap<(i32, i32), C>,
     size: i32,
@@ -96,6 +96,16 @@ impl Net {
         terms.iter().fold((0.0, 0.0), sum)
     }
 
+    /// The sum of a point in all sectors by the weights.
+    fn around(&self, place: (i32, i32)) -> C {
+        let mut sum = (0.0, 0.0);
+        for (d, weight) in (0..).zip(&self.weights) {
+            let turned = times(self.at(place), unit(real(d * self.k) / real(self.n)));
+            sum = (sum.0 + weight * turned.0, sum.1 + weight * turned.1);
+        }
+        sum
+    }
+
     /// The next level up to so many places.
     pub fn refined(&self, size: i32) -> Net {
         let mut points = BTreeMap::new();
@@ -104,16 +114,9 @@ impl Net {
                 let point = match (a, b, self.kind) {
                     // Sums over all sectors vanish but for k = 0.
                     (0, 0, Kind::Vertex | Kind::Triangles) => (0.0, 0.0),
-                    (0, 0, Kind::Face) => {
-                        let mut sum = (0.0, 0.0);
-                        for (d, weight) in (0..).zip(&self.weights) {
-                            let turned =
-                                times(self.at((0, 0)), unit(real(d * self.k) / real(self.n)));
-                            sum = (sum.0 + weight * turned.0, sum.1 + weight * turned.1);
-                        }
-                        sum
-                    }
+                    (0, 0, Kind::Face) => self.around((0, 0)),
                     (0, _, Kind::Vertex | Kind::Triangles) => continue,
+                    (1, 0, Kind::Triangles) if !self.weights.is_empty() => self.around((1, 0)),
                     _ if self.kind == Kind::Triangles => self.combined(&triangles(a, b)),
                     _ => self.combined(&squares(self.kind, a, b)),
                 };

@@ -89,9 +89,15 @@ pub fn verdict_reason(verdict: &Verdict) -> String {
                 "the orbits declare no regular part that is known here, or there are too many points"
             }
             Reason::InnerRules => {
-                "rules other than those of the vertex differ from the regular part"
+                "rules other than those of the vertex differ from the regular part: declare the points around them, too"
+            }
+            Reason::OuterRules => {
+                "the rules of the points around those next to the vertex are not those of the regular part"
             }
             Reason::Mirror => "the rules differ from their mirror image",
+            Reason::Eigenvector => {
+                "the eigenvector of the points next to the vertex is not decided by enclosures"
+            }
             Reason::Sign => {
                 return format!(
                     "the Jacobian's sign is not decided by {MAX_BISECTIONS} bisections"
@@ -174,7 +180,11 @@ pub fn vertex_facts(vertex: &Vertex) -> Vec<(String, String)> {
     }
     // Where it is open, the rules may have another regular part.
     if let Some(family) = family.as_ref().filter(|_| !matches!(verdict, Verdict::Open(_))) {
-        facts.push(("ring", family.pieces().to_owned()));
+        let pieces = family.pieces();
+        facts.push((
+            "ring",
+            if vertex.own { pieces.replacen('3', "12", 1) } else { pieces.to_owned() },
+        ));
     }
     match verdict {
         Verdict::Proved { bisections, least, near } => {

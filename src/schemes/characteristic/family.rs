@@ -75,7 +75,7 @@ impl Family {
             Family::BoxSpline => box_spline(cosine, value, &[vertex.clone(), edge.clone()]),
             Family::Biquadratic => biquadratic(cosine, value),
         };
-        Net { lattice: self.lattice(), cosine: cosine.clone(), points }
+        Net { lattice: self.lattice(), cosine: cosine.clone(), points, start: 1 }
     }
 
     /// The eigenvector of block 1 for its eigenvalue λ by the rules of the scheme of the catalogue, times a

@@ -42,10 +42,11 @@ impl<'r> Inner<'r> {
     }
 
     /// The eigenvector of block k, 0 < k < n/2, for its eigenvalue: the values at the vertex, at edge point 0, and at
-    /// face point 0 divided by 1 + ω^k. The last is real, as the rules are their own mirror image.
-    pub(super) fn turning(&self, k: usize, value: &Ball) -> [Ball; 3] {
+    /// face point 0 divided by 1 + ω^k. The last is real, as the rules are their own mirror image. `None` where enclosures
+    /// do not show which of its equations are independent.
+    pub(super) fn turning(&self, k: usize, value: &Ball) -> Option<[Ball; 3]> {
         if self.family != Family::Bicubic {
-            return [Ball::zero(), whole(1), whole(1)];
+            return Some([Ball::zero(), whole(1), whole(1)]);
         }
         let n = self.order;
         let at = |d: usize| self.cosine(k * d);
@@ -62,9 +63,9 @@ impl<'r> Inner<'r> {
         } else if far.is_apart() {
             [far.times(&twice), g]
         } else {
-            [Ball::zero(), whole(1)]
+            return None;
         };
-        [Ball::zero(), edge, face]
+        Some([Ball::zero(), edge, face])
     }
 
     /// The eigenvector of block 0 for a simple eigenvalue, in the same form with ω = 1; `None` without a vertex,

@@ -49,7 +49,7 @@ pub(super) fn eigenvector(cosine: &RealCyclotomic, value: &Ball) -> Net<Ball> {
         ((1, 1), [face.clone(), face]),
         ((2, 0), [sixteen(&less), zero()]),
     ]);
-    let mut net = Net { lattice: Lattice::Triangle, cosine, points };
+    let mut net = Net { lattice: Lattice::Triangle, cosine, points, start: 1 };
     // λx is the rule's sum, in which x has the weight −1/16.
     let own = value.plus(&ratio(1, 16));
     let [right, left] = [(2, 1), (1, 2)].map(|place| sum(&net, place, Some(place)));
@@ -110,7 +110,7 @@ fn refined(net: &Net<Ball>, value: &Ball, far: i32) -> Net<Ball> {
             points.insert((a, b), point);
         }
     }
-    Net { lattice: net.lattice, cosine: net.cosine.clone(), points }
+    Net { lattice: net.lattice, cosine: net.cosine.clone(), points, start: 1 }
 }
 
 /// Whether the limit of a net is shown to be apart from 0 on a closed curve around the vertex that turns by a sector do not change;

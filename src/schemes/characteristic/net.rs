@@ -23,6 +23,9 @@ pub(super) struct Net<R> {
     pub(super) lattice: Lattice,
     pub(super) cosine: R,
     pub(super) points: BTreeMap<(i32, i32), Point<R>>,
+    /// Where the ring between two levels begins, which ends at twice this distance: at 1, and at 2 where the points next to the vertex
+    /// have rules of their own. From there on, new points have the rules of the regular part.
+    pub(super) start: i32,
 }
 
 /// p/q.
@@ -72,15 +75,27 @@ impl<R: Scalar> Net<R> {
         [twice.times(p).plus(q), R::zero().minus(p)]
     }
 
-    /// The points of the next level up to three faces far (two on a dual lattice), by the rules of the
-    /// regular part; λ times the old ones at the vertex, or on the face.
+    /// The points of the level on whose lattice the ring is: those of the next one, or of the second where the ring begins at
+    /// 2.
     pub(super) fn refined(&self, eigenvalue: &R) -> Net<R> {
         let far = if self.lattice == Lattice::Dual { 2 } else { 3 };
+        let next = self.next(eigenvalue, far);
+        if self.start == 1 { next } else { next.next(eigenvalue, 2 * far - 1) }
+    }
+
+    /// The points of the next level up to so many faces far, by the rules of the regular part; λ times the old ones at the vertex,
+    /// on the face, and where points have rules of their own.
+    fn next(&self, eigenvalue: &R, far: i32) -> Net<R> {
+        let own: &[(i32, i32)] = match (self.start, self.lattice) {
+            (1, _) => &[(0, 0)],
+            (_, Lattice::Primal) => &[(0, 0), (1, 0), (1, 1)],
+            _ => &[(0, 0), (1, 0)],
+        };
         let mut points = BTreeMap::new();
         for a in 0..=far {
             for b in 0..=far {
                 let place = (a, b);
-                if place == (0, 0) {
+                if own.contains(&place) {
                     let old = &self.points[&place];
                     points.insert(place, old.each_ref().map(|x| x.times(eigenvalue)));
                 } else if (a > 0 || self.lattice == Lattice::Dual)
@@ -90,7 +105,7 @@ impl<R: Scalar> Net<R> {
                 }
             }
         }
-        Net { lattice: self.lattice, cosine: self.cosine.clone(), points }
+        Net { lattice: self.lattice, cosine: self.cosine.clone(), points, start: self.start }
     }
 
     /// The new point at a place, by the rule of the regular part.

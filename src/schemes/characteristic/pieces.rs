@@ -52,13 +52,22 @@ const QUARTIC: [[i64; 12]; 15] = [
     [0, 0, 0, 0, 2, 2, 0, 2, 12, 2, 2, 2],
 ];
 
-/// The three pieces of sector 0 of the ring between two levels, from the refined points.
+/// The pieces of sector 0 of the ring between two levels, from the refined points: three, or twelve where it begins at 2.
 pub(super) fn pieces<R: Scalar>(fine: &Net<R>) -> Vec<Piece<R>> {
-    let corners = match fine.lattice {
-        Lattice::Triangle => [((1, 0), 1), ((0, 1), 1), ((1, 1), -1)],
-        _ => [((1, 0), 1), ((1, 1), 1), ((0, 1), 1)],
+    let layers = fine.start..2 * fine.start;
+    let corners: Vec<((i32, i32), i32)> = match fine.lattice {
+        Lattice::Triangle => {
+            // Upright ones by their distance, and then those between them.
+            let upright = layers.clone().flat_map(|a| (0..=a).map(move |b| ((a - b, b), 1)));
+            let turned = layers.flat_map(|a| (1..=a).map(move |b| ((a + 1 - b, b), -1)));
+            upright.chain(turned).collect()
+        }
+        _ => layers
+            .flat_map(|a| (0..=a).map(move |b| (a, b)).chain((0..a).rev().map(move |b| (b, a))))
+            .map(|corner| (corner, 1))
+            .collect(),
     };
-    let piece = |(corner, direction)| {
+    let piece = |(corner, direction): ((i32, i32), i32)| {
         let coordinates = [0, 1].map(|which| coordinate(fine, corner, direction, which));
         Piece { corner, direction, coordinates }
     };

@@ -121,21 +121,22 @@ pub(super) fn outer_curve<R: Scalar>(net: &Net<R>, pieces: &[Piece<R>]) -> Vec<R
         _ => p.plus(q),
     };
     let mut coefficients = Vec::new();
+    let last = 2 * net.start - 1;
     for piece in pieces {
         let [p, q] = &piece.coordinates;
         let (d, e) = p.degrees;
         let mut add = |i: usize, j: usize| coefficients.push(linear(&p.rows[i][j], &q.rows[i][j]));
         if net.lattice == Lattice::Triangle {
-            // The outer sides are opposite to the first corners; the middle triangle has none.
-            if piece.direction == 1 {
+            // The outer sides are opposite to the first corners of upright triangles.
+            if piece.direction == 1 && piece.corner.0 + piece.corner.1 == last {
                 (0..=d).for_each(|i| add(i, d - i));
             }
             continue;
         }
-        if piece.corner.0 == 1 {
+        if piece.corner.0 == last {
             (0..=e).for_each(|j| add(d, j));
         }
-        if piece.corner.1 == 1 {
+        if piece.corner.1 == last {
             (0..=d).for_each(|i| add(i, e));
         }
     }

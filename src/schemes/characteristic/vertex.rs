@@ -32,6 +32,8 @@ pub struct Second {
 pub struct Vertex {
     /// The regular part; `None` where none is known.
     pub family: Option<Family>,
+    /// Whether the points next to the vertex have rules of their own: then the ring has twelve pieces in each sector.
+    pub own: bool,
     /// The spectrum, of the wider ring where the regular part is known.
     pub spectrum: Spectrum,
     /// The eigenvalue whose eigenvectors decide.
@@ -81,7 +83,7 @@ impl Vertex {
     }
 
     fn judged(rules: Rules) -> Result<Vertex, SpectrumError> {
-        let Rules { family, reason, ring, wider } = rules;
+        let Rules { family, reason, own, ring, wider } = rules;
         let spectrum = Spectrum::within(&ring, wider.as_ref())?;
         let (found, mut net) = (second(&spectrum), None);
         let verdict = match (family, reason, &found) {
@@ -91,10 +93,14 @@ impl Vertex {
                 let cosine = inner.cosine(second.block);
                 let vector = match second.block {
                     0 => inner.still(&value),
-                    k => Some(inner.turning(k, &value)),
+                    k => inner.turning(k, &value),
                 };
-                net = vector.map(|vector| family.net(&cosine, &value, &vector));
+                net = vector.map(|vector| {
+                    let start = if own { 2 } else { 1 };
+                    Net { start, ..family.net(&cosine, &value, &vector) }
+                });
                 match &net {
+                    None if second.block > 0 => Verdict::Open(Reason::Eigenvector),
                     None => Verdict::Fails(Hypothesis::Blocks),
                     Some(net) if second.block == 0 => of_block_0(net, &value, second),
                     Some(net) => of_block(net, &value, second.block, spectrum.order),
@@ -114,7 +120,7 @@ impl Vertex {
         };
         let proved = matches!(verdict, Verdict::Proved { .. });
         let exponent = if proved { exponent(&spectrum) } else { None };
-        Ok(Vertex { family, spectrum, second: found.ok(), hypothesis, verdict, exponent, net })
+        Ok(Vertex { family, own, spectrum, second: found.ok(), hypothesis, verdict, exponent, net })
     }
 
     /// Whether the surface of generic data is C^m there; `None` where that is not decided. C² fails where it is not C¹,

@@ -38,18 +38,19 @@ fn parts(net: &Net<Ball>, pieces: &[Piece<Ball>]) -> Vec<Vec<Point<Ball>>> {
     let at = |piece: &Piece<Ball>, i: usize, j: usize| {
         piece.coordinates.each_ref().map(|form| form.rows[i][j].clone())
     };
+    let last = 2 * net.start - 1;
     for piece in pieces {
         let (d, e) = piece.coordinates[0].degrees;
         if net.lattice == Lattice::Triangle {
-            if piece.direction == 1 {
+            if piece.direction == 1 && piece.corner.0 + piece.corner.1 == last {
                 parts.push((0..=d).map(|j| at(piece, d - j, j)).collect());
             }
             continue;
         }
-        if piece.corner.0 == 1 {
+        if piece.corner.0 == last {
             parts.push((0..=e).map(|j| at(piece, d, j)).collect());
         }
-        if piece.corner.1 == 1 {
+        if piece.corner.1 == last {
             parts.push((0..=d).rev().map(|i| at(piece, i, e)).collect());
         }
     }

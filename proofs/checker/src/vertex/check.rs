@@ -171,22 +171,22 @@ fn at(ring: &[Piece], forms: &[Form], [a, b]: [&Q; 2]) -> Checked<Ball> {
 /// The coefficients of p + q, or on a face p + cq, on the outer curve of sector 0.
 fn outer_curve(net: &Net, ring: &[Piece]) -> Vec<Ball> {
     let factor = if net.part == Part::Biquadratic { net.cosine.clone() } else { Ball::from(1) };
-    let mut curve = Vec::new();
+    let (mut curve, last) = (Vec::new(), 2 * net.start - 1);
     for piece in ring {
         let [p, q] = &piece.coordinates;
         let d = p.rows.len() - 1;
         let mut add =
             |i: usize, j: usize| curve.push(p.rows[i][j].plus(&factor.times(&q.rows[i][j])));
         if p.triangle {
-            if piece.direction == 1 {
+            if piece.direction == 1 && piece.corner.0 + piece.corner.1 == last {
                 (0..=d).for_each(|i| add(i, d - i));
             }
             continue;
         }
-        if piece.corner.0 == 1 {
+        if piece.corner.0 == last {
             (0..=d).for_each(|j| add(d, j));
         }
-        if piece.corner.1 == 1 {
+        if piece.corner.1 == last {
             (0..=d).for_each(|i| add(i, d));
         }
     }

@@ -7,6 +7,7 @@ use crate::local_rules::LocalRules;
 use crate::number::Number;
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::value::Value;
+use std::ops::Range;
 
 /// The inner ring.
 pub struct Inner {
@@ -14,14 +15,21 @@ pub struct Inner {
     pub part: Part,
     /// The valence n.
     pub order: usize,
+    /// Whether points other than the vertex, or the face, have rules of their own.
+    pub own: bool,
     /// For each orbit: its first point, and its number of points.
     orbits: Vec<(usize, usize)>,
     weights: Vec<Vec<Value>>,
 }
 
+const OUTER: Reason = Reason::Vertex(
+    "points other than the vertex, or other than those next to it where the points around these are declared, have the \
+     rules of the regular part",
+);
+
 const RING: Reason = Reason::Vertex(
     "the orbits are those of a regular part, the weights are the same in all \
-                                     sectors and their own mirror image, and only those of the vertex or face are free",
+                                     sectors and their own mirror image",
 );
 
 fn integer(n: usize) -> Q {
@@ -35,7 +43,7 @@ fn cosine(turn: &Q) -> Result<Ball, Stop> {
 
 impl Inner {
     /// The rules of a ring, if its orbits are those of a regular part. The weights have to be the same in all sectors,
-    /// and their own mirror image; those of points other than the vertex have to be those of the regular part.
+    /// and their own mirror image.
     pub fn read(ring: &LocalRules<'_>) -> Checked<Inner> {
         let mut orbits: Vec<(usize, usize)> = Vec::new();
         let mut names: Vec<&str> = Vec::new();
@@ -50,15 +58,25 @@ impl Inner {
                 orbits.push((place, 1));
             }
         }
-        let part = Part::of_orbits(&names).ok_or(RING)?;
+        let declared = Part::declared_by(&names);
+        let part = Part::of_orbits(&names).or(declared).ok_or(RING)?;
         let order = orbits.last().map_or(0, |(_, count)| *count);
         let counts = names.iter().zip(&orbits);
         let fits = |(name, (_, count)): (&&str, &(usize, usize))| {
             *count == if *name == "vertex" { 1 } else { order }
         };
         require(order >= 3 && counts.into_iter().all(fits), RING)?;
-        let inner = Inner { part, order, orbits, weights: ring.weights.clone() };
-        require(inner.is_symmetric() && inner.is_regular(), RING)?;
+        let weights = ring.weights.clone();
+        let mut inner = Inner { part, order, own: false, orbits, weights };
+        require(inner.is_regular(part.inner().len()..inner.orbits.len()), OUTER)?;
+        // The points next to the vertex depend on none of the others.
+        inner.orbits.truncate(part.inner().len());
+        let count = inner.orbits.last().map_or(0, |(first, count)| first + count);
+        let mut rows = inner.weights[..count].iter();
+        require(rows.all(|row| row[count..].iter().all(Value::is_zero)), OUTER)?;
+        require(inner.is_symmetric(), RING)?;
+        inner.own = part != Part::Biquadratic && !inner.is_regular(1..inner.orbits.len());
+        require(declared.is_some() || !inner.own, OUTER)?;
         Ok(inner)
     }
 
@@ -96,23 +114,23 @@ impl Inner {
         })
     }
 
-    /// Whether the weights in all points but the vertex are those of the regular part. On a face all are free.
-    fn is_regular(&self) -> bool {
-        if self.part == Part::Biquadratic {
-            return true;
-        }
-        for a in 1..self.orbits.len() {
+    /// Whether the weights in the points of some orbits, in all sectors, are those of the regular part.
+    fn is_regular(&self, orbits: Range<usize>) -> bool {
+        let order = i32::try_from(self.order).unwrap_or(i32::MAX);
+        let places = self.part.places();
+        for (a, s) in orbits.flat_map(|a| (0..self.order).map(move |s| (a, s))) {
             let mut row = vec![int(0); self.weights.len()];
-            for (place, weight) in self.part.rule(self.part.inner()[a]) {
+            for (place, weight) in self.part.rule(places[a]) {
                 let (home, turns) = self.part.turned(place);
-                let Some(orbit) = self.part.inner().iter().position(|known| *known == home) else {
+                let Some(orbit) =
+                    places[..self.orbits.len()].iter().position(|known| *known == home)
+                else {
                     return false;
                 };
-                let order = i32::try_from(self.order).unwrap_or(i32::MAX);
                 let sector = usize::try_from(turns.rem_euclid(order)).unwrap_or(0);
-                row[self.point(orbit, sector)] += weight;
+                row[self.point(orbit, sector + s)] += weight;
             }
-            let own = &self.weights[self.point(a, 0)];
+            let own = &self.weights[self.point(a, s)];
             if !row.into_iter().zip(own).all(|(regular, own)| Value::from(regular) == *own) {
                 return false;
             }

@@ -29,6 +29,24 @@ impl Part {
         }
     }
 
+    /// The part of a ring whose orbits declare the points around those next to the vertex as well.
+    pub fn declared_by(names: &[&str]) -> Option<Part> {
+        match names {
+            ["vertex", "edge", "face", "outer", "left", "right", "corner"] => Some(Part::Bicubic),
+            ["vertex", "edge", "corner", "outer"] => Some(Part::BoxSpline),
+            _ => None,
+        }
+    }
+
+    /// The places of sector 0 of all orbits, in the order of the orbits that declare them.
+    pub fn places(self) -> &'static [Place] {
+        match self {
+            Part::Bicubic => &[(0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (1, 2), (2, 2)],
+            Part::BoxSpline => &[(0, 0), (1, 0), (1, 1), (2, 0)],
+            Part::Biquadratic => &[(0, 0)],
+        }
+    }
+
     /// Its name in certificates.
     pub fn name(self) -> &'static str {
         match self {

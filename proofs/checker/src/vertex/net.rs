@@ -16,6 +16,8 @@ pub struct Net {
     pub part: Part,
     /// cos(2πk/n).
     pub cosine: Ball,
+    /// Where the ring between two levels begins: at 1, and at 2 if points next to the vertex have rules of their own.
+    pub start: i32,
     points: BTreeMap<Place, Point>,
 }
 
@@ -64,7 +66,7 @@ impl Net {
         }
         let outer = outer(part, &cosine, value, &points).ok_or_else(undecided)?;
         points.extend(outer);
-        Ok(Net { part, cosine, points })
+        Ok(Net { part, cosine, start: if inner.own { 2 } else { 1 }, points })
     }
 
     /// The point at a place.
@@ -74,9 +76,18 @@ impl Net {
         Ok(turned(&self.cosine, point, turns))
     }
 
-    /// The points of the next level, up to three places away, or two on a face.
+    /// The points of the next level, up to three places away, or two on a face; of the second level, up to five, where the ring
+    /// begins at 2.
     pub fn refined(&self, value: &Ball) -> Checked<Net> {
-        let far = if self.part == Part::Biquadratic { 2 } else { 3 };
+        if self.start == 1 {
+            return self.next(value, if self.part == Part::Biquadratic { 2 } else { 3 });
+        }
+        self.next(value, 3)?.next(value, 5)
+    }
+
+    /// The points of the next level up to a distance.
+    fn next(&self, value: &Ball, far: i32) -> Checked<Net> {
+        let own = if self.start == 1 { &[(0, 0)][..] } else { self.part.inner() };
         let mut points = BTreeMap::new();
         for place in (0..=far).flat_map(|a| (0..=far).map(move |b| (a, b))) {
             let (home, turns) = self.part.turned(place);
@@ -85,7 +96,7 @@ impl Net {
                 continue;
             }
             let mut sum = [Ball::from(0), Ball::from(0)];
-            if place == (0, 0) {
+            if own.contains(&place) {
                 sum = self.at(place)?.map(|x| x.times(value));
             } else {
                 for (old, weight) in self.part.rule(place) {
@@ -97,7 +108,7 @@ impl Net {
             }
             points.insert(place, sum);
         }
-        Ok(Net { part: self.part, cosine: self.cosine.clone(), points })
+        Ok(Net { part: self.part, cosine: self.cosine.clone(), start: self.start, points })
     }
 }
 

@@ -26,11 +26,22 @@ const CUBIC: [&[i64]; 4] = [&[1, 4, 1, 0], &[0, 4, 2, 0], &[0, 2, 4, 0], &[0, 1,
 
 /// The pieces of sector 0, by the refined points.
 pub fn pieces(fine: &Net) -> Checked<Vec<Piece>> {
-    let corners = match fine.part {
-        Part::BoxSpline => [((1, 0), 1), ((0, 1), 1), ((1, 1), -1)],
-        _ => [((1, 0), 1), ((1, 1), 1), ((0, 1), 1)],
-    };
-    let piece = |(corner, direction)| -> Checked<Piece> {
+    let (start, end) = (fine.start, 2 * fine.start);
+    let mut corners: Vec<(Place, i32)> = Vec::new();
+    if fine.part == Part::BoxSpline {
+        for sum in start..end {
+            corners.extend((0..=sum).map(|b| ((sum - b, b), 1)));
+        }
+        for sum in start + 1..=end {
+            corners.extend((1..sum).map(|b| ((sum - b, b), -1)));
+        }
+    } else {
+        for side in start..end {
+            corners.extend((0..=side).map(|b| ((side, b), 1)));
+            corners.extend((0..side).rev().map(|a| ((a, side), 1)));
+        }
+    }
+    let piece = |(corner, direction): (Place, i32)| -> Checked<Piece> {
         let form = |which: usize| match fine.part {
             Part::BoxSpline => triangle(fine, corner, direction, which),
             Part::Bicubic => square(fine, corner, which, &CUBIC),
