@@ -46,7 +46,7 @@ const SHARED: [(&str, &[&str]); 9] = [
     ("spread", &["depth", "certify"]),
     ("levels", &["constants", "depth", "range", "certify", "oracle"]),
     ("mesh", &["depth", "oracle", "refine", "limit"]),
-    ("certificate", &["smoothness", "jsr"]),
+    ("certificate", &["depth", "smoothness", "jsr"]),
     ("valences", &["range", "smoothness", "table"]),
 ];
 

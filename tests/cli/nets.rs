@@ -20,11 +20,15 @@ fn the_depth_of_a_net() {
         &text,
         &["depth of the net", "3 levels; 2 are too few", "(cell ", "mustafa2020-nary"],
     );
-    let form = json(&written(of_roof(&[&depth[..], &["--format", "json"]].concat())));
+    let sets = json(&written(of_roof(&[&depth[..], &["--format", "json"]].concat())));
+    assert_eq!((&sets["level"], &sets["too_few"]), (&3.into(), &2.into()));
+    let parametric = [&depth[..], &["--distance", "parametric", "--format", "json"]].concat();
+    let form = json(&written(of_roof(&parametric)));
     assert_eq!((&form["level"], &form["too_few"]), (&3.into(), &2.into()));
-    let place = &form["worst_face"];
-    let face = place["face"].as_u64().expect("a face");
-    assert_eq!(place["cell"], serde_json::json!([face / 6, face % 6]));
+    for place in [&form["worst_face"], &sets["too_far"]] {
+        let face = place["face"].as_u64().expect("a face");
+        assert_eq!(place["cell"], serde_json::json!([face / 6, face % 6]));
+    }
     assert!(form["a_priori"]["level"].as_u64() >= Some(3), "{form}");
     // Second differences −0.2 and 0.05 across and along: (0.2 − 0.05)/6 at level 0.
     let found =
@@ -32,6 +36,26 @@ fn the_depth_of_a_net() {
     assert!(found["level"].as_u64() <= Some(1), "{found}");
     let only = json(&written(of_roof(&[&depth[..], &["--format", "json", "--a-priori"]].concat())));
     assert_eq!((&only["level"], &only["a_priori"]), (&serde_json::Value::Null, &form["a_priori"]));
+}
+
+#[test]
+fn a_depth_has_a_certificate() {
+    let file = TemporaryFile::new("depth.cert", "");
+    let depth = ["depth", "chaikin", "--tolerance", "1/100", "--certificate", file.path()];
+    written(of_roof(&depth));
+    let text = std::fs::read_to_string(file.path()).expect("the file");
+    let checked = subcert_check::check_depth(&text).expect("a valid certificate");
+    assert_eq!(
+        checked.to_string(),
+        "level 1 is enough, and level 0 is not enough: it is the least"
+    );
+    let parametric = refused(of_roof(&[&depth[..], &["--distance", "parametric"]].concat()));
+    assert_parts(&parametric, &["--certificate", "leave out --distance parametric"]);
+    let alone = refused(["depth", "chaikin", "--tolerance", "1", "--certificate", "x"]);
+    assert_parts(&alone, &["--polygon or --mesh"]);
+    let cube = ["--mesh", "examples/cube.obj", "--certificate", "x"];
+    let cube = ["depth", "catmull-clark", "--tolerance", "1"].into_iter().chain(cube);
+    assert_parts(&refused(cube), &["polygon meshes and solids have none"]);
 }
 
 #[test]
