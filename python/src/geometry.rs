@@ -7,7 +7,7 @@ use std::sync::Arc;
 use subcert::exact::{Enclosed, Rational, RealCyclotomic};
 use subcert::float::nearest;
 use subcert::mesh::Point;
-use subcert::patch::{FarPlace, MeshDepth, MeshWork};
+use subcert::patch::{FarPlace, GeometricDepth, MeshDepth, MeshWork};
 
 /// Points as Python has them.
 pub(crate) type Points<'py> = Vec<[Bound<'py, PyAny>; 3]>;
@@ -15,6 +15,10 @@ pub(crate) type Points<'py> = Vec<[Bound<'py, PyAny>; 3]>;
 /// Level, the greatest level that is too few, bounds of the distance, the face where it is, the point
 /// on the mesh and on the limit, a lower bound of the Hausdorff distance.
 pub(crate) type Depth = (u32, Option<u32>, [f64; 2], Option<(usize, Point<f64>, Point<f64>)>, f64);
+
+/// Level, the greatest level that is too few, and a point that shows it: its set, its face, where it is, a lower bound of
+/// its distance from the other set.
+pub(crate) type SurfaceDepth = (u32, Option<u32>, Option<(String, usize, Point<f64>, f64)>);
 
 /// The f64 of a limit point, and the exact one where it is rational.
 pub(crate) type Limit = (Point<f64>, Option<Point<Fraction>>);
@@ -43,6 +47,23 @@ pub(crate) fn limit(position: &Point<RealCyclotomic>) -> Limit {
 /// The limit of a point that is rational.
 pub(crate) fn rational_limit(position: &Point<Rational>) -> Limit {
     (position.each_ref().map(nearest), Some(position.each_ref().map(fraction)))
+}
+
+/// A depth as sets of points that is found beside Python.
+pub(crate) fn surface_depth_aside(
+    py: Python<'_>,
+    find: impl FnOnce(Arc<MeshWork>) -> PyResult<GeometricDepth> + Send + 'static,
+) -> PyResult<SurfaceDepth> {
+    let work = Arc::<MeshWork>::default();
+    let shared = Arc::clone(&work);
+    let surface = move || {
+        let found = find(shared)?;
+        let place = found
+            .beyond
+            .map(|place| (place.from.name().to_owned(), place.face, place.point, place.distance));
+        Ok((found.level, found.too_few, place))
+    };
+    aside(py, || work.stop(), surface)
 }
 
 /// A depth that is found beside Python. Ctrl-C stops the search through the work that it is given.

@@ -35,9 +35,9 @@ mod _native {
     #[pymodule_export]
     use crate::facts::{facts_json, plot_svg};
     #[pymodule_export]
-    use crate::mesh::{mesh_depth, mesh_limit, mesh_refine};
+    use crate::mesh::{mesh_depth, mesh_geometric_depth, mesh_limit, mesh_refine};
     #[pymodule_export]
-    use crate::net::{net_depth, net_limit, net_refine};
+    use crate::net::{net_depth, net_geometric_depth, net_limit, net_refine};
     #[pymodule_export]
     use crate::scheme::{Native, parameter_range, scheme_names};
     #[pymodule_export]

@@ -1,13 +1,15 @@
 //! Polygon meshes.
 
-use crate::error::plain;
-use crate::geometry::{Depth, Limit, Points, depth_aside, limit, points, rounded};
+use crate::error::{plain, with_remedy};
+use crate::geometry::{
+    Depth, Limit, Points, SurfaceDepth, depth_aside, limit, points, rounded, surface_depth_aside,
+};
 use crate::number::rational;
 use crate::run::aside;
 use pyo3::prelude::*;
 use subcert::exact::Rational;
 use subcert::mesh::{MeshScheme, Point, PolygonMesh, limit_points, refine_mesh};
-use subcert::patch::MeshDistances;
+use subcert::patch::{FaceSurface, MeshDistances};
 
 /// The f64 vertices of a mesh, half a unit in the last place from the exact ones, and its faces.
 type Rounded = (Vec<Point<f64>>, Vec<Vec<usize>>);
@@ -35,6 +37,28 @@ pub fn mesh_depth(
     depth_aside(py, move |work| {
         let distances = MeshDistances::new(mesh, scheme).map_err(plain)?.with_work(work);
         distances.depth(&tolerance).map_err(plain)
+    })
+}
+
+/// How many levels a mesh needs for a tolerance, as a set of points.
+#[pyfunction]
+pub fn mesh_geometric_depth(
+    py: Python<'_>,
+    scheme: &str,
+    vertices: Points<'_>,
+    faces: Vec<Vec<usize>>,
+    tolerance: &Bound<'_, PyAny>,
+    faces_are: &str,
+) -> PyResult<SurfaceDepth> {
+    let (scheme, mesh) = mesh(scheme, &vertices, faces)?;
+    let tolerance = rational(tolerance)?;
+    let all = [FaceSurface::Bilinear, FaceSurface::Fan];
+    let surface = all.into_iter().find(|surface| surface.name() == faces_are).ok_or_else(|| {
+        with_remedy(&format!("faces_are is {faces_are:?}"), "it is \"bilinear\" or \"fan\"")
+    })?;
+    surface_depth_aside(py, move |work| {
+        let distances = MeshDistances::new(mesh, scheme).map_err(plain)?.with_work(work);
+        distances.geometric_depth(&tolerance, surface).map_err(plain)
     })
 }
 

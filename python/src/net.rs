@@ -1,7 +1,10 @@
 //! Tensor nets.
 
 use crate::error::{plain, with_remedy};
-use crate::geometry::{Depth, Limit, Points, depth_aside, points, rational_limit, rounded};
+use crate::geometry::{
+    Depth, Limit, Points, SurfaceDepth, depth_aside, points, rational_limit, rounded,
+    surface_depth_aside,
+};
 use crate::number::rational;
 use crate::run::aside;
 use pyo3::prelude::*;
@@ -34,6 +37,22 @@ pub fn net_depth(
     depth_aside(py, move |work| {
         let distances = NetDistances::new(net, &scheme).map_err(plain)?.with_work(work);
         distances.depth(&tolerance).map_err(plain)
+    })
+}
+
+/// How many levels a net needs for a tolerance, as a set of points.
+#[pyfunction]
+pub fn net_geometric_depth(
+    py: Python<'_>,
+    scheme: &str,
+    given: Given<'_>,
+    tolerance: &Bound<'_, PyAny>,
+) -> PyResult<SurfaceDepth> {
+    let (scheme, net) = net(scheme, given)?;
+    let tolerance = rational(tolerance)?;
+    surface_depth_aside(py, move |work| {
+        let distances = NetDistances::new(net, &scheme).map_err(plain)?.with_work(work);
+        distances.geometric_depth(&tolerance).map_err(plain)
     })
 }
 

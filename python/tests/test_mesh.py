@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy
 import pytest
 
-from subcert import SubcertError, limit_points, mesh_depth, refine_mesh
+from subcert import SubcertError, limit_points, mesh_depth, mesh_geometric_depth, refine_mesh
 
 CUBE = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
 FACES = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
@@ -22,6 +22,14 @@ def test_cube():
     assert found.too_few == found.level - 1
     assert found.distance[0] <= found.distance[1] <= 0.01
     assert mesh_depth("catmull-clark", numpy.array(CUBE), numpy.array(FACES), "1/100") == found
+    # As sets of points it needs no more levels.
+    sets = mesh_geometric_depth("catmull-clark", numpy.array(CUBE), FACES, "1/100")
+    assert sets.level <= found.level and sets.too_few == sets.level - 1
+    assert sets.of in ("mesh", "limit") and sets.distance >= 0.01
+    fan = mesh_geometric_depth("catmull-clark", CUBE, FACES, "1/100", faces_are="fan")
+    assert fan.level <= found.level
+    with pytest.raises(SubcertError, match="fan"):
+        mesh_geometric_depth("catmull-clark", CUBE, FACES, "1/100", faces_are="flat")
 
 
 def test_wrong_meshes():

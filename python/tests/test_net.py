@@ -10,6 +10,7 @@ from subcert import (
     limit_net,
     mesh_depth,
     net_depth,
+    net_geometric_depth,
     refine_net,
     refine_solid,
     solid_depth,
@@ -48,6 +49,8 @@ def test_depths_of_nets():
     assert found.too_few == found.level - 1
     assert found.distance[0] <= found.distance[1] <= 0.05
     assert net_depth(CUBIC, numpy.array(ROOF), "1/20") == found
+    sets = net_geometric_depth(CUBIC, numpy.array(ROOF), "1/20")
+    assert sets.level <= found.level and sets.distance >= 0.05
     # Uniform cubic B-splines: the limit of a point is (1, 4, 1)/6 in each direction.
     limits = limit_net(CUBIC, ROOF)
     assert limits[0][0] is None

@@ -23,9 +23,9 @@ from ._analysis import (
 from ._audit import Audit, Finding, audit, papers
 from ._errors import SubcertError
 from ._facts import Facts, Plot, plot, scheme
-from ._geometry import LimitPoint, MeshDepth
-from ._mesh import RefinedMesh, limit_points, mesh_depth, refine_mesh
-from ._net import limit_net, net_depth, refine_net
+from ._geometry import LimitPoint, MeshDepth, SurfaceDepth
+from ._mesh import RefinedMesh, limit_points, mesh_depth, mesh_geometric_depth, refine_mesh
+from ._net import limit_net, net_depth, net_geometric_depth, refine_net
 from ._numbers import Algebraic, exact
 from ._scheme import Constants, Depth, GeometricDepth, Interval, Quantity, Refined, Scheme, SmoothRange, schemes
 from ._solid import RefinedSolid, refine_solid, solid_depth, solid_limit_points
@@ -58,6 +58,7 @@ __all__ = [
     "Smoothness",
     "Spectrum",
     "SubcertError",
+    "SurfaceDepth",
     "VertexSmoothness",
     "audit",
     "exact",
@@ -65,7 +66,9 @@ __all__ = [
     "limit_net",
     "limit_points",
     "mesh_depth",
+    "mesh_geometric_depth",
     "net_depth",
+    "net_geometric_depth",
     "papers",
     "plot",
     "refine_mesh",

@@ -35,6 +35,27 @@ class MeshDepth:
 
 
 @dataclass(frozen=True)
+class SurfaceDepth:
+    """How many levels a tolerance needs by the Hausdorff distance of a mesh or a net and its limit surface.
+
+    ``level`` is enough, ``too_few`` is not: ``point``, of the set ``of`` ("mesh" or "limit"), on ``face`` of the control mesh,
+    is at least ``distance`` from all of the other set.
+
+    >>> from subcert import net_geometric_depth
+    >>> roof = [[(i, j, abs(j - 2)) for j in range(5)] for i in range(4)]
+    >>> net_geometric_depth("b-spline:degree=3 x b-spline:degree=3", roof, 0.05).level
+    2
+    """
+
+    level: int
+    too_few: Optional[int]
+    of: Optional[str]
+    face: Optional[int]
+    point: Optional[Point]
+    distance: Optional[float]
+
+
+@dataclass(frozen=True)
 class LimitPoint:
     """Where the limit surface has a vertex; ``exact`` is None where it is irrational.
 
@@ -53,6 +74,12 @@ def depth_of(found: Any) -> MeshDepth:
     face, on_mesh, on_limit = worst if worst is not None else (None, None, None)
     place = [None if point is None else tuple(point) for point in (on_mesh, on_limit)]
     return MeshDepth(level, too_few, tuple(distance), face, place[0], place[1], apart)
+
+
+def surface_depth_of(found: Any) -> SurfaceDepth:
+    level, too_few, place = found
+    of, face, point, distance = place if place is not None else (None, None, None, None)
+    return SurfaceDepth(level, too_few, of, face, None if point is None else tuple(point), distance)
 
 
 def limit_of(found: Any) -> Optional[LimitPoint]:

@@ -7,7 +7,17 @@ from typing import Any, List, Optional, Sequence
 
 from . import _native
 from ._errors import SubcertError
-from ._geometry import LimitPoint, MeshDepth, as_given, depth_of, indices, limit_of, points_of
+from ._geometry import (
+    LimitPoint,
+    MeshDepth,
+    SurfaceDepth,
+    as_given,
+    depth_of,
+    indices,
+    limit_of,
+    points_of,
+    surface_depth_of,
+)
 from ._numbers import Number
 
 
@@ -37,6 +47,29 @@ def mesh_depth(
     (4, 3)
     """
     return depth_of(_native.mesh_depth(scheme, _vertices(vertices), _faces(faces), tolerance))
+
+
+def mesh_geometric_depth(
+    scheme: str,
+    vertices: Any,
+    faces: Sequence[Sequence[int]],
+    tolerance: Number,
+    *,
+    faces_are: str = "bilinear",
+) -> SurfaceDepth:
+    """How many levels bring a mesh within a tolerance of its limit surface, as sets of points. Triangles are flat, and
+    faces with more than four vertices are fans from their centroids; so are quadrilaterals with ``faces_are="fan"``.
+
+    >>> cube = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
+    >>> faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
+    >>> found = mesh_geometric_depth("doo-sabin", cube, faces, "1/10")
+    >>> found.level, found.too_few, found.of
+    (2, 1, 'mesh')
+    """
+    found = _native.mesh_geometric_depth(
+        scheme, _vertices(vertices), _faces(faces), tolerance, faces_are
+    )
+    return surface_depth_of(found)
 
 
 def refine_mesh(

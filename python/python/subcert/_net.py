@@ -6,7 +6,16 @@ from typing import Any, List, Optional, Sequence, Tuple
 
 from . import _native
 from ._errors import SubcertError
-from ._geometry import LimitPoint, MeshDepth, as_given, depth_of, limit_of, points_of
+from ._geometry import (
+    LimitPoint,
+    MeshDepth,
+    SurfaceDepth,
+    as_given,
+    depth_of,
+    limit_of,
+    points_of,
+    surface_depth_of,
+)
 from ._numbers import Number
 
 
@@ -23,6 +32,19 @@ def net_depth(
     (2, 1)
     """
     return depth_of(_native.net_depth(scheme, _given(points, closed), tolerance))
+
+
+def net_geometric_depth(
+    scheme: str, points: Any, tolerance: Number, *, closed: str = "none"
+) -> SurfaceDepth:
+    """How many levels bring a net, bilinear between its points, within a tolerance of its limit surface as a set of points.
+
+    >>> roof = [[(i, j, abs(j - 2)) for j in range(5)] for i in range(4)]
+    >>> found = net_geometric_depth("b-spline:degree=3 x b-spline:degree=3", roof, "1/20")
+    >>> found.level, found.too_few
+    (2, 1)
+    """
+    return surface_depth_of(_native.net_geometric_depth(scheme, _given(points, closed), tolerance))
 
 
 def refine_net(scheme: str, points: Any, levels: int = 1, *, closed: str = "none") -> Any:
