@@ -11,7 +11,7 @@ use subcert::audit::{self, by_hand, readings};
 use subcert::claim::{Paper, RegularityCell, Table};
 use subcert::report::html::explain_page;
 use subcert::report::json::Explained;
-use subcert::report::{Background, corrected_table, explain_sheet, table_of};
+use subcert::report::{Background, corrected_table, explain_sheet, table_of, to_the_eye};
 use subcert::suggestion::did_you_mean;
 
 pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
@@ -39,20 +39,25 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
     let bar = arguments.output.format != FindingFormat::Json;
     let audits = [judge_claim(paper, name, bar)?];
     let audit = &audits[0];
-    let (mut tried, mut working) = (Vec::new(), None);
+    let (mut tried, mut working, mut eye) = (Vec::new(), None, None);
     if let Some((finding, at)) = table_of(&audits, id) {
         let kind = at.map(|(row, column)| finding.cells[row][column].kind());
         if let Some(kind) = kind.or_else(|| finding.kinds().first().copied()) {
             tried = readings(audit.paper, finding, kind)?;
         }
         working = at.map(|at| audit::working(audit, finding, at)).transpose()?;
+        eye = at.map(|at| to_the_eye(audit.paper, finding, at)).transpose()?.flatten();
     }
     let by_hand = match audit.theorems.iter().find(|finding| finding.id == *id) {
         Some(finding) => by_hand(audit, finding)?,
         None => None,
     };
-    let background =
-        Background { readings: &tried, by_hand: by_hand.as_ref(), working: working.as_ref() };
+    let background = Background {
+        readings: &tried,
+        by_hand: by_hand.as_ref(),
+        working: working.as_ref(),
+        eye: eye.as_ref(),
+    };
     let sheet = explain_sheet(&audits, id, background, arguments.all)
         .ok_or_else(|| Failure::Input(format!("no claim has the id `{id}`")))?;
     let source = &paper.source.name;

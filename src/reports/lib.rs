@@ -16,6 +16,9 @@ use subcert_schemes::{bound, characteristic, joint, limit, scheme, smoothness};
 #[cfg(feature = "report")]
 use subcert_schemes::{facts, float, spectrum};
 
+#[cfg(feature = "report")]
+use subcert_geometry::patch;
+
 pub mod certificate;
 #[cfg(feature = "report")]
 pub mod report;

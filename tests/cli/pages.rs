@@ -90,6 +90,10 @@ fn pages_of_depths_have_their_pictures() {
         ),
         (
             "depth bicubic --mesh examples/roof.csv --tolerance 1/100",
+            &["as colours"],
+        ),
+        (
+            "depth bicubic --mesh examples/roof.csv --tolerance 1/100 --distance parametric",
             &["as colours", "Against the level"],
         ),
         (

@@ -3,6 +3,7 @@
 mod depth_pictures;
 mod document;
 mod explained;
+mod eye;
 mod figures;
 mod headline;
 mod html;

@@ -2,6 +2,7 @@
 
 use super::audit::{assumed, remarks, table_values};
 use super::equation::{outcome, sides};
+use super::eye::{self, Eye};
 use super::function;
 use super::headers;
 use super::kernel;
@@ -29,6 +30,8 @@ pub struct Background<'e> {
     pub by_hand: Option<&'e ByHand>,
     /// The result of [`crate::audit::working`] for a cell.
     pub working: Option<&'e Working>,
+    /// The result of [`to_the_eye`](super::to_the_eye) for a cell.
+    pub eye: Option<&'e Eye>,
 }
 
 /// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`, `key:eq-3.8`,
@@ -41,7 +44,7 @@ pub fn explain_sheet(
     background: Background<'_>,
     all: bool,
 ) -> Option<Sheet> {
-    let Background { readings, by_hand, working } = background;
+    let Background { readings, by_hand, working, eye } = background;
     let (key, rest) = id.split_once(':')?;
     let audit = audits.iter().find(|audit| audit.paper.key == key)?;
     let other = function::explain(audit, id).or_else(|| smoothness::explain(audit, id));
@@ -96,7 +99,9 @@ pub fn explain_sheet(
         }
         None => definition(&mut sheet, audit, finding, scheme),
     }
-    sheet.facts(cell_facts(cell));
+    let mut facts = cell_facts(cell);
+    facts.extend(eye.map(eye::fact));
+    sheet.facts(facts);
     let at = cell_place(finding.table, id);
     if at.is_some() {
         tried::section(&mut sheet, finding, readings, at, all);

@@ -133,19 +133,7 @@ impl CurveSets {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn depth(&mut self, tolerance: &Rational) -> Result<CurveDepth, LimitError> {
-        if tolerance.sign() <= 0 {
-            let (what, value) = ("the tolerance", tolerance.to_string());
-            return Err(LimitError::NotPositive { what, value });
-        }
-        let least = &self.width * &Rational::new(1, 1 << LEAST_SHARE);
-        if *tolerance < least {
-            return Err(LimitError::Sets {
-                reason: format!(
-                    "a tolerance is at least 2^-{LEAST_SHARE} of the greatest width of the polygon"
-                ),
-            });
-        }
-        let scaled = lower(&(tolerance / &self.scale));
+        let scaled = self.scaled(tolerance)?;
         let (mut places, mut certain) = (Vec::new(), true);
         for level in 0..=MAX_LEVEL {
             if !self.finder.cells.is_numbered(level + 1) {
@@ -170,6 +158,58 @@ impl CurveSets {
             self.finder.budget.total()
         );
         Err(LimitError::Sets { reason })
+    }
+
+    /// Whether H_k ≤ ε at one level; `None` where that is not decided.
+    ///
+    /// # Errors
+    /// When the tolerance is not positive, or too small.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::limit::Limit;
+    /// use subcert::patch::CurveSets;
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// let chaikin = Limit::new(parse_scheme("chaikin")?.masks()[0])?;
+    /// let square = [[0, 4, 4, 0], [0, 0, 4, 4]].map(|own| own.map(Rational::from).to_vec());
+    /// let mut sets = CurveSets::new(&chaikin, &square, true)?;
+    /// assert_eq!(sets.is_within(0, &Rational::new(1, 2))?, Some(false));
+    /// assert_eq!(sets.is_within(0, &Rational::new(3, 4))?, Some(true));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn is_within(
+        &mut self,
+        level: u32,
+        tolerance: &Rational,
+    ) -> Result<Option<bool>, LimitError> {
+        let tolerance = self.scaled(tolerance)?;
+        if level > MAX_LEVEL || !self.finder.cells.is_numbered(level + 1) {
+            return Ok(None);
+        }
+        let known = LevelSearch { finder: &mut self.finder, level, tolerance }.examine();
+        Ok(match known {
+            Known::Near => Some(true),
+            Known::Far(_) => Some(false),
+            Known::Open => None,
+        })
+    }
+
+    /// The tolerance in the units of the search.
+    fn scaled(&self, tolerance: &Rational) -> Result<f64, LimitError> {
+        if tolerance.sign() <= 0 {
+            let (what, value) = ("the tolerance", tolerance.to_string());
+            return Err(LimitError::NotPositive { what, value });
+        }
+        let least = &self.width * &Rational::new(1, 1 << LEAST_SHARE);
+        if *tolerance < least {
+            return Err(LimitError::Sets {
+                reason: format!(
+                    "a tolerance is at least 2^-{LEAST_SHARE} of the greatest width of the polygon"
+                ),
+            });
+        }
+        Ok(lower(&(tolerance / &self.scale)))
     }
 
     fn place(&self, far: &Far) -> CurvePlace {

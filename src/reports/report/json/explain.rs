@@ -8,6 +8,7 @@ use super::reading::Reading;
 use super::working::Working;
 use crate::audit::PaperAudit;
 use crate::report::explain::{Background, table_of};
+use crate::report::eye::Eye;
 use serde::Serialize;
 
 /// What `subcert explain` finds.
@@ -27,6 +28,27 @@ pub struct Explained<'a> {
     pub by_hand: Option<ByHand<'a>>,
     /// The values from which a cell is computed; null for any other claim.
     pub working: Option<Working>,
+    /// For a cell that breaks its promise with a control polygon: whether that breaks it as a set of points too; else null.
+    pub as_sets: Option<AsSets>,
+}
+
+/// A control polygon of numbers as a set of points, with neighbours β apart along a second coordinate.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct AsSets {
+    /// The level of the promise.
+    pub level: u32,
+    /// The promised bound.
+    pub most: String,
+    /// Whether its Hausdorff distance from its limit is more than that; null where that is not decided.
+    pub broken: Option<bool>,
+}
+
+impl AsSets {
+    fn of(eye: &Eye) -> AsSets {
+        let Eye { level, most, broken } = eye;
+        AsSets { level: *level, most: most.to_string(), broken: *broken }
+    }
 }
 
 impl<'a> Explained<'a> {
@@ -37,7 +59,7 @@ impl<'a> Explained<'a> {
         id: &'a str,
         background: Background<'a>,
     ) -> Explained<'a> {
-        let Background { readings, by_hand, working } = background;
+        let Background { readings, by_hand, working, eye } = background;
         let table = table_of(audits, id);
         let claims = AuditReport::of(audits).papers.into_iter().flat_map(|paper| paper.claims);
         let own = audits
@@ -58,6 +80,7 @@ impl<'a> Explained<'a> {
             readings: table.map(|(finding, at)| Reading::all(finding, readings, at)),
             by_hand: by_hand.map(ByHand::of),
             working: working.map(Working::of),
+            as_sets: eye.map(AsSets::of),
         }
     }
 }
