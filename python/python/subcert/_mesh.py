@@ -64,7 +64,7 @@ def mesh_geometric_depth(
     >>> faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
     >>> found = mesh_geometric_depth("doo-sabin", cube, faces, "1/10")
     >>> found.level, found.too_few, found.of
-    (2, 1, 'mesh')
+    (2, 1, 'limit')
     """
     found = _native.mesh_geometric_depth(
         scheme, _vertices(vertices), _faces(faces), tolerance, faces_are
