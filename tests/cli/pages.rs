@@ -88,10 +88,7 @@ fn pages_of_depths_have_their_pictures() {
                 "Against the level",
             ][..],
         ),
-        (
-            "depth bicubic --mesh examples/roof.csv --tolerance 1/100",
-            &["as colours"],
-        ),
+        ("depth bicubic --mesh examples/roof.csv --tolerance 1/100", &["as colours"]),
         (
             "depth bicubic --mesh examples/roof.csv --tolerance 1/100 --distance parametric",
             &["as colours", "Against the level"],
