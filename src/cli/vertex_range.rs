@@ -80,7 +80,7 @@ fn sheet(scheme: &str, parameter: Parameter<'_>, found: &[VertexRange]) -> Sheet
     }
     sheet.text(
         "C^1: the eigenvalues are in order, and the characteristic map is regular and injective. Not C^1: its Jacobian has both \
-         signs, or an eigenvalue of block 0 is above the others. Elsewhere a hypothesis on the eigenvalues fails, or the sign \
+         signs, an eigenvalue of block 0 is above the others, or one beside the simple 1 is not below 1. Elsewhere a hypothesis on the eigenvalues fails, or the sign \
          of the Jacobian is not decided.",
     );
     sheet.text(format!("{SCOPE}."));
