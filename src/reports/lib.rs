@@ -12,9 +12,9 @@ use subcert_claims::{audit, claim, shipped};
 #[cfg(feature = "report")]
 use subcert_numbers::formula;
 use subcert_numbers::{diagnostic, exact};
-use subcert_schemes::{bound, characteristic, joint, limit, scheme, smoothness};
+use subcert_schemes::{bound, characteristic, joint, limit, scheme, smoothness, spectrum};
 #[cfg(feature = "report")]
-use subcert_schemes::{facts, float, spectrum};
+use subcert_schemes::{facts, float};
 
 #[cfg(feature = "report")]
 use subcert_geometry::patch;
