@@ -1,7 +1,7 @@
 //! `subcert refine` and `limit`, and `oracle --mesh`: for polygon meshes, tensor nets and hexahedral
 //! solids.
 
-use super::arguments::{LimitArguments, MeshBoundary, OracleArguments, RefineArguments};
+use super::arguments::{LimitArguments, OracleArguments, RefineArguments};
 use super::net::NetInput;
 use super::output::{Failure, Outcome, deliver};
 use super::{mesh, net, solid};
@@ -15,13 +15,15 @@ pub(super) enum Geometry {
 }
 
 impl Geometry {
-    /// The same, where rules at the boundary are given for polygon meshes.
-    fn with(input: &NetInput<'_>, boundary: Option<MeshBoundary>) -> Result<Geometry, Failure> {
+    /// The same, where options are given that polygon meshes alone have.
+    fn with(input: &NetInput<'_>, given: [(bool, &str); 2]) -> Result<Geometry, Failure> {
         let geometry = Geometry::of(input)?;
-        if boundary.is_some() && !matches!(geometry, Geometry::Mesh) {
-            return Err(Failure::Input("--boundary is for polygon meshes".to_owned()));
+        match given.into_iter().find(|(given, _)| *given) {
+            Some((_, option)) if !matches!(geometry, Geometry::Mesh) => {
+                Err(Failure::Input(format!("{option} is for polygon meshes")))
+            }
+            _ => Ok(geometry),
         }
-        Ok(geometry)
     }
 
     /// The scheme decides on solids, the file or `--closed` on nets.
@@ -38,9 +40,10 @@ impl Geometry {
 }
 
 pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
-    let RefineArguments { scheme, mesh, closed, level, output, boundary } = arguments;
+    let RefineArguments { scheme, mesh, closed, level, output, boundary, isolated } = arguments;
     let net = NetInput { scheme, path: mesh, closed: *closed };
-    match Geometry::with(&net, *boundary)? {
+    let given = [(boundary.is_some(), "--boundary"), (isolated.is_some(), "--isolated")];
+    match Geometry::with(&net, given)? {
         Geometry::Mesh => mesh::refine(arguments),
         Geometry::Net => net::refine(&net, *level, output),
         Geometry::Solid => solid::refine(arguments),
@@ -48,9 +51,10 @@ pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
 }
 
 pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
-    let LimitArguments { scheme, mesh, closed, level, output, boundary } = arguments;
+    let LimitArguments { scheme, mesh, closed, level, output, boundary, isolated } = arguments;
     let net = NetInput { scheme, path: mesh, closed: *closed };
-    match Geometry::with(&net, *boundary)? {
+    let given = [(boundary.is_some(), "--boundary"), (isolated.is_some(), "--isolated")];
+    match Geometry::with(&net, given)? {
         Geometry::Mesh => mesh::limit(arguments),
         Geometry::Net => net::limit(&net, *level, output),
         Geometry::Solid => solid::limit(arguments),

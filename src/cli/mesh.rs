@@ -1,7 +1,7 @@
 //! `subcert refine` and `subcert limit`, and `subcert oracle --mesh`.
 
 use super::arguments::{
-    LimitArguments, MeshBoundary, MeshOutput, MeshOutputFormat, RefineArguments,
+    IsolatedArgument, LimitArguments, MeshBoundary, MeshOutput, MeshOutputFormat, RefineArguments,
 };
 use super::forms::OF_MESHES;
 use super::json::SCHEMA;
@@ -21,7 +21,8 @@ use subcert::solid::{SOLID_SCHEME, SolidFormat};
 type Mesh = PolygonMesh<RealCyclotomic>;
 
 pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
-    let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level, arguments.boundary)?;
+    let given = (arguments.boundary, arguments.isolated);
+    let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level, given)?;
     let mesh = work.refined()?;
     let title = work.title("refined");
     let format = OF_MESHES.chosen(&arguments.output)?;
@@ -42,7 +43,8 @@ pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
 }
 
 pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
-    let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level, arguments.boundary)?;
+    let given = (arguments.boundary, arguments.isolated);
+    let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level, given)?;
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
     let title = work.title("limit points of its vertices");
@@ -63,7 +65,7 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
 
 /// What `subcert oracle --mesh` writes.
 pub(super) fn reference_values(scheme: &str, path: &Path, level: u32) -> Result<String, Failure> {
-    let work = Work::new(scheme, path, level, None)?;
+    let work = Work::new(scheme, path, level, (None, None))?;
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
     Ok(to_json(&mesh, &work.head(), Some(&limits)))
@@ -161,7 +163,7 @@ impl Work {
         scheme: &str,
         path: &Path,
         level: u32,
-        boundary: Option<MeshBoundary>,
+        (boundary, isolated): (Option<MeshBoundary>, Option<IsolatedArgument>),
     ) -> Result<Work, Failure> {
         let (scheme, name, mut file) = read(scheme, path)?;
         if let Some(boundary) = boundary {
@@ -172,6 +174,10 @@ impl Work {
                 MeshBoundary::Corner => Boundary::Corner,
             };
             let mesh = file.mesh().clone().with_tags(tags);
+            file = file.with_mesh(mesh);
+        }
+        if isolated != Some(IsolatedArgument::Keep) {
+            let mesh = file.mesh().clone().with_isolated(Vec::new());
             file = file.with_mesh(mesh);
         }
         Ok(Work { scheme, level, name, file })
@@ -210,7 +216,7 @@ impl Work {
 fn at_limit(mesh: &Mesh, limits: &[Option<LimitPoint>]) -> Result<Mesh, Failure> {
     let position = |limit: &Option<LimitPoint>| Some(limit.as_ref()?.position.clone());
     if let Some(points) = limits.iter().map(position).collect::<Option<Vec<_>>>() {
-        return Ok(mesh.with_points(points));
+        return Ok(mesh.with_points(points).with_isolated(mesh.isolated().to_vec()));
     }
     let missing = limits.iter().filter(|limit| limit.is_none()).count();
     Err(Failure::Input(format!(

@@ -17,7 +17,7 @@ use subcert_schemes::{bound, characteristic, joint, limit, scheme, smoothness, s
 use subcert_schemes::{facts, float};
 
 #[cfg(feature = "report")]
-use subcert_geometry::patch;
+use subcert_geometry::{net, patch};
 
 pub mod certificate;
 #[cfg(feature = "report")]

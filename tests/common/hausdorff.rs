@@ -22,6 +22,8 @@ fn mean(points: impl IntoIterator<Item = P>) -> P {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rule {
     CatmullClark,
+    /// The boundary of a solid.
+    Bajaj,
     DooSabin,
     Loop,
 }
@@ -135,6 +137,10 @@ impl Plain {
             } else {
                 let middle = mean(star.iter().map(|&(at, _)| mean([points[at], point])));
                 let face = mean(star.iter().map(|&(_, face)| self.centroid(face)));
+                if rule == Rule::Bajaj {
+                    new.push(mean([point, middle, middle, face]));
+                    continue;
+                }
                 let sum = add(add(face, middle, 2.0), point, n - 3.0);
                 sum.map(|x| x / n)
             });
@@ -198,6 +204,7 @@ impl Plain {
                     let place = vertices.iter().position(|&x| x == vertex).expect("there");
                     self.points[vertices[(place + 2) % 4]]
                 }));
+                let n = if rule == Rule::Bajaj { 4.0 } else { n };
                 add(add(point.map(|x| x * n), ring, 4.0), opposite, 1.0).map(|x| x / (n + 5.0))
             })
             .collect();

@@ -81,7 +81,7 @@ fn grid(rows: usize, columns: usize, triangles: bool) -> Mesh {
 /// The mesh of the points around a vertex, as the catalogue numbers them.
 fn star_mesh(scheme: MeshScheme, n: usize, points: &[Point<RealCyclotomic>]) -> Mesh {
     let faces: Vec<Vec<usize>> = match scheme {
-        MeshScheme::CatmullClark => {
+        MeshScheme::CatmullClark | MeshScheme::Bajaj => {
             (0..n).map(|i| vec![0, 1 + i, 1 + n + i, 1 + (i + 1) % n]).collect()
         }
         MeshScheme::DooSabin => vec![(0..n).collect()],

@@ -51,8 +51,8 @@ fn boundary_point(mesh: &Mesh, v: usize, ends: &[usize]) -> Point<RealCyclotomic
     scaled(1, 1, &[scaled(3, 4, &at(mesh, &[v])), scaled(1, 8, &at(mesh, ends))])
 }
 
-/// (F + 2R + (n − 3)P)/n.
-fn catmull_clark(mesh: &Mesh) -> Faces {
+/// (F + 2R + (n − 3)P)/n; of the boundary of solids (F + 2R + P)/4.
+fn catmull_clark(mesh: &Mesh, of_solids: bool) -> Faces {
     let centre = |face: usize| mean(&at(mesh, &mesh.faces()[face]));
     let edge = |a: usize, b: usize| {
         let faces = faces_at_edge(mesh, a, b);
@@ -68,7 +68,7 @@ fn catmull_clark(mesh: &Mesh) -> Faces {
             return boundary_point(mesh, v, &ends);
         }
         let faces: Vec<_> = faces_at(mesh, v).into_iter().map(centre).collect();
-        let n = i64::try_from(faces.len()).expect("small");
+        let n = if of_solids { 4 } else { i64::try_from(faces.len()).expect("small") };
         let middles: Vec<_> =
             neighbours(mesh, v).into_iter().map(|w| mean(&at(mesh, &[v, w]))).collect();
         scaled(
@@ -181,7 +181,8 @@ fn whole_meshes_are_refined_as_the_papers_say() {
     for scheme in MeshScheme::ALL {
         for (index, mesh) in examples(scheme).iter().enumerate() {
             let expected = match scheme {
-                MeshScheme::CatmullClark => catmull_clark(mesh),
+                MeshScheme::CatmullClark => catmull_clark(mesh, false),
+                MeshScheme::Bajaj => catmull_clark(mesh, true),
                 MeshScheme::DooSabin => doo_sabin(mesh),
                 MeshScheme::Loop => triangles(mesh, false),
                 MeshScheme::LoopWarren => triangles(mesh, true),
@@ -199,7 +200,7 @@ fn a_second_level_too() {
         let first = refine_mesh(&cube(), scheme, 1).expect("a mesh within the caps");
         let second = refine_mesh(&cube(), scheme, 2).expect("a mesh within the caps");
         let expected = match scheme {
-            MeshScheme::CatmullClark => catmull_clark(&first),
+            MeshScheme::CatmullClark => catmull_clark(&first, false),
             _ => doo_sabin(&first),
         };
         let found = second.faces().iter().map(|face| at(&second, face)).collect();

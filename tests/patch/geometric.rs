@@ -11,6 +11,7 @@ use subcert::patch::{FaceSurface, MeshDistances};
 fn scheme(rule: Rule) -> MeshScheme {
     match rule {
         Rule::CatmullClark => MeshScheme::CatmullClark,
+        Rule::Bajaj => MeshScheme::Bajaj,
         Rule::DooSabin => MeshScheme::DooSabin,
         Rule::Loop => MeshScheme::Loop,
     }

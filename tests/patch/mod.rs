@@ -105,7 +105,7 @@ fn fan(n: usize, triangles: bool, inner: bool) -> Mesh {
 fn examples(scheme: MeshScheme) -> Vec<Mesh> {
     let mut all = vec![tetrahedron(), octahedron(), bumpy(4, 5, true)];
     match scheme {
-        MeshScheme::CatmullClark => {
+        MeshScheme::CatmullClark | MeshScheme::Bajaj => {
             all.extend([cube(), prism(5), bumpy(4, 4, false), bumpy(2, 2, false)]);
             all.extend([fan(1, false, false), fan(4, false, false), fan(7, false, true)]);
         }

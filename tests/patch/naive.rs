@@ -54,7 +54,7 @@ pub(super) fn differences(control: &Mesh, scheme: MeshScheme, level: u32, more: 
     for _ in 0..more {
         let mut next = values.clone();
         next.extend(means(edges(&mesh), &values));
-        if scheme == MeshScheme::CatmullClark {
+        if [MeshScheme::CatmullClark, MeshScheme::Bajaj].contains(&scheme) {
             next.extend(means(mesh.faces().iter().cloned(), &values));
         }
         values = next;

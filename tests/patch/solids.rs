@@ -1,12 +1,13 @@
 //! Hexahedral solids: the certified level against limit points of deep levels, grids, and laws.
 
+use crate::common::hausdorff::{Plain, Rule, distances as hausdorff};
 use crate::common::r;
 use crate::common::solids::{Solid, grid, moved, origins, solids, star, tetrahedron};
 use proptest::prelude::*;
-use subcert::exact::Rational;
+use subcert::exact::{Rational, RealCyclotomic};
 use subcert::float::nearest;
-use subcert::mesh::Point;
-use subcert::patch::{MeshDepth, MeshDistances, solid_a_priori, solid_formula_level};
+use subcert::mesh::{MeshScheme, Point, PolygonMesh, limit_points, refine_mesh};
+use subcert::patch::{FaceSurface, MeshDepth, MeshDistances, solid_a_priori, solid_formula_level};
 use subcert::solid::{HexMesh, refine_solid, solid_limit_points};
 
 type P = Point<f64>;
@@ -243,4 +244,64 @@ fn too_near_to_call() {
     let found = depth(&cube, &less);
     assert_eq!(found.too_few, Some(0), "{found:?}");
     assert!(found.exact_pieces > 0, "{found:?}");
+}
+
+/// What `surface` has as a mesh of the tests' own code.
+fn plain(surface: &PolygonMesh<Rational>) -> Plain {
+    Plain { points: rounded(surface.points()), faces: surface.faces().to_vec() }
+}
+
+/// The boundary of the levels, and of their limits, is that of the surface that the boundary is.
+#[test]
+fn the_boundary_is_a_surface_of_its_own() {
+    for solid in solids() {
+        let boundary = solid.boundary().expect("one");
+        let limits = solid_limit_points(&solid);
+        let real = boundary.mesh.map(|x| RealCyclotomic::from(x.clone()));
+        let surface = limit_points(&real, MeshScheme::Bajaj).expect("small");
+        for (&point, limit) in boundary.points.iter().zip(&surface) {
+            let limit = &limit.as_ref().expect("a closed surface").position;
+            assert_eq!(
+                limit.each_ref().map(|x| x.as_rational()),
+                limits[point].each_ref().map(Some)
+            );
+        }
+        let refined = refine_solid(&solid, 2).expect("small").boundary().expect("one").mesh;
+        let alone = refine_mesh(&real, MeshScheme::Bajaj, 2).expect("small");
+        let faces = |faces: &[Vec<usize>], at: &dyn Fn(usize) -> Point<Rational>| {
+            let mut all: Vec<Vec<Point<Rational>>> =
+                faces.iter().map(|face| face.iter().map(|&v| at(v)).collect()).collect();
+            all.iter_mut().for_each(|face| face.sort());
+            all.sort();
+            all
+        };
+        let exact = |v: usize| {
+            let point = alone.points()[v].each_ref();
+            point.map(|x| x.as_rational().expect("rational weights").clone())
+        };
+        let own = faces(refined.faces(), &|v| refined.points()[v].clone());
+        assert_eq!(own, faces(alone.faces(), &exact));
+    }
+}
+
+/// As sets of points, the boundary needs the levels that dense samples say.
+#[test]
+fn the_boundary_as_a_set_of_points() {
+    let all = solids();
+    let mut least = 0;
+    for (solid, tolerances) in [(&all[0], [r(1, 2), r(1, 20)]), (&all[3], [r(1, 3), r(1, 10)])] {
+        let boundary = solid.boundary().expect("one").mesh;
+        let sampled = hausdorff(&plain(&boundary), Rule::Bajaj, 4, 5, 3);
+        let distances = MeshDistances::new(boundary, MeshScheme::Bajaj).expect("small");
+        for tolerance in tolerances {
+            let found =
+                distances.geometric_depth(&tolerance, FaceSurface::Bilinear).expect("few levels");
+            let level = sampled.iter().position(|&x| x <= nearest(&tolerance)).expect("a level");
+            assert_eq!(found.level as usize, level, "{tolerance}, {sampled:?}");
+            least += usize::from(found.too_few.is_some_and(|few| few as usize + 1 == level));
+            let of_cells = depth(solid, &tolerance).level;
+            assert!(found.level <= of_cells, "the boundary is a part of the solid");
+        }
+    }
+    assert!(least >= 3, "{least} levels are the least ones");
 }

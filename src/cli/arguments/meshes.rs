@@ -33,6 +33,15 @@ pub(in crate::cli) enum MeshBoundary {
     Corner,
 }
 
+/// Points of a polygon mesh that no face has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum IsolatedArgument {
+    /// They are left out
+    Drop,
+    /// They are written after the other points, as they are
+    Keep,
+}
+
 /// The closed directions of a net.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum ClosedArgument {
@@ -73,6 +82,9 @@ pub(in crate::cli) struct RefineArguments {
     /// The rules at the boundary of a polygon mesh [default: those in the file, or else edge]
     #[arg(long, value_enum)]
     pub(in crate::cli) boundary: Option<MeshBoundary>,
+    /// Points of a polygon mesh that no face has [default: drop]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) isolated: Option<IsolatedArgument>,
     /// How many times it is refined
     #[arg(long, value_name = "K", default_value_t = 1, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
@@ -96,6 +108,9 @@ pub(in crate::cli) struct LimitArguments {
     /// The rules at the boundary of a polygon mesh [default: those in the file, or else edge]
     #[arg(long, value_enum)]
     pub(in crate::cli) boundary: Option<MeshBoundary>,
+    /// Points of a polygon mesh that no face has [default: drop]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) isolated: Option<IsolatedArgument>,
     /// How many times it is refined before
     #[arg(long, value_name = "K", default_value_t = 0, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,

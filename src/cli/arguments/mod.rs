@@ -13,7 +13,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 pub(super) use findings::{FindingFormat, FindingOutput};
 pub(super) use groups::grouped;
 pub(super) use meshes::{
-    ClosedArgument, LimitArguments, MeshBoundary, MeshOutput, MeshOutputFormat, RefineArguments,
+    ClosedArgument, IsolatedArgument, LimitArguments, MeshBoundary, MeshOutput, MeshOutputFormat,
+    RefineArguments,
 };
 pub(super) use papers::{
     AuditArguments, BROKEN, CoverageArguments, ErrataArguments, ErrataFormat, ExplainArguments,

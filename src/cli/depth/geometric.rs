@@ -1,23 +1,25 @@
-//! The depth of one polygon mesh, or of one net, by its distance from the limit as sets of points.
+//! The depth of one polygon mesh, one net or the boundary of one solid by its distance from the limit as sets of points.
 
 use super::faces::{FaceRow, FacesFormat};
 use super::kind::Kind;
 use super::numbers::{digits, few_text, levels, point};
 use super::promise::Formula;
 use super::refined::rounded;
-use crate::cli::arguments::{DepthArguments, DistanceArgument, FacesArgument};
+use crate::cli::arguments::{DepthArguments, DistanceArgument, FacesArgument, FindingFormat};
 use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, geometric_depth as form, mesh_depth};
 use crate::cli::output::{Failure, Outcome};
+use crate::cli::progress::Progress;
 use subcert::exact::{Rational, format::short};
 use subcert::float::{shortest, upper};
-use subcert::mesh::{MeshScheme, Point, PolygonMesh};
+use subcert::mesh::{MeshError, MeshScheme, Point, PolygonMesh};
 use subcert::patch::{
-    APriori, FaceDepth, FaceSurface, GeometricDepth, GeometricPlace, LEAST_SHARE,
+    APriori, FaceDepth, FaceSurface, GeometricDepth, GeometricPlace, LEAST_SHARE, MeshDistances,
     relative_tolerance,
 };
 use subcert::report::Sheet;
 use subcert::report::html::{ColouredFaces, FindingPage, Picture};
+use subcert::solid::SolidBoundary;
 
 /// Whether the distance of sets is asked for, and the tolerance.
 pub(super) fn measure(
@@ -53,6 +55,16 @@ pub(super) fn measure(
         Failure::Input(message)
     })?;
     Ok((true, tolerance))
+}
+
+/// Refuses fans where equal parameters are compared.
+pub(super) fn no_fan(arguments: &DepthArguments) -> Outcome {
+    if arguments.faces != FacesArgument::Fan {
+        return Ok(());
+    }
+    let message =
+        "--faces fan is for the distance of sets; at equal parameters, quadrilaterals are bilinear";
+    Err(Failure::Input(message.to_owned()))
 }
 
 /// How many faces come from one face: at level 1, and at each level after it.
@@ -139,7 +151,41 @@ impl Faces {
     }
 }
 
-/// The answer for one mesh or net.
+/// What the search finds on a polygon mesh.
+pub(super) struct Surface {
+    /// What its faces are.
+    pub(super) of_faces: FaceSurface,
+    pub(super) found: GeometricDepth,
+    pub(super) faces: Option<Faces>,
+}
+
+impl Surface {
+    pub(super) fn of(
+        mesh: &PolygonMesh<Rational>,
+        scheme: MeshScheme,
+        tolerance: &Rational,
+        arguments: &DepthArguments,
+    ) -> Result<Surface, MeshError> {
+        let surface = match arguments.faces {
+            FacesArgument::Bilinear => FaceSurface::Bilinear,
+            FacesArgument::Fan => FaceSurface::Fan,
+        };
+        let distances = MeshDistances::new(mesh.clone(), scheme)?;
+        let wanted = arguments.output.format != FindingFormat::Json;
+        let _progress = Progress::of_pieces(distances.work(), wanted);
+        let found = distances.geometric_depth(tolerance, surface)?;
+        let faces = if arguments.per_face.is_some() || arguments.output.is_page() {
+            let depths = distances.geometric_faces(tolerance, surface)?;
+            let bounds = distances.geometric_distances(found.level, tolerance, surface)?;
+            Some(Faces::new(depths, bounds, tolerance))
+        } else {
+            None
+        };
+        Ok(Surface { of_faces: surface, found, faces })
+    }
+}
+
+/// The answer for one mesh, net or boundary of a solid.
 pub(super) struct GeometricReport<'a> {
     pub(super) scheme: String,
     pub(super) kind: Kind,
@@ -154,11 +200,22 @@ pub(super) struct GeometricReport<'a> {
     pub(super) promised: Option<Formula>,
     pub(super) found: GeometricDepth,
     pub(super) faces: Option<Faces>,
+    /// The solid that the mesh is the boundary of.
+    pub(super) solid: Option<&'a SolidBoundary<Rational>>,
 }
 
-fn place_text(place: &GeometricPlace, kind: Kind) -> String {
+fn place_text(
+    place: &GeometricPlace,
+    kind: Kind,
+    solid: Option<&SolidBoundary<Rational>>,
+) -> String {
     let GeometricPlace { face, vertex, level_face, from, point: at, distance, .. } = place;
-    let cell = kind.cell(*face).map(|[i, j]| format!(" (cell {i}, {j})")).unwrap_or_default();
+    let cell = match (solid, kind.cell(*face)) {
+        (Some(solid), _) => format!(" (of cell {})", solid.cells[*face]),
+        (None, Some([i, j])) => format!(" (cell {i}, {j})"),
+        (None, None) => String::new(),
+    };
+    let vertex = vertex.map(|vertex| solid.map_or(vertex, |solid| solid.points[vertex]));
     let corner = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
     let of_level = level_face.map(|face| format!(", face {face} of the level")).unwrap_or_default();
     let (from, other) = match from {
@@ -224,9 +281,9 @@ impl GeometricReport<'_> {
         ));
         facts.push(("faces".to_owned(), faces_text(self.surface, kind).to_owned()));
         let few = found.too_few.zip(found.beyond.as_ref());
-        facts.extend(
-            few.map(|(level, x)| (format!("too far at level {level}"), place_text(x, kind))),
-        );
+        facts.extend(few.map(|(level, x)| {
+            (format!("too far at level {level}"), place_text(x, kind, self.solid))
+        }));
         if let Some(faces) = &self.faces {
             let [all, own] = faces.counts(self.mesh, self.growth, found.level);
             facts.push((
@@ -259,6 +316,10 @@ impl GeometricReport<'_> {
                 " Both are taken where the points determine the limit. Cells, faces and vertices are numbered \
                  from 0, row by row."
             }
+            Kind::Boundary => {
+                " The boundary is compared with the boundary of the limit solid; --distance parametric compares \
+                 all cells. Cells and vertices are numbered from 0 as in the file, faces of the boundary from 0, cell by cell."
+            }
             _ => " Faces and vertices are numbered from 0.",
         };
         let name = kind.name();
@@ -289,7 +350,8 @@ impl GeometricReport<'_> {
         let place = |place: &GeometricPlace| form::Place {
             face: place.face,
             cell: self.kind.cell(place.face),
-            vertex: place.vertex,
+            solid_cell: self.solid.map(|solid| solid.cells[place.face]),
+            vertex: place.vertex.map(|v| self.solid.map_or(v, |solid| solid.points[v])),
             level_face: place.level_face.map(|face| face.to_string()),
             from: place.from.name(),
             point: place.point.map(shortest),
@@ -331,7 +393,11 @@ impl GeometricReport<'_> {
 /// What faces are, in words.
 fn faces_text(surface: FaceSurface, kind: Kind) -> &'static str {
     match surface {
-        _ if kind != Kind::Mesh => "bilinear",
+        _ if matches!(kind, Kind::Net { .. }) => "bilinear",
+        FaceSurface::Bilinear if kind == Kind::Boundary => "quadrilaterals, bilinear",
+        FaceSurface::Fan if kind == Kind::Boundary => {
+            "quadrilaterals, as fans from their centroids"
+        }
         FaceSurface::Bilinear => {
             "triangles flat, quadrilaterals bilinear, others as fans from their centroids"
         }

@@ -8,6 +8,8 @@ pub(super) enum Kind {
     Net {
         faces_in_row: usize,
     },
+    /// The boundary of a hexahedral solid.
+    Boundary,
     /// A hexahedral solid, the pieces of which are cells.
     Solid,
 }
@@ -16,6 +18,7 @@ impl Kind {
     pub(super) fn name(self) -> &'static str {
         match self {
             Kind::Mesh | Kind::Solid => "mesh",
+            Kind::Boundary => "boundary",
             Kind::Net { .. } => "net",
         }
     }
@@ -27,7 +30,7 @@ impl Kind {
     /// The cell (i, j) of a face of a net.
     pub(super) fn cell(self, face: usize) -> Option<[usize; 2]> {
         match self {
-            Kind::Mesh | Kind::Solid => None,
+            Kind::Mesh | Kind::Boundary | Kind::Solid => None,
             Kind::Net { faces_in_row } => Some([face / faces_in_row, face % faces_in_row]),
         }
     }
@@ -36,6 +39,7 @@ impl Kind {
     pub(super) fn all(self) -> &'static str {
         match self {
             Kind::Mesh => "meshes with these valences and",
+            Kind::Boundary => "boundaries with these valences and",
             Kind::Net { .. } => "nets with",
             Kind::Solid => "meshes whose cells meet so, with",
         }
@@ -44,7 +48,7 @@ impl Kind {
     /// What the distance is.
     pub(super) fn distance(self) -> &'static str {
         match self {
-            Kind::Mesh => {
+            Kind::Mesh | Kind::Boundary => {
                 "The distance is that of each face of the level from its own piece of the limit \
                  surface, point by point at the same parameters. Faces and vertices are numbered from 0."
             }

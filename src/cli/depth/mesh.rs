@@ -1,25 +1,24 @@
 //! The depth of one polygon mesh.
 
 use super::faces::{FacesFormat, plain_rows};
-use super::geometric::{Faces, GeometricReport, Growth, measure};
+use super::geometric::{GeometricReport, Growth, Surface, measure, no_fan};
 use super::kind::Kind;
 use super::numbers::{digits, levels, point, too_few};
 use super::pictures::{Drawn, Pieces};
 use super::promise::{Formula, Promise, promises};
 use super::refined::Refined;
-use crate::cli::arguments::{DepthArguments, FacesArgument, FindingFormat};
+use crate::cli::arguments::{DepthArguments, FindingFormat};
 use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, mesh_depth as form};
 use crate::cli::mesh::{failure, read};
-use crate::cli::output::{Failure, Outcome, positive};
+use crate::cli::output::{Outcome, positive};
 use crate::cli::progress::Progress;
 use std::path::Path;
 use subcert::exact::{Rational, format::short};
 use subcert::float::shortest;
 use subcert::mesh::MeshScheme;
 use subcert::patch::{
-    APriori, FORMULA_PAPER, FaceSurface, FarPlace, MeshDepth, MeshDistances, a_priori,
-    formula_level,
+    APriori, FORMULA_PAPER, FarPlace, MeshDepth, MeshDistances, a_priori, formula_level,
 };
 use subcert::report::Sheet;
 use subcert::report::html::{FindingPage, Picture};
@@ -39,24 +38,9 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
         per_face.map(|path| FacesFormat::of(path).map(|format| (path, format))).transpose()?;
     let mut pictures = Vec::new();
     if geometric && !arguments.a_priori {
-        let surface = match arguments.faces {
-            FacesArgument::Bilinear => FaceSurface::Bilinear,
-            FacesArgument::Fan => FaceSurface::Fan,
-        };
         let mesh = file.mesh();
-        let distances = MeshDistances::new(mesh.clone(), scheme).map_err(refused)?;
-        let wanted = arguments.output.format != FindingFormat::Json;
-        let progress = Progress::of_pieces(distances.work(), wanted);
-        let found = distances.geometric_depth(&tolerance, surface).map_err(refused)?;
-        let faces = if per_face.is_some() || arguments.output.is_page() {
-            let depths = distances.geometric_faces(&tolerance, surface).map_err(refused)?;
-            let bounds = distances.geometric_distances(found.level, &tolerance, surface);
-            Some(Faces::new(depths, bounds.map_err(refused)?, &tolerance))
-        } else {
-            None
-        };
-        drop(progress);
-        let relative = arguments.relative.then_some(asked);
+        let Surface { of_faces: surface, found, faces } =
+            Surface::of(mesh, scheme, &tolerance, arguments).map_err(refused)?;
         let report = GeometricReport {
             scheme: scheme.name().to_owned(),
             kind: Kind::Mesh,
@@ -64,20 +48,17 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
             name,
             mesh,
             tolerance,
-            relative,
+            relative: arguments.relative.then_some(asked),
             surface,
             guaranteed,
             promised,
             found,
             faces,
+            solid: None,
         };
         return report.show(arguments, to);
     }
-    if arguments.faces == FacesArgument::Fan {
-        let message = "--faces fan is for the distance of sets; at equal parameters, quadrilaterals \
-                       are bilinear";
-        return Err(Failure::Input(message.to_owned()));
-    }
+    no_fan(arguments)?;
     let found = if arguments.a_priori {
         None
     } else {

@@ -61,10 +61,7 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
             }
             Geometry::Mesh => mesh::mesh_depth(path, arguments, &to),
             Geometry::Net => net::net_depth(&net, arguments, &to),
-            Geometry::Solid => {
-                only_parametric(arguments, "solids")?;
-                solid::solid_depth(path, arguments, &to)
-            }
+            Geometry::Solid => solid::solid_depth(path, arguments, &to),
         };
     }
     match (&arguments.polygon, arguments.distance) {

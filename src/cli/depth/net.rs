@@ -71,6 +71,7 @@ pub(super) fn net_depth(
             promised,
             found,
             faces,
+            solid: None,
         };
         return report.show(arguments, to);
     }

@@ -1,5 +1,7 @@
 //! The depth of one hexahedral solid.
 
+use super::faces::FacesFormat;
+use super::geometric::{GeometricReport, Growth, Surface, measure, no_fan};
 use super::kind::Kind;
 use super::mesh::Report;
 use super::pictures::{Drawn, Pieces};
@@ -15,18 +17,50 @@ use std::fmt::Write as _;
 use std::path::Path;
 use subcert::exact::Rational;
 use subcert::float::shortest;
-use subcert::mesh::MeshError;
-use subcert::patch::{MeshDistances, SOLID_FORMULA_PAPER, solid_a_priori, solid_formula_level};
+use subcert::mesh::{MeshError, MeshScheme};
+use subcert::patch::{
+    MeshDistances, SOLID_FORMULA_PAPER, a_priori, solid_a_priori, solid_formula_level,
+};
 use subcert::solid::{HexMesh, SOLID_SCHEME, to_vtk};
 
 pub(super) fn solid_depth(path: &Path, arguments: &DepthArguments, to: &Destination) -> Outcome {
-    let tolerance = positive("--tolerance", &arguments.tolerance)?;
-    let per_face = arguments.per_face.as_deref();
-    let per_face =
-        per_face.map(|path| CellsFormat::of(path).map(|form| (path, form))).transpose()?;
+    let asked = positive("--tolerance", &arguments.tolerance)?;
     let (name, file) = read(path)?;
     let mesh = file.mesh();
     let refused = |error: MeshError| Failure::Input(error.to_string());
+    let boundary = match mesh.boundary() {
+        Ok(boundary) => Some(boundary),
+        Err(_) if arguments.distance.is_none() => None,
+        Err(error) => return Err(refused(error)),
+    };
+    let points = boundary.as_ref().map_or(mesh.points(), |boundary| boundary.mesh.points());
+    let (geometric, tolerance) = measure(points, arguments, &asked, "boundary")?;
+    if let Some(boundary) = boundary.filter(|_| geometric && !arguments.a_priori) {
+        arguments.per_face.as_deref().map(FacesFormat::of).transpose()?;
+        let Surface { of_faces: surface, found, faces } =
+            Surface::of(&boundary.mesh, SCHEME, &tolerance, arguments).map_err(refused)?;
+        let level = Some(solid_formula_level(mesh, &tolerance));
+        let report = GeometricReport {
+            scheme: SOLID_SCHEME.to_owned(),
+            kind: Kind::Boundary,
+            growth: Growth::of(SCHEME),
+            name,
+            mesh: &boundary.mesh,
+            guaranteed: a_priori(&boundary.mesh, SCHEME, &tolerance).map_err(refused)?,
+            tolerance,
+            relative: arguments.relative.then_some(asked),
+            surface,
+            promised: Some(Formula { paper: SOLID_FORMULA_PAPER, level }),
+            found,
+            faces,
+            solid: Some(&boundary),
+        };
+        return report.show(arguments, to);
+    }
+    no_fan(arguments)?;
+    let per_face = arguments.per_face.as_deref();
+    let per_face =
+        per_face.map(|path| CellsFormat::of(path).map(|form| (path, form))).transpose()?;
     let distances =
         MeshDistances::of_solid(mesh.clone()).map_err(|error| failure(&file, &error))?;
     let guaranteed = solid_a_priori(mesh, &distances, &tolerance).map_err(refused)?;
@@ -57,6 +91,9 @@ pub(super) fn solid_depth(path: &Path, arguments: &DepthArguments, to: &Destinat
         .show(arguments, to)
 }
 
+/// The rules of the boundary.
+const SCHEME: MeshScheme = MeshScheme::Bajaj;
+
 /// The forms of the file of the distances of all cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum CellsFormat {
@@ -72,7 +109,7 @@ impl CellsFormat {
             Some("csv") => Ok(CellsFormat::Csv),
             Some("vtk") => Ok(CellsFormat::Vtk),
             _ => Err(Failure::Input(format!(
-                "--per-face writes .csv or .vtk of a solid, and not `{}`",
+                "--per-face writes .csv or .vtk of the cells of a solid, and not `{}`",
                 path.display()
             ))),
         }

@@ -46,7 +46,10 @@ pub struct Place {
     /// For a net, the row and the column of that face.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cell: Option<[usize; 2]>,
-    /// The vertex of that face that it is near.
+    /// For the boundary of a solid, the cell of that face.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub solid_cell: Option<usize>,
+    /// The vertex of that face that it is near; of a solid, as the file numbers it.
     pub vertex: Option<usize>,
     /// The face of the level.
     pub level_face: Option<String>,

@@ -25,7 +25,7 @@ pub(crate) fn check_rules(
     connectivity: &Connectivity,
     scheme: MeshScheme,
 ) -> Result<(), MeshError> {
-    let triangles = matches!(scheme, MeshScheme::Loop | MeshScheme::LoopWarren);
+    let triangles = scheme.is_triangular();
     for (face, vertices) in connectivity.faces().iter().enumerate() {
         let count = vertices.len();
         if triangles && count != 3 {
@@ -54,20 +54,21 @@ pub(crate) fn check_rules(
 /// Checks that the scheme has rules for creases and texture coordinates, if there are any.
 ///
 /// # Errors
-/// When the scheme is Doo–Sabin and there are some.
+/// When the scheme is Doo–Sabin and there are some, or it has rules for none of the tags.
 pub(super) fn check_tags<S>(mesh: &PolygonMesh<S>, scheme: MeshScheme) -> Result<(), MeshError> {
-    if scheme != MeshScheme::DooSabin {
-        return Ok(());
-    }
-    let reason = if !mesh.tags().is_plain() {
-        "doo-sabin has no rules for creases, corners, holes and boundaries; remove the tags, or take \
-         catmull-clark"
-    } else if mesh.texture().is_some() {
-        "doo-sabin does not carry texture coordinates on; remove them, or take catmull-clark"
+    let name = scheme.name();
+    let untagged = [MeshScheme::DooSabin, MeshScheme::Bajaj].contains(&scheme);
+    let reason = if untagged && !mesh.tags().is_plain() {
+        format!(
+            "{name} has no rules for creases, corners, holes and boundaries; remove the tags, or take \
+             catmull-clark"
+        )
+    } else if scheme == MeshScheme::DooSabin && mesh.texture().is_some() {
+        format!("{name} does not carry texture coordinates on; remove them, or take catmull-clark")
     } else {
         return Ok(());
     };
-    Err(MeshError::Attribute { reason: reason.to_owned() })
+    Err(MeshError::Attribute { reason })
 }
 
 /// Checks that a mesh has no creases, corners or holes, and the usual boundary.
@@ -122,7 +123,9 @@ pub(crate) fn check_field(
     let vertices = match scheme {
         MeshScheme::DooSabin | MeshScheme::Loop => true,
         // Each normal is in a field of its own where the coordinates are rational.
-        MeshScheme::CatmullClark | MeshScheme::LoopWarren => tangents && !rational,
+        MeshScheme::CatmullClark | MeshScheme::Bajaj | MeshScheme::LoopWarren => {
+            tangents && !rational
+        }
     };
     if vertices {
         inner_valences(connectivity).try_for_each(|(_, n)| include(cosine_conductor(n)))?;

@@ -23,6 +23,7 @@ pub struct PolygonMesh<S> {
     connectivity: Connectivity,
     tags: Tags,
     texture: Option<Texture>,
+    isolated: Vec<Point<S>>,
 }
 
 impl<S> PolygonMesh<S> {
@@ -32,7 +33,8 @@ impl<S> PolygonMesh<S> {
     /// As [`Connectivity::new`].
     pub fn new(points: Vec<Point<S>>, faces: Vec<Vec<usize>>) -> Result<Self, MeshError> {
         let connectivity = Connectivity::new(points.len(), faces)?;
-        Ok(PolygonMesh { points, connectivity, tags: Tags::default(), texture: None })
+        let (tags, texture, isolated) = (Tags::default(), None, Vec::new());
+        Ok(PolygonMesh { points, connectivity, tags, texture, isolated })
     }
 
     /// The same mesh with these creases, corners and holes.
@@ -52,7 +54,19 @@ impl<S> PolygonMesh<S> {
         Ok(PolygonMesh { texture, ..self })
     }
 
-    /// The points.
+    /// The same mesh with these points, which no face has: no rule moves them.
+    #[must_use]
+    pub fn with_isolated(self, isolated: Vec<Point<S>>) -> PolygonMesh<S> {
+        PolygonMesh { isolated, ..self }
+    }
+
+    /// The points that no face has. They have no number; files have them after the others.
+    #[must_use]
+    pub fn isolated(&self) -> &[Point<S>] {
+        &self.isolated
+    }
+
+    /// The points of faces.
     #[must_use]
     pub fn points(&self) -> &[Point<S>] {
         &self.points
@@ -85,16 +99,20 @@ impl<S> PolygonMesh<S> {
     /// The same mesh with coordinates of another kind.
     #[must_use]
     pub fn map<T>(&self, mut map: impl FnMut(&S) -> T) -> PolygonMesh<T> {
-        let points = self.points.iter().map(|point| point.each_ref().map(&mut map)).collect();
-        self.on(points)
+        let mut all = |points: &[Point<S>]| -> Vec<Point<T>> {
+            points.iter().map(|point| point.each_ref().map(&mut map)).collect()
+        };
+        let isolated = all(&self.isolated);
+        self.on(all(&self.points)).with_isolated(isolated)
     }
 
     fn on<T>(&self, points: Vec<Point<T>>) -> PolygonMesh<T> {
         let (tags, texture) = (self.tags.clone(), self.texture.clone());
-        PolygonMesh { points, connectivity: self.connectivity.clone(), tags, texture }
+        let (connectivity, isolated) = (self.connectivity.clone(), Vec::new());
+        PolygonMesh { points, connectivity, tags, texture, isolated }
     }
 
-    /// The same faces on other points.
+    /// The same faces on other points, without isolated ones.
     ///
     /// # Panics
     /// When the number of points differs.

@@ -7,6 +7,8 @@ use crate::suggestion::known;
 pub enum MeshScheme {
     /// Catmull and Clark 1978. Faces of any number of vertices become quadrilaterals.
     CatmullClark,
+    /// The rules of the boundary of Bajaj's solids: Catmull–Clark's, but for the vertices.
+    Bajaj,
     /// Doo and Sabin 1978, without rules for the boundary: the mesh shrinks there.
     DooSabin,
     /// Loop 1987, on triangles.
@@ -17,18 +19,34 @@ pub enum MeshScheme {
 
 impl MeshScheme {
     /// All schemes.
-    pub const ALL: [MeshScheme; 4] =
-        [MeshScheme::CatmullClark, MeshScheme::DooSabin, MeshScheme::Loop, MeshScheme::LoopWarren];
+    pub const ALL: [MeshScheme; 5] = [
+        MeshScheme::CatmullClark,
+        MeshScheme::Bajaj,
+        MeshScheme::DooSabin,
+        MeshScheme::Loop,
+        MeshScheme::LoopWarren,
+    ];
 
     /// The name, which is that of the rules in the catalogue.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             MeshScheme::CatmullClark => "catmull-clark",
+            MeshScheme::Bajaj => "bajaj",
             MeshScheme::DooSabin => "doo-sabin",
             MeshScheme::Loop => "loop",
             MeshScheme::LoopWarren => "loop-warren",
         }
+    }
+
+    /// Whether its faces are triangles at every level.
+    pub(crate) fn is_triangular(self) -> bool {
+        matches!(self, MeshScheme::Loop | MeshScheme::LoopWarren)
+    }
+
+    /// Whether it has the rules of Catmull and Clark but for the weights of vertices, so that regular pieces are bicubic.
+    pub(crate) fn is_bicubic(self) -> bool {
+        matches!(self, MeshScheme::CatmullClark | MeshScheme::Bajaj)
     }
 
     /// The scheme of this name.

@@ -55,7 +55,9 @@ fn row(scheme: MeshScheme, n: usize) -> Vec<RealCyclotomic> {
     match scheme {
         MeshScheme::DooSabin => weights,
         MeshScheme::Loop | MeshScheme::LoopWarren => weights[..2].to_vec(),
-        MeshScheme::CatmullClark => of_face_points(n, &weights[0], &weights[1], &weights[1 + n]),
+        MeshScheme::CatmullClark | MeshScheme::Bajaj => {
+            of_face_points(n, &weights[0], &weights[1], &weights[1 + n])
+        }
     }
 }
 

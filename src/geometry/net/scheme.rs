@@ -47,6 +47,12 @@ impl NetScheme {
         Ok(NetScheme { name: name.to_owned(), masks })
     }
 
+    /// The tensor product of two masks, the first from row to row; its name says no more.
+    #[must_use]
+    pub fn of_masks(masks: [Mask; 2]) -> NetScheme {
+        NetScheme { name: "a tensor product".to_owned(), masks }
+    }
+
     /// The name.
     #[must_use]
     pub fn name(&self) -> &str {

@@ -64,7 +64,7 @@ pub fn a_priori(
     let valences = weighted_valences(mesh.connectivity(), scheme);
     let boundary = mesh.connectivity().edges().iter().any(|edge| edge.other.is_none());
     let bound = match scheme {
-        MeshScheme::CatmullClark => catmull_clark(&faces, &valences),
+        MeshScheme::CatmullClark | MeshScheme::Bajaj => bicubic(scheme, &faces, &valences),
         MeshScheme::DooSabin => doo_sabin(mesh),
         MeshScheme::Loop | MeshScheme::LoopWarren => triangles(scheme, &valences, boundary),
     };
@@ -143,8 +143,8 @@ fn radius(n: usize) -> f64 {
     real(n * n / 4) / real(n)
 }
 
-fn catmull_clark(faces: &BTreeSet<usize>, valences: &BTreeSet<usize>) -> Bound {
-    let scheme = MeshScheme::CatmullClark;
+/// By Bajaj's rules a vertex of any valence moves as far as one of valence 4 by Catmull and Clark's.
+fn bicubic(scheme: MeshScheme, faces: &BTreeSet<usize>, valences: &BTreeSet<usize>) -> Bound {
     let least = real(valences.first().copied().unwrap_or(4).min(4));
     if faces.iter().all(|&n| n == 4) {
         let ratio = contraction(scheme, valences.iter().copied());

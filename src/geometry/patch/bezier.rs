@@ -30,7 +30,7 @@ impl<W: Number> Layout<W> {
     /// The Bézier coefficients. The first ones are at the corners of the piece.
     pub(super) fn bezier(&self) -> Bezier<W> {
         match self.scheme {
-            MeshScheme::CatmullClark => self.tensor(
+            MeshScheme::CatmullClark | MeshScheme::Bajaj => self.tensor(
                 &[[1, 4, 1, 0], [0, 4, 2, 0], [0, 2, 4, 0], [0, 1, 4, 1]].map(|row| row.to_vec()),
                 6,
             ),

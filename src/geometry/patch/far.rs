@@ -56,7 +56,7 @@ impl FarPlace {
     ) -> FarPlace {
         let first = match &model.source {
             Source::Surface { scheme: MeshScheme::DooSabin, .. } | Source::Solid(_) => None,
-            Source::Surface { mesh, scheme: MeshScheme::CatmullClark, .. } => {
+            Source::Surface { mesh, scheme, .. } if scheme.is_bicubic() => {
                 let before = &mesh.faces()[..root.face];
                 Some(before.iter().map(Vec::len).sum::<usize>() + root.part)
             }

@@ -12,23 +12,26 @@ pub(super) enum Kind {
 impl Kind {
     /// Whether regular pieces are bicubic or tricubic.
     pub(super) fn is_cubic(self) -> bool {
-        matches!(self, Kind::Surface(MeshScheme::CatmullClark) | Kind::Solid)
+        match self {
+            Kind::Surface(scheme) => scheme.is_bicubic(),
+            Kind::Solid => true,
+        }
     }
 
     /// Whether pieces are triangles.
     pub(super) fn is_triangular(self) -> bool {
-        matches!(self, Kind::Surface(MeshScheme::Loop | MeshScheme::LoopWarren))
+        matches!(self, Kind::Surface(scheme) if scheme.is_triangular())
     }
 
     /// The bound of 92 and 101 for a regular piece, from the sum of the greatest second differences of all
     /// directions, and that across edges.
     pub(super) fn bend_bound(self, straight: f64, across: f64) -> f64 {
-        match self {
-            Kind::Surface(MeshScheme::Loop | MeshScheme::LoopWarren) => {
-                (straight / 12.0).max(across / 6.0)
-            }
-            Kind::Surface(MeshScheme::DooSabin) => straight / 8.0,
-            Kind::Surface(MeshScheme::CatmullClark) | Kind::Solid => straight / 6.0,
+        if self.is_triangular() {
+            (straight / 12.0).max(across / 6.0)
+        } else if self.is_cubic() {
+            straight / 6.0
+        } else {
+            straight / 8.0
         }
     }
 }

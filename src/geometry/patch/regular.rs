@@ -75,7 +75,7 @@ impl<W: Number> Layout<W> {
     ) -> Option<Layout<W>> {
         let mut layout = Layout { scheme, at: BTreeMap::new() };
         match scheme {
-            MeshScheme::CatmullClark => {
+            MeshScheme::CatmullClark | MeshScheme::Bajaj => {
                 (corners == 4).then_some(())?;
                 (0..4).try_for_each(|i| layout.grid_corner(connectivity, i))?;
             }
@@ -185,7 +185,9 @@ impl<W: Number> Layout<W> {
     /// The second differences.
     pub(super) fn bends(&self) -> Bends<W> {
         let directions: &[Place] = match self.scheme {
-            MeshScheme::CatmullClark | MeshScheme::DooSabin => &[(1, 0), (0, 1)],
+            MeshScheme::CatmullClark | MeshScheme::Bajaj | MeshScheme::DooSabin => {
+                &[(1, 0), (0, 1)]
+            }
             MeshScheme::Loop | MeshScheme::LoopWarren => &LATTICE[..3],
         };
         let straight = |&(a, b): &Place| {

@@ -60,7 +60,7 @@ impl Local {
     pub(super) fn parts(&self, refined: &Connectivity) -> Vec<Piece> {
         match self.scheme {
             // The faces of the first face come first.
-            MeshScheme::CatmullClark => {
+            MeshScheme::CatmullClark | MeshScheme::Bajaj => {
                 (0..self.connectivity.faces()[0].len()).map(Piece::Face).collect()
             }
             MeshScheme::Loop | MeshScheme::LoopWarren => (0..4).map(Piece::Face).collect(),
@@ -145,12 +145,13 @@ impl Local {
             for end in [star.neighbours[0], star.neighbours[n]] {
                 add(end, &number(1, 6));
             }
-        } else if self.scheme == MeshScheme::CatmullClark {
-            add(corner, &number(n, n + 5));
+        } else if self.scheme.is_bicubic() {
+            let [own, edge, opposite] = crate::mesh::bicubic_limit_weights(self.stencils.of(n), n);
+            add(corner, &own);
             for (i, &face) in star.faces.iter().enumerate() {
-                add(star.neighbours[i], &number(4, n * (n + 5)));
+                add(star.neighbours[i], &edge);
                 let vertices = &self.connectivity.faces()[face];
-                add(vertices[(star.corners[i] + 2) % vertices.len()], &number(1, n * (n + 5)));
+                add(vertices[(star.corners[i] + 2) % vertices.len()], &opposite);
             }
         } else {
             let [own, other] = crate::mesh::loop_limit_weights(n, &self.stencils.of(n)[1]);

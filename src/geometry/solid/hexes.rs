@@ -4,7 +4,19 @@ use super::check::check;
 use super::complex::Complex;
 use super::cube::FILE_ORDER;
 use super::error::SolidError;
-use crate::mesh::Point;
+use crate::mesh::{MeshError, Point, PolygonMesh};
+use std::collections::BTreeSet;
+
+/// The boundary of a hexahedral mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolidBoundary<S> {
+    /// The faces of one cell, counter-clockwise from outside, cell by cell.
+    pub mesh: PolygonMesh<S>,
+    /// The numbers of its points in the solid, in ascending order.
+    pub points: Vec<usize>,
+    /// The cell of each face.
+    pub cells: Vec<usize>,
+}
 
 /// A hexahedral mesh: points of space, and hexahedra on them that make up a solid.
 ///
@@ -64,6 +76,43 @@ impl<S> HexMesh<S> {
     pub fn boundary_faces(&self) -> Vec<[usize; 4]> {
         let boundary = self.complex.faces.iter().filter(|face| face.other.is_none());
         boundary.map(|face| face.corners).collect()
+    }
+
+    /// The boundary as a closed surface of quadrilaterals.
+    ///
+    /// Bajaj's scheme refines it as the scheme [`Bajaj`](crate::mesh::MeshScheme::Bajaj) refines
+    /// polygon meshes: its points do not depend on those inside.
+    ///
+    /// # Errors
+    /// When all faces have two cells, as those of a hypercube: there is no boundary.
+    ///
+    /// # Panics
+    /// Never: all points of a face of the boundary are points of the boundary.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::solid::HexMesh;
+    ///
+    /// let corner = |k: usize| [k & 1, k >> 1 & 1, k >> 2].map(Rational::from);
+    /// let cube = HexMesh::new((0..8).map(corner).collect(), &[[0, 1, 3, 2, 4, 5, 7, 6]])?;
+    /// let boundary = cube.boundary()?;
+    /// assert_eq!((boundary.mesh.faces().len(), boundary.cells[5]), (6, 0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn boundary(&self) -> Result<SolidBoundary<S>, MeshError>
+    where
+        S: Clone,
+    {
+        let outer = self.complex.faces.iter().filter(|face| face.other.is_none());
+        let (corners, cells): (Vec<[usize; 4]>, Vec<usize>) =
+            outer.map(|face| (face.corners, face.cell.0)).unzip();
+        let points: Vec<usize> =
+            corners.iter().flatten().copied().collect::<BTreeSet<usize>>().into_iter().collect();
+        let number = |point: &usize| points.binary_search(point).expect("a point of the boundary");
+        let faces = corners.iter().map(|face| face.iter().map(number).collect()).collect();
+        let own = points.iter().map(|&point| self.points[point].clone()).collect();
+        let mesh = PolygonMesh::new(own, faces)?;
+        Ok(SolidBoundary { mesh, points, cells })
     }
 
     /// The ends of the edges.

@@ -30,7 +30,7 @@ pub(crate) use average::{refined_points, split_points};
 pub(crate) use complex::Complex;
 pub(crate) use cube::FACES;
 pub use error::SolidError;
-pub use hexes::HexMesh;
+pub use hexes::{HexMesh, SolidBoundary};
 pub(crate) use limit::limit_rows;
 pub use limit::solid_limit_points;
 pub use read::{SolidFile, SolidFormat, read_solid};

@@ -1,29 +1,36 @@
-//! Catmull–Clark.
+//! Catmull–Clark, and the rules that differ from it in the weights of vertices.
 
 use super::super::crease::VertexMask;
 use super::super::error::MeshError;
+use super::super::field::inner_valences;
 use super::super::point::{Point, combination, sum};
 use super::super::polygon::PolygonMesh;
 use super::super::refine::refine_mesh;
 use super::super::scheme::MeshScheme;
 use super::super::star::Star;
+use super::super::stencil::Stencils;
 use super::{LimitPoint, Normal, at_vertex, circular, cosine, dart, sharp_limit};
-use crate::exact::{Rational, RealCyclotomic, Scalar};
+use crate::exact::{Rational, Real as _, RealCyclotomic, Scalar};
 
 pub(super) fn limits(
     mesh: &PolygonMesh<RealCyclotomic>,
+    scheme: MeshScheme,
 ) -> Result<Vec<Option<LimitPoint>>, MeshError> {
     let count = mesh.points().len();
+    let valences = inner_valences(mesh.connectivity()).map(|(_, n)| n);
+    let stencils = Stencils::new(scheme, valences);
     let all = |mesh: &PolygonMesh<RealCyclotomic>| {
+        let limit =
+            |mesh: &_, vertex, star: &_, mask: &_| limit(mesh, vertex, star, mask, &stencils);
         (0..count)
-            .map(|vertex| at_vertex(mesh, vertex, MeshScheme::CatmullClark, limit))
+            .map(|vertex| at_vertex(mesh, vertex, scheme, limit))
             .collect::<Result<Vec<_>, _>>()
     };
     if mesh.faces().iter().all(|face| face.len() == 4) {
         return all(mesh);
     }
     // A refinement has quadrilaterals only, moves no limit, and keeps the numbers of the vertices.
-    let mut limits = all(&refine_mesh(mesh, MeshScheme::CatmullClark, 1)?)?;
+    let mut limits = all(&refine_mesh(mesh, scheme, 1)?)?;
     // Its faces are parts of those of the mesh.
     let sizes = mesh.faces().iter().enumerate();
     let parents: Vec<usize> =
@@ -40,6 +47,7 @@ fn limit(
     vertex: usize,
     star: &Star,
     mask: &VertexMask,
+    stencils: &Stencils,
 ) -> LimitPoint {
     if *mask != VertexMask::Smooth {
         return sharp_limit(mesh, vertex, star, mask, true);
@@ -59,7 +67,24 @@ fn limit(
         ring.faces.rotate_left(first);
         return LimitPoint { position: ring.at_dart(), normal: None, sectors: Vec::new() };
     }
-    LimitPoint { position: ring.position(), normal: ring.normal(), sectors: Vec::new() }
+    let position = ring.position(stencils.of(ring.faces.len()));
+    LimitPoint { position, normal: ring.normal(), sectors: Vec::new() }
+}
+
+/// The weights of a vertex of valence n, of each edge point and of each opposite vertex of its quadrilaterals in
+/// its limit: the left eigenvector for 1.
+///
+/// With b and g, n times the weights of an edge point and of a face point in the new vertex, the weights 1 of the
+/// vertex, y of all edge points and z of all opposite vertices satisfy y = 2b + g + z and 5z = 2b + 3g.
+pub(crate) fn limit_weights(stencil: &[RealCyclotomic], n: usize) -> [RealCyclotomic; 3] {
+    let times = |x: &RealCyclotomic, p: usize, q: usize| x.times(&Rational::new(p, q).into());
+    let (b, g) = (times(&stencil[1], n, 1), times(&stencil[2], n, 1));
+    let z = times(&b, 2, 5).plus(&times(&g, 3, 5));
+    let y = times(&b, 2, 1).plus(&g).plus(&z);
+    let one = RealCyclotomic::from(1);
+    let total = one.plus(&y).plus(&z);
+    let share = one.over(&total);
+    [share.clone(), times(&y.times(&share), 1, n), times(&z.times(&share), 1, n)]
 }
 
 /// The points around a vertex; face point i is between the edge points i and i + 1.
@@ -70,10 +95,9 @@ struct Ring<'a> {
 }
 
 impl Ring<'_> {
-    /// (n² v + 4 Σ e_i + Σ f_i)/(n(n + 5)).
-    fn position(&self) -> Point<RealCyclotomic> {
-        let n = self.faces.len();
-        let [v, e, f] = [n * n, 4, 1].map(|p| RealCyclotomic::from(Rational::new(p, n * (n + 5))));
+    /// The limit of the vertex, whose new point has these weights.
+    fn position(&self, stencil: &[RealCyclotomic]) -> Point<RealCyclotomic> {
+        let [v, e, f] = limit_weights(stencil, self.faces.len());
         let (edges, faces) = (sum(self.edges.iter().copied()), sum(self.faces.iter().copied()));
         combination([(&v, self.vertex), (&e, &edges), (&f, &faces)])
     }

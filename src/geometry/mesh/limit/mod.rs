@@ -8,6 +8,7 @@ mod normal;
 mod sector;
 mod settle;
 
+pub(crate) use catmull_clark::limit_weights as bicubic_limit_weights;
 pub(crate) use loops::limit_weights as loop_limit_weights;
 pub use normal::{Normal, Tangents};
 pub use sector::Sector;
@@ -39,6 +40,7 @@ pub struct LimitPoint {
 /// | scheme | inner vertex of valence n | boundary |
 /// |---|---|---|
 /// | Catmull–Clark | (n² v + 4 Σ e_i + Σ f_i)/(n(n + 5)), after one refinement where a face at v is no quadrilateral | (1, 4, 1)/6 of the boundary polygon |
+/// | Bajaj's boundary | (v + (Σ e_i + Σ f_i/4)/n)·4/9, likewise | likewise |
 /// | Doo–Sabin | the mean of the new points of v in its n faces | `None`: the surface does not reach it |
 /// | Loop | (1 − nω) v + ω Σ e_i, ω = 1/(n + 3/(8β)) | (1, 4, 1)/6 of the boundary polygon |
 ///
@@ -78,7 +80,9 @@ pub fn limit_points(
     check_tags(mesh, scheme)?;
     check_field(mesh.connectivity(), mesh.points(), scheme, true, mesh.points().len())?;
     let scheme_limits = match scheme {
-        MeshScheme::CatmullClark => return catmull_clark::limits(mesh),
+        MeshScheme::CatmullClark | MeshScheme::Bajaj => {
+            return catmull_clark::limits(mesh, scheme);
+        }
         MeshScheme::DooSabin => return doo_sabin::limits(mesh),
         MeshScheme::Loop | MeshScheme::LoopWarren => loops::Limits::new(mesh, scheme),
     };

@@ -130,9 +130,8 @@ impl Parts {
     /// The mesh of these points and faces; an error with its place if they are none.
     pub(crate) fn assemble(mut self) -> Result<MeshFile, Diagnostic> {
         let mut extras = std::mem::take(&mut self.extras);
-        if !self.faces.is_empty() {
-            self.drop_isolated(&mut extras);
-        }
+        let isolated =
+            if self.faces.is_empty() { Vec::new() } else { self.take_isolated(&mut extras) };
         let Parts { points, faces, places, .. } = self;
         let mesh = PolygonMesh::new(points, faces).map_err(|error| places.diagnostic(&error))?;
         let texture = extras.texture(&mesh, &places)?;
@@ -147,13 +146,13 @@ impl Parts {
                 }
             })?;
         }
-        let mesh = mesh.with_tags(tags).with_texture(texture);
+        let mesh = mesh.with_tags(tags).with_isolated(isolated).with_texture(texture);
         let mesh = mesh.map_err(|error| places.diagnostic(&error))?;
         Ok(MeshFile { mesh, places, notes: extras.notes })
     }
 
-    /// Drops the points that no face has, with a note.
-    fn drop_isolated(&mut self, extras: &mut Extras) {
+    /// Takes out the points that no face has, with a note.
+    fn take_isolated(&mut self, extras: &mut Extras) -> Vec<Point<Rational>> {
         let mut used = vec![false; self.points.len()];
         for point in self.faces.iter().flatten() {
             if let Some(used) = used.get_mut(*point) {
@@ -161,20 +160,20 @@ impl Parts {
             }
         }
         let loose: Vec<usize> = (0..used.len()).filter(|point| !used[*point]).collect();
-        let Some(&first) = loose.first() else { return };
+        let Some(&first) = loose.first() else { return Vec::new() };
         // A vertex that does not exist is an error of its own, and its number must stay.
         if self.faces.iter().flatten().any(|point| *point >= used.len()) {
-            return;
+            return Vec::new();
         }
         let line = self.places.line(first);
         let first = first + self.places.base;
         extras.notes.push(match loose.len() {
             1 => format!(
-                "point {first} (line {line}) is a vertex of no face and is dropped; the points after \
+                "point {first} (line {line}) is a vertex of no face and is left out; the points after \
                  it move up"
             ),
             count => format!(
-                "{count} points are vertices of no face and are dropped, the first of them point \
+                "{count} points are vertices of no face and are left out, the first of them point \
                  {first} (line {line}); the points after them move up"
             ),
         });
@@ -195,10 +194,12 @@ impl Parts {
                 Tag::Hole(_) => {}
             }
         }
+        let isolated = loose.iter().map(|&point| self.points[point].clone()).collect();
         let mut keep = used.iter();
         self.points.retain(|_| keep.next() == Some(&true));
         let mut keep = used.iter();
         self.places.points.retain(|_| keep.next() == Some(&true));
+        isolated
     }
 }
 

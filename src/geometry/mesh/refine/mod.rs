@@ -31,7 +31,7 @@ const MAX_BITS: u64 = 1 << 32;
 /// | Doo–Sabin | every face by the rules of the catalogue; a new face for each face, each inner edge and each inner vertex | none: the mesh shrinks, as an open net of biquadratic B-splines does |
 /// | Loop | an edge point is (3, 3, 1, 1)/8; vertices by the rules of the catalogue | as of Catmull–Clark |
 ///
-/// Points of Catmull–Clark are numbered vertices first, then edges, then faces; of Loop, vertices,
+/// Isolated points stay as they are. Points of Catmull–Clark are numbered vertices first, then edges, then faces; of Loop, vertices,
 /// then edges; of Doo–Sabin, the vertices of the first face, of the second face, and so on.
 ///
 /// # Errors
@@ -73,7 +73,7 @@ pub fn refine_mesh(
     for _ in 0..level {
         refined = Cow::Owned(step(&refined, scheme)?);
     }
-    Ok(refined.into_owned())
+    Ok(refined.into_owned().with_isolated(mesh.isolated().to_vec()))
 }
 
 /// The number of points after `level` levels. For Doo–Sabin on a mesh with boundary, which shrinks,
@@ -87,7 +87,9 @@ fn counts(connectivity: &Connectivity, scheme: MeshScheme, level: u32) -> usize 
     // Each number grows at most by a factor of 4, so that 24 levels of 2^23 do not overflow.
     for _ in 0..level {
         (points, edges, faces) = match scheme {
-            MeshScheme::CatmullClark => (points + edges + faces, 2 * edges + corners, corners),
+            MeshScheme::CatmullClark | MeshScheme::Bajaj => {
+                (points + edges + faces, 2 * edges + corners, corners)
+            }
             MeshScheme::DooSabin => (corners, 2 * corners, points + edges + faces),
             MeshScheme::Loop | MeshScheme::LoopWarren => {
                 (points + edges, 2 * edges + 3 * faces, 4 * faces)
@@ -107,7 +109,7 @@ fn step(
     let (vertices, edges) = (connectivity.point_count(), connectivity.edges().len());
     let (faces, corners) = (connectivity.faces().len(), connectivity.corner_count());
     let count = match scheme {
-        MeshScheme::CatmullClark => vertices + edges + faces,
+        MeshScheme::CatmullClark | MeshScheme::Bajaj => vertices + edges + faces,
         MeshScheme::DooSabin => corners,
         MeshScheme::Loop | MeshScheme::LoopWarren => vertices + edges,
     };
@@ -139,7 +141,7 @@ pub(crate) fn step_with<S: Scalar>(
     stencils: &Stencils<S>,
 ) -> Result<PolygonMesh<S>, MeshError> {
     match scheme {
-        MeshScheme::CatmullClark => catmull_clark::step(mesh, stencils),
+        MeshScheme::CatmullClark | MeshScheme::Bajaj => catmull_clark::step(mesh, stencils),
         MeshScheme::DooSabin => doo_sabin::step(mesh, stencils),
         MeshScheme::Loop | MeshScheme::LoopWarren => triangles::step(mesh, stencils),
     }

@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 /// has for each point `exact` (p/q, or a sum of cosines) and `f64` (the nearest f64, as the
 /// shortest decimal that reads back). The field `faces` has the vertices of each face by number,
 /// from 0 on. With `limits`, the field `limits` has for each point its `position` and its `normal`, or
-/// `null` where there is none; at a crease, a corner or the boundary also its `sectors`, with the two
+/// `null` where there is none, as of isolated points, which come last; at a crease, a corner or the boundary also its `sectors`, with the two
 /// tangents of each. A mesh with texture coordinates, creases, corners or holes has fields of these. A normal is exact, of any length, with the nearest f64 of the unit
 /// vector. Numbers are texts, but for vertices.
 ///
@@ -40,12 +40,15 @@ pub fn to_json(
     for (name, value) in head {
         writeln!(text, "  \"{name}\": {value},").expect("memory");
     }
-    list(&mut text, "points", mesh.points().iter().map(numbers), false);
+    let points = mesh.points().iter().chain(mesh.isolated());
+    list(&mut text, "points", points.map(numbers), false);
     let faces = mesh.faces().iter().map(|face| format!("{face:?}"));
     list(&mut text, "faces", faces, limits.is_none() && plain(mesh));
     tags(mesh, &mut text, limits.is_none());
     if let Some(limits) = limits {
-        list(&mut text, "limits", limits.iter().map(|one| limit(one.as_ref())), true);
+        let isolated = mesh.isolated().iter().map(|_| limit(None));
+        let limits = limits.iter().map(|one| limit(one.as_ref()));
+        list(&mut text, "limits", limits.chain(isolated), true);
     }
     text.push_str("}\n");
     text

@@ -37,7 +37,7 @@ pub fn to_obj(
     limits: &[Option<LimitPoint>],
 ) -> Result<String, BeyondF64> {
     let mut text = format!("# {}\n", one_line(title));
-    for point in mesh.points() {
+    for point in mesh.points().iter().chain(mesh.isolated()) {
         let [x, y, z] = decimals(point)?;
         writeln!(text, "v {x} {y} {z}").expect("memory");
     }

@@ -31,11 +31,11 @@ pub fn to_ply(mesh: &PolygonMesh<RealCyclotomic>, title: &str) -> Result<String,
         "ply\nformat ascii 1.0\ncomment {}\nelement vertex {}\nproperty double x\nproperty double y\n\
          property double z\nelement face {}\nproperty list {} int vertex_indices\nend_header\n",
         one_line(title),
-        mesh.points().len(),
+        mesh.points().len() + mesh.isolated().len(),
         mesh.faces().len(),
         if large { "int" } else { "uchar" },
     );
-    for point in mesh.points() {
+    for point in mesh.points().iter().chain(mesh.isolated()) {
         writeln!(text, "{}", decimals(point)?.join(" ")).expect("memory");
     }
     for face in mesh.faces() {

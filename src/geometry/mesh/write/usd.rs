@@ -41,6 +41,7 @@ pub fn to_usda(
     let points: Result<Vec<String>, _> = mesh
         .points()
         .iter()
+        .chain(mesh.isolated())
         .map(|point| decimals(point).map(|point| format!("({})", point.join(", "))))
         .collect();
     let faces = mesh.faces().iter();
@@ -77,7 +78,7 @@ pub fn to_usda(
     let scheme = match scheme {
         MeshScheme::CatmullClark => "\"catmullClark\"",
         MeshScheme::Loop | MeshScheme::LoopWarren => "\"loop\"",
-        MeshScheme::DooSabin => "\"none\"",
+        MeshScheme::DooSabin | MeshScheme::Bajaj => "\"none\"",
     };
     put("uniform token", "subdivisionScheme", scheme);
     if let Some(texture) = mesh.texture() {

@@ -98,7 +98,7 @@ impl<'a> Geometry<'a> {
         };
         match self.scheme {
             MeshScheme::Loop | MeshScheme::LoopWarren => true,
-            MeshScheme::CatmullClark => self.surface == FaceSurface::Bilinear,
+            MeshScheme::CatmullClark | MeshScheme::Bajaj => self.surface == FaceSurface::Bilinear,
             MeshScheme::DooSabin => self.surface == FaceSurface::Bilinear && fours(),
         }
     }
@@ -141,7 +141,7 @@ impl<'a> Geometry<'a> {
 
     /// Whether the mesh of a level on a piece of level 1 is that of 91.
     fn is_plain(&self, face: usize, shape: usize, level: u32) -> bool {
-        if self.scheme == MeshScheme::Loop || self.scheme == MeshScheme::LoopWarren {
+        if self.scheme.is_triangular() {
             return true;
         }
         let quadrilateral = self.surface.is_bilinear(self.control.faces()[face].len());
@@ -187,7 +187,7 @@ impl<'a> Geometry<'a> {
                 };
                 corners.flat_map(of).collect()
             } else {
-                let triangles = self.scheme != MeshScheme::CatmullClark;
+                let triangles = self.scheme.is_triangular();
                 let of = |(face, vertices): (usize, &Vec<usize>)| -> Vec<Owner> {
                     let parts = if triangles { 4 } else { vertices.len() };
                     let owner = owners[face];
@@ -422,7 +422,9 @@ impl Places<'_> {
         let doo_sabin = self.scheme == MeshScheme::DooSabin;
         let level_face = (self.level > 0 && !doo_sabin).then(|| {
             let before: usize = match self.scheme {
-                MeshScheme::CatmullClark => mesh.faces()[..face].iter().map(Vec::len).sum(),
+                MeshScheme::CatmullClark | MeshScheme::Bajaj => {
+                    mesh.faces()[..face].iter().map(Vec::len).sum()
+                }
                 _ => 4 * face,
             };
             ((before as u128) << (2 * (self.level - 1))) + number as u128

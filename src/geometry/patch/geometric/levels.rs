@@ -74,6 +74,16 @@ pub(in crate::patch) trait Levels {
         }
     }
 
+    /// Whether a level is sufficient; `None` where that is open.
+    fn is_within(&mut self, level: u32) -> Result<Option<bool>, Self::Error> {
+        let found = self.examine(level, &vec![true; self.count()], false)?;
+        if found.iter().any(|(_, known)| matches!(known, Known::Far(_))) {
+            return Ok(Some(false));
+        }
+        let open = found.iter().any(|(_, known)| matches!(known, Known::Open));
+        Ok((!open).then_some(true))
+    }
+
     /// What each face needs.
     fn faces(&mut self) -> Result<Vec<FaceDepth>, Self::Error> {
         let none = FaceDepth { level: 0, is_least: true, too_far: None };

@@ -84,6 +84,15 @@ impl NetDistances {
         NetLevels::new(self, tolerance)?.depth()
     }
 
+    /// Whether the distance H_k of [`geometric_depth`](Self::geometric_depth) is at most ε at a level k; `None` where that
+    /// is open.
+    ///
+    /// # Errors
+    /// As [`geometric_depth`](Self::geometric_depth).
+    pub fn is_within(&self, level: u32, tolerance: &Rational) -> Result<Option<bool>, NetError> {
+        NetLevels::new(self, tolerance)?.is_within(level)
+    }
+
     /// The natural parameters of the cells that are compared, in each direction; `None` for a closed one.
     #[must_use]
     pub fn ranges(&self) -> [Option<[Rational; 2]>; 2] {

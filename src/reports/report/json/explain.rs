@@ -46,7 +46,7 @@ pub struct AsSets {
 
 impl AsSets {
     fn of(eye: &Eye) -> AsSets {
-        let Eye { level, most, broken } = eye;
+        let Eye { level, most, broken, .. } = eye;
         AsSets { level: *level, most: most.to_string(), broken: *broken }
     }
 }
