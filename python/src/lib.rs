@@ -41,5 +41,5 @@ mod _native {
     #[pymodule_export]
     use crate::scheme::{Native, parameter_range, scheme_names};
     #[pymodule_export]
-    use crate::solid::{solid_depth, solid_limit, solid_refine};
+    use crate::solid::{solid_depth, solid_geometric_depth, solid_limit, solid_refine};
 }

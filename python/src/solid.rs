@@ -1,13 +1,16 @@
 //! Hexahedral solids.
 
 use crate::error::plain;
-use crate::geometry::{Depth, Limit, Points, depth_aside, points, rational_limit, rounded};
+use crate::geometry::{
+    Depth, Limit, Points, SurfaceDepth, depth_aside, points, rational_limit, rounded,
+    surface_depth_aside,
+};
 use crate::number::rational;
 use crate::run::aside;
 use pyo3::prelude::*;
 use subcert::exact::Rational;
-use subcert::mesh::Point;
-use subcert::patch::MeshDistances;
+use subcert::mesh::{MeshScheme, Point};
+use subcert::patch::{FaceSurface, MeshDistances};
 use subcert::solid::{HexMesh, refine_solid, solid_limit_points};
 
 /// The f64 points of a solid, half a unit in the last place from the exact ones, and its cells.
@@ -30,6 +33,29 @@ pub fn solid_depth(
     depth_aside(py, move |work| {
         let distances = MeshDistances::of_solid(solid).map_err(plain)?.with_work(work);
         distances.depth(&tolerance).map_err(plain)
+    })
+}
+
+/// How many levels the boundary of a solid needs for a tolerance, as a set of points; the face of the far
+/// place is a cell.
+#[pyfunction]
+pub fn solid_geometric_depth(
+    py: Python<'_>,
+    given: Points<'_>,
+    cells: Vec<[usize; 8]>,
+    tolerance: &Bound<'_, PyAny>,
+) -> PyResult<SurfaceDepth> {
+    let boundary = solid(&given, &cells)?.boundary().map_err(plain)?;
+    let tolerance = rational(tolerance)?;
+    surface_depth_aside(py, move |work| {
+        let distances = MeshDistances::new(boundary.mesh, MeshScheme::Bajaj).map_err(plain)?;
+        let distances = distances.with_work(work);
+        let mut depth =
+            distances.geometric_depth(&tolerance, FaceSurface::Bilinear).map_err(plain)?;
+        for place in &mut depth.beyond {
+            place.face = boundary.cells[place.face];
+        }
+        Ok(depth)
     })
 }
 

@@ -14,6 +14,7 @@ from subcert import (
     refine_net,
     refine_solid,
     solid_depth,
+    solid_geometric_depth,
     solid_limit_points,
 )
 
@@ -62,6 +63,8 @@ def test_solids():
     assert refined.points.shape == (125, 3) and len(refined.cells) == 64
     found = solid_depth(CUBE, CELL, "1/100")
     assert found.distance[1] <= 0.01 and found.too_few == found.level - 1
+    sets = solid_geometric_depth(numpy.array(CUBE), CELL, "1/100")
+    assert sets.level <= found.level and sets.distance >= 0.01 and sets.face == 0
     # The corners are as far from the centre as in Catmull-Clark's limit of the same cube.
     limits = solid_limit_points(CUBE, CELL)
     faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]

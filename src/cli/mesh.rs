@@ -179,6 +179,8 @@ impl Work {
         if isolated != Some(IsolatedArgument::Keep) {
             let mesh = file.mesh().clone().with_isolated(Vec::new());
             file = file.with_mesh(mesh);
+        } else if !file.mesh().isolated().is_empty() {
+            super::output::note("the points of no face are written after the others");
         }
         Ok(Work { scheme, level, name, file })
     }

@@ -93,8 +93,9 @@ fn pages_of_depths_have_their_pictures() {
             "depth bicubic --mesh examples/roof.csv --tolerance 1/100 --distance parametric",
             &["as colours", "Against the level"],
         ),
+        ("depth bajaj --mesh examples/star.vtk --tolerance 1/10", &["as colours"]),
         (
-            "depth bajaj --mesh examples/star.vtk --tolerance 1/10",
+            "depth bajaj --mesh examples/star.vtk --tolerance 1/10 --distance parametric",
             &["as colours", "Against the level"],
         ),
         (

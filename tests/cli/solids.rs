@@ -34,7 +34,9 @@ fn solids_are_refined_from_form_to_form() {
 
 #[test]
 fn the_depth_of_a_solid() {
-    let text = written(with(&["depth", "bajaj", "--tolerance", "1/20", "--format", "json"], STAR));
+    let by_parameter = ["depth", "bajaj", "--distance", "parametric", "--tolerance", "1/20"];
+    let asked = |more: [&str; 2]| written(with(&[&by_parameter[..], &more].concat(), STAR));
+    let text = asked(["--format", "json"]);
     let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     assert_eq!((json["level"].as_u64(), json["too_few"].as_u64()), (Some(2), Some(1)), "{json}");
     assert_eq!(json["formula"]["paper"], "mustafa2007-bajaj");
@@ -48,7 +50,7 @@ fn the_depth_of_a_solid() {
     let csv = TemporaryFile::new("cells.csv", "");
     let vtk = TemporaryFile::new("cells.vtk", "");
     for path in [csv.path(), vtk.path()] {
-        written(with(&["depth", "bajaj", "--tolerance", "1/20", "--per-face", path], STAR));
+        asked(["--per-face", path]);
     }
     let rows = std::fs::read_to_string(csv.path()).expect("a file");
     assert!(
@@ -59,6 +61,25 @@ fn the_depth_of_a_solid() {
     assert_parts(&cells, &["\nCELL_DATA 6\nSCALARS distance double 1\nLOOKUP_TABLE default\n"]);
     // It is a solid still.
     written(["refine", "bajaj", "--level", "0", "--mesh", vtk.path()]);
+}
+
+/// Without a flag the boundary is measured, as a set of points; faces are those of the cells of the file.
+#[test]
+fn the_depth_of_the_boundary_of_a_solid() {
+    let text = written(with(&["depth", "bajaj", "--tolerance", "1/20", "--format", "json"], STAR));
+    let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!((json["level"].as_u64(), json["too_few"].as_u64()), (Some(2), Some(1)), "{json}");
+    assert_eq!(
+        (json["measure"].as_str(), json["scheme"].as_str()),
+        (Some("hausdorff"), Some("bajaj"))
+    );
+    let number = |name: &str| json["too_far"][name].as_u64().expect("a number");
+    assert!(number("solid_cell") < 6 && number("vertex") < 21 && number("face") < 20, "{json}");
+    let rows = TemporaryFile::new("faces.csv", "");
+    let asked = ["depth", "bajaj", "--tolerance", "1/20", "--per-face", rows.path()];
+    assert_parts(&written(with(&asked, STAR)), &["depth of the boundary", "(of cell "]);
+    let rows = std::fs::read_to_string(rows.path()).expect("a file");
+    assert!(rows.starts_with("face,vertices,level,lower,upper,own_level,is_least\n0,4,2,"));
 }
 
 #[test]
@@ -85,8 +106,8 @@ fn what_is_no_solid_is_refused() {
         (with(&["refine", "bajaj", "--level", "13"], STAR), &["level 13 is too high; at most 12"]),
         (with(&["refine", "bajaj", "--level", "9"], STAR), &["at most 1000000", "a lower level"]),
         (
-            with(&["depth", "bajaj", "--tolerance", "1", "--per-face", "x.ply"], STAR),
-            &["writes .csv or .vtk of a solid"],
+            with(&["depth", "bajaj", "--tolerance", "1", "--per-face", "x.vtk"], STAR),
+            &["writes .csv, .json or .ply", ".vtk with --distance parametric"],
         ),
     ];
     for (arguments, parts) in cases {

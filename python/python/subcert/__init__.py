@@ -28,7 +28,13 @@ from ._mesh import RefinedMesh, limit_points, mesh_depth, mesh_geometric_depth, 
 from ._net import limit_net, net_depth, net_geometric_depth, refine_net
 from ._numbers import Algebraic, exact
 from ._scheme import Constants, Depth, GeometricDepth, Interval, Quantity, Refined, Scheme, SmoothRange, schemes
-from ._solid import RefinedSolid, refine_solid, solid_depth, solid_limit_points
+from ._solid import (
+    RefinedSolid,
+    refine_solid,
+    solid_depth,
+    solid_geometric_depth,
+    solid_limit_points,
+)
 
 #: The version of the program.
 __version__: str = _native.version()
@@ -77,5 +83,6 @@ __all__ = [
     "scheme",
     "schemes",
     "solid_depth",
+    "solid_geometric_depth",
     "solid_limit_points",
 ]

@@ -7,7 +7,17 @@ from typing import Any, List, Sequence
 
 from . import _native
 from ._errors import SubcertError
-from ._geometry import LimitPoint, MeshDepth, as_given, depth_of, indices, limit_of, points_of
+from ._geometry import (
+    LimitPoint,
+    MeshDepth,
+    SurfaceDepth,
+    as_given,
+    depth_of,
+    indices,
+    limit_of,
+    points_of,
+    surface_depth_of,
+)
 from ._numbers import Number
 
 
@@ -35,6 +45,22 @@ def solid_depth(points: Any, cells: Sequence[Sequence[int]], tolerance: Number) 
     True
     """
     return depth_of(_native.solid_depth(_points(points), _cells(cells), tolerance))
+
+
+def solid_geometric_depth(
+    points: Any, cells: Sequence[Sequence[int]], tolerance: Number
+) -> SurfaceDepth:
+    """How many levels bring the boundary of a solid, bilinear between its points, within a tolerance of the boundary of
+    its limit as a set of points. ``face`` is a cell.
+
+    >>> cube = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    >>> found = solid_geometric_depth(cube, [[0, 1, 3, 2, 4, 5, 7, 6]], "1/100")
+    >>> found.level, found.too_few, found.face
+    (3, 2, 0)
+    """
+    return surface_depth_of(
+        _native.solid_geometric_depth(_points(points), _cells(cells), tolerance)
+    )
 
 
 def refine_solid(points: Any, cells: Sequence[Sequence[int]], levels: int = 1) -> RefinedSolid:

@@ -40,7 +40,8 @@ impl FacesFormat {
             Some("json") => Ok(FacesFormat::Json),
             Some("ply") => Ok(FacesFormat::Ply),
             _ => Err(Failure::Input(format!(
-                "--per-face writes .csv, .json or .ply, and not `{}`",
+                "--per-face writes .csv, .json or .ply, and of the cells of a solid .vtk with --distance \
+                 parametric, and not `{}`",
                 path.display()
             ))),
         }

@@ -317,8 +317,7 @@ impl GeometricReport<'_> {
                  from 0, row by row."
             }
             Kind::Boundary => {
-                " The boundary is compared with the boundary of the limit solid; --distance parametric compares \
-                 all cells. Cells and vertices are numbered from 0 as in the file, faces of the boundary from 0, cell by cell."
+                " Cells and vertices are numbered from 0 as in the file, faces of the boundary from 0, cell by cell."
             }
             _ => " Faces and vertices are numbered from 0.",
         };
@@ -327,11 +326,15 @@ impl GeometricReport<'_> {
             Kind::Net { .. } => "`--certificate` writes it for subcert-check.",
             _ => "It has no certificate.",
         };
+        let compares = match kind {
+            Kind::Boundary => "all cells of the solid with the limit solid at equal parameters",
+            _ => "points of equal parameters",
+        };
         sheet.text(format!(
             "The distance is the greatest one of any point of the {name} from the limit surface, and of any \
              point of the surface from the {name}. {certificate} Levels between are not claimed \
              to be better than earlier ones: the depth is the least level that is within the tolerance. \
-             `--distance parametric` compares points of equal parameters.{net}"
+             `--distance parametric` compares {compares}.{net}"
         ));
         sheet
     }
