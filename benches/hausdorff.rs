@@ -39,6 +39,7 @@ fn table(case: &Case) -> Vec<[u32; 3]> {
     println!("{}, {:?}: sampled distances {sampled:.6?}", case.name, case.rule);
     let scheme = match case.rule {
         Rule::CatmullClark => MeshScheme::CatmullClark,
+        Rule::Bajaj => MeshScheme::Bajaj,
         Rule::DooSabin => MeshScheme::DooSabin,
         Rule::Loop => MeshScheme::Loop,
     };

@@ -1,13 +1,12 @@
 //! `subcert audit`.
 
 use super::arguments::{AuditArguments, BROKEN, FindingFormat, Format, Output, is_of_papers};
+use super::audit_output::Destination;
 use super::certified::Certified;
 use super::claim_files::{Claims, claims};
-use super::finding::no_page;
 use super::output::{Failure, Outcome, denied, show_table};
 use super::papers::{judge_all, select};
 use super::{csv, pages, projects, terminal};
-use std::path::Path;
 use subcert::audit::PaperAudit;
 use subcert::report::json::AuditReport;
 use subcert::report::{Sheet, audit_sheet, overview_sheet};
@@ -34,23 +33,6 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
         let count = audits.iter().map(|audit| count(audit, verdict)).sum();
         (count, if verdict == BROKEN { ["promise", "promises"] } else { ["claim", "claims"] })
     })
-}
-
-/// Where an audit goes.
-pub(super) enum Destination<'a> {
-    /// A text.
-    Output(Output),
-    /// Into this folder.
-    Pages(&'a Path),
-}
-
-impl Destination<'_> {
-    fn of(arguments: &AuditArguments) -> Result<Destination<'_>, Failure> {
-        match arguments.format.of_text(arguments.file.as_ref()) {
-            None => Ok(Destination::Pages(pages::folder(arguments.file.as_deref())?)),
-            Some(to) => Ok(Destination::Output(no_page(to)?)),
-        }
-    }
 }
 
 /// Writes the report.

@@ -23,7 +23,8 @@ pub(super) fn curve(name: &str) -> Result<Curve, Failure> {
             }
         },
         AnyScheme::LocalRules(_) => {
-            "has rules around one vertex or face; `smoothness` needs a mask"
+            "has rules around one vertex or face, and `--certificate` here is for masks; `audit` writes certificates of \
+             claims about such rules"
         }
     };
     Err(Failure::Input(format!("`{name}` {reason}")))

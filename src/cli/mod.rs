@@ -4,6 +4,7 @@ mod arguments;
 mod atlas;
 mod atlas_pages;
 mod audit;
+mod audit_output;
 mod certified;
 mod certify;
 mod claim_files;

@@ -1,5 +1,6 @@
 //! Which module imports what from which other module: a reader of `use` declarations, and of the
-//! paths elsewhere that begin with `crate`, `super` or `self`, good enough for this workspace.
+//! paths elsewhere that begin with `crate`, `super`, `self` or a name that was imported, good enough for this
+//! workspace.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{read_dir, read_to_string};
@@ -178,6 +179,8 @@ fn read(source: &str, absolute: impl Fn(&[String]) -> Option<Vec<String>>) -> Sa
     let words = words(source);
     let word = |place: usize| words.get(place).map_or("", String::as_str);
     let mut said = Said::default();
+    // What the imported names stand for.
+    let mut known: BTreeMap<String, Vec<String>> = BTreeMap::new();
     let mut place = 0;
     while place < words.len() {
         if word(place) == "use" && word(place + 1) != "<" {
@@ -188,10 +191,11 @@ fn read(source: &str, absolute: impl Fn(&[String]) -> Option<Vec<String>>) -> Sa
                     path.pop();
                 }
                 if let Some(path) = absolute(&path) {
+                    let name = new_name.or_else(|| path.last().cloned()).unwrap_or_default();
                     if public {
-                        let name = new_name.or_else(|| path.last().cloned()).unwrap_or_default();
                         said.exports.insert(name, path);
                     } else {
+                        known.insert(name, path.clone());
                         said.uses.push(path);
                     }
                 }
@@ -200,13 +204,22 @@ fn read(source: &str, absolute: impl Fn(&[String]) -> Option<Vec<String>>) -> Sa
         } else if word(place) == "in" && place > 0 && word(place - 1) == "(" {
             // The path of `pub(in path)` is no import.
             place = (place..words.len()).find(|end| word(*end) == ")").unwrap_or(words.len());
-        } else if word(place + 1) == "::" && ["crate", "super", "self"].contains(&word(place)) {
-            let mut path = vec![word(place).to_owned()];
+        } else if word(place + 1) == "::" && (place == 0 || word(place - 1) != "::") {
+            let first = word(place);
+            let imported = known.get(first);
+            if imported.is_none() && !["crate", "super", "self"].contains(&first) {
+                place += 1;
+                continue;
+            }
+            let mut path = imported.cloned().unwrap_or_else(|| vec![first.to_owned()]);
+            let from_root = imported.is_some();
             while word(place + 1) == "::" && is_name(word(place + 2)) {
                 path.push(word(place + 2).to_owned());
                 place += 2;
             }
-            if path.len() > 1 {
+            if from_root {
+                said.uses.push(path);
+            } else if path.len() > 1 {
                 said.uses.extend(absolute(&path));
             }
         }

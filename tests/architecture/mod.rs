@@ -127,6 +127,10 @@ fn circles_are_found_through_every_form_of_import() {
     assert_eq!(circles(&[&exported[..], &through].concat()), [["a::x", "b"]]);
     let inside = [top, ("a", "mod x; use x::g;"), ("a::x", "use super::f;"), ("b", "")];
     assert_eq!(circles(&inside), [["a", "a::x"]]);
+    // In a body, by the name of a folder above.
+    let imported = [top, ("a", "use super::b; fn f() { b::g() }"), ("b", "pub use c::g; mod c;")];
+    let below = [("b::c", "use super::super::a::A;")];
+    assert_eq!(circles(&[&imported[..], &below].concat()), [["a", "b::c"]]);
     let three = [
         ("a", "use crate::b::{B, C};"),
         ("b", "use crate::c;"),

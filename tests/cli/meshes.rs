@@ -141,7 +141,7 @@ fn the_distance_of_every_face() {
 
 #[test]
 fn the_depth_as_the_eye_sees_it() {
-    let depth = ["depth", "doo-sabin", "--tolerance", "1/450"];
+    let depth = ["depth", "doo-sabin", "--tolerance", "1/80"];
     let text = written(of_cube(&depth));
     assert_parts(&text, &["Hausdorff", "quadrilaterals bilinear", "too far at level"]);
     let form = json(&written(of_cube(&[&depth[..], &["--format", "json"]].concat())));
@@ -155,7 +155,7 @@ fn the_depth_as_the_eye_sees_it() {
     assert!(level(&form) < level(&parametric), "{form}");
     assert_eq!(form["too_few"].as_u64(), Some(level(&form) - 1));
     // The diagonal of the cube is 2√3.
-    let relative = [&depth[..3], &["1/1559", "--relative", "--format", "json"]].concat();
+    let relative = [&depth[..3], &["1/277", "--relative", "--format", "json"]].concat();
     assert_eq!(level(&json(&written(of_cube(&relative)))), level(&form));
     let tiny = [&depth[..3], &["1e-60", "--distance", "geometric", "--mesh", "examples/cube.obj"]]
         .concat();

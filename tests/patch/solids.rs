@@ -271,7 +271,9 @@ fn the_boundary_is_a_surface_of_its_own() {
         let faces = |faces: &[Vec<usize>], at: &dyn Fn(usize) -> Point<Rational>| {
             let mut all: Vec<Vec<Point<Rational>>> =
                 faces.iter().map(|face| face.iter().map(|&v| at(v)).collect()).collect();
-            all.iter_mut().for_each(|face| face.sort());
+            for face in &mut all {
+                face.sort();
+            }
             all.sort();
             all
         };
@@ -289,9 +291,9 @@ fn the_boundary_is_a_surface_of_its_own() {
 fn the_boundary_as_a_set_of_points() {
     let all = solids();
     let mut least = 0;
-    for (solid, tolerances) in [(&all[0], [r(1, 2), r(1, 20)]), (&all[3], [r(1, 3), r(1, 10)])] {
+    for (solid, tolerances) in [(&all[0], [r(1, 2), r(1, 5)]), (&all[3], [r(4, 3), r(2, 5)])] {
         let boundary = solid.boundary().expect("one").mesh;
-        let sampled = hausdorff(&plain(&boundary), Rule::Bajaj, 4, 5, 3);
+        let sampled = hausdorff(&plain(&boundary), Rule::Bajaj, 3, 4, 3);
         let distances = MeshDistances::new(boundary, MeshScheme::Bajaj).expect("small");
         for tolerance in tolerances {
             let found =

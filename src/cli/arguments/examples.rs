@@ -47,7 +47,9 @@ Examples:
 pub(super) const SMOOTHNESS: &str = "\
 Of rules around a vertex or on a face it says whether the surface is C^1 there in Reif's sense: for
 generic data, where the regular part is smooth. The orbits declare the regular part: vertex, edge
-and face: bicubic; vertex and edge: the quartic box spline; face: biquadratic.
+and face: bicubic; vertex and edge: the quartic box spline; face: biquadratic. With the points around
+declared too, edge and face points may have weights of their own: outer, left, right and corner of
+bicubic rules, outer and corner of the box spline.
 
 Examples:
   subcert smoothness four-point:w=1/16

@@ -2,7 +2,7 @@
 
 use super::{certified, judge_projects, pages, select_project};
 use crate::cli::arguments::{AuditArguments, FindingFormat};
-use crate::cli::audit::Destination;
+use crate::cli::audit_output::Destination;
 use crate::cli::csv;
 use crate::cli::output::{Failure, denied, show_table};
 use subcert::report::json::ProjectsReport;

@@ -24,9 +24,11 @@ impl Line {
     fn new(mask: &Mask, count: usize, closed: bool) -> Line {
         let limit = Limit::new(mask).expect("it converges");
         let shift = natural_shift(mask).shift;
+        // Parameters of few digits: at others a limit is the solution of a system.
+        let unit = int(mask.arity()).pow(4);
         let inside = |cell: &i64| {
-            [0, 1, 16, 24, 36, 47, 48].into_iter().all(|u| {
-                let t = Rational::from(*cell) + r(u, 48);
+            [0, 1, unit / 2, unit - 1, unit].into_iter().all(|u| {
+                let t = Rational::from(*cell) + r(u, unit);
                 let both = [
                     limit.at(&t),
                     limit.polygon_from(0, &t, &shift),
@@ -142,13 +144,13 @@ fn no_limit_point_is_farther_away_than_certified() {
         // Open and closed nets in turn.
         let net = bumpy(10, 11, CLOSED[2 * (i % 2)]);
         for tolerance in [r(1, 1), r(1, 20)] {
-            attack(&net, name, &tolerance, 100);
+            attack(&net, name, &tolerance, 40);
         }
     }
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(8))]
+    #![proptest_config(ProptestConfig::with_cases(5))]
 
     #[test]
     fn nor_of_random_nets(
@@ -156,7 +158,7 @@ proptest! {
         name in prop::sample::select(&NAMES[..]),
         (p, q) in (1_i64..30, 1_i64..20),
     ) {
-        attack(&net, name, &r(p, q), 80);
+        attack(&net, name, &r(p, q), 40);
     }
 }
 
