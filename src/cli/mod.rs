@@ -45,6 +45,7 @@ mod save;
 mod schemas;
 mod scheme;
 mod schemes;
+mod sector;
 mod sets;
 mod smooth_map;
 mod smooth_range;
