@@ -17,7 +17,7 @@ pub(in crate::cli) struct SpectrumArguments {
     #[arg(long, value_name = "FACES", value_parser = faces, conflicts_with = "valence")]
     pub(in crate::cli) sector: Option<usize>,
     /// The vertex of the sector is a corner, which stays where it is
-    #[arg(long, requires = "sector")]
+    #[arg(long, requires = "sector", conflicts_with = "valence")]
     pub(in crate::cli) corner: bool,
     #[command(flatten)]
     pub(in crate::cli) output: Output,
@@ -35,7 +35,7 @@ pub(in crate::cli) struct TableArguments {
     #[arg(long, value_name = "FIRST..LAST", value_parser = sectors, conflicts_with = "valences")]
     pub(in crate::cli) sectors: Option<(usize, usize)>,
     /// The vertices of the sectors are corners, which stay where they are
-    #[arg(long, requires = "sectors")]
+    #[arg(long, requires = "sectors", conflicts_with = "valences")]
     pub(in crate::cli) corner: bool,
     /// The language
     #[arg(long, value_enum)]
