@@ -75,6 +75,10 @@ fn shape(sector: &Sector) -> Vec<(String, String)> {
         facts.push(("λ across".to_owned(), format!("{value}, {}", comparison(across.side))));
     }
     facts.push(("so".to_owned(), text.to_owned()));
+    if !sector.corner && sector.across.as_ref().is_some_and(|across| across.second_above) {
+        let text = "block 2 has an eigenvalue above 1/2, too: for generic data they have no limit at the vertex";
+        facts.push(("normals".to_owned(), text.to_owned()));
+    }
     facts
 }
 
@@ -100,6 +104,7 @@ fn form<'a>(scheme: &'a str, sector: &'a Sector) -> form::Sector<'a> {
         across: sector.across.as_ref().map(|across| form::Across {
             eigenvalue: Exact::of(&across.eigenvalue),
             comparison: comparison(across.side),
+            second_above: across.second_above,
             weights: across.stencil.as_ref().map(|stencil| weights(stencil, name)),
         }),
     }

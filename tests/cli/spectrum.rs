@@ -74,6 +74,9 @@ fn sectors() {
     let jordan = written(["spectrum", "loop", "--sector", "3", "--corner", "--format", "markdown"]);
     assert_parts(&jordan, &["equal", "Jordan block", "sum of both tangents"]);
 
+    let many = written(["spectrum", "catmull-clark", "--sector", "5"]);
+    assert_parts(&many, &["normals", "for generic data they have no limit"]);
+
     let json = |arguments: &[&str]| -> Value {
         let all = ["spectrum", "catmull-clark", "--format", "json", "--sector"];
         serde_json::from_str(&written([&all[..], arguments].concat())).expect("JSON")

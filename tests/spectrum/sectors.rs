@@ -350,6 +350,29 @@ fn points_tend_to_the_stated_lines_and_planes() {
     }
 }
 
+// Near a crease, normals tend to that of both tangents; inside of the sector to another one, where block 2 outweighs the crease.
+#[test]
+fn normals_of_many_faces_have_no_limit() {
+    for (scheme, faces, _) in sectors().filter(|(_, faces, corner)| *faces > 2 && !corner) {
+        let across = sector(scheme, faces, false).across.expect("an eigenvalue");
+        let most = if scheme == "loop" { 6 } else { 4 };
+        assert_eq!(across.second_above, faces > most, "{scheme} {faces}");
+        if faces == most {
+            continue;
+        }
+        let points = scaled(scheme, faces, false, 60, 1.0 / nearest(&across.eigenvalue));
+        let normal = |i: usize| {
+            let side = |j: usize| [0, 1, 2].map(|axis| points[1 + j][axis] - points[0][axis]);
+            let normal = cross_f64(side(i), side(i + 1));
+            let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+            normal.map(|x| x / length)
+        };
+        let between = cross_f64(normal(0), normal(faces / 2));
+        let sine = between.iter().map(|x| x * x).sum::<f64>().sqrt();
+        assert_eq!(sine > 0.02, faces > most, "{scheme} {faces}: {sine}");
+    }
+}
+
 // The three vectors of the text are independent for these points, so that no plane has all of them.
 #[test]
 fn corners_of_many_faces_have_no_tangent_plane() {

@@ -60,6 +60,8 @@ pub struct Across {
     pub eigenvalue: Exact,
     /// λ compared with 1/2, the eigenvalue of the tangents along sharp edges: `below`, `equal` or `above`.
     pub comparison: &'static str,
+    /// Whether block 2 has an eigenvalue above 1/2, too: on a crease, normals of generic data then have no limit.
+    pub second_above: bool,
     /// The weights of the points in the tangent across; null where λ has a Jordan block with that 1/2.
     pub weights: Option<Vec<Weight>>,
 }

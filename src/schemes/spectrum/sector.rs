@@ -62,6 +62,8 @@ pub struct Across {
     pub eigenvalue: RealExpression,
     /// λ compared with 1/2, the eigenvalue along the sharp edges.
     pub side: Ordering,
+    /// Whether block 2 has an eigenvalue above 1/2, too: on a crease, normals of generic data then have no limit at v.
+    pub second_above: bool,
     /// A left eigenvector for λ, which has Σ_i sin(πi/F)/sin(π/F) e_i times a positive number; for one face it is e_0 + e_1 − 2v. `None`
     /// where there is none, as λ has a Jordan block with block 0: at corners with λ = 1/2.
     pub stencil: Option<Stencil<RealExpression>>,
@@ -184,15 +186,19 @@ fn across(
             stencil[point] = RealExpression::from(Rational::from(weight));
         }
         let eigenvalue = RealExpression::from(Rational::new(1, 4));
-        let across = Across { eigenvalue, side: Ordering::Less, stencil: Some(stencil) };
+        let side = Ordering::Less;
+        let across = Across { eigenvalue, side, second_above: false, stencil: Some(stencil) };
         return Ok((!corner).then_some(across));
     }
-    let extensions =
-        block_roots(1, block(rules, 1, faces))?.into_iter().filter_map(|root| root.extension);
+    let [first, second] = [1, 2].map(|j| block(rules, j, faces));
+    let extensions = block_roots(1, first)?.into_iter().filter_map(|root| root.extension);
     let greatest = extensions.max_by(|a, b| a.root().cmp(&b.root())).expect("real roots");
+    let second_above =
+        second.len() > 1 && block_roots(2, second)?.iter().any(|root| root.real > half);
     let eigenvalue = greatest.root();
     let side = eigenvalue.cmp(&half);
-    Ok(Some(Across { eigenvalue, side, stencil: stencil(rules, faces, corner, &greatest) }))
+    let stencil = stencil(rules, faces, corner, &greatest);
+    Ok(Some(Across { eigenvalue, side, second_above, stencil }))
 }
 
 /// The left eigenvector for the eigenvalue λ of block 1: with s_i = sin(πi/F)/sin(π/F) and S = Σ s_i,
