@@ -72,7 +72,7 @@ fn shape(sector: &Sector) -> Vec<(String, String)> {
     let mut facts = vec![("λ along".to_owned(), "1/2".to_owned())];
     if let Some(across) = &sector.across {
         let value = with_decimal(&across.eigenvalue);
-        facts.push(("λ across".to_owned(), format!("{value}, {}", comparison(across.side))));
+        facts.push(("λ across".to_owned(), format!("{value}, {}", across.comparison())));
     }
     facts.push(("so".to_owned(), text.to_owned()));
     if !sector.corner && sector.across.as_ref().is_some_and(|across| across.second_above) {
@@ -80,14 +80,6 @@ fn shape(sector: &Sector) -> Vec<(String, String)> {
         facts.push(("normals".to_owned(), text.to_owned()));
     }
     facts
-}
-
-fn comparison(side: Ordering) -> &'static str {
-    match side {
-        Ordering::Less => "below",
-        Ordering::Equal => "equal",
-        Ordering::Greater => "above",
-    }
 }
 
 fn form<'a>(scheme: &'a str, sector: &'a Sector) -> form::Sector<'a> {
@@ -103,7 +95,7 @@ fn form<'a>(scheme: &'a str, sector: &'a Sector) -> form::Sector<'a> {
         along: sector.along.iter().map(|one| weights(one, name)).collect(),
         across: sector.across.as_ref().map(|across| form::Across {
             eigenvalue: Exact::of(&across.eigenvalue),
-            comparison: comparison(across.side),
+            comparison: across.comparison(),
             second_above: across.second_above,
             weights: across.stencil.as_ref().map(|stencil| weights(stencil, name)),
         }),

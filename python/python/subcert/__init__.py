@@ -11,10 +11,12 @@ Fraction(89, 128)
 
 from . import _native
 from ._analysis import (
+    Across,
     Eigenvalue,
     Exponent,
     JointRadius,
     Real,
+    Sector,
     Smoothness,
     Spectrum,
     VertexSmoothness,
@@ -34,6 +36,7 @@ from ._solid import RefinedSolid, refine_solid, solid_depth, solid_limit_points
 __version__: str = _native.version()
 
 __all__ = [
+    "Across",
     "Algebraic",
     "Audit",
     "Constants",
@@ -54,6 +57,7 @@ __all__ = [
     "RefinedMesh",
     "RefinedSolid",
     "Scheme",
+    "Sector",
     "SmoothRange",
     "Smoothness",
     "Spectrum",

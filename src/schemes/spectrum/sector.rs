@@ -69,6 +69,18 @@ pub struct Across {
     pub stencil: Option<Stencil<RealExpression>>,
 }
 
+impl Across {
+    /// λ compared with 1/2: `below`, `equal` or `above`.
+    #[must_use]
+    pub fn comparison(&self) -> &'static str {
+        match self.side {
+            Ordering::Less => "below",
+            Ordering::Equal => "equal",
+            Ordering::Greater => "above",
+        }
+    }
+}
+
 impl Sector {
     /// The sector of F faces of a scheme: `catmull-clark`, `loop` or `loop-warren`.
     ///
@@ -104,7 +116,9 @@ impl Sector {
         let points: usize = orbits.iter().map(|orbit| orbit.count).sum();
         let stencil = |weights: &[(usize, Rational)]| {
             let mut stencil = vec![RealCyclotomic::zero(); points];
-            weights.iter().for_each(|(point, w)| stencil[*point] = w.clone().into());
+            for (point, weight) in weights {
+                stencil[*point] = weight.clone().into();
+            }
             stencil
         };
         let [two_thirds, sixth] = [Rational::new(2, 3), Rational::new(1, 6)];
