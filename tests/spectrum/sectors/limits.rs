@@ -1,193 +1,12 @@
-//! Sectors between sharp edges: the matrix of the rules, its characteristic polynomial and left eigenvectors, limits of meshes,
-//! and many refinements.
+//! Limits and normals of meshes, and the points of fine levels.
 
-use super::number;
+use super::super::number;
+use super::{expressions, matrix, sector, sectors};
 use crate::common::r;
 use std::cmp::Ordering;
-use subcert::exact::{Rational, Real, RealCyclotomic, RealExpression, Scalar};
+use subcert::exact::{RealCyclotomic, RealExpression, Scalar};
 use subcert::float::nearest;
 use subcert::mesh::{MeshScheme, PolygonMesh, Sharpness, Tags, limit_points};
-use subcert::spectrum::{MAX_SECTOR_FACES, Sector, SpectrumError};
-
-type Row = Vec<Rational>;
-
-/// Σ of multiples of rows.
-fn mix(terms: &[(Rational, &Row)]) -> Row {
-    let length = terms[0].1.len();
-    let entry = |i: usize| terms.iter().fold(r(0, 1), |sum, (w, row)| &sum + &(w * &row[i]));
-    (0..length).map(entry).collect()
-}
-
-/// The new points of a sector as combinations of the old ones, from the words of the rules: face points are means, edge points means of the
-/// ends and the face points beside, or (3, 3, 1, 1)/8; sharp edges have midpoints.
-fn matrix(scheme: &str, faces: usize, corner: bool) -> Vec<Row> {
-    let quadrilaterals = scheme == "catmull-clark";
-    let points = faces + 2 + if quadrilaterals { faces } else { 0 };
-    let unit = |at: usize| -> Row { (0..points).map(|i| r(i64::from(i == at), 1)).collect() };
-    let v = unit(0);
-    let edge = |i: usize| unit(1 + i);
-    let face = |i: usize| unit(2 + faces + i);
-    let mean = |rows: &[&Row]| {
-        let share = Rational::new(1, rows.len());
-        mix(&rows.iter().map(|row| (share.clone(), *row)).collect::<Vec<_>>())
-    };
-    let face_point = |i: usize| mean(&[&v, &edge(i), &face(i), &edge(i + 1)]);
-    let vertex = if corner {
-        v.clone()
-    } else {
-        mix(&[(r(3, 4), &v), (r(1, 8), &edge(0)), (r(1, 8), &edge(faces))])
-    };
-    let mut rows = vec![vertex];
-    for i in 0..=faces {
-        rows.push(if i == 0 || i == faces {
-            mean(&[&v, &edge(i)])
-        } else if quadrilaterals {
-            mean(&[&v, &edge(i), &face_point(i - 1), &face_point(i)])
-        } else {
-            let near = [(r(3, 8), &v), (r(3, 8), &edge(i))];
-            let far = [(r(1, 8), &edge(i - 1)), (r(1, 8), &edge(i + 1))];
-            mix(&near.into_iter().chain(far).collect::<Vec<_>>())
-        });
-    }
-    if quadrilaterals {
-        rows.extend((0..faces).map(face_point));
-    }
-    rows
-}
-
-/// det(x − M) from the constant term upwards, by Hessenberg's form and its recurrence.
-fn characteristic(mut m: Vec<Row>) -> Row {
-    let n = m.len();
-    for step in 1..n.saturating_sub(1) {
-        let Some(pivot) = (step..n).find(|&i| !m[i][step - 1].is_zero()) else { continue };
-        m.swap(step, pivot);
-        m.iter_mut().for_each(|row| row.swap(step, pivot));
-        for i in step + 1..n {
-            let factor = &m[i][step - 1] / &m[step][step - 1];
-            for j in 0..n {
-                m[i][j] = &m[i][j] - &(&factor * &m[step][j]);
-            }
-            for row in &mut m {
-                row[step] = &row[step] + &(&factor * &row[i]);
-            }
-        }
-    }
-    // p_k = (x − h_kk) p_{k−1} − Σ_i h_{i,k} (h_{i+1,i} … h_{k,k−1}) p_{i−1}.
-    let mut found: Vec<Row> = vec![vec![r(1, 1)]];
-    for k in 0..n {
-        let mut next = vec![r(0, 1)];
-        next.extend(found[k].clone());
-        let mut product = r(1, 1);
-        for i in (0..=k).rev() {
-            let factor = &product * &m[i][k];
-            for (target, c) in next.iter_mut().zip(&found[i]) {
-                *target = &*target - &(&factor * c);
-            }
-            if i > 0 {
-                product = &product * &m[i][i - 1];
-            }
-        }
-        found.push(next);
-    }
-    found.pop().expect("the last")
-}
-
-fn sectors() -> impl Iterator<Item = (&'static str, usize, bool)> {
-    let schemes = ["catmull-clark", "loop"];
-    schemes.into_iter().flat_map(|scheme| {
-        (1..=8).flat_map(move |faces| [false, true].map(|corner| (scheme, faces, corner)))
-    })
-}
-
-fn sector(scheme: &str, faces: usize, corner: bool) -> Sector {
-    Sector::of(scheme, faces, corner).unwrap_or_else(|error| panic!("{error}"))
-}
-
-// Every printed number is a root as often as it is said to be, and there are as many as points.
-#[test]
-fn eigenvalues_are_the_roots() {
-    for (scheme, faces, corner) in sectors() {
-        let found = sector(scheme, faces, corner);
-        let mut polynomial = characteristic(matrix(scheme, faces, corner));
-        let points = polynomial.len() - 1;
-        assert_eq!(found.orbits.iter().map(|orbit| orbit.count).sum::<usize>(), points);
-        assert_eq!(found.eigenvalues.iter().map(|one| one.multiplicity).sum::<usize>(), points);
-        let most = found.eigenvalues.iter().map(|one| one.multiplicity).max().expect("one");
-        for derivative in 0..=most {
-            for one in found.eigenvalues.iter().filter(|one| derivative <= one.multiplicity) {
-                let terms = polynomial.iter().rev();
-                let value = terms
-                    .fold(number(r(0, 1)), |sum, c| sum.times(&one.real).plus(&number(c.clone())));
-                assert_eq!(
-                    value.sign() == 0,
-                    derivative < one.multiplicity,
-                    "{scheme} {faces} {corner}: {} in derivative {derivative}",
-                    one.real
-                );
-            }
-            let factors = polynomial.iter().enumerate().skip(1);
-            polynomial = factors.map(|(k, c)| &Rational::from(k) * c).collect();
-        }
-        let mut blocks: Vec<usize> =
-            found.eigenvalues.iter().flat_map(|one| one.blocks.clone()).collect();
-        blocks.sort_unstable();
-        let each = if scheme == "loop" { 1 } else { 2 };
-        let mut expected = vec![0; 3];
-        expected.extend((1..faces).flat_map(|j| std::iter::repeat_n(j, each)));
-        if scheme != "loop" {
-            expected.push(faces);
-        }
-        assert_eq!(blocks, expected);
-    }
-}
-
-/// wM for a row w.
-fn pulled_back(matrix: &[Row], weights: &[RealExpression]) -> Vec<RealExpression> {
-    let entry = |b: usize| {
-        let terms = weights.iter().zip(matrix);
-        terms.fold(number(r(0, 1)), |sum, (w, row)| sum.plus(&w.times(&number(row[b].clone()))))
-    };
-    (0..matrix.len()).map(entry).collect()
-}
-
-fn expressions(weights: &[RealCyclotomic]) -> Vec<RealExpression> {
-    weights.iter().map(|weight| RealExpression::from(weight.clone())).collect()
-}
-
-#[test]
-fn stencils_are_left_eigenvectors() {
-    for (scheme, faces, corner) in sectors() {
-        let (found, matrix) = (sector(scheme, faces, corner), matrix(scheme, faces, corner));
-        let check = |weights: &[RealExpression], value: &RealExpression, total: i8| {
-            let expected: Vec<RealExpression> = weights.iter().map(|w| w.times(value)).collect();
-            assert_eq!(pulled_back(&matrix, weights), expected, "{scheme} {faces} {corner}");
-            assert_eq!(RealExpression::total(weights).sign(), total);
-        };
-        check(&expressions(&found.limit), &number(r(1, 1)), 1);
-        assert_eq!(RealCyclotomic::total(&found.limit), RealCyclotomic::from(1));
-        assert_eq!(found.along.len(), if corner { 2 } else { 1 });
-        for along in &found.along {
-            check(&expressions(along), &number(r(1, 2)), 0);
-        }
-        let Some(across) = found.across else {
-            assert_eq!((faces, corner), (1, true));
-            continue;
-        };
-        // The sign of cos(π/F), and of cos(π/F) − 1/2.
-        let regular = if scheme == "loop" { 3 } else { 2 };
-        assert_eq!(across.side, faces.cmp(&regular), "{scheme} {faces}");
-        assert_eq!(across.side, across.eigenvalue.cmp(&number(r(1, 2))));
-        match across.stencil {
-            None => assert!(corner && across.side == Ordering::Equal),
-            Some(stencil) => {
-                check(&stencil, &across.eigenvalue, 0);
-                // It goes into the sector.
-                let inner = if faces == 1 { &stencil[1] } else { &stencil[2] };
-                assert_eq!(inner.sign(), 1);
-            }
-        }
-    }
-}
 
 /// The faces of a sector alone: its vertex is at the boundary.
 fn fan(scheme: &str, faces: usize, corner: bool) -> PolygonMesh<RealCyclotomic> {
@@ -285,9 +104,11 @@ fn scaled(scheme: &str, faces: usize, corner: bool, k: u32, factor: f64) -> Vec<
     };
     let weights: Vec<f64> = limit.iter().map(nearest).collect();
     // The limit is subtracted at every step: what rounding adds to it would grow.
-    let centred = |points: &mut Vec<[f64; 3]>| {
+    let centred = |points: &mut [[f64; 3]]| {
         let origin = sum(&weights, points);
-        points.iter_mut().for_each(|x| (0..3).for_each(|i| x[i] -= origin[i]));
+        for x in points {
+            *x = [0, 1, 2].map(|i| x[i] - origin[i]);
+        }
     };
     centred(&mut points);
     for _ in 0..k {
@@ -327,7 +148,9 @@ fn points_tend_to_the_stated_lines_and_planes() {
             (true, Ordering::Equal) => {
                 let line = [0, 1, 2].map(|i| along[0][i] + along[1][i]);
                 let mut points = scaled(scheme, faces, corner, 40_000, 2.0);
-                points.iter_mut().for_each(|x| *x = x.map(|x| x / 40_000.0));
+                for x in &mut points {
+                    *x = x.map(|x| x / 40_000.0);
+                }
                 (points, Box::new(move |x| off_line(x, line)))
             }
             (_, Ordering::Greater) => {
@@ -382,17 +205,4 @@ fn corners_of_many_faces_have_no_tangent_plane() {
         let [a, b] = [0, 1].map(|i| applied(&expressions(&found.along[i]), &mesh));
         assert_ne!(dot(&cross(&a, &b), &applied(&across, &mesh)).sign(), 0, "{scheme} {faces}");
     }
-}
-
-// Loop and Warren differ at smooth vertices alone; what is no such scheme is refused.
-#[test]
-fn names_and_numbers() {
-    assert_eq!(sector("loop", 5, false), sector("loop-warren", 5, false));
-    let error = |scheme: &str, faces| Sector::of(scheme, faces, false).expect_err("an error");
-    assert!(matches!(error("doo-sabin", 3), SpectrumError::NoSectors { .. }));
-    for faces in [0, MAX_SECTOR_FACES + 1, usize::MAX] {
-        assert!(matches!(error("loop", faces), SpectrumError::Faces { .. }));
-    }
-    assert_eq!(sector("catmull-clark", MAX_SECTOR_FACES, true).limit.len(), 130);
-    assert_eq!(sector("catmull-clark", 2, false).name(5), "face[1]");
 }
