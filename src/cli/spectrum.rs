@@ -23,9 +23,6 @@ const NECESSARY: &str = "These conditions on eigenvalues are necessary only: for
 const SHOWN_WEIGHTS: usize = 12;
 
 pub(super) fn spectrum(arguments: &SpectrumArguments) -> Outcome {
-    if let Some(faces) = arguments.sector {
-        return super::sector::sector(arguments, faces);
-    }
     let rings = surroundings(&arguments.scheme, arguments.valence)
         .map_err(|error| failure_without_valence(error, "--valence 5"))?;
     let progress = Progress::of_spectra(Arc::new(AtomicU64::new(0)), 1, true);

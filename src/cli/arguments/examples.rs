@@ -64,7 +64,6 @@ the schemes are catmull-clark, loop and loop-warren.
 
 Examples:
   subcert spectrum catmull-clark --valence 5
-  subcert spectrum loop --valence 7 --format json
   subcert spectrum examples/loop.toml --valence 6
   subcert spectrum catmull-clark --sector 3
   subcert spectrum loop --sector 2 --corner";
