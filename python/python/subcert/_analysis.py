@@ -183,7 +183,7 @@ class Across:
     >>> from subcert import Scheme
     >>> across = Scheme("loop").sector(4).across
     >>> across.eigenvalue.text, across.comparison, across.second_above
-    ('3/8 + 1/4*cos(2*pi/8)', 'above', False)
+    ('3/8 + 1/4*cos(pi/4)', 'above', False)
     """
 
     eigenvalue: Real
