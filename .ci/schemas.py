@@ -44,6 +44,7 @@ ANSWERS = [
     ("smoothness", "smoothness four-point:w=1/16"),
     ("smoothness-vertex", "smoothness catmull-clark:N=5"),
     ("spectrum", "spectrum loop --valence 5"),
+    ("spectrum-sector", "spectrum catmull-clark --sector 3"),
 ]
 
 

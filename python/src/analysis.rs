@@ -15,7 +15,7 @@ use subcert::joint::{MatrixSet, joint_radius};
 use subcert::report::{verdict_name, verdict_reason};
 use subcert::scheme::{names_ring, open_parameters, parse_parametric};
 use subcert::smoothness::{Hoelder, Smoothness, smooth_range as computed};
-use subcert::spectrum::{Curvature, Spectrum, SpectrumError, surroundings};
+use subcert::spectrum::{Curvature, Sector, Spectrum, SpectrumError, surroundings};
 
 /// A real number: exactly as text, as a fraction if it is one, and the nearest float.
 type Real = (String, Option<Fraction>, f64);
@@ -53,6 +53,12 @@ type Spectral = (
     Option<Stencil>,
     Option<Vec<Stencil>>,
 );
+
+/// λ, its comparison with 1/2, whether block 2 has an eigenvalue above 1/2, the tangent.
+type Across = (Real, &'static str, bool, Option<Stencil>);
+
+/// Eigenvalues, the limit, the tangents along sharp edges, and what goes across.
+type Sectoral = (Vec<Eigenvalue>, Stencil, Vec<Stencil>, Option<Across>);
 
 fn real(value: &(impl Enclosed + Display), rational: Option<&Rational>) -> Real {
     (value.to_string(), rational.map(fraction), nearest(value))
@@ -161,17 +167,13 @@ pub fn spectrum(py: Python<'_>, scheme: String, valence: Option<usize>) -> PyRes
             let rings = surroundings(&scheme, valence).map_err(|error| of_rules(&error))?;
             let Spectrum { order, eigenvalues, conditions, limit, tangents } =
                 rings.spectrum().map_err(plain)?;
-            let each = eigenvalues.iter().map(|one| {
-                let imaginary = one.imaginary.as_ref().map(of_expression);
-                (of_expression(&one.real), imaginary, one.multiplicity, one.blocks.clone())
-            });
             let names = |values: Vec<Real>| -> Stencil {
                 let named = values.into_iter().enumerate();
                 named.map(|(point, value)| (rings.ring.name(point), value)).collect()
             };
             Ok((
                 order,
-                each.collect(),
+                eigenvalues.iter().map(of_eigenvalue).collect(),
                 conditions.simple_one,
                 conditions.subdominant.as_ref().map(of_expression),
                 conditions.next.as_ref().map(of_expression),
@@ -180,6 +182,41 @@ pub fn spectrum(py: Python<'_>, scheme: String, valence: Option<usize>) -> PyRes
                 tangents.map(|both| {
                     both.iter().map(|one| names(one.iter().map(of_expression).collect())).collect()
                 }),
+            ))
+        },
+    )
+}
+
+fn of_eigenvalue(one: &subcert::spectrum::Eigenvalue) -> Eigenvalue {
+    let imaginary = one.imaginary.as_ref().map(of_expression);
+    (of_expression(&one.real), imaginary, one.multiplicity, one.blocks.clone())
+}
+
+/// The eigenvalues and stencils between two sharp edges at a vertex.
+#[pyfunction]
+pub fn sector(py: Python<'_>, scheme: String, faces: usize, corner: bool) -> PyResult<Sectoral> {
+    aside(
+        py,
+        || (),
+        move || {
+            let found = Sector::of(&scheme, faces, corner).map_err(|error| of_rules(&error))?;
+            let named = |values: Vec<Real>| -> Stencil {
+                let named = values.into_iter().enumerate();
+                named.map(|(point, value)| (found.name(point), value)).collect()
+            };
+            let exact =
+                |weights: &[RealCyclotomic]| named(weights.iter().map(of_cyclotomic).collect());
+            let across = found.across.as_ref().map(|across| {
+                let stencil = across.stencil.as_ref();
+                let stencil = stencil.map(|one| named(one.iter().map(of_expression).collect()));
+                let value = of_expression(&across.eigenvalue);
+                (value, across.comparison(), across.second_above, stencil)
+            });
+            Ok((
+                found.eigenvalues.iter().map(of_eigenvalue).collect(),
+                exact(&found.limit),
+                found.along.iter().map(|one| exact(one)).collect(),
+                across,
             ))
         },
     )

@@ -26,7 +26,8 @@ mod _native {
     use crate::algebraic::Algebraic;
     #[pymodule_export]
     use crate::analysis::{
-        is_ring, jsr, open_names, smooth_range, smoothness, spectrum, version, vertex_smoothness,
+        is_ring, jsr, open_names, sector, smooth_range, smoothness, spectrum, version,
+        vertex_smoothness,
     };
     #[pymodule_export]
     use crate::audit::{audit_json, paper_keys};

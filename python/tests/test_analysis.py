@@ -43,6 +43,20 @@ def test_spectrum_of_catmull_clark():
         assert sum(weight.fraction for _, weight in found.limit) == 1
 
 
+def test_sectors():
+    for faces in range(2, 9):
+        found = Scheme("catmull-clark").sector(faces)
+        c = math.cos(math.pi / faces)
+        known = (c + 5 + math.sqrt((c + 9) * (c + 1))) / 16
+        assert float(found.across.eigenvalue) == pytest.approx(known, abs=1e-14)
+        assert found.across.comparison == ("equal" if faces == 2 else "above")
+        assert found.across.second_above == (faces > 4)
+        assert sum(float(weight) for _, weight in found.across.tangent) == pytest.approx(0, abs=1e-12)
+    corner = Scheme("loop").sector(1, corner=True)
+    assert corner.across is None and len(corner.along) == 2
+    assert Scheme("loop").sector(3, corner=True).across.tangent is None
+
+
 def test_radius_is_between_its_bounds():
     first, second = numpy.array([[1, 1], [0, 1]]), numpy.array([[1, 0], [1, 1]])
     found = jsr([first, second])
@@ -80,6 +94,9 @@ def test_ranges_of_smoothness():
         (lambda: jsr([[[float("nan")]]]), "nan is no number"),
         (lambda: Scheme("chaikin").spectrum(5), "no ring"),
         (lambda: Scheme("loop").spectrum(), "spectrum(valence=5)"),
+        (lambda: Scheme("doo-sabin").sector(3), "not of `doo-sabin`"),
+        (lambda: Scheme("loop").sector(65), "from 1 to 64"),
+        (lambda: Scheme(mask=[[1], [1]]).sector(3), "no sectors"),
         (lambda: Scheme("loop").smoothness(), "spectrum(valence=5)"),
         (lambda: Scheme("chaikin x chaikin").smoothness(), "tensor product"),
         (lambda: Scheme("loop").smoothness(2), ""),
@@ -104,6 +121,7 @@ def test_notebooks_get_tables():
         Scheme("chaikin").smoothness(),
         Scheme("loop").smoothness(5),
         Scheme("loop").spectrum(5),
+        Scheme("loop").sector(5),
         Scheme("four-point").range("w", smoothness=1),
         Scheme("chaikin").constants(2),
         Scheme("chaikin").depth("1/10"),

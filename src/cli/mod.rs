@@ -46,6 +46,7 @@ mod save;
 mod schemas;
 mod scheme;
 mod schemes;
+mod sector;
 mod sets;
 mod smooth_map;
 mod smooth_range;
@@ -95,7 +96,10 @@ pub(crate) fn run() -> ExitCode {
         Command::Depth(command) => depth::depth(&command),
         Command::Range(command) => range::range(&command),
         Command::Smoothness(command) => smoothness::smoothness(&command),
-        Command::Spectrum(command) => spectrum::spectrum(&command),
+        Command::Spectrum(command) => match command.sector {
+            Some(faces) => sector::sector(&command, faces),
+            None => spectrum::spectrum(&command),
+        },
         Command::Table(command) => table::table(&command),
         Command::Jsr(command) => jsr::jsr(&command),
         Command::Certify(command) => certify::certify(&command),

@@ -49,6 +49,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         ("smoothness", of::<smoothness::Smoothness<'_>>()),
         ("smoothness-vertex", of::<vertex::Vertices<'_>>()),
         ("spectrum", of::<spectrum::Spectrum<'_>>()),
+        ("spectrum-sector", of::<spectrum::Sector<'_>>()),
     ]
 }
 

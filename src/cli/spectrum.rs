@@ -10,7 +10,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 use subcert::exact::{Enclosed, Scalar as _, format::short};
 use subcert::report::{Grid, Sheet, json::Exact};
-use subcert::scheme::LocalRules;
+use subcert::scheme::{LocalRules, Orbit};
 use subcert::spectrum::{
     Curvature, Eigenvalue, Spectrum, SpectrumError, Surroundings, surroundings,
 };
@@ -65,13 +65,9 @@ impl Report<'_> {
         let Spectrum { order, .. } = self.spectrum;
         sheet.heading(1, format!("{}, valence {order}", self.name));
         sheet.heading(2, "Eigenvalues");
-        sheet.facts(vec![("of the points".to_owned(), orbits_text(self.neighbourhood()))]);
-        let header = ["value", "exact", "multiplicity", "blocks"].map(str::to_owned).to_vec();
-        let rows = self.spectrum.eigenvalues.iter().map(|one| {
-            let [decimal, exact] = eigenvalue_texts(one);
-            vec![decimal, exact, one.multiplicity.to_string(), blocks_text(&one.blocks)]
-        });
-        sheet.grid(Grid { header, rows: rows.collect(), left_columns: 2 });
+        let points = orbits_text(self.neighbourhood().orbits());
+        sheet.facts(vec![("of the points".to_owned(), points)]);
+        sheet.grid(eigenvalue_grid(&self.spectrum.eigenvalues));
         sheet.heading(2, "Conditions");
         sheet.facts(self.conditions());
         sheet.text(NECESSARY);
@@ -121,14 +117,16 @@ impl Report<'_> {
 
     fn stencils(&self) -> Vec<(String, String)> {
         let mut facts = Vec::new();
+        let orbits = self.rings.ring.orbits();
         match &self.spectrum.limit {
-            Some(limit) => self.orbit_facts("limit", limit, &mut facts),
+            Some(limit) => orbit_facts(orbits, "limit", limit, &mut facts),
             None => facts.push(("limit".to_owned(), "none: 1 is not simple".to_owned())),
         }
         match &self.spectrum.tangents {
             Some(tangents) => {
                 for (number, tangent) in tangents.iter().enumerate() {
-                    self.orbit_facts(&format!("tangent {}", number + 1), tangent, &mut facts);
+                    let name = format!("tangent {}", number + 1);
+                    orbit_facts(orbits, &name, tangent, &mut facts);
                 }
             }
             None => facts.push(("tangents".to_owned(), "none: there is no such λ".to_owned())),
@@ -136,49 +134,17 @@ impl Report<'_> {
         facts
     }
 
-    /// A line for each orbit whose weights are not all 0; one weight where all are equal.
-    fn orbit_facts<V: Enclosed + Display + PartialEq + subcert::exact::Scalar>(
-        &self,
-        what: &str,
-        weights: &[V],
-        facts: &mut Vec<(String, String)>,
-    ) {
-        let mut rest = weights;
-        for orbit in self.rings.ring.orbits() {
-            let (these, others) = rest.split_at(orbit.count);
-            rest = others;
-            if these.iter().all(|weight| *weight == V::zero()) {
-                continue;
-            }
-            let text = if these.windows(2).all(|pair| pair[0] == pair[1]) {
-                let each = if orbit.count > 1 { "each " } else { "" };
-                format!("{each}{}", with_decimal(&these[0]))
-            } else {
-                let shown = these.iter().take(SHOWN_WEIGHTS).map(|weight| short(weight, 8));
-                let shown = shown.collect::<Vec<String>>().join("  ");
-                let more = if orbit.count > SHOWN_WEIGHTS { "  …" } else { "" };
-                format!("{shown}{more}")
-            };
-            facts.push((format!("{what}, {}", orbit.name), text));
-        }
-    }
-
     fn form(&self) -> form::Spectrum<'_> {
         let Spectrum { order, eigenvalues, conditions, limit, tangents } = &self.spectrum;
-        let eigenvalue = |one: &Eigenvalue| form::Eigenvalue {
-            value: Exact::of(&one.real),
-            imaginary: one.imaginary.as_ref().map(Exact::of),
-            multiplicity: one.multiplicity,
-            block: one.blocks.clone(),
-        };
         let subdominant = conditions.subdominant.as_ref();
+        let name = |point| self.rings.ring.name(point);
         form::Spectrum {
             schema: SCHEMA,
             scheme: self.name,
             valence: *order,
-            orbits: orbits(&self.rings.ring),
-            neighbourhood: orbits(self.neighbourhood()),
-            eigenvalues: eigenvalues.iter().map(eigenvalue).collect(),
+            orbits: orbits(self.rings.ring.orbits()),
+            neighbourhood: orbits(self.neighbourhood().orbits()),
+            eigenvalues: eigenvalues.iter().map(eigenvalue_form).collect(),
             conditions: form::Conditions {
                 simple_one: conditions.simple_one,
                 subdominant: subdominant.map(Exact::of),
@@ -186,28 +152,75 @@ impl Report<'_> {
                 next: conditions.next.as_ref().map(Exact::of),
                 curvature: conditions.curvature.map(Curvature::name),
             },
-            limit: limit.as_ref().map(|weights| self.weights(weights)),
-            tangents: tangents.as_ref().map(|both| both.each_ref().map(|one| self.weights(one))),
+            limit: limit.as_ref().map(|one| weights(one, name)),
+            tangents: tangents.as_ref().map(|both| both.each_ref().map(|one| weights(one, name))),
         }
     }
+}
 
-    fn weights<V: Enclosed + Display>(&self, weights: &[V]) -> Vec<form::Weight> {
-        let weight = |(point, weight): (usize, &V)| form::Weight {
-            point: self.rings.ring.name(point),
-            weight: Exact::of(weight),
-        };
-        weights.iter().enumerate().map(weight).collect()
+pub(super) fn eigenvalue_form(one: &Eigenvalue) -> form::Eigenvalue {
+    form::Eigenvalue {
+        value: Exact::of(&one.real),
+        imaginary: one.imaginary.as_ref().map(Exact::of),
+        multiplicity: one.multiplicity,
+        block: one.blocks.clone(),
     }
 }
 
-fn orbits(ring: &LocalRules) -> Vec<form::Orbit<'_>> {
-    let orbits = ring.orbits().iter();
-    orbits.map(|orbit| form::Orbit { name: &orbit.name, count: orbit.count }).collect()
+pub(super) fn weights<V: Enclosed + Display>(
+    weights: &[V],
+    name: impl Fn(usize) -> String,
+) -> Vec<form::Weight> {
+    let weight = |(point, weight): (usize, &V)| form::Weight {
+        point: name(point),
+        weight: Exact::of(weight),
+    };
+    weights.iter().enumerate().map(weight).collect()
 }
 
-fn orbits_text(ring: &LocalRules) -> String {
-    let orbits = ring.orbits().iter().map(|orbit| format!("{} {}", orbit.count, orbit.name));
+pub(super) fn orbits(orbits: &[Orbit]) -> Vec<form::Orbit<'_>> {
+    orbits.iter().map(|one| form::Orbit { name: &one.name, count: one.count }).collect()
+}
+
+pub(super) fn orbits_text(orbits: &[Orbit]) -> String {
+    let orbits = orbits.iter().map(|orbit| format!("{} {}", orbit.count, orbit.name));
     orbits.collect::<Vec<String>>().join(", ")
+}
+
+/// A line for each orbit whose weights are not all 0; one weight where all are equal.
+pub(super) fn orbit_facts<V: Enclosed + Display + PartialEq + subcert::exact::Scalar>(
+    orbits: &[Orbit],
+    what: &str,
+    weights: &[V],
+    facts: &mut Vec<(String, String)>,
+) {
+    let mut rest = weights;
+    for orbit in orbits {
+        let (these, others) = rest.split_at(orbit.count);
+        rest = others;
+        if these.iter().all(|weight| *weight == V::zero()) {
+            continue;
+        }
+        let text = if these.windows(2).all(|pair| pair[0] == pair[1]) {
+            let each = if orbit.count > 1 { "each " } else { "" };
+            format!("{each}{}", with_decimal(&these[0]))
+        } else {
+            let shown = these.iter().take(SHOWN_WEIGHTS).map(|weight| short(weight, 8));
+            let shown = shown.collect::<Vec<String>>().join("  ");
+            let more = if orbit.count > SHOWN_WEIGHTS { "  …" } else { "" };
+            format!("{shown}{more}")
+        };
+        facts.push((format!("{what}, {}", orbit.name), text));
+    }
+}
+
+pub(super) fn eigenvalue_grid(eigenvalues: &[Eigenvalue]) -> Grid {
+    let header = ["value", "exact", "multiplicity", "blocks"].map(str::to_owned).to_vec();
+    let rows = eigenvalues.iter().map(|one| {
+        let [decimal, exact] = eigenvalue_texts(one);
+        vec![decimal, exact, one.multiplicity.to_string(), blocks_text(&one.blocks)]
+    });
+    Grid { header, rows: rows.collect(), left_columns: 2 }
 }
 
 /// The decimal and the exact value; the latter is empty where it is the decimal or long.

@@ -11,8 +11,10 @@ use subcert::exact::Rational;
 use subcert::limit::Limit;
 use subcert::report::html::shell_word;
 use subcert::scheme::{AnyScheme, Mask, parse_algebraic, parse_any_scheme};
-use subcert::spectrum::surroundings;
-use subcert::spectrum::table::{Language, Origin, RealType, Row, TableError, write, write_mask};
+use subcert::spectrum::table::{
+    Language, Origin, RealType, Row, TableError, write, write_mask, write_sectors,
+};
+use subcert::spectrum::{Sector, surroundings};
 
 /// The most valences of a table.
 const MAX_VALENCES: usize = 256;
@@ -20,9 +22,10 @@ const MAX_VALENCES: usize = 256;
 pub(super) fn table(arguments: &TableArguments) -> Outcome {
     let language = Language::from(arguments.format);
     let real = arguments.real.into();
-    let text = match arguments.valences {
-        Some(valences) => of_valences(arguments, valences, language, real)?,
-        None => of_mask(&arguments.scheme, language, real)?.ok_or_else(|| {
+    let text = match (arguments.valences, arguments.sectors) {
+        (Some(valences), _) => of_valences(arguments, valences, language, real)?,
+        (None, Some(sectors)) => of_sectors(arguments, sectors, language, real)?,
+        (None, None) => of_mask(&arguments.scheme, language, real)?.ok_or_else(|| {
             let scheme = &arguments.scheme;
             Failure::Input(format!(
                 "`{scheme}` has rules around one vertex or face: name the valences with --valences 3..12"
@@ -55,6 +58,26 @@ fn of_valences(
         TableError::Spectrum(error) => failure(error),
         other => Failure::Input(other.to_string()),
     })
+}
+
+fn of_sectors(
+    arguments: &TableArguments,
+    (first, last): (usize, usize),
+    language: Language,
+    real: RealType,
+) -> Result<String, Failure> {
+    let (scheme, corner) = (&arguments.scheme, arguments.corner);
+    // The last number is refused at once if it is too great.
+    Sector::of(scheme, last, corner).map_err(failure)?;
+    let sectors = (first..=last).map(|faces| Sector::of(scheme, faces, corner));
+    let sectors = sectors.collect::<Result<Vec<Sector>, _>>().map_err(failure)?;
+    let command = format!(
+        "subcert table {scheme} --sectors {first}..{last}{} --format {} --type {}",
+        if corner { " --corner" } else { "" },
+        language.name(),
+        type_name(real),
+    );
+    Ok(write_sectors(&sectors, language, real, &Origin { scheme, command: &command }))
 }
 
 /// The table of rules at these valences.

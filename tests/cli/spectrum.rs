@@ -49,6 +49,85 @@ fn spectra_as_text() {
     );
 }
 
+#[test]
+fn sectors() {
+    let text = written(["spectrum", "catmull-clark", "--sector", "2"]);
+    assert_parts(
+        &text,
+        &[
+            "sector of 2 faces on a crease",
+            "1 vertex, 3 edge, 2 face",
+            "across, edge    -1  4  -1",
+            "1/2 = 0.5, equal",
+            "one figure in the plane of both tangents",
+        ],
+    );
+    assert_parts(
+        &written(["spectrum", "loop", "--sector", "1"]),
+        &["1 face on", "0.25, below", "of the tangent along"],
+    );
+    let above = written(["spectrum", "loop", "--sector", "4", "--corner"]);
+    assert_parts(
+        &above,
+        &["at a corner", "along 2, edge    0  0  0  0  1", "above", "no tangent plane"],
+    );
+    let jordan = written(["spectrum", "loop", "--sector", "3", "--corner", "--format", "markdown"]);
+    assert_parts(&jordan, &["equal", "Jordan block", "sum of both tangents"]);
+
+    let many = written(["spectrum", "catmull-clark", "--sector", "5"]);
+    assert_parts(&many, &["normals", "for generic data they have no limit"]);
+
+    let json = |arguments: &[&str]| -> Value {
+        let all = ["spectrum", "catmull-clark", "--format", "json", "--sector"];
+        serde_json::from_str(&written([&all[..], arguments].concat())).expect("JSON")
+    };
+    let found = json(&["3"]);
+    assert_eq!((&found["faces"], &found["corner"]), (&3.into(), &false.into()));
+    assert_eq!(found["across"]["comparison"], "above");
+    assert_eq!(found["across"]["eigenvalue"]["exact"], "11/32 + 1/32*sqrt(57)");
+    assert_eq!(found["across"]["weights"][7]["point"], "face[2]");
+    assert_eq!(found["limit"][4]["exact"], "1/6");
+    assert_eq!(found["eigenvalues"][4]["block"], serde_json::json!([0, 3]));
+    assert_eq!(json(&["1", "--corner"])["across"], Value::Null);
+    assert_eq!(json(&["2", "--corner"])["across"]["weights"], Value::Null);
+
+    let table = written(["table", "loop", "--sectors", "2..3", "--format", "cpp"]);
+    assert_parts(
+        &table,
+        &[
+            "namespace loop_crease {",
+            "constexpr double across[2] = {0.375, 0.5};",
+            "subcert table loop --sectors 2..3 --format cpp --type f64",
+            "subcert spectrum loop --sector n --format json",
+        ],
+    );
+    let table = written(["table", "loop", "--sectors", "2", "--corner", "--format", "c"]);
+    assert_parts(&table, &["loop_corner_first_faces = 2", "--sectors 2..2 --corner --format c"]);
+}
+
+#[test]
+fn sectors_are_refused() {
+    let spectrum = |rest: &[&str]| refused([&["spectrum"], rest].concat());
+    for scheme in ["doo-sabin", "catmull-clark:N=5", "chaikin", "examples/loop.toml"] {
+        let expected = [&format!("not of `{scheme}`")[..], "`catmull-clark`, `loop`"];
+        assert_parts(&spectrum(&[scheme, "--sector", "3"]), &expected);
+    }
+    assert_parts(&spectrum(&["loop", "--sector", "0"]), &["0 faces", "from 1 to 64"]);
+    assert_parts(&spectrum(&["loop", "--sector", "65"]), &["65 faces"]);
+    assert_parts(&spectrum(&["loop", "--sector", "x"]), &["a whole number from 1 on"]);
+    assert_parts(&spectrum(&["loop", "--corner"]), &["required", "--sector <FACES>"]);
+    let both = spectrum(&["loop", "--corner", "--valence", "5"]);
+    assert_parts(&both, &["'--corner' cannot be used with '--valence <N>'"]);
+    assert_parts(&spectrum(&["loop", "--sector", "3", "--valence", "5"]), &["cannot be used with"]);
+    let table = |rest: &[&str]| refused([&["table", "loop", "--format", "c"], rest].concat());
+    assert_parts(&table(&["--sectors", "x"]), &["number of faces, such as 1..8"]);
+    assert_parts(&table(&["--sectors", "8..1"]), &["the first number of faces, 8, is above"]);
+    assert_parts(&table(&["--sectors", "1..99999999999"]), &["from 1 to 64"]);
+    assert_parts(&table(&["--sectors", "0..3"]), &["0 faces"]);
+    assert_parts(&table(&["--corner", "--valences", "3..4"]), &["'--corner' cannot be used with"]);
+    assert_parts(&table(&["--sectors", "1..3", "--valences", "3..4"]), &["cannot be used with"]);
+}
+
 // The characteristic map of these rules folds over.
 #[test]
 fn eigenvalues_alone_do_not_make_a_surface_smooth() {

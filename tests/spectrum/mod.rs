@@ -1,7 +1,8 @@
-//! Spectra of rings: closed formulas, traces of powers, regular valences, stencils, tables.
+//! Spectra of rings: closed formulas, traces of powers, regular valences, stencils, tables; sectors between sharp edges.
 
 mod conditions;
 mod eigenvalues;
+mod sectors;
 mod stencils;
 mod table;
 

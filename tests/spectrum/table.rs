@@ -3,8 +3,8 @@
 use super::SCHEMES;
 use subcert::exact::{Enclosed, Real, RealExpression, Scalar};
 use subcert::float::exact;
-use subcert::spectrum::surroundings;
-use subcert::spectrum::table::{Language, Origin, RealType, Row, write};
+use subcert::spectrum::table::{Language, Origin, RealType, Row, write, write_sectors};
+use subcert::spectrum::{Sector, surroundings};
 
 fn rows(scheme: &str) -> Vec<Row> {
     (3..=9)
@@ -19,7 +19,7 @@ fn table(rows: &[Row], scheme: &str, language: Language, real: RealType) -> Stri
 /// The literals of an array, as they stand between brackets of any kind.
 fn literals(text: &str, name: &str) -> Vec<String> {
     // The header of JSON is a list of texts.
-    let text = &text[text.find("\"first_valence\"").unwrap_or(0)..];
+    let text = &text[text.find("\"first_").unwrap_or(0)..];
     let line = text.lines().position(|line| {
         let words = line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
         let is = |word: &str| word.to_lowercase().ends_with(name);
@@ -68,33 +68,82 @@ fn literals_are_nearest() {
         for language in Language::ALL {
             for real in [RealType::F32, RealType::F64] {
                 let text = table(&rows, scheme, language, real);
-                for (name, values) in expected(&rows) {
-                    let found = literals(&text, name);
-                    assert_eq!(found.len(), values.len(), "{language:?} {name}: {text}");
-                    for (word, value) in found.iter().zip(&values) {
-                        let word = word.trim_end_matches(['f', 'l']);
-                        let ok = match real {
-                            RealType::F32 => {
-                                let single: f32 = word.parse().expect("a number");
-                                if matches!(language, Language::Python | Language::Json) {
-                                    let wide: f64 = word.parse().expect("a number");
-                                    assert!(
-                                        wide.to_bits() == f64::from(single).to_bits(),
-                                        "{word}"
-                                    );
-                                }
-                                let around = [single.next_down(), single.next_up()];
-                                nearest(value, single.into(), around.map(f64::from))
-                            }
-                            RealType::F64 => {
-                                let double: f64 = word.parse().expect("a number");
-                                nearest(value, double, [double.next_down(), double.next_up()])
-                            }
-                        };
-                        assert!(ok, "{scheme} {language:?} {name}: {word} for {value}");
-                    }
-                }
+                assert_nearest(&text, &expected(&rows), language, real);
             }
+        }
+    }
+}
+
+/// The exact values of the arrays of sectors.
+fn expected_of_sectors(sectors: &[Sector]) -> Vec<(&'static str, Vec<RealExpression>)> {
+    let number = |values: &[subcert::exact::RealCyclotomic]| -> Vec<RealExpression> {
+        values.iter().map(|value| RealExpression::from(value.clone())).collect()
+    };
+    let across = |sector: &Sector| sector.across.clone().expect("an eigenvalue");
+    let all = |of: &dyn Fn(&Sector) -> Vec<RealExpression>| sectors.iter().flat_map(of).collect();
+    let mut expected = vec![
+        ("limit", all(&|sector| number(&sector.limit[..2]))),
+        ("tangent_1", all(&|sector| number(&sector.along[0]))),
+    ];
+    if sectors[0].corner {
+        expected.push(("tangent_2", all(&|sector| number(&sector.along[1]))));
+    } else {
+        expected.push(("across", all(&|sector| vec![across(sector).eigenvalue])));
+        expected.push(("tangent_2", all(&|sector| across(sector).stencil.expect("a tangent"))));
+    }
+    expected
+}
+
+#[test]
+fn literals_of_sectors_are_nearest() {
+    for (scheme, corner) in [("catmull-clark", false), ("loop", false), ("catmull-clark", true)] {
+        let sectors: Vec<Sector> =
+            (1..=8).map(|n| Sector::of(scheme, n, corner).expect("a sector")).collect();
+        let origin = Origin { scheme, command: "subcert table" };
+        for language in Language::ALL {
+            for real in [RealType::F32, RealType::F64] {
+                let text = write_sectors(&sectors, language, real, &origin);
+                assert_nearest(&text, &expected_of_sectors(&sectors), language, real);
+            }
+        }
+        let json = write_sectors(&sectors, Language::Json, RealType::F64, &origin);
+        let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+        let vertex = if corner { 1.0 } else { 0.75 };
+        assert_eq!((&json["first_faces"], &json["last_faces"]), (&1.into(), &8.into()));
+        assert_eq!(json["weights"][7][0], vertex);
+        // Where the entries of the last sector begin: after those of 1, …, 7 faces.
+        let before: usize = sectors[..7].iter().map(|sector| sector.limit.len()).sum();
+        assert_eq!(json["offset"][7], before);
+    }
+}
+
+fn assert_nearest(
+    text: &str,
+    expected: &[(&str, Vec<RealExpression>)],
+    language: Language,
+    real: RealType,
+) {
+    for (name, values) in expected {
+        let found = literals(text, name);
+        assert_eq!(found.len(), values.len(), "{language:?} {name}: {text}");
+        for (word, value) in found.iter().zip(values) {
+            let word = word.trim_end_matches(['f', 'l']);
+            let ok = match real {
+                RealType::F32 => {
+                    let single: f32 = word.parse().expect("a number");
+                    if matches!(language, Language::Python | Language::Json) {
+                        let wide: f64 = word.parse().expect("a number");
+                        assert!(wide.to_bits() == f64::from(single).to_bits(), "{word}");
+                    }
+                    let around = [single.next_down(), single.next_up()];
+                    nearest(value, single.into(), around.map(f64::from))
+                }
+                RealType::F64 => {
+                    let double: f64 = word.parse().expect("a number");
+                    nearest(value, double, [double.next_down(), double.next_up()])
+                }
+            };
+            assert!(ok, "{language:?} {name}: {word} for {value}");
         }
     }
 }

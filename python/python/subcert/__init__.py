@@ -11,10 +11,12 @@ Fraction(89, 128)
 
 from . import _native
 from ._analysis import (
+    Across,
     Eigenvalue,
     Exponent,
     JointRadius,
     Real,
+    Sector,
     Smoothness,
     Spectrum,
     VertexSmoothness,
@@ -40,6 +42,7 @@ from ._solid import (
 __version__: str = _native.version()
 
 __all__ = [
+    "Across",
     "Algebraic",
     "Audit",
     "Constants",
@@ -60,6 +63,7 @@ __all__ = [
     "RefinedMesh",
     "RefinedSolid",
     "Scheme",
+    "Sector",
     "SmoothRange",
     "Smoothness",
     "Spectrum",

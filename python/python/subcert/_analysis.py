@@ -177,6 +177,52 @@ class Spectrum:
 
 
 @dataclass(frozen=True)
+class Across:
+    """What goes from a vertex between two sharp edges into the sector: the greatest eigenvalue of block 1.
+
+    >>> from subcert import Scheme
+    >>> across = Scheme("loop").sector(4).across
+    >>> across.eigenvalue.text, across.comparison, across.second_above
+    ('3/8 + 1/4*cos(pi/4)', 'above', False)
+    """
+
+    eigenvalue: Real
+    #: ``below``, ``equal`` or ``above``: compared with 1/2, the eigenvalue along sharp edges.
+    comparison: str
+    #: Whether block 2 has an eigenvalue above 1/2, too: on a crease, normals of generic data then have no limit.
+    second_above: bool
+    #: The weights in the tangent; None where 1/2 has a Jordan block.
+    tangent: Optional[List[Tuple[str, Real]]]
+
+
+@dataclass(frozen=True)
+class Sector:
+    """The eigenvalues and stencils at a vertex on a crease, at a corner or at the boundary, between two sharp edges.
+
+    >>> from subcert import Scheme
+    >>> found = Scheme("catmull-clark").sector(2)
+    >>> [(point, str(weight)) for point, weight in found.limit if weight.fraction]
+    [('vertex', '2/3'), ('edge[0]', '1/6'), ('edge[2]', '1/6')]
+    """
+
+    faces: int
+    corner: bool
+    #: All eigenvalues, in descending order of the absolute value; block 0 is the vertex with the sharp edges.
+    eigenvalues: List[Eigenvalue]
+    limit: List[Tuple[str, Real]]
+    #: The weights in the tangent along a crease, or at a corner in those along both sharp edges.
+    along: List[List[Tuple[str, Real]]]
+    #: None for one face at a corner.
+    across: Optional[Across]
+
+    def _repr_html_(self) -> str:
+        rows = [[x.real.value, str(x.real), x.multiplicity, x.blocks] for x in self.eigenvalues]
+        place = "at a corner" if self.corner else "on a crease"
+        heads = ["value", "exact", "multiplicity", "blocks"]
+        return table(f"Eigenvalues, {self.faces} faces {place}", heads, rows)
+
+
+@dataclass(frozen=True)
 class JointRadius:
     """A joint spectral radius: at least ``root`` to the power 1/``degree``, which is that of a product.
 
@@ -245,19 +291,35 @@ def spectrum(text: str, valence: Optional[int]) -> Spectrum:
         _native.spectrum(text, valence)
     )
 
-    def stencil(weights: Any) -> List[Tuple[str, Real]]:
-        return [(point, _real(weight)) for point, weight in weights]
-
     return Spectrum(
         order,
-        [Eigenvalue(_real(x), y and _real(y), count, blocks) for x, y, count, blocks in eigenvalues],
+        _eigenvalues(eigenvalues),
         simple,
         subdominant and _real(subdominant),
         following and _real(following),
         curvature,
-        None if limit is None else stencil(limit),
-        None if tangents is None else [stencil(one) for one in tangents],
+        None if limit is None else _stencil(limit),
+        None if tangents is None else [_stencil(one) for one in tangents],
     )
+
+
+def sector(text: str, faces: int, corner: bool) -> Sector:
+    eigenvalues, limit, along, across = _native.sector(text, faces, corner)
+    found = None
+    if across is not None:
+        value, comparison, second, tangent = across
+        stencil = None if tangent is None else _stencil(tangent)
+        found = Across(_real(value), comparison, second, stencil)
+    tangents = [_stencil(one) for one in along]
+    return Sector(faces, corner, _eigenvalues(eigenvalues), _stencil(limit), tangents, found)
+
+
+def _eigenvalues(found: Any) -> List[Eigenvalue]:
+    return [Eigenvalue(_real(x), y and _real(y), count, blocks) for x, y, count, blocks in found]
+
+
+def _stencil(weights: Any) -> List[Tuple[str, Real]]:
+    return [(point, _real(weight)) for point, weight in weights]
 
 
 def _real(value: Any) -> Real:

@@ -70,6 +70,14 @@ def spectrum(
     Optional[_Stencil],
     Optional[List[_Stencil]],
 ]: ...
+def sector(
+    scheme: str, faces: int, corner: bool
+) -> Tuple[
+    List[Tuple[_Real, Optional[_Real], int, List[int]]],
+    _Stencil,
+    List[_Stencil],
+    Optional[Tuple[_Real, str, bool, Optional[_Stencil]]],
+]: ...
 def jsr(
     matrices: List[List[List[Any]]],
 ) -> Tuple[List[int], _Algebraic, int, bool, Tuple[_Fraction, _Fraction]]: ...

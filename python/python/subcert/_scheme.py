@@ -8,7 +8,7 @@ from os import PathLike
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union, overload
 
 from . import _native
-from ._analysis import Smoothness, Spectrum, VertexSmoothness, of_curve, of_vertex, spectrum
+from ._analysis import Sector, Smoothness, Spectrum, VertexSmoothness, of_curve, of_vertex, sector, spectrum
 from ._errors import SubcertError
 from ._html import facts, table
 from ._numbers import Algebraic, Number, coprime, exact, pair
@@ -359,6 +359,16 @@ class Scheme:
                 remedy='name rules around a vertex or on a face, such as "loop"',
             )
         return spectrum(self._text, valence)
+
+    def sector(self, faces: int, corner: bool = False) -> Sector:
+        """The eigenvalues and stencils at a vertex with this many faces between two sharp edges, or at the boundary.
+
+        >>> Scheme("loop").sector(3).across.eigenvalue.fraction
+        Fraction(1, 2)
+        """
+        if self._text is None:
+            raise SubcertError("a mask has no sectors", remedy='name "catmull-clark" or "loop"')
+        return sector(self._text, faces, corner)
 
     @overload
     def range(self, parameter: Optional[str] = None, levels: int = 4) -> List[Interval]: ...

@@ -61,15 +61,20 @@ pub(super) const SPECTRUM: &str = "\
 The conditions on eigenvalues are necessary only: C^1 also needs a regular and injective
 characteristic map, which `subcert smoothness` decides.
 
+A sector is what lies between two infinitely sharp edges at a vertex, or at a boundary vertex. There
+the schemes are catmull-clark, loop and loop-warren.
+
 Examples:
   subcert spectrum catmull-clark --valence 5
-  subcert spectrum loop --valence 7 --format json
-  subcert spectrum examples/loop.toml --valence 6";
+  subcert spectrum examples/loop.toml --valence 6
+  subcert spectrum catmull-clark --sector 3
+  subcert spectrum loop --sector 2 --corner";
 
 pub(super) const TABLE: &str = "\
 Examples:
   subcert table loop --valences 3..12 --format c --type f32
-  subcert table catmull-clark --valences 3..50 --format rust";
+  subcert table catmull-clark --valences 3..50 --format rust
+  subcert table catmull-clark --sectors 1..8 --format cpp";
 
 pub(super) const JSR: &str = "\
 Examples:

@@ -13,6 +13,12 @@ pub(in crate::cli) struct SpectrumArguments {
     /// The valence: the value of the parameter N or n of the rules
     #[arg(long, value_name = "N", value_parser = valence)]
     pub(in crate::cli) valence: Option<usize>,
+    /// In place of a valence: the number of faces between two sharp edges at the vertex, or at a boundary vertex
+    #[arg(long, value_name = "FACES", value_parser = faces, conflicts_with = "valence")]
+    pub(in crate::cli) sector: Option<usize>,
+    /// The vertex of the sector is a corner, which stays where it is
+    #[arg(long, requires = "sector", conflicts_with = "valence")]
+    pub(in crate::cli) corner: bool,
     #[command(flatten)]
     pub(in crate::cli) output: Output,
 }
@@ -25,6 +31,12 @@ pub(in crate::cli) struct TableArguments {
     /// The valences of rules around a vertex or on a face, from the first to the last
     #[arg(long, value_name = "FIRST..LAST", value_parser = valences)]
     pub(in crate::cli) valences: Option<(usize, usize)>,
+    /// In place of valences: the numbers of faces between two sharp edges at the vertex, from the first to the last
+    #[arg(long, value_name = "FIRST..LAST", value_parser = sectors, conflicts_with = "valences")]
+    pub(in crate::cli) sectors: Option<(usize, usize)>,
+    /// The vertices of the sectors are corners, which stay where they are
+    #[arg(long, requires = "sectors", conflicts_with = "valences")]
+    pub(in crate::cli) corner: bool,
     /// The language
     #[arg(long, value_enum)]
     pub(in crate::cli) format: LanguageArgument,
@@ -89,14 +101,29 @@ fn valence(text: &str) -> Result<usize, String> {
     text.parse().map_err(|_| "a valence is a whole number from 3 on".to_owned())
 }
 
+/// A number of faces.
+fn faces(text: &str) -> Result<usize, String> {
+    text.parse().map_err(|_| "a number of faces is a whole number from 1 on".to_owned())
+}
+
+/// The first and the last number of faces; a single number is both.
+fn sectors(text: &str) -> Result<(usize, usize), String> {
+    both(text, "number of faces", "1..8")
+}
+
 /// The first and the last valence; a single number is both.
 pub(super) fn valences(text: &str) -> Result<(usize, usize), String> {
-    let form = || "write the first and the last valence, such as 3..12, or a single one".to_owned();
+    both(text, "valence", "3..12")
+}
+
+fn both(text: &str, what: &str, example: &str) -> Result<(usize, usize), String> {
+    let form =
+        || format!("write the first and the last {what}, such as {example}, or a single one");
     let (first, last) = text.split_once("..").unwrap_or((text, text));
     let number = |text: &str| text.trim().parse::<usize>().map_err(|_| form());
     let (first, last) = (number(first)?, number(last)?);
     if first > last {
-        return Err(format!("the first valence, {first}, is above the last, {last}"));
+        return Err(format!("the first {what}, {first}, is above the last, {last}"));
     }
     Ok((first, last))
 }

@@ -28,6 +28,44 @@ pub struct Spectrum<'a> {
     pub tangents: Option<[Vec<Weight>; 2]>,
 }
 
+/// The rules between two sharp edges at a vertex.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Sector<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The number F of faces.
+    pub faces: usize,
+    /// Whether the vertex is a corner.
+    pub corner: bool,
+    /// The points: the edges 0 and F are sharp.
+    pub orbits: Vec<Orbit<'a>>,
+    /// All eigenvalues, in descending order; block 0 is the vertex with the two sharp edges.
+    pub eigenvalues: Vec<Eigenvalue>,
+    /// The weights of the points in the limit of the vertex.
+    pub limit: Vec<Weight>,
+    /// The weights of the points in the tangent along the crease; at a corner in both tangents along the sharp edges.
+    pub along: Vec<Vec<Weight>>,
+    /// What goes into the sector; null for one face at a corner.
+    pub across: Option<Across>,
+}
+
+/// The greatest eigenvalue λ of block 1; for one face on a crease that of the crease.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Across {
+    /// λ.
+    pub eigenvalue: Exact,
+    /// λ compared with 1/2, the eigenvalue of the tangents along sharp edges: `below`, `equal` or `above`.
+    pub comparison: &'static str,
+    /// Whether block 2 has an eigenvalue above 1/2, too: on a crease, normals of generic data then have no limit.
+    pub second_above: bool,
+    /// The weights of the points in the tangent across; null where λ has a Jordan block with that 1/2.
+    pub weights: Option<Vec<Weight>>,
+}
+
 /// The points of one kind.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

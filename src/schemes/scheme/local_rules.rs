@@ -274,7 +274,7 @@ impl<S: Scalar> LocalRules<S> {
 }
 
 /// The [`LocalRules::name`] of a point of these orbits.
-pub(super) fn point_name(orbits: &[Orbit], point: usize) -> String {
+pub(crate) fn point_name(orbits: &[Orbit], point: usize) -> String {
     let mut index = point;
     for Orbit { name, count } in orbits {
         if index < *count {

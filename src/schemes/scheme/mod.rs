@@ -33,6 +33,7 @@ pub use fields::{definitions, formula, identifier};
 pub use file::SchemeTable;
 pub use file::read_scheme;
 pub use interpolation::lagrange_mask;
+pub(crate) use local_rules::point_name;
 pub use local_rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit};
 pub use local_symmetry::Representatives;
 pub use mask::{Mask, MaskError};

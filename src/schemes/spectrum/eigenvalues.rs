@@ -24,20 +24,25 @@ pub struct Eigenvalue {
     pub blocks: Vec<usize>,
 }
 
+impl Eigenvalue {
+    /// A root of the characteristic polynomials of these blocks.
+    pub(super) fn of(root: &Root, of: &[usize]) -> Eigenvalue {
+        let Root { real, imaginary, modulus, multiplicity, .. } = root.clone();
+        let mut blocks: Vec<usize> =
+            of.iter().flat_map(|k| std::iter::repeat_n(*k, multiplicity)).collect();
+        blocks.sort_unstable();
+        let multiplicity = blocks.len();
+        Eigenvalue { real, imaginary, modulus, multiplicity, blocks }
+    }
+}
+
 /// All eigenvalues, in descending order of the absolute value, and then of the value.
 pub(super) fn eigenvalues(
     blocks: &Blocks,
     cosines: &[RealCyclotomic],
 ) -> Result<Vec<Eigenvalue>, SpectrumError> {
     let mut found: Vec<Eigenvalue> = Vec::new();
-    let mut add = |root: &Root, of: &[usize]| {
-        let Root { real, imaginary, modulus, multiplicity, .. } = root.clone();
-        let mut blocks: Vec<usize> =
-            of.iter().flat_map(|k| std::iter::repeat_n(*k, multiplicity)).collect();
-        blocks.sort_unstable();
-        let multiplicity = blocks.len();
-        found.push(Eigenvalue { real, imaginary, modulus, multiplicity, blocks });
-    };
+    let mut add = |root: &Root, of: &[usize]| found.push(Eigenvalue::of(root, of));
     for component in blocks.still_components() {
         check(component.len(), 1)?;
         let rows = |&a: &usize| component.iter().map(|&b| blocks.still[a][b].clone()).collect();
@@ -109,7 +114,7 @@ pub(super) fn check(orbits: usize, points: usize) -> Result<(), SpectrumError> {
 }
 
 /// The same eigenvalues, each once.
-fn merged(mut found: Vec<Eigenvalue>) -> Vec<Eigenvalue> {
+pub(super) fn merged(mut found: Vec<Eigenvalue>) -> Vec<Eigenvalue> {
     found.sort_by(order);
     let mut merged: Vec<Eigenvalue> = Vec::new();
     for next in found {

@@ -1,6 +1,6 @@
 //! The errors of spectra.
 
-use super::{MAX_COMPONENT, MAX_WORK};
+use super::{MAX_COMPONENT, MAX_SECTOR_FACES, MAX_WORK};
 use crate::scheme::SchemeError;
 
 /// Why there is no spectrum.
@@ -52,5 +52,20 @@ pub enum SpectrumError {
         block: usize,
         /// The degree of the factor.
         degree: usize,
+    },
+    /// A scheme without rules at sharp edges.
+    #[error(
+        "sectors between sharp edges are those of `catmull-clark`, `loop` and `loop-warren`, by these names without a \
+         valence, not of `{scheme}`"
+    )]
+    NoSectors {
+        /// The scheme.
+        scheme: String,
+    },
+    /// A sector of no faces, or of too many.
+    #[error("a sector of {faces} faces; there must be from 1 to {MAX_SECTOR_FACES}")]
+    Faces {
+        /// The number of faces.
+        faces: usize,
     },
 }

@@ -14,6 +14,7 @@
 //! | `conditions` | what the literature asks of the eigenvalues |
 //! | `schemes` | schemes by name, and the wider rings whose eigenvalues are taken |
 //! | `ring_spectrum` | all of this for one ring |
+//! | `sector` | the rules between two sharp edges at a vertex |
 //! | [`table`] | tables by valence, as source code |
 
 mod blocks;
@@ -27,6 +28,7 @@ mod polynomial;
 mod ring_spectrum;
 mod roots;
 mod schemes;
+mod sector;
 mod stencil;
 pub mod table;
 
@@ -36,6 +38,7 @@ pub use error::SpectrumError;
 pub use jordan::Chain;
 pub use ring_spectrum::Spectrum;
 pub use schemes::{Surroundings, surroundings};
+pub use sector::{Across, Sector};
 pub use stencil::Stencil;
 
 /// The most orbits that depend on each other.
@@ -43,3 +46,6 @@ pub const MAX_COMPONENT: usize = 12;
 
 /// The greatest value of (number of orbits that depend on each other)³·(order of the rotation).
 pub const MAX_WORK: usize = 20_000;
+
+/// The most faces of a sector.
+pub const MAX_SECTOR_FACES: usize = 64;

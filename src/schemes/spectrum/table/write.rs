@@ -48,20 +48,31 @@ pub fn write(
 /// The lines at the head of a table.
 fn header(rows: &[Row], real: RealType, origin: &Origin<'_>) -> Vec<String> {
     let (first, last) = (rows[0].valence, rows[rows.len() - 1].valence);
+    let mut lines = vec![format!(
+        "Weights and stencils of {} by valence n = {first}, ..., {last}.",
+        origin.scheme
+    )];
+    lines.extend(number_lines(real, origin));
+    lines.extend([
+        format!("    subcert spectrum {} --valence n --format json", quoted(origin.scheme)),
+        format!("Row n - {first} of a table is that of valence n. The cross product of tangent 1 and tangent 2"),
+        "is a normal; a common positive factor of both is free.".to_owned(),
+    ]);
+    lines
+}
+
+/// What the numbers are, and how to check them. The command that writes exact values follows.
+pub(super) fn number_lines(real: RealType, origin: &Origin<'_>) -> [String; 4] {
     let (name, bits) = match real {
         RealType::F32 => ("f32", 32),
         RealType::F64 => ("f64", 64),
     };
-    vec![
-        format!("Weights and stencils of {} by valence n = {first}, ..., {last}.", origin.scheme),
+    [
         format!("Every number is the {name} (IEEE 754, {bits} bits) nearest to its exact value."),
         format!("Written by subcert {}:", env!("CARGO_PKG_VERSION")),
         format!("    {}", origin.command),
         "To check a copy, write it again by this command and compare; the exact values are written by"
             .to_owned(),
-        format!("    subcert spectrum {} --valence n --format json", quoted(origin.scheme)),
-        format!("Row n - {first} of a table is that of valence n. The cross product of tangent 1 and tangent 2"),
-        "is a normal; a common positive factor of both is free.".to_owned(),
     ]
 }
 
@@ -103,9 +114,9 @@ impl Writer {
         match self.language {
             Language::C => format!("{}_{name} = {value}", self.name),
             Language::Rust => {
-                // An index of a table; the others may be negative.
+                // The others are not negative.
                 let kind =
-                    if name.ends_with("valence") || name == "arity" { "usize" } else { "isize" };
+                    if ["offset", "limit_first"].contains(&name) { "isize" } else { "usize" };
                 format!("pub const {}: {kind} = {value};", name.to_uppercase())
             }
             Language::Glsl => format!("const int {}_{name} = {value};", self.name),
