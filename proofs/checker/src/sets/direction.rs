@@ -15,7 +15,7 @@ const MAX_WINDOW: i64 = 64;
 const MAX_COEFFICIENT: i128 = 1 << 40;
 
 /// The steps of one product of rational numbers.
-const PRODUCT: u64 = 16;
+const PRODUCT: u64 = 64;
 
 /// The most rows of a power of the operator of differences.
 const MAX_ROWS: usize = 4_096;
