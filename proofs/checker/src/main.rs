@@ -1,7 +1,7 @@
 //! The program `subcert-check CLAIMS CERT…`. It prints a line for each claim and a last one with
 //! the counts.
 
-use std::io::Write;
+use std::io::{Read, Write};
 use std::process::ExitCode;
 use subcert_check::{
     Agreement, Outcome, Reason, Rejection, Report, check, check_depth, check_radius, check_theorems,
@@ -26,6 +26,24 @@ numbers, levels and places. The certificates give the values of parameters that 
 state. Whether the theorems are true, Coq checks.
 The exit code is 0 if all these claims pass, 1 if one does not, and 2 if the arguments are wrong or
 a file cannot be read. --help shows this, --version the version.";
+
+/// The most bytes of a file: no certificate may be longer.
+const MAX_BYTES: u64 = 64 << 20;
+
+/// The text of a file.
+fn read(path: &String) -> Result<String, String> {
+    let wrong = |error| format!("cannot read `{path}`: {error}");
+    let file = std::fs::File::open(path).map_err(wrong)?;
+    let mut bytes = Vec::new();
+    // The size that the system says is no bound: there are files without an end.
+    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(wrong)?;
+    if bytes.len() as u64 > MAX_BYTES {
+        return Err(format!(
+            "cannot read `{path}`: this is beyond a cap of the checker: 64 MiB of a file"
+        ));
+    }
+    String::from_utf8(bytes).map_err(|_| format!("cannot read `{path}`: it is no text in UTF-8"))
+}
 
 /// The arguments of the program.
 #[derive(Default)]
@@ -68,9 +86,6 @@ impl Arguments {
 
     /// Checks the certificates and prints the outcomes. Gives whether all claims pass.
     fn run(&self) -> Result<bool, String> {
-        let read = |path: &String| {
-            std::fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"))
-        };
         let (claims, certificates) = (&self.files[0], &self.files[1..]);
         let claim_text = read(claims)?;
         match claim_text.split_whitespace().next() {
@@ -166,9 +181,9 @@ fn is_named(name: &str, key: &str, kind: &str, id: &str) -> bool {
 fn alone(flag: &str, paths: &[String], check: impl Fn(&str) -> (&'static str, String)) -> ExitCode {
     let mut code = if paths.is_empty() { 2 } else { 0 };
     for path in paths {
-        let text = match std::fs::read_to_string(path) {
-            Err(error) => {
-                let _ = writeln!(std::io::stderr(), "cannot read `{path}`: {error}");
+        let text = match read(path) {
+            Err(message) => {
+                let _ = writeln!(std::io::stderr(), "{message}");
                 code = 2;
                 continue;
             }
@@ -207,9 +222,6 @@ fn depth(text: &str) -> (&'static str, String) {
 
 /// Compares files of theorems of Coq with their claim file. Gives whether all agree.
 fn theorems(paths: &[String]) -> Result<bool, String> {
-    let read = |path: &String| {
-        std::fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"))
-    };
     let is_theorems =
         |path: &&String| std::path::Path::new(path).extension().is_some_and(|ending| ending == "v");
     let (files, others): (Vec<&String>, Vec<&String>) = paths.iter().partition(is_theorems);

@@ -8,18 +8,35 @@ use std::cell::Cell;
 const MAX_STEPS: u64 = 20_000_000;
 
 /// A count of steps with a cap, so that the check of every claim ends.
-#[derive(Default)]
-pub struct Meter(Cell<u64>);
+pub struct Meter {
+    spent: Cell<u64>,
+    most: u64,
+}
+
+impl Default for Meter {
+    fn default() -> Meter {
+        Meter::up_to(MAX_STEPS)
+    }
+}
 
 impl Meter {
+    /// A count with a cap of its own.
+    pub fn up_to(most: u64) -> Meter {
+        Meter { spent: Cell::new(0), most }
+    }
+
     /// Counts steps.
     pub fn spend(&self, steps: u64) -> Result<(), Stop> {
-        self.0.set(self.0.get().saturating_add(steps));
-        if self.0.get() > MAX_STEPS { Err(Stop::Capped("the steps of a claim")) } else { Ok(()) }
+        self.spent.set(self.spent.get().saturating_add(steps));
+        if self.spent.get() > self.most {
+            Err(Stop::Capped("the steps of a claim"))
+        } else {
+            Ok(())
+        }
     }
 
     /// Starts again at 0, for the next claim.
     pub fn restart(&self) {
-        self.0.set(0);
+        self.spent.set(0);
     }
 }

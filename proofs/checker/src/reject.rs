@@ -188,7 +188,7 @@ reasons! {
     Version "the first line is not `subcert-depth 1`"
     Malformed(what: &'static str) "the line does not have the form that is expected: {what}"
     Truncated "the certificate is cut off: `end` is missing"
-    AfterEnd "the certificate goes on after its end, or it is too long"
+    AfterEnd "the certificate goes on after its end"
     Order "this line stands twice, or after lines that have to follow it"
     Empty "the certificate says nothing of any level"
     Rule "a rule does not sum to 1"

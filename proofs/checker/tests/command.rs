@@ -101,3 +101,19 @@ fn help_and_version_are_answers() {
     let nothing = Command::new(env!("CARGO_BIN_EXE_subcert-check")).output();
     assert_eq!(nothing.expect("the program runs").status.code(), Some(2));
 }
+
+/// A file that no certificate can be is not read to its end.
+#[test]
+fn large_files_are_refused() {
+    let path = std::env::temp_dir().join(format!("subcert-check-{}", std::process::id()));
+    let file = std::fs::File::create(&path).expect("a file");
+    file.set_len((64 << 20) + 1).expect("a large file");
+    for flag in [Some("--depth"), Some("--radius"), None] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_subcert-check"));
+        let output = command.args(flag).arg(&path).output().expect("the program runs");
+        assert_eq!(output.status.code(), Some(2), "{flag:?}");
+        let said = text(&output.stderr);
+        assert!(said.contains("beyond a cap of the checker: 64 MiB of a file"), "{said}");
+    }
+    std::fs::remove_file(&path).expect("it is removed");
+}

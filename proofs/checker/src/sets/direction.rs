@@ -1,13 +1,21 @@
 //! What is certain of one direction, whatever the points are (THEOREMS.md, 167).
 
 use super::read::Given;
-use crate::decimal::{Q, int, over_one_denominator};
+use crate::decimal::{Q, int};
 use crate::meter::Meter;
 use crate::reject::{DepthReason, Stop};
+use num_bigint::BigInt;
+use num_integer::Integer as _;
 use num_traits::{One as _, Signed, ToPrimitive as _, Zero};
 
 /// The most points of a window.
 const MAX_WINDOW: i64 = 64;
+
+/// Coefficients over their common denominator, and that, are less than this.
+const MAX_COEFFICIENT: i128 = 1 << 40;
+
+/// The steps of one product of rational numbers.
+const PRODUCT: u64 = 64;
 
 /// The most rows of a power of the operator of differences.
 const MAX_ROWS: usize = 4_096;
@@ -81,7 +89,8 @@ fn floor(x: &Q) -> i64 {
 impl Direction {
     pub fn new(given: &Given, meter: &Meter) -> Result<Direction, DepthReason> {
         let n = i64::try_from(given.rules.len()).unwrap_or(i64::MAX);
-        if given.rules.iter().any(|rule| rule.iter().sum::<Q>() != int(1)) {
+        let (rules, over) = integers(given)?;
+        if rules.iter().any(|rule| rule.iter().map(|(_, x)| x).sum::<i128>() != over) {
             return Err(DepthReason::Rule);
         }
         let point = |i: i64| {
@@ -89,15 +98,8 @@ impl Direction {
             Row { first: i.div_euclid(n) + given.offset, of: rule.clone() }
         };
         let shift = shift(given, n)?;
-        let (integers, over) = over_one_denominator(&given.rules).map_err(DepthReason::Stopped)?;
-        let small = |x: &num_bigint::BigInt| x.to_i64().filter(|x| x.abs() < 1 << 40);
-        let capped = || DepthReason::Stopped(Stop::Capped("the size of coefficients"));
-        let over = small(&over).ok_or_else(capped)?;
-        let rules = integers.iter().map(|rule| {
-            let terms = (given.offset..).zip(rule).filter(|(_, x)| !x.is_zero());
-            terms.map(|(j, x)| Ok((j, i128::from(small(x).ok_or_else(capped)?)))).collect()
-        });
-        let rules: Vec<Vec<(i64, i128)>> = rules.collect::<Result<_, DepthReason>>()?;
+        // Before any functional of points: in a window, all of them are short.
+        let window = window(&rules, &shift, n)?;
         // P^1 − P^0 is linear between the points of both.
         let on = |row: &dyn Fn(i64) -> Row, u: &Q| {
             let (low, part) = (floor(u), u - u.floor());
@@ -118,7 +120,6 @@ impl Direction {
         let sum = if positive { int(1) } else { int(1) + int(2) * &distance };
         let greatest = given.rules.iter().map(|rule| rule.iter().map(Q::abs).sum::<Q>());
         let greatest = greatest.max().unwrap_or_else(Q::one);
-        let window = window(&rules, &shift, n)?;
         let count = i64::try_from(given.count).unwrap_or(i64::MAX);
         let direction = Direction {
             arity: n,
@@ -126,7 +127,7 @@ impl Direction {
             count,
             range: given.range.clone(),
             rules,
-            over: over.into(),
+            over,
             greatest,
             window,
             distance,
@@ -158,6 +159,22 @@ impl Direction {
         let fits = first.iter().chain(&last).all(inside);
         if fits { Ok(()) } else { Err(DepthReason::Range) }
     }
+}
+
+/// The coefficients that are not 0 with the places of their points, and their common denominator.
+fn integers(given: &Given) -> Result<(Vec<Vec<(i64, i128)>>, i128), DepthReason> {
+    let small = |x: i128| Some(x).filter(|x| x.abs() < MAX_COEFFICIENT);
+    let of = |x: &BigInt| x.to_i128().and_then(small);
+    let common = |over: i128, x: &Q| small(over.lcm(&of(x.denom())?));
+    let over = given.rules.iter().flatten().try_fold(1, common);
+    let rules = over.and_then(|over| {
+        let term = |(j, x): (i64, &Q)| Some((j, small(of(x.numer())? * (over / of(x.denom())?))?));
+        let rules = given.rules.iter().map(|rule| {
+            (given.offset..).zip(rule).filter(|(_, x)| !x.is_zero()).map(term).collect()
+        });
+        Some((rules.collect::<Option<_>>()?, over))
+    });
+    rules.ok_or(DepthReason::Stopped(Stop::Capped("the size of coefficients")))
 }
 
 /// s with s(1 − 1/n) = α/n − Σ_j j r_{α,j} for all α.
@@ -203,7 +220,7 @@ fn falls(point: &dyn Fn(i64) -> Row, n: i64, meter: &Meter) -> Result<Q, DepthRe
                 for (m, x) in (i + rule.first..).zip(&rule.of) {
                     // Row m is row m mod size, moved.
                     let known = &rows[usize::try_from(m.rem_euclid(size)).unwrap_or(0)];
-                    meter.spend(known.of.len() as u64).map_err(stopped)?;
+                    meter.spend(PRODUCT * known.of.len() as u64).map_err(stopped)?;
                     let first = known.first + m.div_euclid(size);
                     if row.of.is_empty() {
                         row.first = first;

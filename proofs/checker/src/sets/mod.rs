@@ -14,6 +14,9 @@ use net::{Net, Ratio, less};
 use read::Certificate;
 use std::fmt;
 
+/// The most steps of a certificate, of all its lines together.
+const MAX_STEPS: u64 = 200_000_000;
+
 /// What a valid certificate proves.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Depth {
@@ -29,7 +32,7 @@ pub struct Depth {
 /// The line that is wrong, or not decided, and the reason.
 pub fn check_depth(text: &str) -> Result<Depth, DepthRejection> {
     let certificate = Certificate::read(text)?;
-    let meter = Meter::default();
+    let meter = Meter::up_to(MAX_STEPS);
     let at = |line: usize| move |reason: DepthReason| DepthRejection { line, reason };
     let mut directions = Vec::new();
     for given in &certificate.directions {
@@ -39,7 +42,6 @@ pub fn check_depth(text: &str) -> Result<Depth, DepthRejection> {
     let mut net = Net::new(&directions, points, tolerance, &meter).map_err(at(*end))?;
     let mut too_few: Vec<u32> = Vec::new();
     for far in &certificate.too_few {
-        meter.restart();
         let reject = at(far.line);
         if too_few.contains(&far.level) {
             return Err(reject(DepthReason::Twice));
@@ -60,7 +62,6 @@ pub fn check_depth(text: &str) -> Result<Depth, DepthRejection> {
     let enough = match certificate.enough {
         None => None,
         Some((line, level)) => {
-            meter.restart();
             near::check(&mut net, level, &meter).map_err(at(line))?;
             Some(level)
         }

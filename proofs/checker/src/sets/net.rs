@@ -15,8 +15,8 @@ const UNITS: u32 = 36;
 /// Coordinates are less than two to the power of this units.
 const MAX_COORDINATE: u32 = 58;
 
-/// The most points that are kept.
-const MAX_POINTS: usize = 1 << 22;
+/// The most points that are kept; the others are computed anew.
+const MAX_KEPT: usize = 1 << 20;
 
 /// The tolerance in units.
 pub const TOLERANCE: i128 = 1 << UNITS;
@@ -115,9 +115,12 @@ impl<'a> Net<'a> {
         tolerance: &Q,
         meter: &'a Meter,
     ) -> Check<Net<'a>> {
-        let unit = int(1 << UNITS) / tolerance;
+        // Fractions are not reduced, as that takes longer than all of this.
         let coordinate = |(x, origin): (&Q, &Q)| {
-            let units = ((x - origin) * &unit).round().to_i64();
+            let top = x.numer() * origin.denom() - origin.numer() * x.denom();
+            let top = (top << (UNITS + 1)) * tolerance.denom();
+            let over = x.denom() * origin.denom() * tolerance.numer();
+            let units = (top + &over).div_floor(&(over << 1_u32)).to_i64();
             let units = units.filter(|x| x.abs() < 1 << MAX_COORDINATE);
             units.map(i128::from).ok_or(DepthReason::Stopped(Stop::Capped(
                 "how large points are in units of the tolerance",
@@ -135,12 +138,17 @@ impl<'a> Net<'a> {
             Ok([whole(0), whole(direction.count)])
         });
         let ranges = ranges.collect::<Check<Vec<[Ratio; 2]>>>()?;
+        // Products of two parameters of points have room then.
+        let small = |shift: &Q| match Ratio::of(shift)? {
+            shift if shift.bottom < 1 << 16 => Ok(shift),
+            _ => capped("the natural shift"),
+        };
         let of = |of: fn(&Direction) -> &Q| {
             directions.iter().map(|it| upwards(of(it))).collect::<Check<Vec<i128>>>()
         };
         Ok(Net {
             directions,
-            shifts: directions.iter().map(|it| Ratio::of(&it.shift)).collect::<Check<_>>()?,
+            shifts: directions.iter().map(|it| small(&it.shift)).collect::<Check<_>>()?,
             ranges,
             meter,
             dimensions: points[0].len(),
@@ -231,13 +239,14 @@ impl<'a> Net<'a> {
                 *index = i64::try_from(i128::from(*index).rem_euclid(all)).unwrap_or(0);
             }
         }
+        self.meter.spend(1).map_err(DepthReason::Stopped)?;
         if let Some(point) = self.known.get(&(level, index)) {
             return Ok(Rc::clone(point));
         }
-        if self.known.len() >= MAX_POINTS {
-            return capped("how many points are kept");
-        }
         let point = if level == 0 { self.control(index)? } else { self.refined(level, index)? };
+        if self.known.len() >= MAX_KEPT {
+            self.known.clear();
+        }
         self.known.insert((level, index), Rc::clone(&point));
         Ok(point)
     }

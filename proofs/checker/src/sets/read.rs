@@ -1,7 +1,7 @@
 //! The lines of a certificate of a depth.
 
-use crate::decimal::{Q, read_rational};
-use crate::reject::{DepthReason, DepthRejection};
+use crate::decimal::{Q, bits, read_rational};
+use crate::reject::{DepthReason, DepthRejection, Stop};
 use num_traits::{Signed, Zero};
 
 /// The first line.
@@ -9,6 +9,9 @@ const VERSION: &str = "subcert-depth 1";
 
 /// The most bytes of a certificate.
 const MAX_BYTES: usize = 4 << 20;
+
+/// The most binary digits of the numerator and the denominator of a number. Those of doubles are fewer.
+const MAX_BITS: u64 = 2_048;
 
 /// The most points.
 const MAX_POINTS: usize = 100_000;
@@ -60,15 +63,24 @@ fn malformed<T>(what: &'static str) -> Read<T> {
     Err(DepthReason::Malformed(what))
 }
 
+fn capped<T>(what: &'static str) -> Read<T> {
+    Err(DepthReason::Stopped(Stop::Capped(what)))
+}
+
 fn numbers(words: &[&str]) -> Read<Vec<Q>> {
-    let number = |word: &&str| read_rational(word).ok_or(DepthReason::Malformed("numbers"));
+    let number = |word: &&str| match read_rational(word) {
+        None => malformed("numbers"),
+        Some(number) if bits(&number) > MAX_BITS => capped("2,048 binary digits of a number"),
+        Some(number) => Ok(number),
+    };
     words.iter().map(number).collect()
 }
 
 fn level(word: &str) -> Read<u32> {
     match word.parse() {
         Ok(level) if level <= MAX_LEVEL => Ok(level),
-        _ => malformed("a level up to 24"),
+        Ok(_) => capped("levels up to 24"),
+        Err(_) => malformed("a level"),
     }
 }
 
@@ -85,14 +97,17 @@ impl Certificate {
         };
         // The places of the kinds of lines in their order.
         let mut place = 0;
-        let too_long = text.len() > MAX_BYTES;
+        if text.len() > MAX_BYTES {
+            let reason = DepthReason::Stopped(Stop::Capped("4 MiB of text"));
+            return Err(DepthRejection { line: 1, reason });
+        }
         for (line, raw) in (1..).zip(text.lines()) {
             let reject = |reason| DepthRejection { line, reason };
             let words: Vec<&str> = raw.split_whitespace().collect();
             if line == 1 && raw.trim() != VERSION {
                 return Err(reject(DepthReason::Version));
             }
-            if too_long || read.end > 0 && !words.is_empty() && !words[0].starts_with('#') {
+            if read.end > 0 && !words.is_empty() && !words[0].starts_with('#') {
                 return Err(reject(DepthReason::AfterEnd));
             }
             if line == 1 || words.is_empty() || words[0].starts_with('#') {
@@ -133,15 +148,12 @@ impl Certificate {
                 Some(direction) if direction.rules.len() < MAX_RULES && rest.len() <= MAX_RULES => {
                     direction.rules.push(numbers(rest)?);
                 }
-                _ => {
-                    return malformed(
-                        "rule NUMBER…, of up to 64 rules and numbers, after a direction",
-                    );
-                }
+                Some(_) => return capped("64 rules of 64 numbers"),
+                None => return malformed("rule NUMBER…, after a direction"),
             },
             3 => {
                 if self.points.len() == MAX_POINTS || rest.len() > MAX_DIMENSIONS {
-                    return malformed("point NUMBER…, up to 100,000 points of up to 8 coordinates");
+                    return capped("100,000 points of 8 coordinates");
                 }
                 self.points.push(numbers(rest)?);
             }
