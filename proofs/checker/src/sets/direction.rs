@@ -161,8 +161,11 @@ impl Direction {
     }
 }
 
+/// The terms of a rule: the place of a point, and its coefficient over the common denominator.
+type Terms = Vec<(i64, i128)>;
+
 /// The coefficients that are not 0 with the places of their points, and their common denominator.
-fn integers(given: &Given) -> Result<(Vec<Vec<(i64, i128)>>, i128), DepthReason> {
+fn integers(given: &Given) -> Result<(Vec<Terms>, i128), DepthReason> {
     let small = |x: i128| Some(x).filter(|x| x.abs() < MAX_COEFFICIENT);
     let of = |x: &BigInt| x.to_i128().and_then(small);
     let common = |over: i128, x: &Q| small(over.lcm(&of(x.denom())?));
