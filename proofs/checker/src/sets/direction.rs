@@ -20,6 +20,9 @@ const PRODUCT: u64 = 64;
 /// The most rows of a power of the operator of differences.
 const MAX_ROWS: usize = 4_096;
 
+/// Coefficients, over a common denominator, with the places of their points.
+type Rule = Vec<(i64, i128)>;
+
 /// A functional of x_i or of Δ_i: the first index, and coefficients.
 #[derive(Clone)]
 struct Row {
@@ -70,7 +73,7 @@ pub struct Direction {
     pub count: i64,
     pub range: Option<[Q; 2]>,
     /// For each rule the coefficients that are not 0 with the places of their points, over one denominator.
-    pub rules: Vec<Vec<(i64, i128)>>,
+    pub rules: Vec<Rule>,
     pub over: i128,
     /// max_α Σ_j |r_{α,j}|.
     pub greatest: Q,
@@ -165,7 +168,7 @@ impl Direction {
 type Terms = Vec<(i64, i128)>;
 
 /// The coefficients that are not 0 with the places of their points, and their common denominator.
-fn integers(given: &Given) -> Result<(Vec<Terms>, i128), DepthReason> {
+fn integers(given: &Given) -> Result<(Vec<Rule>, i128), DepthReason> {
     let small = |x: i128| Some(x).filter(|x| x.abs() < MAX_COEFFICIENT);
     let of = |x: &BigInt| x.to_i128().and_then(small);
     let common = |over: i128, x: &Q| small(over.lcm(&of(x.denom())?));
@@ -239,7 +242,7 @@ fn falls(point: &dyn Fn(i64) -> Row, n: i64, meter: &Meter) -> Result<Q, DepthRe
 
 /// The window of the cell from 0 to 1: it has the points of the polygon there, and all that those of the next level in
 /// the windows of its parts are made of.
-fn window(rules: &[Vec<(i64, i128)>], shift: &Q, n: i64) -> Result<[i64; 2], DepthReason> {
+fn window(rules: &[Rule], shift: &Q, n: i64) -> Result<[i64; 2], DepthReason> {
     let mut window = [floor(&-shift), -floor(&(shift - int(1)))];
     loop {
         if window[1] - window[0] >= MAX_WINDOW {
