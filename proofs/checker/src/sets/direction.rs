@@ -164,9 +164,6 @@ impl Direction {
     }
 }
 
-/// The terms of a rule: the place of a point, and its coefficient over the common denominator.
-type Terms = Vec<(i64, i128)>;
-
 /// The coefficients that are not 0 with the places of their points, and their common denominator.
 fn integers(given: &Given) -> Result<(Vec<Rule>, i128), DepthReason> {
     let small = |x: i128| Some(x).filter(|x| x.abs() < MAX_COEFFICIENT);
