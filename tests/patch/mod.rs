@@ -1,5 +1,6 @@
 //! How far meshes are from their limit surfaces, and how many levels they need.
 
+mod creases;
 mod curve;
 mod exactness;
 mod geometric;

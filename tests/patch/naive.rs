@@ -137,7 +137,11 @@ fn small(mesh: &Mesh, level: u32) -> bool {
     mesh.connectivity().corner_count() * 4_usize.pow(level + 2) <= 1_500
 }
 
-fn check(mesh: &Mesh, scheme: MeshScheme, tolerance: &Rational) -> Result<(), TestCaseError> {
+pub(super) fn check(
+    mesh: &Mesh,
+    scheme: MeshScheme,
+    tolerance: &Rational,
+) -> Result<(), TestCaseError> {
     let found = distances(mesh, scheme).depth(tolerance).expect("a depth");
     let limit = nearest(tolerance);
     let [lower, upper] = found.distance;

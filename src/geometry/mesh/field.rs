@@ -55,7 +55,7 @@ pub(crate) fn check_rules(
 ///
 /// # Errors
 /// When the scheme is Doo–Sabin and there are some, or it has rules for none of the tags.
-pub(super) fn check_tags<S>(mesh: &PolygonMesh<S>, scheme: MeshScheme) -> Result<(), MeshError> {
+pub(crate) fn check_tags<S>(mesh: &PolygonMesh<S>, scheme: MeshScheme) -> Result<(), MeshError> {
     let name = scheme.name();
     let untagged = [MeshScheme::DooSabin, MeshScheme::Bajaj].contains(&scheme);
     let reason = if untagged && !mesh.tags().is_plain() {
@@ -69,20 +69,6 @@ pub(super) fn check_tags<S>(mesh: &PolygonMesh<S>, scheme: MeshScheme) -> Result
         return Ok(());
     };
     Err(MeshError::Attribute { reason })
-}
-
-/// Checks that a mesh has no creases, corners or holes, and the usual boundary.
-///
-/// # Errors
-/// When it has.
-pub(crate) fn check_plain<S>(mesh: &PolygonMesh<S>) -> Result<(), MeshError> {
-    if mesh.tags().is_plain() {
-        return Ok(());
-    }
-    let reason = "distances are not bounded for meshes with creases, corners, holes or another boundary \
-                  than the B-spline of its polygon: the pieces of the limit there are other ones; remove \
-                  the tags, or ask `subcert refine` and `subcert limit`";
-    Err(MeshError::Attribute { reason: reason.to_owned() })
 }
 
 /// The vertices that are not at the boundary, with the number of their edges.

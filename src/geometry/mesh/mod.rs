@@ -31,9 +31,10 @@ mod texture;
 mod write;
 
 pub use connectivity::{Connectivity, Edge};
+pub(crate) use crease::cut_at_creases;
 pub use crease::{Boundary, Creasing, INFINITE_FROM, Sharpness, Tags, VertexBlend, VertexMask};
 pub use error::MeshError;
-pub(crate) use field::{check_field, check_plain, check_rules};
+pub(crate) use field::{check_field, check_rules, check_tags};
 pub use limit::{LimitPoint, Normal, Sector, Tangents, limit_points};
 pub(crate) use limit::{bicubic_limit_weights, loop_limit_weights};
 pub use point::Point;

@@ -6,7 +6,7 @@ use crate::bound::LocalConstants;
 use crate::exact::{Enclosed, Rational, RealCyclotomic};
 use crate::float::{lower, nearest, upper};
 use crate::mesh::{
-    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_plain, check_rules,
+    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_rules, check_tags, cut_at_creases,
     weighted_valences,
 };
 use crate::scheme::{LocalRules, parse_local_rules};
@@ -56,7 +56,8 @@ pub fn a_priori(
     tolerance: &Rational,
 ) -> Result<APriori, MeshError> {
     not_positive(tolerance)?;
-    check_plain(mesh)?;
+    check_tags(mesh, scheme)?;
+    let mesh = &*cut_at_creases(mesh)?;
     check_rules(mesh.connectivity(), scheme)?;
     let edges = mesh.connectivity().edges().iter().map(|edge| edge.ends);
     let longest_edge = longest_edge(mesh.points(), edges);

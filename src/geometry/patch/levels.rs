@@ -39,7 +39,14 @@ impl<V: Vector> Levels<V> {
 
 /// What the pieces come from.
 pub(super) enum Source {
-    Surface { mesh: PolygonMesh<Rational>, scheme: MeshScheme, stencils: Stencils },
+    Surface {
+        /// Cut along its creases.
+        mesh: PolygonMesh<Rational>,
+        /// The faces before.
+        given: Vec<Vec<usize>>,
+        scheme: MeshScheme,
+        stencils: Stencils,
+    },
     Solid(HexMesh<Rational>),
 }
 
@@ -62,7 +69,7 @@ impl Source {
     /// The vertex whose part of a face or cell a piece is.
     pub(super) fn vertex(&self, root: &Root) -> Option<usize> {
         match self {
-            Source::Surface { mesh, .. } => mesh.faces()[root.face].get(root.part).copied(),
+            Source::Surface { given, .. } => given[root.face].get(root.part).copied(),
             Source::Solid(mesh) => Some(mesh.complex().cells[root.face][root.part]),
         }
     }
@@ -70,7 +77,7 @@ impl Source {
     /// The exact points; `None` where there would be too many, or too long ones.
     pub(super) fn exact(&self, count: usize) -> Option<Levels<Point<RealCyclotomic>>> {
         match self {
-            Source::Surface { mesh, scheme, stencils } => {
+            Source::Surface { mesh, scheme, stencils, .. } => {
                 let mesh = mesh.map(|x| RealCyclotomic::from(x.clone()));
                 let (control, points) = (mesh.connectivity(), mesh.points());
                 check_field(control, points, *scheme, false, count).ok()?;

@@ -11,8 +11,8 @@ use super::threads::in_threads;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::float::nearest;
 use crate::mesh::{
-    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_plain, check_rules, step_with,
-    weighted_valences,
+    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_rules, check_tags, cut_at_creases,
+    step_with, weighted_valences,
 };
 use crate::solid::{HexMesh, MAX_POINTS, SolidError};
 use std::sync::OnceLock;
@@ -41,8 +41,11 @@ impl Model {
         control: PolygonMesh<Rational>,
         scheme: MeshScheme,
     ) -> Result<Model, MeshError> {
+        check_tags(&control, scheme)?;
+        let cut = cut_at_creases(&control)?.into_owned();
+        // A vertex has the number that it has in the mesh that was given.
+        let (given, control) = (control.faces().to_vec(), cut);
         let connectivity = control.connectivity();
-        check_plain(&control)?;
         check_rules(connectivity, scheme)?;
         let stencils = Stencils::new(scheme, weighted_valences(connectivity, scheme));
         let scale = scale(control.points());
@@ -55,7 +58,7 @@ impl Model {
         let valence = (0..connectivity.point_count()).map(|v| connectivity.star(v).valence());
         let terms = 2 * valence.max().unwrap_or(0) + 2 * faces;
         let size = size(mesh.points());
-        let source = Source::Surface { mesh: control, scheme, stencils };
+        let source = Source::Surface { mesh: control, given, scheme, stencils };
         Ok(Model::of(shapes, roots, source, rounded, (scale, size, terms)))
     }
 
