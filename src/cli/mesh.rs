@@ -26,13 +26,7 @@ pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
     let mesh = work.refined()?;
     let title = work.title("refined");
     let format = OF_MESHES.chosen(&arguments.output)?;
-    let extras = !mesh.tags().is_plain() || mesh.texture().is_some();
-    if format == MeshOutputFormat::Ply && extras {
-        super::output::note(
-            "ply holds no creases, corners, holes and texture coordinates, and they are left out; obj, \
-             usda and json have them",
-        );
-    }
+    note_what_is_lost(&mesh, format);
     let text = match format {
         MeshOutputFormat::Obj => to_obj(&mesh, &title, &[]).map_err(|e| input(&e))?,
         MeshOutputFormat::Ply => to_ply(&mesh, &title).map_err(|e| input(&e))?,
@@ -48,7 +42,9 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
     let title = work.title("limit points of its vertices");
-    let text = match OF_MESHES.chosen(&arguments.output)? {
+    let format = OF_MESHES.chosen(&arguments.output)?;
+    note_what_is_lost(&mesh, format);
+    let text = match format {
         MeshOutputFormat::Obj => {
             to_obj(&at_limit(&mesh, &limits)?, &title, &limits).map_err(|e| input(&e))?
         }
@@ -61,6 +57,17 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
         _ => to_json(&mesh, &work.head(), Some(&limits)),
     };
     deliver(&arguments.output, &text)
+}
+
+/// Says what a file of this form does not hold of a mesh.
+fn note_what_is_lost(mesh: &Mesh, format: MeshOutputFormat) {
+    let extras = !mesh.tags().is_plain() || mesh.texture().is_some();
+    if format == MeshOutputFormat::Ply && extras {
+        super::output::note(
+            "ply holds no creases, corners, holes and texture coordinates, and they are left out; obj, \
+             usda and json have them",
+        );
+    }
 }
 
 /// What `subcert oracle --mesh` writes.
@@ -176,11 +183,17 @@ impl Work {
             let mesh = file.mesh().clone().with_tags(tags);
             file = file.with_mesh(mesh);
         }
-        if isolated != Some(IsolatedArgument::Keep) {
+        let keeps = isolated == Some(IsolatedArgument::Keep);
+        if !file.mesh().isolated().is_empty() {
+            super::output::note(if keeps {
+                "the points of no face are written after the others"
+            } else {
+                "the points of no face are left out; --isolated keep writes them after the others"
+            });
+        }
+        if !keeps {
             let mesh = file.mesh().clone().with_isolated(Vec::new());
             file = file.with_mesh(mesh);
-        } else if !file.mesh().isolated().is_empty() {
-            super::output::note("the points of no face are written after the others");
         }
         Ok(Work { scheme, level, name, file })
     }

@@ -100,7 +100,7 @@ fn what_is_kept_and_what_is_dropped() {
     let isolated = [[9; 3], [7; 3]].map(|point| point.map(|x: i64| number(&Rational::from(x))));
     assert_eq!(next.isolated(), isolated);
     assert_eq!(again.mesh().map(number).isolated(), isolated);
-    assert!(again.notes()[0].starts_with("2 points are vertices of no face and are left out"));
+    assert!(again.notes()[0].starts_with("2 points are vertices of no face and get no number"));
 }
 
 fn refused(format: MeshFormat, text: &str) -> (usize, String) {

@@ -83,7 +83,7 @@ fn what_else_is_said_of_a_mesh_is_refused() {
     let two = || Sharpness::new(&Rational::from(2));
     let finite = tagged(&|mesh, tags| tags.crease(mesh.connectivity(), [0, 1], two()));
     let (point, message) = refused(finite, catmull_clark);
-    assert!(point == Some(0) && message.contains("vertex 1") && message.contains("sharpness 2"));
+    assert!(point == Some(0) && message.contains("sharpness 2"), "{message}");
     let dart =
         tagged(&|mesh, tags| tags.crease(mesh.connectivity(), [0, 1], Some(Sharpness::Infinite)));
     let (point, message) = refused(dart, catmull_clark);

@@ -51,10 +51,10 @@ fn check(tags: &Tags, connectivity: &Connectivity) -> Result<(), MeshError> {
     }
     let finite = tags.edges().iter().find(|(_, sharp)| **sharp != Sharpness::Infinite);
     if let Some((&edge, sharp)) = finite {
-        let [point, other] = connectivity.edges()[edge].ends;
+        let point = connectivity.edges()[edge].ends[0];
         let reason = format!(
-            "the edge from here to vertex {other}, counted from 0, has the sharpness {sharp}: distances are bounded for \
-             infinitely sharp creases, of sharpness 10 and more; refine the mesh until it has fallen"
+            "an edge here has the sharpness {sharp}: distances are bounded for infinitely sharp creases, of sharpness 10 and \
+             more; refine the mesh until it has fallen"
         );
         return Err(MeshError::Vertex { point, reason });
     }

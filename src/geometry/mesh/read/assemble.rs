@@ -169,11 +169,11 @@ impl Parts {
         let first = first + self.places.base;
         extras.notes.push(match loose.len() {
             1 => format!(
-                "point {first} (line {line}) is a vertex of no face and is left out; the points after \
+                "point {first} (line {line}) is a vertex of no face and gets no number; the points after \
                  it move up"
             ),
             count => format!(
-                "{count} points are vertices of no face and are left out, the first of them point \
+                "{count} points are vertices of no face and get no number, the first of them point \
                  {first} (line {line}); the points after them move up"
             ),
         });
