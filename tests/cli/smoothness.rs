@@ -93,7 +93,7 @@ fn bad_input_of_these() {
     assert_parts(&refused(["smoothness", "loop:N=2"]), &["needs N >= 3"]);
     assert_parts(
         &refused(["smoothness", "doo-sabin:n=5", "--certificate", "-"]),
-        &["needs a mask"],
+        &["is for masks"],
     );
     let rule = vec!["'1/60'"; 60].join(", ");
     let long =
