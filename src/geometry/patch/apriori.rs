@@ -57,7 +57,7 @@ pub fn a_priori(
 ) -> Result<APriori, MeshError> {
     not_positive(tolerance)?;
     check_tags(mesh, scheme)?;
-    let mesh = &*cut_at_creases(mesh)?;
+    let mesh = &cut_at_creases(mesh.clone())?;
     check_rules(mesh.connectivity(), scheme)?;
     let edges = mesh.connectivity().edges().iter().map(|edge| edge.ends);
     let longest_edge = longest_edge(mesh.points(), edges);

@@ -42,9 +42,9 @@ impl Model {
         scheme: MeshScheme,
     ) -> Result<Model, MeshError> {
         check_tags(&control, scheme)?;
-        let cut = cut_at_creases(&control)?.into_owned();
         // A vertex has the number that it has in the mesh that was given.
-        let (given, control) = (control.faces().to_vec(), cut);
+        let given = control.faces().to_vec();
+        let control = cut_at_creases(control)?;
         let connectivity = control.connectivity();
         check_rules(connectivity, scheme)?;
         let stencils = Stencils::new(scheme, weighted_valences(connectivity, scheme));

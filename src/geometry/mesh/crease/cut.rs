@@ -6,7 +6,6 @@ use super::super::polygon::PolygonMesh;
 use super::super::star::Star;
 use super::sharpness::Sharpness;
 use super::tags::Tags;
-use std::borrow::Cow;
 
 /// A mesh without tags whose limit, and whose levels, are the same sets of points.
 ///
@@ -18,12 +17,10 @@ use std::borrow::Cow;
 ///
 /// # Errors
 /// When something else is said of the mesh: a finite sharpness, a corner, the end of a crease, a hole.
-pub(crate) fn cut_at_creases<S: Clone>(
-    mesh: &PolygonMesh<S>,
-) -> Result<Cow<'_, PolygonMesh<S>>, MeshError> {
+pub(crate) fn cut_at_creases<S: Clone>(mesh: PolygonMesh<S>) -> Result<PolygonMesh<S>, MeshError> {
     let (tags, connectivity) = (mesh.tags(), mesh.connectivity());
     if tags.is_plain() {
-        return Ok(Cow::Borrowed(mesh));
+        return Ok(mesh);
     }
     check(tags, connectivity)?;
     let (mut points, mut faces) = (mesh.points().to_vec(), mesh.faces().to_vec());
@@ -39,7 +36,7 @@ pub(crate) fn cut_at_creases<S: Clone>(
             faces[star.faces[i]][star.corners[i]] = points.len() - 1;
         }
     }
-    Ok(Cow::Owned(PolygonMesh::new(points, faces)?))
+    PolygonMesh::new(points, faces)
 }
 
 fn check(tags: &Tags, connectivity: &Connectivity) -> Result<(), MeshError> {

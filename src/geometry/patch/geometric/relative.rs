@@ -19,7 +19,8 @@ use crate::float::{exact as from_f64, nearest};
 /// // Smaller squares than f64 has.
 /// let tiny = Rational::power_of_ten(-200);
 /// let points = points.map(|point| point.map(|x| &x * &tiny));
-/// assert_eq!(relative_tolerance(&points, &Rational::new(1, 5)), Some(tiny));
+/// let found = relative_tolerance(&points, &Rational::new(1, 5)).unwrap();
+/// assert!(found <= tiny && &found * &Rational::new(101, 100) > tiny);
 /// ```
 #[must_use]
 pub fn relative_tolerance<P: AsRef<[Rational]>>(
