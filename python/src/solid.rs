@@ -52,7 +52,7 @@ pub fn solid_geometric_depth(
         let distances = distances.with_work(work);
         let mut depth =
             distances.geometric_depth(&tolerance, FaceSurface::Bilinear).map_err(plain)?;
-        for place in &mut depth.beyond {
+        if let Some(place) = &mut depth.beyond {
             place.face = boundary.cells[place.face];
         }
         Ok(depth)
