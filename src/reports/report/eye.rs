@@ -60,10 +60,10 @@ pub fn to_the_eye(
     Ok(Some(Eye { of_net, level: *level, most, broken }))
 }
 
-/// The indices of so many points and of [`MORE`] at both ends, each with the index of its value.
-fn indices(count: usize) -> impl Iterator<Item = (i64, usize)> {
+/// The indices of so many points and of `more` at both ends, each with the index of its value.
+fn indices(count: usize, more: i64) -> impl Iterator<Item = (i64, usize)> {
     let last = i64::try_from(count).unwrap_or(i64::MAX) - 1;
-    (-MORE..=last + MORE).map(move |i| (i, usize::try_from(i.clamp(0, last)).unwrap_or(0)))
+    (-more..=last + more).map(move |i| (i, usize::try_from(i.clamp(0, last)).unwrap_or(0)))
 }
 
 /// Whether the polygon of a level is within `most` of its limit; `None` where that is open.
@@ -74,8 +74,9 @@ fn curve(
     level: u32,
     most: &Rational,
 ) -> Option<bool> {
-    let along = indices(points.len()).map(|(i, _)| Rational::from(i) * spread).collect();
-    let up = indices(points.len()).map(|(_, at)| Rational::from(points[at]) * spread).collect();
+    let along = indices(points.len(), MORE).map(|(i, _)| Rational::from(i) * spread).collect();
+    let up =
+        indices(points.len(), MORE).map(|(_, at)| Rational::from(points[at]) * spread).collect();
     let sets = CurveSets::new(&Limit::new(mask).ok()?, &[along, up], false).ok()?;
     sets.with_budget(Budget::new(PIECES)).is_within(level, most).ok()?
 }
@@ -89,11 +90,14 @@ fn net(
     most: &Rational,
 ) -> Option<bool> {
     let width = rows.first()?.len();
+    // Beyond twice the width of the rules both sets are flat, and on those cells nothing is far.
+    let [up, along] = masks.map(|mask| i64::try_from(2 * mask.width() + 2).unwrap_or(MORE));
     let point = |(i, row): (i64, usize)| {
-        indices(width).map(move |(j, at)| [i, j, rows[row][at]].map(|x| Rational::from(x) * spread))
+        indices(width, along)
+            .map(move |(j, at)| [i, j, rows[row][at]].map(|x| Rational::from(x) * spread))
     };
-    let points = indices(rows.len()).flat_map(point).collect();
-    let net = Net::new(points, indices(width).count(), Closed::default()).ok()?;
+    let points = indices(rows.len(), up).flat_map(point).collect();
+    let net = Net::new(points, indices(width, along).count(), Closed::default()).ok()?;
     let distances = NetDistances::new(net, &NetScheme::of_masks(masks.map(Mask::clone))).ok()?;
     distances.is_within(level, most).ok()?
 }
