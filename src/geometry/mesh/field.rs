@@ -54,7 +54,7 @@ pub(crate) fn check_rules(
 /// Checks that the scheme has rules for creases and texture coordinates, if there are any.
 ///
 /// # Errors
-/// When the scheme is Doo–Sabin and there are some, or it has rules for none of the tags.
+/// When there are tags and the scheme is Doo–Sabin's or Bajaj's, or texture coordinates and it is Doo–Sabin's.
 pub(crate) fn check_tags<S>(mesh: &PolygonMesh<S>, scheme: MeshScheme) -> Result<(), MeshError> {
     let name = scheme.name();
     let untagged = [MeshScheme::DooSabin, MeshScheme::Bajaj].contains(&scheme);

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 /// The boundary of a hexahedral mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolidBoundary<S> {
-    /// The faces of one cell, counter-clockwise from outside, cell by cell.
+    /// The faces of one cell, counter-clockwise from outside, cell by cell, as `boundary_faces` has them.
     pub mesh: PolygonMesh<S>,
     /// The numbers of its points in the solid, in ascending order.
     pub points: Vec<usize>,
