@@ -204,32 +204,35 @@ pub(super) struct GeometricReport<'a> {
     pub(super) solid: Option<&'a SolidBoundary<Rational>>,
 }
 
-fn place_text(
-    place: &GeometricPlace,
-    kind: Kind,
-    solid: Option<&SolidBoundary<Rational>>,
-) -> String {
-    let GeometricPlace { face, vertex, level_face, from, point: at, distance, .. } = place;
-    let cell = match (solid, kind.cell(*face)) {
-        (Some(solid), _) => format!(" (of cell {})", solid.cells[*face]),
-        (None, Some([i, j])) => format!(" (cell {i}, {j})"),
-        (None, None) => String::new(),
-    };
-    let vertex = vertex.map(|vertex| solid.map_or(vertex, |solid| solid.points[vertex]));
-    let corner = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
-    let of_level = level_face.map(|face| format!(", face {face} of the level")).unwrap_or_default();
-    let (from, other) = match from {
-        subcert::patch::SetKind::Mesh => (kind.name(), "limit"),
-        subcert::patch::SetKind::Limit => ("limit", kind.name()),
-    };
-    format!(
-        "face {face}{cell}{corner}{of_level}: {} of the {from} is at least {} from the {other}",
-        point(at),
-        digits(*distance)
-    )
-}
-
 impl GeometricReport<'_> {
+    /// The vertex that a place is near, as the file numbers it.
+    fn vertex(&self, place: &GeometricPlace) -> Option<usize> {
+        place.vertex.map(|vertex| self.solid.map_or(vertex, |solid| solid.points[vertex]))
+    }
+
+    fn place_text(&self, place: &GeometricPlace) -> String {
+        let GeometricPlace { face, level_face, from, point: at, distance, .. } = place;
+        let kind = self.kind;
+        let cell = match (self.solid, kind.cell(*face)) {
+            (Some(solid), _) => format!(" (of cell {})", solid.cells[*face]),
+            (None, Some([i, j])) => format!(" (cell {i}, {j})"),
+            (None, None) => String::new(),
+        };
+        let corner =
+            self.vertex(place).map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
+        let of_level =
+            level_face.map(|face| format!(", face {face} of the level")).unwrap_or_default();
+        let (from, other) = match from {
+            subcert::patch::SetKind::Mesh => (kind.name(), "limit"),
+            subcert::patch::SetKind::Limit => ("limit", kind.name()),
+        };
+        format!(
+            "face {face}{cell}{corner}{of_level}: {} of the {from} is at least {} from the {other}",
+            point(at),
+            digits(*distance)
+        )
+    }
+
     pub(super) fn show(&self, arguments: &DepthArguments, to: &Destination) -> Outcome {
         if let (Some(path), Some(faces)) = (&arguments.per_face, &self.faces) {
             let rows = faces.rows(self.found.level);
@@ -281,9 +284,9 @@ impl GeometricReport<'_> {
         ));
         facts.push(("faces".to_owned(), faces_text(self.surface, kind).to_owned()));
         let few = found.too_few.zip(found.beyond.as_ref());
-        facts.extend(few.map(|(level, x)| {
-            (format!("too far at level {level}"), place_text(x, kind, self.solid))
-        }));
+        facts.extend(
+            few.map(|(level, x)| (format!("too far at level {level}"), self.place_text(x))),
+        );
         if let Some(faces) = &self.faces {
             let [all, own] = faces.counts(self.mesh, self.growth, found.level);
             facts.push((
@@ -354,7 +357,7 @@ impl GeometricReport<'_> {
             face: place.face,
             cell: self.kind.cell(place.face),
             solid_cell: self.solid.map(|solid| solid.cells[place.face]),
-            vertex: place.vertex.map(|v| self.solid.map_or(v, |solid| solid.points[v])),
+            vertex: self.vertex(place),
             level_face: place.level_face.map(|face| face.to_string()),
             from: place.from.name(),
             point: place.point.map(shortest),
