@@ -1,11 +1,15 @@
-//! Meshes with infinitely sharp creases, refined with their tags.
+//! Meshes with creases, corners, boundaries and holes, refined with their tags.
 
 use super::naive::check;
-use super::{Mesh, bumpy, cube, distances, octahedron, prism};
+use super::{Mesh, bumpy, cube, depth, distances, fan, octahedron, prism};
+use crate::common::hausdorff::of_triangles;
 use crate::common::r;
-use subcert::exact::Rational;
+use proptest::prelude::*;
+use subcert::exact::{Rational, RealCyclotomic};
 use subcert::float::nearest;
-use subcert::mesh::{Boundary, MeshError, MeshScheme, Sharpness, Tags};
+use subcert::mesh::{
+    Boundary, Creasing, MeshScheme, Point, Sharpness, Tags, limit_points, refine_mesh,
+};
 use subcert::patch::{FaceSurface, MeshDistances, a_priori};
 
 /// The mesh with a crease through these vertices, back to the first one.
@@ -68,37 +72,194 @@ fn creased_meshes_as_sets_of_points() {
     }
 }
 
-#[test]
-fn what_else_is_said_of_a_mesh_is_refused() {
-    let refused = |mesh: Mesh, scheme| {
-        let error = MeshDistances::new(mesh, scheme).map(|_| ()).expect_err("refused");
-        (error.point(), error.to_string())
-    };
-    let catmull_clark = MeshScheme::CatmullClark;
-    let tagged = |set: &dyn Fn(&Mesh, &mut Tags) -> Result<(), MeshError>| {
-        let (mesh, mut tags) = (cube(), Tags::default());
-        set(&mesh, &mut tags).expect("there");
-        mesh.with_tags(tags)
-    };
-    let two = || Sharpness::new(&Rational::from(2));
-    let finite = tagged(&|mesh, tags| tags.crease(mesh.connectivity(), [0, 1], two()));
-    let (point, message) = refused(finite, catmull_clark);
-    assert!(point == Some(0) && message.contains("sharpness 2"), "{message}");
-    let dart =
-        tagged(&|mesh, tags| tags.crease(mesh.connectivity(), [0, 1], Some(Sharpness::Infinite)));
-    let (point, message) = refused(dart, catmull_clark);
-    assert!(point == Some(0) && message.contains("a crease ends at this vertex"), "{message}");
-    let corner =
-        tagged(&|mesh, tags| tags.corner(mesh.connectivity(), 3, Some(Sharpness::Infinite)));
-    assert!(refused(corner, catmull_clark).1.contains("sharp by itself"));
-    let three = creased(&creased(&cube(), &[4, 5, 7, 6]), &[0, 1, 5, 4]);
-    assert!(refused(three, catmull_clark).1.contains("3 creases and boundary edges"));
-    let hole = tagged(&|mesh, tags| tags.hole(mesh.connectivity(), 2));
-    assert!(refused(hole, catmull_clark).1.contains("holes"));
-    for (boundary, words) in [(Boundary::None, "holes"), (Boundary::Corner, "sharp by itself")] {
-        let open = bounded(bumpy(4, 4, false), boundary);
-        assert!(refused(open, catmull_clark).1.contains(words));
+/// The mesh with these edges, vertices and faces sharp, or holes.
+fn tagged(
+    mesh: &Mesh,
+    edges: &[([usize; 2], Rational)],
+    vertices: &[(usize, Rational)],
+    holes: &[usize],
+) -> Mesh {
+    let mut tags = mesh.tags().clone();
+    for (ends, value) in edges {
+        tags.crease(mesh.connectivity(), *ends, Sharpness::new(value)).expect("an edge");
     }
+    for (vertex, value) in vertices {
+        tags.corner(mesh.connectivity(), *vertex, Sharpness::new(value)).expect("a vertex");
+    }
+    for hole in holes {
+        tags.hole(mesh.connectivity(), *hole).expect("a face");
+    }
+    mesh.clone().with_tags(tags)
+}
+
+/// Ends of creases, corners of two kinds, finite sharpness, holes and boundaries.
+fn others() -> Vec<(MeshScheme, Mesh)> {
+    let infinite = || r(10, 1);
+    let quadrilaterals = [
+        tagged(&cube(), &[([0, 1], infinite())], &[], &[]),
+        tagged(
+            &cube(),
+            &[([0, 1], infinite()), ([1, 3], infinite()), ([5, 1], infinite())],
+            &[],
+            &[],
+        ),
+        tagged(&cube(), &[], &[(3, infinite()), (4, r(3, 2))], &[]),
+        tagged(&cube(), &[([4, 5], r(3, 4)), ([5, 7], r(5, 2)), ([7, 6], infinite())], &[], &[2]),
+        tagged(
+            &prism(5),
+            &[([0, 1], infinite()), ([1, 2], infinite()), ([2, 3], r(1, 2))],
+            &[],
+            &[],
+        ),
+        bounded(bumpy(4, 4, false), Boundary::Corner),
+        bounded(bumpy(5, 5, false), Boundary::None),
+        tagged(
+            &bumpy(4, 4, false),
+            &[([1, 5], infinite()), ([5, 9], infinite()), ([6, 7], r(4, 3))],
+            &[],
+            &[4],
+        ),
+        tagged(&fan(4, false, false), &[([0, 3], infinite())], &[], &[]),
+    ];
+    let triangles = [
+        tagged(&octahedron(), &[([0, 1], infinite()), ([1, 2], r(7, 5))], &[(5, infinite())], &[]),
+        tagged(
+            &octahedron(),
+            &[([0, 4], infinite()), ([1, 4], infinite()), ([2, 4], infinite())],
+            &[],
+            &[0],
+        ),
+        bounded(bumpy(4, 4, true), Boundary::Corner),
+        tagged(&fan(5, true, false), &[([0, 3], r(1, 3))], &[(1, r(2, 1))], &[]),
+    ];
+    let quadrilaterals = quadrilaterals.into_iter().map(|mesh| (MeshScheme::CatmullClark, mesh));
+    let triangles = triangles.into_iter().enumerate();
+    let triangles = triangles.map(|(i, mesh)| {
+        (if i % 2 == 0 { MeshScheme::Loop } else { MeshScheme::LoopWarren }, mesh)
+    });
+    quadrilaterals.chain(triangles).collect()
+}
+
+fn agrees(mesh: &Mesh, scheme: MeshScheme, tolerance: &Rational) -> Result<(), TestCaseError> {
+    check(mesh, scheme, tolerance)?;
+    let guaranteed = a_priori(mesh, scheme, tolerance).expect("a level");
+    let found = depth(mesh, scheme, tolerance);
+    prop_assert!(found.level <= guaranteed.level, "{found:?}, {guaranteed:?}");
+    Ok(())
+}
+
+#[test]
+fn limit_points_of_all_that_is_sharp_are_within_the_tolerance() {
+    for (i, (scheme, mesh)) in others().into_iter().enumerate() {
+        for tolerance in [r(1, 2), r(1, 12), r(1, 50)] {
+            agrees(&mesh, scheme, &tolerance).unwrap_or_else(|error| panic!("{i}: {error}"));
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Any edges and vertices of any sharpness, by both rules for how it falls.
+    #[test]
+    fn any_sharpness(
+        which in 0_usize..6,
+        edges in prop::collection::vec((0_usize..1_000, 0_usize..5), 0..8),
+        vertices in prop::collection::vec((0_usize..1_000, 0_usize..5), 0..2),
+        chaikin in any::<bool>(),
+        boundary in 0_usize..3,
+        tolerance in (1_i64..40).prop_map(|q| r(3, q)),
+    ) {
+        let (scheme, mesh) = [
+            (MeshScheme::CatmullClark, cube()),
+            (MeshScheme::CatmullClark, prism(5)),
+            (MeshScheme::CatmullClark, bumpy(4, 4, false)),
+            (MeshScheme::Loop, octahedron()),
+            (MeshScheme::LoopWarren, bumpy(4, 4, true)),
+            (MeshScheme::Loop, fan(7, true, true)),
+        ][which].clone();
+        let values = [r(1, 2), r(4, 3), r(2, 1), r(10, 1), r(10, 1)];
+        let all = mesh.connectivity().edges();
+        let edges: Vec<_> =
+            edges.iter().map(|(at, s)| (all[at % all.len()].ends, values[*s].clone())).collect();
+        let vertices: Vec<_> = vertices
+            .iter()
+            .map(|(at, s)| (at % mesh.points().len(), values[*s].clone()))
+            .collect();
+        let mesh = tagged(&mesh, &edges, &vertices, &[]);
+        let mut tags = mesh.tags().clone();
+        tags.boundary = Boundary::NAMES[boundary].0;
+        tags.creasing = if chaikin { Creasing::Chaikin } else { Creasing::Uniform };
+        let holes = tags.holes(mesh.connectivity()).len();
+        prop_assume!(holes < mesh.faces().len());
+        agrees(&mesh.with_tags(tags), scheme, &tolerance)?;
+    }
+}
+
+/// The limit and the mesh of a level as triangles between limit points, and points of the mesh, of some levels later.
+fn triangles(mesh: &Mesh, scheme: MeshScheme, level: u32, more: u32) -> [Vec<[[f64; 3]; 3]>; 2] {
+    let exact = mesh.map(|x| RealCyclotomic::from(x.clone()));
+    let mut fine = refine_mesh(&exact, scheme, level).expect("small");
+    let to_f64 = |point: &Point<RealCyclotomic>| point.each_ref().map(nearest);
+    let mut values: Vec<[f64; 3]> = fine.points().iter().map(to_f64).collect();
+    for _ in 0..more {
+        let mean = |points: &[usize]| {
+            let count = f64::from(u32::try_from(points.len()).expect("few"));
+            [0, 1, 2].map(|i| points.iter().map(|&v| values[v][i]).sum::<f64>() / count)
+        };
+        let mut next = values.clone();
+        next.extend(fine.connectivity().edges().iter().map(|edge| mean(&edge.ends)));
+        if scheme == MeshScheme::CatmullClark {
+            next.extend(fine.faces().iter().map(|face| mean(face)));
+        }
+        fine = refine_mesh(&fine, scheme, 1).expect("small");
+        values = next;
+    }
+    let limits = limit_points(&fine, scheme).expect("small");
+    let limits: Vec<[f64; 3]> =
+        limits.iter().map(|limit| to_f64(&limit.as_ref().expect("a limit").position)).collect();
+    let holes = fine.tags().holes(fine.connectivity());
+    let faces = fine.faces().iter().enumerate().filter(|(face, _)| !holes.contains(face));
+    let all: Vec<[usize; 3]> = faces
+        .flat_map(|(_, face)| (2..face.len()).map(|i| [face[0], face[i - 1], face[i]]))
+        .collect();
+    [limits, values].map(|points| all.iter().map(|ends| ends.map(|v| points[v])).collect())
+}
+
+/// The least level of sets, against samples.
+#[test]
+fn all_that_is_sharp_as_sets_of_points() {
+    for (i, (scheme, mesh)) in others().into_iter().enumerate() {
+        let quadrilaterals = mesh.faces().iter().all(|face| face.len() == 4);
+        if scheme == MeshScheme::CatmullClark && !quadrilaterals {
+            continue;
+        }
+        let found = MeshDistances::new(mesh.clone(), scheme).expect("small").without_apart();
+        let tolerance = r(1, 12);
+        let depth = found.geometric_depth(&tolerance, FaceSurface::Bilinear).expect("few");
+        assert!(depth.level <= found.depth(&tolerance).expect("few").level);
+        let sampled = |level: u32| {
+            let [limit, _] = triangles(&mesh, scheme, 0, 4);
+            let [_, polygons] = triangles(&mesh, scheme, level, 4 - level.min(3));
+            of_triangles(limit, polygons)
+        };
+        if depth.level <= 3 {
+            assert!(sampled(depth.level) <= nearest(&tolerance) * 1.02, "{i}: {depth:?}");
+        }
+        if let Some(few) = depth.too_few.filter(|few| *few <= 3) {
+            assert!(sampled(few) >= nearest(&tolerance) * 0.98, "{i}: {depth:?}");
+            assert_eq!(few + 1, depth.level, "{i}");
+        }
+    }
+}
+
+#[test]
+fn what_has_no_distance_is_refused() {
+    let refused = |mesh: Mesh, scheme| {
+        MeshDistances::new(mesh, scheme).map(|_| ()).expect_err("refused").to_string()
+    };
     let loops = creased(&cube(), &[4, 5, 7, 6]);
-    assert!(refused(loops, MeshScheme::DooSabin).1.contains("no rules for creases"));
+    assert!(refused(loops, MeshScheme::DooSabin).contains("no rules for creases"));
+    let holes = tagged(&cube(), &[], &[], &[0, 1, 2, 3, 4, 5]);
+    assert!(refused(holes, MeshScheme::CatmullClark).contains("the surface is empty"));
 }

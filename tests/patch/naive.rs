@@ -61,11 +61,18 @@ pub(super) fn differences(control: &Mesh, scheme: MeshScheme, level: u32, more: 
         mesh = refine_mesh(&mesh, scheme, 1).expect("small");
     }
     let limits = limit_points(&mesh, scheme).expect("small");
+    // Holes are no part of the surface.
+    let holes = mesh.tags().holes(mesh.connectivity());
+    let seen = |vertex: &usize| {
+        holes.is_empty()
+            || !mesh.connectivity().star(*vertex).faces.iter().all(|x| holes.contains(x))
+    };
     let difference = |(value, limit): (&P, &Option<subcert::mesh::LimitPoint>)| {
         let limit = limit.as_ref().expect("a limit").position.each_ref().map(nearest);
         minus(&limit, value)
     };
-    values.iter().zip(&limits).map(difference).collect()
+    let pairs = values.iter().zip(&limits).enumerate().filter(|(vertex, _)| seen(vertex));
+    pairs.map(|(_, pair)| difference(pair)).collect()
 }
 
 /// Doo and Sabin's faces tend to their centroids. The mesh of the first level is bilinear between a vertex,

@@ -31,12 +31,11 @@ mod texture;
 mod write;
 
 pub use connectivity::{Connectivity, Edge};
-pub(crate) use crease::cut_at_creases;
 pub use crease::{Boundary, Creasing, INFINITE_FROM, Sharpness, Tags, VertexBlend, VertexMask};
 pub use error::MeshError;
 pub(crate) use field::{check_field, check_rules, check_tags};
+pub(crate) use limit::limit_weights;
 pub use limit::{LimitPoint, Normal, Sector, Tangents, limit_points};
-pub(crate) use limit::{bicubic_limit_weights, loop_limit_weights};
 pub use point::Point;
 pub use polygon::PolygonMesh;
 pub(crate) use read::parse_coordinate;

@@ -6,8 +6,8 @@ use crate::bound::LocalConstants;
 use crate::exact::{Enclosed, Rational, RealCyclotomic};
 use crate::float::{lower, nearest, upper};
 use crate::mesh::{
-    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_rules, check_tags, cut_at_creases,
-    weighted_valences,
+    INFINITE_FROM, MeshError, MeshScheme, Point, PolygonMesh, Sharpness, Stencils, check_rules,
+    check_tags, weighted_valences,
 };
 use crate::scheme::{LocalRules, parse_local_rules};
 use std::collections::BTreeSet;
@@ -57,17 +57,13 @@ pub fn a_priori(
 ) -> Result<APriori, MeshError> {
     not_positive(tolerance)?;
     check_tags(mesh, scheme)?;
-    let mesh = &cut_at_creases(mesh.clone())?;
     check_rules(mesh.connectivity(), scheme)?;
     let edges = mesh.connectivity().edges().iter().map(|edge| edge.ends);
     let longest_edge = longest_edge(mesh.points(), edges);
-    let faces: BTreeSet<usize> = mesh.faces().iter().map(Vec::len).collect();
-    let valences = weighted_valences(mesh.connectivity(), scheme);
-    let boundary = mesh.connectivity().edges().iter().any(|edge| edge.other.is_none());
     let bound = match scheme {
-        MeshScheme::CatmullClark | MeshScheme::Bajaj => bicubic(scheme, &faces, &valences),
+        MeshScheme::CatmullClark | MeshScheme::Bajaj => bicubic(mesh, scheme),
         MeshScheme::DooSabin => doo_sabin(mesh),
-        MeshScheme::Loop | MeshScheme::LoopWarren => triangles(scheme, &valences, boundary),
+        MeshScheme::Loop | MeshScheme::LoopWarren => triangles(mesh, scheme),
     };
     let allowed = lower(tolerance) / (longest_edge * UP);
     let level = (0..MAX_LEVEL).find(|level| bound.at(*level) <= allowed).ok_or_else(|| {
@@ -78,19 +74,69 @@ pub fn a_priori(
     Ok(APriori { level, longest_edge, ratio: bound.ratio })
 }
 
-/// D_0 ≤ `first` and D_k ≤ `later`·`ratio`^k for k ≥ 1, in units of the longest edge.
+/// D_0 ≤ `first` and D_k ≤ `later`·`ratio`^{k−s} for k ≥ s, k ≥ 1, in units of the longest edge. For 1 ≤ k < s it is
+/// that of level s and `step` for each level between.
 struct Bound {
     first: f64,
     later: f64,
     ratio: f64,
+    step: f64,
+    settled: u32,
 }
 
 impl Bound {
     fn at(&self, level: u32) -> f64 {
-        match level {
-            0 => self.first * UP,
-            _ => self.later * self.ratio.powi(i32::try_from(level).unwrap_or(i32::MAX)) * UP,
+        if level == 0 {
+            return self.first * UP;
         }
+        let after = i32::try_from(level.saturating_sub(self.settled)).unwrap_or(i32::MAX);
+        let waiting = self.step * f64::from(self.settled.saturating_sub(level));
+        (waiting + self.later * self.ratio.powi(after)) * UP
+    }
+}
+
+/// What is said of the edges of a mesh, as far as the ratio depends on it.
+struct Creases {
+    /// The most faces between two sharp edges at a vertex.
+    sector: usize,
+    /// Whether a vertex that is smooth has a sharp edge, or a vertex stays where it is.
+    ends: bool,
+    /// How many levels long a sharpness falls.
+    settled: u32,
+}
+
+impl Creases {
+    fn of(mesh: &PolygonMesh<Rational>) -> Creases {
+        let (connectivity, tags) = (mesh.connectivity(), mesh.tags());
+        let mut found = Creases { sector: 0, ends: false, settled: 0 };
+        let finite = tags.edges().values().chain(tags.vertices().values());
+        for value in finite.filter_map(Sharpness::finite) {
+            // At most 9.
+            let levels = (1..=INFINITE_FROM).find(|levels| *value <= Rational::from(*levels));
+            let levels = u32::try_from(levels.unwrap_or(INFINITE_FROM)).unwrap_or(0);
+            found.settled = found.settled.max(levels);
+        }
+        for vertex in 0..connectivity.point_count() {
+            let star = connectivity.star(vertex);
+            let n = star.faces.len();
+            let is_sharp = |&place: &usize| tags.edge(connectivity, star.edges[place]).is_some();
+            let sharp: Vec<usize> = (0..star.edges.len()).filter(is_sharp).collect();
+            let own = tags.vertex(vertex, &star).is_some();
+            found.ends |= own || ![0, 2].contains(&sharp.len());
+            if let [first, .., last] = sharp[..] {
+                let between = sharp.windows(2).map(|pair| pair[1] - pair[0]);
+                let around = (!star.boundary).then(|| first + n - last);
+                found.sector = between.chain(around).fold(found.sector, usize::max);
+            }
+        }
+        found
+    }
+
+    /// By how much longer edges may become on the way, and the least ratio. An edge inside that ends at a crease with
+    /// three faces or more beside it shrinks with the bend of the crease: 96.
+    fn at_quadrilaterals(&self) -> [f64; 2] {
+        let (more, ratio) = if self.sector > 2 { (1.5, 0.75) } else { (1.0, 0.5) };
+        [more, if self.ends { 5.0 / 6.0 } else { ratio }]
     }
 }
 
@@ -145,30 +191,44 @@ fn radius(n: usize) -> f64 {
 }
 
 /// By Bajaj's rules a vertex of any valence moves as far as one of valence 4 by Catmull and Clark's.
-fn bicubic(scheme: MeshScheme, faces: &BTreeSet<usize>, valences: &BTreeSet<usize>) -> Bound {
+fn bicubic(mesh: &PolygonMesh<Rational>, scheme: MeshScheme) -> Bound {
+    let faces: BTreeSet<usize> = mesh.faces().iter().map(Vec::len).collect();
+    let valences = weighted_valences(mesh.connectivity(), scheme);
+    let creases = Creases::of(mesh);
+    let [more, slowest] = creases.at_quadrilaterals();
     let least = real(valences.first().copied().unwrap_or(4).min(4));
     if faces.iter().all(|&n| n == 4) {
-        let ratio = contraction(scheme, valences.iter().copied());
-        let later = 2.0 / least / (1.0 - ratio);
-        return Bound { first: later, later, ratio };
+        let ratio = contraction(scheme, valences.iter().copied()).max(slowest);
+        let step = 2.0 / least;
+        let later = more * step / (1.0 - ratio);
+        let settled = creases.settled;
+        let first = f64::from(settled) * step + later;
+        return Bound { first, later, ratio, step, settled };
     }
     let r = faces.iter().map(|&n| radius(n)).fold(1.0_f64, f64::max);
-    let all = valences.iter().chain(faces).copied();
+    let all = valences.iter().chain(&faces).copied();
     let least = least.min(real(faces.first().copied().unwrap_or(4)));
-    let ratio = contraction(scheme, all);
-    let step = ((1.0 + r) / 3.0).max((1.0 + 2.0 * r) / 4.0);
+    let ratio = contraction(scheme, all).max(slowest);
     let edge = r.max((1.0 + r) / 3.0 + (1.0 + 2.0 * r) / 4.0);
-    let next = 2.0 / least / (1.0 - ratio) * edge;
-    Bound { first: step + next, later: next / ratio, ratio }
+    let step = 2.0 / least * edge;
+    let next = more * step / (1.0 - ratio);
+    let settled = creases.settled.max(1);
+    // What holds at level 1 holds of the mesh before, with the way from one to the other.
+    let displaced = ((1.0 + r) / 3.0).max((1.0 + 2.0 * r) / 4.0);
+    let first = displaced + f64::from(settled - 1) * step + next;
+    Bound { first, later: next, ratio, step, settled }
 }
 
-fn triangles(scheme: MeshScheme, valences: &BTreeSet<usize>, boundary: bool) -> Bound {
+fn triangles(mesh: &PolygonMesh<Rational>, scheme: MeshScheme) -> Bound {
+    let valences = weighted_valences(mesh.connectivity(), scheme);
+    let boundary = mesh.connectivity().edges().iter().any(|edge| edge.other.is_none());
     let ratio = contraction(scheme, valences.iter().copied());
-    let ratio = if boundary { ratio.max(0.875) } else { ratio };
+    let ratio = if boundary || mesh.tags().has_sharp() { ratio.max(0.875) } else { ratio };
     let stencils = Stencils::new(scheme, valences.iter().copied());
     let moved = valences.iter().map(|&n| real(n) * above(&stencils.of(n)[1]));
-    let later = moved.fold(0.25, f64::max) / (1.0 - ratio);
-    Bound { first: later, later, ratio }
+    let step = moved.fold(0.25, f64::max);
+    let later = step / (1.0 - ratio);
+    Bound { first: later, later, ratio, step, settled: 0 }
 }
 
 /// The numbers of vertices of the faces of all levels of Doo and Sabin's scheme.
@@ -188,7 +248,8 @@ fn doo_sabin(mesh: &PolygonMesh<Rational>) -> Bound {
     let scheme = MeshScheme::DooSabin;
     let ratio = contraction(scheme, sizes.iter().copied());
     if ratio >= Q {
-        return Bound { first: f64::INFINITY, later: f64::INFINITY, ratio: Q };
+        let infinite = f64::INFINITY;
+        return Bound { first: infinite, later: infinite, ratio: Q, step: 0.0, settled: 0 };
     }
     let stencils = Stencils::new(scheme, sizes.iter().copied());
     let (mut across, mut step) = (0.0_f64, 0.0_f64);
@@ -203,5 +264,5 @@ fn doo_sabin(mesh: &PolygonMesh<Rational>) -> Bound {
     let first = (2.0 * across).max(1.0);
     let sum = first + across / (Q - ratio) * ratio;
     let next = step / (1.0 - Q) * sum;
-    Bound { first: step + next, later: next / Q, ratio: Q }
+    Bound { first: step + next, later: next / Q, ratio: Q, step: 0.0, settled: 0 }
 }

@@ -14,10 +14,11 @@ pub(super) enum Around {
 
 impl Around {
     pub(super) fn new(kind: Kind, neighbourhood: &Neighbourhood) -> Around {
-        let (count, faces) = (neighbourhood.points.len(), &neighbourhood.faces);
         match kind {
-            Kind::Surface(scheme) => Around::Surface(Local::new(scheme, count, faces.clone())),
-            Kind::Solid => Around::Solid(HexLocal::new(count, faces)),
+            Kind::Surface(scheme) => Around::Surface(Local::new(scheme, neighbourhood)),
+            Kind::Solid => {
+                Around::Solid(HexLocal::new(neighbourhood.points.len(), &neighbourhood.faces))
+            }
         }
     }
 
@@ -35,7 +36,8 @@ impl Around {
             Around::Surface(local) => {
                 let refined = local.refined();
                 let parts = local.parts(&refined).into_iter();
-                parts.map(|piece| Neighbourhood::of(&refined, piece)).collect()
+                let (connectivity, tags) = (refined.connectivity(), refined.tags());
+                parts.map(|piece| Neighbourhood::of(connectivity, tags, piece)).collect()
             }
             Around::Solid(local) => parts_of(&local.complex),
         }

@@ -83,11 +83,13 @@ impl MeshDistances {
     pub fn new(mesh: PolygonMesh<Rational>, scheme: MeshScheme) -> Result<Self, MeshError> {
         let model = Model::new(mesh, scheme)?;
         if model.roots.all.is_empty() {
-            let reason =
-                "the surface is empty: no vertex is inside the mesh, and Doo–Sabin surfaces \
-                          end at the faces around inner vertices; take catmull-clark"
-                    .to_owned();
-            return Err(MeshError::TooMuch { reason });
+            let reason = if scheme == MeshScheme::DooSabin {
+                "no vertex is inside the mesh, and Doo–Sabin surfaces end at the faces around inner vertices; take \
+                 catmull-clark"
+            } else {
+                "all faces are holes; with the boundary `none`, faces at the boundary are"
+            };
+            return Err(MeshError::TooMuch { reason: format!("the surface is empty: {reason}") });
         }
         Ok(MeshDistances::of(model))
     }

@@ -39,14 +39,7 @@ impl<V: Vector> Levels<V> {
 
 /// What the pieces come from.
 pub(super) enum Source {
-    Surface {
-        /// Cut along its creases.
-        mesh: PolygonMesh<Rational>,
-        /// The faces before.
-        given: Vec<Vec<usize>>,
-        scheme: MeshScheme,
-        stencils: Stencils,
-    },
+    Surface { mesh: PolygonMesh<Rational>, scheme: MeshScheme, stencils: Stencils },
     Solid(HexMesh<Rational>),
 }
 
@@ -69,7 +62,7 @@ impl Source {
     /// The vertex whose part of a face or cell a piece is.
     pub(super) fn vertex(&self, root: &Root) -> Option<usize> {
         match self {
-            Source::Surface { given, .. } => given[root.face].get(root.part).copied(),
+            Source::Surface { mesh, .. } => mesh.faces()[root.face].get(root.part).copied(),
             Source::Solid(mesh) => Some(mesh.complex().cells[root.face][root.part]),
         }
     }

@@ -40,6 +40,7 @@ mod neighbourhood;
 mod net;
 mod number;
 mod regular;
+mod ring;
 mod roots;
 mod rules;
 mod search;

@@ -11,8 +11,8 @@ use super::threads::in_threads;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::float::nearest;
 use crate::mesh::{
-    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_rules, check_tags, cut_at_creases,
-    step_with, weighted_valences,
+    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_rules, check_tags, step_with,
+    weighted_valences,
 };
 use crate::solid::{HexMesh, MAX_POINTS, SolidError};
 use std::sync::OnceLock;
@@ -42,9 +42,6 @@ impl Model {
         scheme: MeshScheme,
     ) -> Result<Model, MeshError> {
         check_tags(&control, scheme)?;
-        // A vertex has the number that it has in the mesh that was given.
-        let given = control.faces().to_vec();
-        let control = cut_at_creases(control)?;
         let connectivity = control.connectivity();
         check_rules(connectivity, scheme)?;
         let stencils = Stencils::new(scheme, weighted_valences(connectivity, scheme));
@@ -52,13 +49,15 @@ impl Model {
         let mesh = control.with_points(moved(control.points(), &scale));
         let next = step_with(&mesh, scheme, &stencils.map(nearest))?;
         let mut shapes = Shapes::new(Kind::Surface(scheme));
-        let roots = Roots::of(scheme, connectivity, next.connectivity(), &mut shapes);
+        let roots = Roots::of(scheme, connectivity, &next, &mut shapes)?;
         let rounded = surface(&mesh, scheme, next.points().to_vec());
         let faces = connectivity.faces().iter().map(Vec::len).max().unwrap_or(0);
         let valence = (0..connectivity.point_count()).map(|v| connectivity.star(v).valence());
-        let terms = 2 * valence.max().unwrap_or(0) + 2 * faces;
+        // A blend of two rules has a few operations more.
+        let blends = if control.tags().has_sharp() { 8 } else { 0 };
+        let terms = 2 * valence.max().unwrap_or(0) + 2 * faces + blends;
         let size = size(mesh.points());
-        let source = Source::Surface { mesh: control, given, scheme, stencils };
+        let source = Source::Surface { mesh: control, scheme, stencils };
         Ok(Model::of(shapes, roots, source, rounded, (scale, size, terms)))
     }
 

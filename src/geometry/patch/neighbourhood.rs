@@ -1,6 +1,9 @@
 //! A piece of a surface with the faces around it.
 
-use crate::mesh::{Connectivity, Star};
+use super::ring::{Corner, Corners, Ring};
+use crate::exact::Rational;
+use crate::mesh::{Connectivity, Creasing, Sharpness, Tags};
+use std::collections::BTreeMap;
 
 /// A piece of the surface of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,16 +14,50 @@ pub(super) enum Piece {
     Vertex(usize, usize),
 }
 
-/// A piece with all faces that share a vertex with it, unfolded: faces that meet only far away
-/// from the piece do not meet here.
+/// A piece with all faces that share a vertex with it and that its limit depends on, unfolded: faces that meet only far
+/// away from the piece do not meet here, and faces beyond an infinitely sharp crease are left out, so that the crease is
+/// a boundary (`proofs/THEOREMS.md`, 169).
 pub(super) struct Neighbourhood {
     /// The numbers of the points in the mesh. Those of the piece come first: the vertices of the
     /// face, or the vertex.
     pub(super) points: Vec<usize>,
     /// The faces on these points; the first one is the piece, or the first around the vertex.
     pub(super) faces: Vec<Vec<usize>>,
-    /// What the shape depends on: boundary, order, and the numbers of vertices of the faces.
+    /// What is sharp besides the boundary.
+    pub(super) sharp: Sharp,
+    /// What the shape depends on: boundary, order, the numbers of vertices of the faces, and what is sharp.
     pub(super) key: Vec<u32>,
+}
+
+/// What is sharp at the vertices of a piece besides the boundary of its neighbourhood, by the numbers there.
+#[derive(Default)]
+pub(super) struct Sharp {
+    creasing: Creasing,
+    points: Vec<(usize, Sharpness)>,
+    edges: Vec<([usize; 2], Sharpness)>,
+    /// Where sharpness falls by Chaikin's rule, that of the other edges at the other end of an edge.
+    others: Vec<(usize, Vec<Rational>)>,
+}
+
+impl Sharp {
+    /// The same as tags of the neighbourhood.
+    ///
+    /// # Panics
+    /// Never: its edges are edges there.
+    pub(super) fn tags(&self, connectivity: &Connectivity) -> Tags {
+        let mut tags = Tags::default();
+        tags.creasing = self.creasing;
+        for (point, sharp) in &self.points {
+            tags.corner(connectivity, *point, Some(sharp.clone())).expect("a vertex");
+        }
+        for (ends, sharp) in &self.edges {
+            tags.crease(connectivity, *ends, Some(sharp.clone())).expect("an edge");
+        }
+        for (point, others) in &self.others {
+            tags.set_others(*point, others.clone());
+        }
+        tags
+    }
 }
 
 /// What is known of a face that is met around a vertex: its place in the list, and which of its
@@ -29,15 +66,26 @@ type Met = (usize, usize);
 
 struct Unfolding<'a> {
     connectivity: &'a Connectivity,
+    tags: &'a Tags,
     /// The faces, and the number of the first of their corners.
     slots: Vec<(usize, usize)>,
     /// Which corners are one point.
     parents: Vec<usize>,
+    /// Sharp vertices by a corner, and sharp edges by the corners at their ends.
+    sharp_points: Vec<(usize, Sharpness)>,
+    sharp_edges: Vec<([usize; 2], usize)>,
 }
 
 impl Neighbourhood {
-    pub(super) fn of(connectivity: &Connectivity, piece: Piece) -> Neighbourhood {
-        let mut unfolding = Unfolding { connectivity, slots: Vec::new(), parents: Vec::new() };
+    pub(super) fn of(connectivity: &Connectivity, tags: &Tags, piece: Piece) -> Neighbourhood {
+        let mut unfolding = Unfolding {
+            connectivity,
+            tags,
+            slots: Vec::new(),
+            parents: Vec::new(),
+            sharp_points: Vec::new(),
+            sharp_edges: Vec::new(),
+        };
         let mut key = Vec::new();
         let rings = match piece {
             Piece::Face(face) => unfolding.around_face(face, &mut key),
@@ -90,9 +138,8 @@ impl Unfolding<'_> {
         }
     }
 
-    fn describe(&self, ring: &[Met], boundary: bool, position: usize, key: &mut Vec<u32>) {
-        let number = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-        key.extend([u32::from(boundary), number(position), number(ring.len())]);
+    fn describe(&self, ring: &[Met], open: bool, position: usize, key: &mut Vec<u32>) {
+        key.extend([u32::from(open), number(position), number(ring.len())]);
         key.extend(
             ring.iter()
                 .map(|&(slot, _)| number(self.connectivity.faces()[self.slots[slot].0].len())),
@@ -102,8 +149,9 @@ impl Unfolding<'_> {
     fn around_vertex(&mut self, vertex: usize, first: usize, key: &mut Vec<u32>) -> Vec<Met> {
         let star = self.connectivity.star(vertex);
         let start = star.faces.iter().position(|&face| face == first).unwrap_or(0);
+        let ring = Ring { start, position: 0, count: star.faces.len(), open: false };
         let ring: Vec<Met> =
-            turned(&star, start).map(|(face, corner)| (self.add(face), corner)).collect();
+            ring.faces(&star).map(|(face, corner)| (self.add(face), corner)).collect();
         self.glue(&ring, true);
         self.describe(&ring, false, 0, key);
         ring
@@ -111,22 +159,18 @@ impl Unfolding<'_> {
 
     fn around_face(&mut self, face: usize, key: &mut Vec<u32>) -> Vec<Vec<Met>> {
         let cell = self.add(face);
-        let vertices = &self.connectivity.faces()[face];
-        let count = vertices.len();
+        let corners = Corners::new(self.connectivity, self.tags, face);
+        let count = corners.all.len();
         // The faces at the edges of the face, which two of its vertices have.
         let mut sides: Vec<Option<usize>> = vec![None; count];
         let mut rings = Vec::with_capacity(count);
-        for (i, &vertex) in vertices.iter().enumerate() {
-            let star = self.connectivity.star(vertex);
-            let own = (0..star.faces.len())
-                .find(|&r| star.faces[r] == face && star.corners[r] == i)
-                .unwrap_or(0);
-            let (start, position) = if star.boundary { (0, own) } else { (own, 0) };
-            let total = star.faces.len();
+        for (i, corner) in corners.all.iter().enumerate() {
+            let around = corner.ring(corners.is_cut[i]);
+            let (position, total) = (around.position, around.count);
             let mut ring = Vec::with_capacity(total);
-            for (r, (other, corner)) in turned(&star, start).enumerate() {
+            for (r, (other, at)) in around.faces(&corner.star).enumerate() {
                 let after = r == position + 1;
-                let before = if star.boundary { r + 1 == position } else { r + 1 == total };
+                let before = if around.open { r + 1 == position } else { r + 1 == total };
                 let slot = if r == position {
                     cell
                 } else if after {
@@ -137,15 +181,65 @@ impl Unfolding<'_> {
                 } else {
                     self.add(other)
                 };
-                ring.push((slot, corner));
+                ring.push((slot, at));
             }
-            self.glue(&ring, !star.boundary);
-            self.describe(&ring, star.boundary, position, key);
+            self.glue(&ring, !around.open);
+            self.describe(&ring, around.open, position, key);
+            self.note_sharp(corner, corners.is_cut[i], &ring, &around, key);
             // From the face itself on, so that equal shapes have equal numbers.
             ring.rotate_left(position);
             rings.push(ring);
         }
         rings
+    }
+
+    /// Notes what is sharp at a vertex besides the boundary of its ring.
+    fn note_sharp(
+        &mut self,
+        corner: &Corner,
+        is_cut: bool,
+        ring: &[Met],
+        around: &Ring,
+        key: &mut Vec<u32>,
+    ) {
+        if self.tags.is_plain() {
+            return;
+        }
+        let own = if is_cut {
+            corner.is_corner.then_some(Sharpness::Infinite)
+        } else {
+            self.tags.vertex(corner.vertex, &corner.star).cloned()
+        };
+        encode(own.as_ref(), key);
+        self.sharp_points.extend(own.map(|own| (self.corner(ring[0], 0), own)));
+        if is_cut {
+            return;
+        }
+        // Edge r is before face r; what is first in an open ring is the boundary of the mesh.
+        for r in usize::from(around.open)..ring.len() {
+            let place = (around.start + r) % corner.star.edges.len();
+            let edge = corner.star.edges[place];
+            let sharp = self.tags.edge(self.connectivity, edge);
+            encode(sharp, key);
+            let Some(sharp) = sharp else { continue };
+            self.sharp_edges.push(([self.corner(ring[r], 0), self.corner(ring[r], 1)], edge));
+            if self.tags.creasing == Creasing::Chaikin && sharp.finite().is_some() {
+                let mut others = self.finite_at(corner.star.neighbours[place], &[edge]);
+                others.sort();
+                key.push(number(others.len()));
+                for other in others {
+                    encode(Some(&Sharpness::Finite(other)), key);
+                }
+            }
+        }
+    }
+
+    /// The finite sharpness of the edges at a vertex other than these.
+    fn finite_at(&self, vertex: usize, except: &[usize]) -> Vec<Rational> {
+        let star = self.connectivity.star(vertex);
+        let edges = star.edges.iter().filter(|edge| !except.contains(edge));
+        let own = edges.filter_map(|&edge| self.tags.edge(self.connectivity, edge)?.finite());
+        own.chain(self.tags.others(vertex)).cloned().collect()
     }
 
     fn side(&mut self, sides: &mut [Option<usize>], side: usize, face: usize) -> usize {
@@ -189,15 +283,55 @@ impl Unfolding<'_> {
             let count = self.connectivity.faces()[self.slots[slot].0].len();
             faces.push((0..count).map(|turn| number(slot, (corner + turn) % count)).collect());
         }
-        Neighbourhood { points, faces, key }
+        let sharp = self.numbered_sharp(piece, &points, |corner| numbers[self.root(corner)]);
+        Neighbourhood { points, faces, sharp, key }
+    }
+
+    fn numbered_sharp(
+        &self,
+        piece: Piece,
+        points: &[usize],
+        number: impl Fn(usize) -> usize,
+    ) -> Sharp {
+        let mut sharp = Sharp { creasing: self.tags.creasing, ..Sharp::default() };
+        sharp.points =
+            self.sharp_points.iter().map(|(at, own)| (number(*at), own.clone())).collect();
+        // The edges at a vertex that is not one of the piece.
+        let mut outside: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        let inside = match piece {
+            Piece::Face(face) => self.connectivity.faces()[face].len(),
+            Piece::Vertex(..) => 1,
+        };
+        for (ends, edge) in &self.sharp_edges {
+            let ends = ends.map(&number);
+            let Some(own) = self.tags.edge(self.connectivity, *edge) else { continue };
+            if self.tags.creasing == Creasing::Chaikin && own.finite().is_some() {
+                for end in ends.into_iter().filter(|end| *end >= inside) {
+                    outside.entry(end).or_default().push(*edge);
+                }
+            }
+            sharp.edges.push((ends, own.clone()));
+        }
+        let others =
+            outside.into_iter().map(|(end, edges)| (end, self.finite_at(points[end], &edges)));
+        sharp.others = others.collect();
+        sharp
     }
 }
 
-/// The faces around a vertex and its corner in them, from one of them on.
-fn turned(star: &Star, start: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
-    let count = star.faces.len();
-    (0..count).map(move |r| {
-        let at = (start + r) % count;
-        (star.faces[at], star.corners[at])
-    })
+fn number(n: usize) -> u32 {
+    u32::try_from(n).unwrap_or(u32::MAX)
+}
+
+/// A sharpness as part of a key.
+fn encode(sharp: Option<&Sharpness>, key: &mut Vec<u32>) {
+    match sharp {
+        None => key.push(0),
+        Some(Sharpness::Infinite) => key.push(1),
+        Some(Sharpness::Finite(value)) => {
+            let digits = value.to_string();
+            key.extend([2, number(digits.len())]);
+            key.extend(digits.bytes().map(u32::from));
+        }
+    }
 }

@@ -5,8 +5,11 @@ use super::neighbourhood::{Neighbourhood, Piece};
 use super::number::{Number, Row, Vector};
 use super::rules::{parts_of_face, quadrilaterals_of_face};
 use super::shapes::Shapes;
-use crate::mesh::{Connectivity, MeshScheme};
+use crate::mesh::{Connectivity, MeshError, MeshScheme, PolygonMesh};
 use std::collections::BTreeMap;
+
+/// The most shapes of neighbourhoods that weights are computed for, where there are creases.
+const MAX_SHAPES: usize = 5_000;
 
 /// A piece of level 1.
 #[derive(Clone, Copy, Debug)]
@@ -27,24 +30,38 @@ pub(super) struct Roots {
 }
 
 impl Roots {
-    /// The pieces of a mesh, and their shapes.
-    pub(super) fn of(
+    /// The pieces of a mesh, and their shapes. Holes have none.
+    ///
+    /// # Errors
+    /// When creases make too many different shapes.
+    pub(super) fn of<S>(
         scheme: MeshScheme,
         control: &Connectivity,
-        refined: &Connectivity,
+        refined: &PolygonMesh<S>,
         shapes: &mut Shapes,
-    ) -> Roots {
+    ) -> Result<Roots, MeshError> {
         let mut roots = Roots { all: Vec::new(), points: Vec::new() };
-        let pieces = pieces(scheme, control);
-        for (face, part, piece) in pieces {
-            let neighbourhood = Neighbourhood::of(refined, piece);
+        let (connectivity, tags) = (refined.connectivity(), refined.tags());
+        let holes = tags.holes(connectivity);
+        for (face, part, piece) in pieces(scheme, control) {
+            if matches!(piece, Piece::Face(own) if holes.contains(&own)) {
+                continue;
+            }
+            let neighbourhood = Neighbourhood::of(connectivity, tags, piece);
             let shape = shapes.shape(&neighbourhood);
+            if tags.has_sharp() && shapes.count() > MAX_SHAPES {
+                let reason = format!(
+                    "faces meet with creases in more than {MAX_SHAPES} different ways, which is too many for bounds \
+                     of distances; take fewer different values of sharpness, or a part of the mesh"
+                );
+                return Err(MeshError::TooMuch { reason });
+            }
             let first = roots.points.len();
             let number = |point: &usize| u32::try_from(*point).unwrap_or(u32::MAX);
             roots.points.extend(neighbourhood.points.iter().map(number));
             roots.all.push(Root { face, part, shape, first });
         }
-        roots
+        Ok(roots)
     }
 
     /// A piece with its points.

@@ -2,12 +2,13 @@
 
 use super::bezier::Bezier;
 use super::hexes::Across;
-use super::neighbourhood::Piece;
+use super::neighbourhood::{Neighbourhood, Piece};
 use super::number::{Number, Row};
 use super::regular::{Bends, Layout, from_first, weighted};
 use crate::exact::{Rational, RealCyclotomic, Scalar};
 use crate::mesh::{
-    Connectivity, MeshScheme, Point, PolygonMesh, Star, Stencils, step_with, weighted_valences,
+    Connectivity, MeshScheme, Point, PolygonMesh, Star, Stencils, limit_weights, step_with,
+    weighted_valences,
 };
 use std::collections::BTreeMap;
 
@@ -36,40 +37,41 @@ pub(super) struct Rules<W> {
 
 /// The faces around a piece, in numbers of their own.
 pub(super) struct Local {
-    pub(super) scheme: MeshScheme,
-    pub(super) connectivity: Connectivity,
-    pub(super) stencils: Stencils,
+    scheme: MeshScheme,
+    mesh: PolygonMesh<()>,
+    stencils: Stencils,
 }
 
 impl Local {
     /// # Panics
     /// Never: the faces around a piece are a disc.
-    pub(super) fn new(scheme: MeshScheme, points: usize, faces: Vec<Vec<usize>>) -> Local {
-        let connectivity = Connectivity::new(points, faces).expect("a disc");
-        let stencils = Stencils::new(scheme, weighted_valences(&connectivity, scheme));
-        Local { scheme, connectivity, stencils }
+    pub(super) fn new(scheme: MeshScheme, neighbourhood: &Neighbourhood) -> Local {
+        let points = vec![[(); 3]; neighbourhood.points.len()];
+        let mesh = PolygonMesh::new(points, neighbourhood.faces.clone()).expect("a disc");
+        let stencils = Stencils::new(scheme, weighted_valences(mesh.connectivity(), scheme));
+        let tags = neighbourhood.sharp.tags(mesh.connectivity());
+        Local { scheme, mesh: mesh.with_tags(tags), stencils }
     }
 
-    /// The connectivity of the next level.
-    pub(super) fn refined(&self) -> Connectivity {
-        let zero: Vec<Point<f64>> = vec![[0.0; 3]; self.connectivity.point_count()];
-        self.step(zero).connectivity().clone()
+    /// The next level.
+    pub(super) fn refined(&self) -> PolygonMesh<f64> {
+        self.step(vec![[0.0; 3]; self.mesh.points().len()])
     }
 
     /// The parts in the mesh of the next level.
-    pub(super) fn parts(&self, refined: &Connectivity) -> Vec<Piece> {
+    pub(super) fn parts(&self, refined: &PolygonMesh<f64>) -> Vec<Piece> {
         match self.scheme {
             // The faces of the first face come first.
             MeshScheme::CatmullClark | MeshScheme::Bajaj => {
-                (0..self.connectivity.faces()[0].len()).map(Piece::Face).collect()
+                (0..self.mesh.faces()[0].len()).map(Piece::Face).collect()
             }
             MeshScheme::Loop | MeshScheme::LoopWarren => (0..4).map(Piece::Face).collect(),
             MeshScheme::DooSabin => {
                 // The only inner vertex has the last face, and its faces come in turn.
-                let star = from_first(&self.connectivity, 0);
+                let star = from_first(self.mesh.connectivity(), 0);
                 let last = refined.faces().len() - 1;
                 let mut first = vec![0];
-                for face in self.connectivity.faces() {
+                for face in self.mesh.faces() {
                     first.push(first[first.len() - 1] + face.len());
                 }
                 let vertex = |(face, corner): (&usize, &usize)| first[*face] + corner;
@@ -80,14 +82,13 @@ impl Local {
     }
 
     fn step<S: Number>(&self, points: Vec<Point<S>>) -> PolygonMesh<S> {
-        let faces = self.connectivity.faces().to_vec();
-        let mesh = PolygonMesh::new(points, faces).expect("a disc");
+        let mesh = self.mesh.with_points(points);
         step_with(&mesh, self.scheme, &self.stencils.map(S::of)).expect("a small mesh")
     }
 
     /// The rows of these points of the next level.
     fn rows<S: Number>(&self, wanted: &[usize]) -> Vec<Row<S>> {
-        let count = self.connectivity.point_count();
+        let count = self.mesh.points().len();
         let mut rows: Vec<Row<S>> = vec![Vec::new(); wanted.len()];
         // Three unit vectors at a time, as the coordinates of points.
         for first in (0..count).step_by(3) {
@@ -108,13 +109,15 @@ impl Local {
 
     /// The weights, where the parts need these points of the next level.
     pub(super) fn rules<W: Number>(&self, wanted: &[usize]) -> Rules<W> {
-        let corners = self.connectivity.faces()[0].len();
-        let layout = Layout::of(self.scheme, &self.connectivity, corners);
+        let corners = self.mesh.faces()[0].len();
+        let plain = !self.mesh.tags().has_sharp();
+        let layout = plain.then(|| Layout::of(self.scheme, self.mesh.connectivity(), corners));
+        let layout = layout.flatten();
         let regular = layout.map(|layout| (layout.bezier(), layout.bends()));
         let refined = self.rows(wanted);
         if self.scheme == MeshScheme::DooSabin {
-            let star = from_first(&self.connectivity, 0);
-            let around = Around { connectivity: &self.connectivity, star: &star };
+            let star = from_first(self.mesh.connectivity(), 0);
+            let around = Around { connectivity: self.mesh.connectivity(), star: &star };
             let base = (0..star.faces.len()).map(|i| around.quarter(i)).collect();
             let squares = star.faces.len() == 4;
             let split = if squares { (0..4).map(turned_quarter).collect() } else { Vec::new() };
@@ -133,33 +136,13 @@ impl Local {
 
     /// The limit at a corner of a face.
     fn limit<W: Number>(&self, corner: usize) -> Row<W> {
-        let star = self.connectivity.star(corner);
-        let number = |p: usize, q: usize| RealCyclotomic::from(Rational::new(p, q));
-        let mut weights: BTreeMap<usize, RealCyclotomic> = BTreeMap::new();
-        let mut add = |point: usize, weight: &RealCyclotomic| {
-            weights.entry(point).and_modify(|sum| sum.accumulate(weight)).or_insert(weight.clone());
-        };
-        let n = star.faces.len();
-        if star.boundary {
-            add(corner, &number(4, 6));
-            for end in [star.neighbours[0], star.neighbours[n]] {
-                add(end, &number(1, 6));
-            }
-        } else if self.scheme.is_bicubic() {
-            let [own, edge, opposite] = crate::mesh::bicubic_limit_weights(self.stencils.of(n), n);
-            add(corner, &own);
-            for (i, &face) in star.faces.iter().enumerate() {
-                add(star.neighbours[i], &edge);
-                let vertices = &self.connectivity.faces()[face];
-                add(vertices[(star.corners[i] + 2) % vertices.len()], &opposite);
-            }
-        } else {
-            let [own, other] = crate::mesh::loop_limit_weights(n, &self.stencils.of(n)[1]);
-            add(corner, &own);
-            star.neighbours.iter().for_each(|&point| add(point, &other));
+        let weights = limit_weights(&self.mesh, corner, self.scheme, &self.stencils);
+        let mut row: BTreeMap<usize, RealCyclotomic> = BTreeMap::new();
+        for (point, weight) in weights.expect("a small mesh") {
+            row.entry(point).and_modify(|sum| sum.accumulate(&weight)).or_insert(weight);
         }
         let index = |point: usize| u32::try_from(point).unwrap_or(u32::MAX);
-        weights.into_iter().map(|(point, weight)| (index(point), W::of(&weight))).collect()
+        row.into_iter().map(|(point, weight)| (index(point), W::of(&weight))).collect()
     }
 }
 

@@ -83,6 +83,7 @@ pub struct Tags {
     edges: BTreeMap<usize, Sharpness>,
     vertices: BTreeMap<usize, Sharpness>,
     holes: BTreeSet<usize>,
+    others: BTreeMap<usize, Vec<Rational>>,
 }
 
 /// The sharpness of all boundary edges.
@@ -209,11 +210,25 @@ impl Tags {
         holes
     }
 
+    /// Gives a vertex at the boundary of a part of a mesh the finite sharpness of the edges at it that the part does not
+    /// have: Chaikin's rule takes the mean of all. It is not handed down to the next level.
+    pub(crate) fn set_others(&mut self, vertex: usize, others: Vec<Rational>) {
+        self.others.insert(vertex, others);
+    }
+
+    /// The finite sharpness of edges at a vertex that the mesh does not have.
+    pub(crate) fn others(&self, vertex: usize) -> &[Rational] {
+        self.others.get(&vertex).map_or(&[], Vec::as_slice)
+    }
+
     /// The sharpness that each edge at a vertex has at the next level, next to that vertex.
     #[must_use]
     pub fn children(&self, connectivity: &Connectivity, star: &Star) -> Vec<Option<Sharpness>> {
         let own: Vec<_> = star.edges.iter().map(|&edge| self.edge(connectivity, edge)).collect();
-        let finite = || own.iter().filter_map(|sharp| sharp.and_then(Sharpness::finite));
+        let vertex = connectivity.faces()[star.faces[0]][star.corners[0]];
+        let others = self.others(vertex);
+        let finite =
+            || own.iter().filter_map(|sharp| sharp.and_then(Sharpness::finite)).chain(others);
         let count = finite().count();
         if self.creasing == Creasing::Uniform || count < 2 {
             return own.into_iter().map(|sharp| sharp.and_then(Sharpness::lowered)).collect();

@@ -9,7 +9,8 @@ use super::super::refine::refine_mesh;
 use super::super::scheme::MeshScheme;
 use super::super::star::Star;
 use super::super::stencil::Stencils;
-use super::{LimitPoint, Normal, at_vertex, circular, cosine, dart, sharp_limit};
+use super::weights::{dart_edge, position, settled_weights};
+use super::{LimitPoint, Normal, at_vertex, circular, cosine, sharp_limit};
 use crate::exact::{Rational, Real as _, RealCyclotomic, Scalar};
 
 pub(super) fn limits(
@@ -52,7 +53,12 @@ fn limit(
     if *mask != VertexMask::Smooth {
         return sharp_limit(mesh, vertex, star, mask, true);
     }
-    let mut ring = Ring {
+    if dart_edge(mesh, star).is_some() {
+        let weights = settled_weights(mesh, vertex, star, mask, MeshScheme::CatmullClark, stencils);
+        let position = position(mesh, &weights);
+        return LimitPoint { position, normal: None, sectors: Vec::new() };
+    }
+    let ring = Ring {
         vertex: &mesh.points()[vertex],
         edges: star.neighbours.iter().map(|&v| &mesh.points()[v]).collect(),
         faces: star
@@ -62,11 +68,6 @@ fn limit(
             .map(|(&face, &corner)| &mesh.points()[mesh.faces()[face][(corner + 2) % 4]])
             .collect(),
     };
-    if let Some(first) = dart(mesh, star) {
-        ring.edges.rotate_left(first);
-        ring.faces.rotate_left(first);
-        return LimitPoint { position: ring.at_dart(), normal: None, sectors: Vec::new() };
-    }
     let position = ring.position(stencils.of(ring.faces.len()));
     LimitPoint { position, normal: ring.normal(), sectors: Vec::new() }
 }
@@ -76,7 +77,7 @@ fn limit(
 ///
 /// With b and g, n times the weights of an edge point and of a face point in the new vertex, the weights 1 of the
 /// vertex, y of all edge points and z of all opposite vertices satisfy y = 2b + g + z and 5z = 2b + 3g.
-pub(crate) fn limit_weights(stencil: &[RealCyclotomic], n: usize) -> [RealCyclotomic; 3] {
+pub(super) fn limit_weights(stencil: &[RealCyclotomic], n: usize) -> [RealCyclotomic; 3] {
     let times = |x: &RealCyclotomic, p: usize, q: usize| x.times(&Rational::new(p, q).into());
     let (b, g) = (times(&stencil[1], n, 1), times(&stencil[2], n, 1));
     let z = times(&b, 2, 5).plus(&times(&g, 3, 5));
@@ -131,16 +132,5 @@ impl Ring<'_> {
         before.rotate_right(1);
         let (here, there) = (circular(&self.faces), circular(&before));
         [0, 1].map(|i| sum([&here[i], &there[i]]))
-    }
-
-    /// The position where the first edge is sharp.
-    fn at_dart(&self) -> Point<RealCyclotomic> {
-        let (vertex, edges, faces) = super::dart::catmull_clark(self.edges.len());
-        let number = |all: Vec<Rational>| all.into_iter().map(RealCyclotomic::from);
-        let edges: Vec<_> = number(edges).zip(self.edges.iter().copied()).collect();
-        let faces: Vec<_> = number(faces).zip(self.faces.iter().copied()).collect();
-        let vertex = RealCyclotomic::from(vertex);
-        let around = edges.iter().chain(&faces).map(|(weight, point)| (weight, *point));
-        combination(std::iter::once((&vertex, self.vertex)).chain(around))
     }
 }

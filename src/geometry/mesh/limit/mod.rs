@@ -7,11 +7,12 @@ mod loops;
 mod normal;
 mod sector;
 mod settle;
+mod weights;
 
-pub(crate) use catmull_clark::limit_weights as bicubic_limit_weights;
-pub(crate) use loops::limit_weights as loop_limit_weights;
 pub use normal::{Normal, Tangents};
 pub use sector::Sector;
+pub(crate) use weights::limit_weights;
+use weights::{position, sharp_weights};
 
 use super::crease::VertexMask;
 use super::error::MeshError;
@@ -130,22 +131,13 @@ fn sharp_limit(
     mask: &VertexMask,
     quadrilaterals: bool,
 ) -> LimitPoint {
-    let position = match mask {
-        VertexMask::Crease(ends) => crease_limit(mesh, vertex, *ends),
-        _ => mesh.points()[vertex].clone(),
-    };
+    let position = position(mesh, &sharp_weights(vertex, mask));
     let sectors = sector::sectors(mesh, vertex, star, mask, quadrilaterals);
     let normal = match &sectors[..] {
         [one] => one.tangents.as_ref().and_then(Tangents::normal),
         _ => None,
     };
     LimitPoint { position, normal, sectors }
-}
-
-/// Which edge of a smooth vertex is sharp, if one is.
-fn dart(mesh: &PolygonMesh<RealCyclotomic>, star: &Star) -> Option<usize> {
-    let sharp = |&edge: &usize| mesh.tags().edge(mesh.connectivity(), edge).is_some();
-    if mesh.tags().has_sharp() { star.edges.iter().position(sharp) } else { None }
 }
 
 /// Σ cos(2πi/n) x_i and Σ cos(2π(i − 1)/n) x_i over n points around a vertex or a face.
@@ -162,15 +154,4 @@ fn circular(points: &[&Point<RealCyclotomic>]) -> [Point<RealCyclotomic>; 2] {
 /// cos(2πi/n), for an n whose field has been checked.
 fn cosine(i: usize, n: usize) -> RealCyclotomic {
     RealCyclotomic::cosine(&Rational::new(i, n)).expect("a valence within the cap")
-}
-
-/// (1, 4, 1)/6 of a vertex and its neighbours on a crease.
-fn crease_limit(
-    mesh: &PolygonMesh<RealCyclotomic>,
-    vertex: usize,
-    ends: [usize; 2],
-) -> Point<RealCyclotomic> {
-    let [four, one] = [4, 1].map(|p| RealCyclotomic::from(Rational::new(p, 6)));
-    let [p, q] = ends.map(|end| &mesh.points()[end]);
-    combination([(&four, &mesh.points()[vertex]), (&one, p), (&one, q)])
 }

@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 type Mesh = PolygonMesh<RealCyclotomic>;
 
 /// Whether the sharpness of the vertex or of an edge there is finite.
-pub(super) fn falls(mesh: &Mesh, vertex: usize, star: &Star) -> bool {
+pub(super) fn falls<S>(mesh: &PolygonMesh<S>, vertex: usize, star: &Star) -> bool {
     let tags = mesh.tags();
     let finite = |sharp: Option<&Sharpness>| sharp.is_some_and(|sharp| sharp.finite().is_some());
     tags.has_sharp()

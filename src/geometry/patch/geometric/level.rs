@@ -418,7 +418,7 @@ impl Places<'_> {
         let model = &self.distances.model;
         let scale = nearest(&self.scale);
         let lower = far_distance(whole, far, &(&self.tolerance / &self.scale));
-        let Source::Surface { mesh, given, .. } = &model.source else { unreachable!("a surface") };
+        let Source::Surface { mesh, .. } = &model.source else { unreachable!("a surface") };
         let doo_sabin = self.scheme == MeshScheme::DooSabin;
         let level_face = (self.level > 0 && !doo_sabin).then(|| {
             let before: usize = match self.scheme {
@@ -434,7 +434,7 @@ impl Places<'_> {
             _ if doo_sabin => None,
             level => Some(number >> (2 * (level - 1))),
         };
-        let vertex = part.and_then(|part| given[face].get(part).copied());
+        let vertex = part.and_then(|part| mesh.faces()[face].get(part).copied());
         GeometricPlace {
             face,
             parameters: None,

@@ -1,6 +1,6 @@
 //! Parts of a mesh.
 
-use crate::mesh::{Connectivity, MeshError, Point, PolygonMesh};
+use crate::mesh::{Connectivity, MeshError, Point, PolygonMesh, Tags};
 use std::collections::{HashMap, HashSet};
 
 /// These faces, and all that are up to so many steps from them, from vertex to vertex.
@@ -88,5 +88,39 @@ pub(super) fn cut(
             origins.push(vertex);
         }
     }
-    Ok((PolygonMesh::new(points, new)?, origins))
+    let part = PolygonMesh::new(points, new)?;
+    let tags = tags(mesh, &part, faces, &origins)?;
+    Ok((part.with_tags(tags), origins))
+}
+
+/// What is sharp in a part of a mesh, and which of its faces are holes. The faces at its own boundary may differ from
+/// those of the mesh.
+fn tags(
+    mesh: &PolygonMesh<f64>,
+    part: &PolygonMesh<f64>,
+    faces: &[usize],
+    origins: &[usize],
+) -> Result<Tags, MeshError> {
+    let (connectivity, old) = (mesh.connectivity(), mesh.tags());
+    let mut tags = Tags::default();
+    if old.is_plain() {
+        return Ok(tags);
+    }
+    tags.creasing = old.creasing;
+    for edge in part.connectivity().edges() {
+        let before = connectivity.face_edges(faces[edge.face.0])[edge.face.1];
+        let sharp = old.edges().get(&before).cloned();
+        tags.crease(part.connectivity(), edge.ends, sharp)?;
+    }
+    for (vertex, &origin) in origins.iter().enumerate() {
+        let sharp = old.vertex(origin, &connectivity.star(origin)).cloned();
+        tags.corner(part.connectivity(), vertex, sharp)?;
+    }
+    let holes = old.holes(connectivity);
+    for (face, before) in faces.iter().enumerate() {
+        if holes.contains(before) {
+            tags.hole(part.connectivity(), face)?;
+        }
+    }
+    Ok(tags)
 }

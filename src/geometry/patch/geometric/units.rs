@@ -41,7 +41,7 @@ impl Stage {
         shapes: &mut Shapes,
     ) -> Result<Stage, MeshError> {
         let next = step_with(&mesh, scheme, stencils)?;
-        let roots = Roots::of(scheme, mesh.connectivity(), next.connectivity(), shapes);
+        let roots = Roots::of(scheme, mesh.connectivity(), &next, shapes)?;
         Ok(Stage { refined: next.points().to_vec(), roots, mesh })
     }
 

@@ -2,7 +2,7 @@
 //! numbered.
 
 use super::grid::Grid;
-use crate::patch::neighbourhood::Neighbourhood;
+use crate::patch::neighbourhood::{Neighbourhood, Sharp};
 use crate::solid::{Complex, FACES, part_corners};
 use std::collections::HashMap;
 
@@ -78,7 +78,7 @@ impl<'a> Parts<'a> {
             }
         }
         let faces = key.chunks(8).map(|cell| cell.iter().map(|&label| label as usize).collect());
-        Neighbourhood { points, faces: faces.collect(), key }
+        Neighbourhood { points, faces: faces.collect(), sharp: Sharp::default(), key }
     }
 
     /// The frame of the next cell across a face: it is in the same grid.
