@@ -253,6 +253,27 @@ fn all_that_is_sharp_as_sets_of_points() {
     }
 }
 
+/// Heights over three faces at a boundary vertex: the longest edge, 1, shrinks to 3/4 in one level.
+#[test]
+fn edges_shrink_no_faster_than_is_said() {
+    let heights = [0, 0, -1, -1, 1, -1, -2, 0];
+    let faces = vec![vec![0, 1, 5, 2], vec![0, 2, 6, 3], vec![0, 3, 7, 4]];
+    let mesh = super::mesh(&heights.map(|x| [x, 0, 0]), faces);
+    let exact = mesh.map(|x| RealCyclotomic::from(x.clone()));
+    let next = refine_mesh(&exact, MeshScheme::CatmullClark, 1).expect("small");
+    let longest = |mesh: &subcert::mesh::PolygonMesh<RealCyclotomic>| {
+        let height = |end: usize| nearest(&mesh.points()[end][0]);
+        let edges = mesh.connectivity().edges().iter();
+        edges.map(|edge| (height(edge.ends[0]) - height(edge.ends[1])).abs()).fold(0.0, f64::max)
+    };
+    assert_eq!((longest(&exact), longest(&next)), (1.0, 0.75));
+    let guaranteed = a_priori(&mesh, MeshScheme::CatmullClark, &r(1, 10)).expect("a level");
+    assert_eq!(guaranteed.ratio, 0.75);
+    let ended = tagged(&cube(), &[([0, 1], r(10, 1))], &[], &[]);
+    let guaranteed = a_priori(&ended, MeshScheme::CatmullClark, &r(1, 10)).expect("a level");
+    assert_eq!(guaranteed.ratio, 5.0 / 6.0);
+}
+
 #[test]
 fn what_has_no_distance_is_refused() {
     let refused = |mesh: Mesh, scheme| {

@@ -206,7 +206,7 @@ impl Unfolding<'_> {
             return;
         }
         let own = if is_cut {
-            corner.is_corner.then_some(Sharpness::Infinite)
+            corner.stays.then_some(Sharpness::Infinite)
         } else {
             self.tags.vertex(corner.vertex, &corner.star).cloned()
         };
@@ -216,13 +216,13 @@ impl Unfolding<'_> {
             return;
         }
         // Edge r is before face r; what is first in an open ring is the boundary of the mesh.
-        for r in usize::from(around.open)..ring.len() {
+        for (r, &met) in ring.iter().enumerate().skip(usize::from(around.open)) {
             let place = (around.start + r) % corner.star.edges.len();
             let edge = corner.star.edges[place];
             let sharp = self.tags.edge(self.connectivity, edge);
             encode(sharp, key);
             let Some(sharp) = sharp else { continue };
-            self.sharp_edges.push(([self.corner(ring[r], 0), self.corner(ring[r], 1)], edge));
+            self.sharp_edges.push(([self.corner(met, 0), self.corner(met, 1)], edge));
             if self.tags.creasing == Creasing::Chaikin && sharp.finite().is_some() {
                 let mut others = self.finite_at(corner.star.neighbours[place], &[edge]);
                 others.sort();

@@ -36,7 +36,7 @@ pub(super) struct Corner {
     /// The infinitely sharp edges, where none at the vertex has a finite sharpness, nor the vertex itself.
     sharp: Option<Vec<usize>>,
     /// Whether the vertex stays where it is.
-    pub(super) is_corner: bool,
+    pub(super) stays: bool,
 }
 
 impl Corner {
@@ -48,7 +48,7 @@ impl Corner {
             .unwrap_or(0);
         if tags.is_plain() {
             let sharp = star.boundary.then(|| vec![0, star.faces.len()]);
-            return Corner { vertex, star, own, sharp, is_corner: false };
+            return Corner { vertex, star, own, sharp, stays: false };
         }
         let all: Vec<Option<&Sharpness>> =
             star.edges.iter().map(|&edge| tags.edge(connectivity, edge)).collect();
@@ -58,8 +58,8 @@ impl Corner {
             all.iter().any(|sharp| is_finite(*sharp)) || is_finite(tags.vertex(vertex, &star));
         let sharp = (0..all.len()).filter(|&i| all[i].is_some());
         let sharp = (!falls).then(|| sharp.collect());
-        let is_corner = tags.vertex_mask(connectivity, vertex, &star) == VertexMask::Corner;
-        Corner { vertex, star, own, sharp, is_corner }
+        let stays = tags.vertex_mask(connectivity, vertex, &star) == VertexMask::Corner;
+        Corner { vertex, star, own, sharp, stays }
     }
 
     /// The faces between the sharp edges around the face, where the ring is cut there; else all.

@@ -9,9 +9,9 @@ use super::super::refine::refine_mesh;
 use super::super::scheme::MeshScheme;
 use super::super::star::Star;
 use super::super::stencil::Stencils;
-use super::weights::{dart_edge, position, settled_weights};
+use super::weights::{bicubic, dart_edge, position, settled_weights};
 use super::{LimitPoint, Normal, at_vertex, circular, cosine, sharp_limit};
-use crate::exact::{Rational, Real as _, RealCyclotomic, Scalar};
+use crate::exact::{RealCyclotomic, Scalar};
 
 pub(super) fn limits(
     mesh: &PolygonMesh<RealCyclotomic>,
@@ -72,22 +72,6 @@ fn limit(
     LimitPoint { position, normal: ring.normal(), sectors: Vec::new() }
 }
 
-/// The weights of a vertex of valence n, of each edge point and of each opposite vertex of its quadrilaterals in
-/// its limit: the left eigenvector for 1.
-///
-/// With b and g, n times the weights of an edge point and of a face point in the new vertex, the weights 1 of the
-/// vertex, y of all edge points and z of all opposite vertices satisfy y = 2b + g + z and 5z = 2b + 3g.
-pub(super) fn limit_weights(stencil: &[RealCyclotomic], n: usize) -> [RealCyclotomic; 3] {
-    let times = |x: &RealCyclotomic, p: usize, q: usize| x.times(&Rational::new(p, q).into());
-    let (b, g) = (times(&stencil[1], n, 1), times(&stencil[2], n, 1));
-    let z = times(&b, 2, 5).plus(&times(&g, 3, 5));
-    let y = times(&b, 2, 1).plus(&g).plus(&z);
-    let one = RealCyclotomic::from(1);
-    let total = one.plus(&y).plus(&z);
-    let share = one.over(&total);
-    [share.clone(), times(&y.times(&share), 1, n), times(&z.times(&share), 1, n)]
-}
-
 /// The points around a vertex; face point i is between the edge points i and i + 1.
 struct Ring<'a> {
     vertex: &'a Point<RealCyclotomic>,
@@ -98,7 +82,7 @@ struct Ring<'a> {
 impl Ring<'_> {
     /// The limit of the vertex, whose new point has these weights.
     fn position(&self, stencil: &[RealCyclotomic]) -> Point<RealCyclotomic> {
-        let [v, e, f] = limit_weights(stencil, self.faces.len());
+        let [v, e, f] = bicubic(stencil, self.faces.len());
         let (edges, faces) = (sum(self.edges.iter().copied()), sum(self.faces.iter().copied()));
         combination([(&v, self.vertex), (&e, &edges), (&f, &faces)])
     }

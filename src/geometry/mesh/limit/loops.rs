@@ -7,9 +7,9 @@ use super::super::polygon::PolygonMesh;
 use super::super::scheme::MeshScheme;
 use super::super::star::Star;
 use super::super::stencil::Stencils;
-use super::weights::{dart_edge, position, settled_weights};
+use super::weights::{dart_edge, position, settled_weights, triangular};
 use super::{LimitPoint, Normal, circular, sharp_limit};
-use crate::exact::{Rational, Real, RealCyclotomic, Scalar};
+use crate::exact::RealCyclotomic;
 
 /// Limits of the vertices of a mesh.
 pub(super) struct Limits {
@@ -43,17 +43,8 @@ impl Limits {
             let position = position(mesh, &weights);
             return LimitPoint { position, normal: None, sectors: Vec::new() };
         }
-        let weights = limit_weights(n, beta);
+        let weights = triangular(n, beta);
         let position = combination(weights.iter().zip([point, &sum(around.iter().copied())]));
         LimitPoint { position, normal: Normal::of(&circular(&around)), sectors: Vec::new() }
     }
-}
-
-/// The weights of a vertex and of each neighbour in the limit: 1 − nω and
-/// ω = 1/(n + 3/(8β)) = 8β/(8nβ + 3).
-pub(super) fn limit_weights(n: usize, beta: &RealCyclotomic) -> [RealCyclotomic; 2] {
-    let number = |n: usize| RealCyclotomic::from(Rational::from(n));
-    let eight = beta.times(&number(8));
-    let omega = eight.over(&eight.times(&number(n)).plus(&number(3)));
-    [number(1).minus(&omega.times(&number(n))), omega]
 }

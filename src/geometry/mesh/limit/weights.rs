@@ -7,9 +7,9 @@ use super::super::polygon::PolygonMesh;
 use super::super::scheme::MeshScheme;
 use super::super::star::Star;
 use super::super::stencil::Stencils;
+use super::dart;
 use super::settle::{falls, settled};
-use super::{catmull_clark, dart, loops};
-use crate::exact::{Rational, RealCyclotomic};
+use crate::exact::{Rational, Real as _, RealCyclotomic, Scalar as _};
 use std::collections::BTreeSet;
 
 /// The weights of points. A point may be met twice.
@@ -67,11 +67,11 @@ pub(super) fn settled_weights<S>(
     let (own, edges, faces) = match dart_edge(mesh, star) {
         Some(first) => dart::weights(scheme, n, first, stencils.of(n)),
         None if scheme.is_triangular() => {
-            let [own, edge] = loops::limit_weights(n, &stencils.of(n)[1]);
+            let [own, edge] = triangular(n, &stencils.of(n)[1]);
             (own, vec![edge; n], Vec::new())
         }
         None => {
-            let [own, edge, face] = catmull_clark::limit_weights(stencils.of(n), n);
+            let [own, edge, face] = bicubic(stencils.of(n), n);
             (own, vec![edge; n], vec![face; n])
         }
     };
@@ -82,6 +82,31 @@ pub(super) fn settled_weights<S>(
     let edges = star.neighbours.iter().copied().zip(edges);
     let faces = faces.into_iter().enumerate().map(|(i, weight)| (opposite(i), weight));
     std::iter::once((vertex, own)).chain(edges).chain(faces).collect()
+}
+
+/// The weights of a vertex of valence n, of each edge point and of each opposite vertex of its quadrilaterals in
+/// its limit: the left eigenvector for 1.
+///
+/// With b and g, n times the weights of an edge point and of a face point in the new vertex, the weights 1 of the
+/// vertex, y of all edge points and z of all opposite vertices satisfy y = 2b + g + z and 5z = 2b + 3g.
+pub(super) fn bicubic(stencil: &[RealCyclotomic], n: usize) -> [RealCyclotomic; 3] {
+    let times = |x: &RealCyclotomic, p: usize, q: usize| x.times(&Rational::new(p, q).into());
+    let (b, g) = (times(&stencil[1], n, 1), times(&stencil[2], n, 1));
+    let z = times(&b, 2, 5).plus(&times(&g, 3, 5));
+    let y = times(&b, 2, 1).plus(&g).plus(&z);
+    let one = RealCyclotomic::from(1);
+    let total = one.plus(&y).plus(&z);
+    let share = one.over(&total);
+    [share.clone(), times(&y.times(&share), 1, n), times(&z.times(&share), 1, n)]
+}
+
+/// The weights of a vertex and of each neighbour in the limit: 1 − nω and
+/// ω = 1/(n + 3/(8β)) = 8β/(8nβ + 3).
+pub(super) fn triangular(n: usize, beta: &RealCyclotomic) -> [RealCyclotomic; 2] {
+    let number = |n: usize| RealCyclotomic::from(Rational::from(n));
+    let eight = beta.times(&number(8));
+    let omega = eight.over(&eight.times(&number(n)).plus(&number(3)));
+    [number(1).minus(&omega.times(&number(n))), omega]
 }
 
 /// The weights by a mask that is not smooth.
