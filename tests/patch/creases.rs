@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use subcert::exact::{Rational, RealCyclotomic};
 use subcert::float::nearest;
 use subcert::mesh::{
-    Boundary, Creasing, MeshScheme, Point, Sharpness, Tags, limit_points, refine_mesh,
+    Boundary, Creasing, MeshScheme, Point, PolygonMesh, Sharpness, Tags, limit_points, refine_mesh,
 };
 use subcert::patch::{FaceSurface, MeshDistances, a_priori};
 
@@ -145,7 +145,41 @@ fn agrees(mesh: &Mesh, scheme: MeshScheme, tolerance: &Rational) -> Result<(), T
     let guaranteed = a_priori(mesh, scheme, tolerance).expect("a level");
     let found = depth(mesh, scheme, tolerance);
     prop_assert!(found.level <= guaranteed.level, "{found:?}, {guaranteed:?}");
+    for level in 0..2 {
+        let bounds = distances(mesh, scheme).faces(level);
+        for (face, sampled) in face_samples(mesh, scheme, level).into_iter().enumerate() {
+            let [lower, upper] = bounds[face];
+            prop_assert!(
+                sampled <= upper * (1.0 + 1e-9) + 1e-12,
+                "{face}, {level}: {sampled} > {upper}"
+            );
+            prop_assert!(lower <= sampled * 1.25 + 1e-12, "{face}, {level}: {sampled} < {lower}");
+        }
+    }
     Ok(())
+}
+
+/// For each face the greatest distance of its limit points, two levels later, from the mesh of a level. Holes have 0.
+fn face_samples(mesh: &Mesh, scheme: MeshScheme, level: u32) -> Vec<f64> {
+    let mut samples = vec![0.0_f64; mesh.faces().len()];
+    let (fine, limits, values) = refined_with_values(mesh, scheme, level, 2);
+    let holes = fine.tags().holes(fine.connectivity());
+    let parts = |size: usize| if scheme == MeshScheme::CatmullClark { size } else { 4 };
+    let owners: Vec<usize> = (0..mesh.faces().len())
+        .flat_map(|face| {
+            std::iter::repeat_n(face, parts(mesh.faces()[face].len()) << (2 * level + 2))
+        })
+        .collect();
+    for (face, vertices) in
+        fine.faces().iter().enumerate().filter(|(face, _)| !holes.contains(face))
+    {
+        for &v in vertices {
+            let off = [0, 1, 2].map(|i| (limits[v][i] - values[v][i]).powi(2));
+            let sample = &mut samples[owners[face]];
+            *sample = sample.max(off.iter().sum::<f64>().sqrt());
+        }
+    }
+    samples
 }
 
 #[test]
@@ -178,7 +212,7 @@ proptest! {
             (MeshScheme::LoopWarren, bumpy(4, 4, true)),
             (MeshScheme::Loop, fan(7, true, true)),
         ][which].clone();
-        let values = [r(1, 2), r(4, 3), r(2, 1), r(10, 1), r(10, 1)];
+        let values = [r(1, 2), r(4, 3), r(5, 1), r(10, 1), r(10, 1)];
         let all = mesh.connectivity().edges();
         let edges: Vec<_> =
             edges.iter().map(|(at, s)| (all[at % all.len()].ends, values[*s].clone())).collect();
@@ -196,12 +230,19 @@ proptest! {
     }
 }
 
-/// The limit and the mesh of a level as triangles between limit points, and points of the mesh, of some levels later.
-fn triangles(mesh: &Mesh, scheme: MeshScheme, level: u32, more: u32) -> [Vec<[[f64; 3]; 3]>; 2] {
+type Values = Vec<[f64; 3]>;
+
+/// The mesh of some levels after a level, its limit points, and the mesh of the level at the same parameters.
+fn refined_with_values(
+    mesh: &Mesh,
+    scheme: MeshScheme,
+    level: u32,
+    more: u32,
+) -> (PolygonMesh<RealCyclotomic>, Values, Values) {
     let exact = mesh.map(|x| RealCyclotomic::from(x.clone()));
     let mut fine = refine_mesh(&exact, scheme, level).expect("small");
     let to_f64 = |point: &Point<RealCyclotomic>| point.each_ref().map(nearest);
-    let mut values: Vec<[f64; 3]> = fine.points().iter().map(to_f64).collect();
+    let mut values: Values = fine.points().iter().map(to_f64).collect();
     for _ in 0..more {
         let mean = |points: &[usize]| {
             let count = f64::from(u32::try_from(points.len()).expect("few"));
@@ -216,8 +257,14 @@ fn triangles(mesh: &Mesh, scheme: MeshScheme, level: u32, more: u32) -> [Vec<[[f
         values = next;
     }
     let limits = limit_points(&fine, scheme).expect("small");
-    let limits: Vec<[f64; 3]> =
+    let limits =
         limits.iter().map(|limit| to_f64(&limit.as_ref().expect("a limit").position)).collect();
+    (fine, limits, values)
+}
+
+/// The limit and the mesh of a level as triangles between limit points, and points of the mesh, of some levels later.
+fn triangles(mesh: &Mesh, scheme: MeshScheme, level: u32, more: u32) -> [Vec<[[f64; 3]; 3]>; 2] {
+    let (fine, limits, values) = refined_with_values(mesh, scheme, level, more);
     let holes = fine.tags().holes(fine.connectivity());
     let faces = fine.faces().iter().enumerate().filter(|(face, _)| !holes.contains(face));
     let all: Vec<[usize; 3]> = faces
@@ -261,7 +308,7 @@ fn edges_shrink_no_faster_than_is_said() {
     let mesh = super::mesh(&heights.map(|x| [x, 0, 0]), faces);
     let exact = mesh.map(|x| RealCyclotomic::from(x.clone()));
     let next = refine_mesh(&exact, MeshScheme::CatmullClark, 1).expect("small");
-    let longest = |mesh: &subcert::mesh::PolygonMesh<RealCyclotomic>| {
+    let longest = |mesh: &PolygonMesh<RealCyclotomic>| {
         let height = |end: usize| nearest(&mesh.points()[end][0]);
         let edges = mesh.connectivity().edges().iter();
         edges.map(|edge| (height(edge.ends[0]) - height(edge.ends[1])).abs()).fold(0.0, f64::max)
