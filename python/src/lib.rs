@@ -16,6 +16,7 @@ mod number;
 mod run;
 mod scheme;
 mod solid;
+mod tags;
 
 use pyo3::prelude::*;
 

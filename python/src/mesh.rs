@@ -4,23 +4,27 @@ use crate::error::{plain, with_remedy};
 use crate::geometry::{
     Depth, Limit, Points, SurfaceDepth, depth_aside, limit, points, rounded, surface_depth_aside,
 };
-use crate::number::rational;
+use crate::number::{Fraction, rational};
 use crate::run::aside;
+use crate::tags::{Said, said, tags};
 use pyo3::prelude::*;
 use subcert::exact::Rational;
 use subcert::mesh::{MeshScheme, Point, PolygonMesh, limit_points, refine_mesh};
 use subcert::patch::{FaceSurface, MeshDistances};
 
-/// The f64 vertices of a mesh, half a unit in the last place from the exact ones, and its faces.
-type Rounded = (Vec<Point<f64>>, Vec<Vec<usize>>);
+/// The f64 vertices of a mesh, half a unit in the last place from the exact ones, its faces, and what is sharp.
+type Rounded = (Vec<Point<f64>>, Vec<Vec<usize>>, Said<Fraction>);
 
 fn mesh(
     scheme: &str,
     vertices: &Points<'_>,
     faces: Vec<Vec<usize>>,
+    said: &Said<Bound<'_, PyAny>>,
 ) -> PyResult<(MeshScheme, PolygonMesh<Rational>)> {
     let scheme = MeshScheme::parse(scheme).map_err(plain)?;
-    Ok((scheme, PolygonMesh::new(points(vertices)?, faces).map_err(plain)?))
+    let mesh = PolygonMesh::new(points(vertices)?, faces).map_err(plain)?;
+    let tags = tags(said, mesh.connectivity())?;
+    Ok((scheme, mesh.with_tags(tags)))
 }
 
 /// How many levels a mesh needs for a tolerance.
@@ -30,9 +34,10 @@ pub fn mesh_depth(
     scheme: &str,
     vertices: Points<'_>,
     faces: Vec<Vec<usize>>,
+    tags: Said<Bound<'_, PyAny>>,
     tolerance: &Bound<'_, PyAny>,
 ) -> PyResult<Depth> {
-    let (scheme, mesh) = mesh(scheme, &vertices, faces)?;
+    let (scheme, mesh) = mesh(scheme, &vertices, faces, &tags)?;
     let tolerance = rational(tolerance)?;
     depth_aside(py, move |work| {
         let distances = MeshDistances::new(mesh, scheme).map_err(plain)?.with_work(work);
@@ -47,10 +52,11 @@ pub fn mesh_geometric_depth(
     scheme: &str,
     vertices: Points<'_>,
     faces: Vec<Vec<usize>>,
+    tags: Said<Bound<'_, PyAny>>,
     tolerance: &Bound<'_, PyAny>,
     faces_are: &str,
 ) -> PyResult<SurfaceDepth> {
-    let (scheme, mesh) = mesh(scheme, &vertices, faces)?;
+    let (scheme, mesh) = mesh(scheme, &vertices, faces, &tags)?;
     let tolerance = rational(tolerance)?;
     let all = [FaceSurface::Bilinear, FaceSurface::Fan];
     let surface = all.into_iter().find(|surface| surface.name() == faces_are).ok_or_else(|| {
@@ -69,16 +75,18 @@ pub fn mesh_refine(
     scheme: &str,
     vertices: Points<'_>,
     faces: Vec<Vec<usize>>,
+    tags: Said<Bound<'_, PyAny>>,
     levels: u32,
 ) -> PyResult<Rounded> {
-    let (scheme, mesh) = mesh(scheme, &vertices, faces)?;
+    let (scheme, mesh) = mesh(scheme, &vertices, faces, &tags)?;
     aside(
         py,
         || (),
         move || {
             let exact = mesh.map(|x| subcert::exact::RealCyclotomic::from(x.clone()));
             let refined = refine_mesh(&exact, scheme, levels).map_err(plain)?;
-            Ok((rounded(refined.points()), refined.faces().to_vec()))
+            let tags = said(refined.tags(), refined.connectivity());
+            Ok((rounded(refined.points()), refined.faces().to_vec(), tags))
         },
     )
 }
@@ -91,8 +99,9 @@ pub fn mesh_limit(
     scheme: &str,
     vertices: Points<'_>,
     faces: Vec<Vec<usize>>,
+    tags: Said<Bound<'_, PyAny>>,
 ) -> PyResult<Vec<Option<Limit>>> {
-    let (scheme, mesh) = mesh(scheme, &vertices, faces)?;
+    let (scheme, mesh) = mesh(scheme, &vertices, faces, &tags)?;
     aside(
         py,
         || (),

@@ -107,6 +107,19 @@ pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, Mes
     Ok(noted(scheme, name, file))
 }
 
+/// The mesh of a file with these rules at its boundary, or with those in the file.
+pub(super) fn with_boundary(file: MeshFile, boundary: Option<MeshBoundary>) -> MeshFile {
+    let Some(boundary) = boundary else { return file };
+    let mut tags = file.mesh().tags().clone();
+    tags.boundary = match boundary {
+        MeshBoundary::None => Boundary::None,
+        MeshBoundary::Edge => Boundary::Edge,
+        MeshBoundary::Corner => Boundary::Corner,
+    };
+    let mesh = file.mesh().clone().with_tags(tags);
+    file.with_mesh(mesh)
+}
+
 /// The file, after its notes have been told.
 fn noted(scheme: MeshScheme, name: String, file: MeshFile) -> (MeshScheme, String, MeshFile) {
     for note in file.notes() {
@@ -172,17 +185,8 @@ impl Work {
         level: u32,
         (boundary, isolated): (Option<MeshBoundary>, Option<IsolatedArgument>),
     ) -> Result<Work, Failure> {
-        let (scheme, name, mut file) = read(scheme, path)?;
-        if let Some(boundary) = boundary {
-            let mut tags = file.mesh().tags().clone();
-            tags.boundary = match boundary {
-                MeshBoundary::None => Boundary::None,
-                MeshBoundary::Edge => Boundary::Edge,
-                MeshBoundary::Corner => Boundary::Corner,
-            };
-            let mesh = file.mesh().clone().with_tags(tags);
-            file = file.with_mesh(mesh);
-        }
+        let (scheme, name, file) = read(scheme, path)?;
+        let mut file = with_boundary(file, boundary);
         let keeps = isolated == Some(IsolatedArgument::Keep);
         if !file.mesh().isolated().is_empty() {
             super::output::note(if keeps {

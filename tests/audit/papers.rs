@@ -35,7 +35,7 @@ fn verdicts(values: &[&str], cells: &[&str]) -> Vec<Verdict> {
 fn a_printed_number_against_an_exact_one() {
     let digit =
         |position, printed, correct| Verdict::Misprint(Slip::Digit { position, printed, correct });
-    let cases: [(&str, &str, Verdict); 22] = [
+    let cases: [(&str, &str, Verdict); 23] = [
         ("2/3", "0.667", Verdict::Confirmed),
         ("2/3", "0.666", Verdict::Rounding(Direction::Cut)),
         ("1/3", "0.334", Verdict::Rounding(Direction::Away)),
@@ -58,6 +58,8 @@ fn a_printed_number_against_an_exact_one() {
         ("0.142857714", "0.143857", digit(3, '3', '2')),
         ("7/50", "0.160000", Verdict::Refuted),
         ("7/50", "0.014000", Verdict::Refuted),
+        // Inexact computing gives another last digit too.
+        ("1/7", "0.142859", Verdict::Refuted),
         // Two slips are no slip.
         ("1/7", "0.152867", Verdict::Refuted),
         ("0", "0", Verdict::Confirmed),

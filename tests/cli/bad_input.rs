@@ -168,7 +168,9 @@ fn control_polygons() {
         refused(depth.into_iter().chain(more.iter().copied()))
     };
     assert_parts(&with(&["--polygon", "nowhere.csv"]), &["cannot read `nowhere.csv`"]);
-    assert_parts(&with(&["--boundary", "open"]), &["--polygon <FILE>"]);
+    assert_parts(&with(&["--boundary", "open"]), &["--polygon"]);
+    let polygon = ["--polygon", "examples/polygon.csv"];
+    assert_parts(&with(&[&polygon[..], &["--boundary", "edge"]].concat()), &["--mesh"]);
     let both = ["--polygon", "examples/polygon.csv", "--spread", "2"];
     assert_parts(&with(&both), &["cannot be used with '--spread <B>'"]);
     assert_parts(&with(&["--width", "0"]), &["--width must be positive"]);

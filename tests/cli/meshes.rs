@@ -172,6 +172,41 @@ fn the_depth_as_the_eye_sees_it() {
 }
 
 #[test]
+fn holes_and_boundaries_of_a_depth() {
+    let grid = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 1\nv 2 1 0\nv 0 2 0\nv 1 2 0\nv 2 2 0\n\
+                f 1 2 5 4\nf 2 3 6 5\nf 4 5 8 7\nf 5 6 9 8\n";
+    let mesh = TemporaryFile::new("grid.obj", grid);
+    let holed = TemporaryFile::new("hole.obj", &format!("{grid}t hole 1/0/0 2\n"));
+    let table = TemporaryFile::new("grid.csv", "");
+    let depth = |path: &str, more: &[&str]| {
+        let form = ["--tolerance", "1/100", "--format", "json", "--mesh"];
+        let form = [&["depth", "catmull-clark"], &form[..], &[path], more].concat();
+        json(&written([&form[..], &["--per-face", table.path()]].concat()))
+    };
+    let rows = || std::fs::read_to_string(table.path()).expect("the file").lines().count() - 1;
+    let whole = depth(mesh.path(), &[]);
+    assert_eq!(rows(), 4);
+    let with_hole = depth(holed.path(), &[]);
+    assert_eq!(rows(), 3);
+    let faces = |form: &serde_json::Value| {
+        let text = form["adaptive"]["uniform"].as_str().expect("a number").to_owned();
+        text.parse::<f64>().expect("a number")
+    };
+    assert!((faces(&with_hole) - 0.75 * faces(&whole)).abs() < 1e-9);
+    // Without corners the boundary is round.
+    let flat = TemporaryFile::new("flat.obj", &grid.replace("1 1 1", "1 1 0"));
+    let level = |boundary: &[&str]| depth(flat.path(), boundary)["level"].as_u64();
+    assert_eq!(level(&["--boundary", "corner"]), Some(0));
+    assert!(level(&["--boundary", "edge"]) > Some(0));
+    let refuses = |arguments: &[&str], parts: &[&str]| {
+        let asked = ["depth", "catmull-clark", "--tolerance", "1", "--mesh", mesh.path()];
+        assert_parts(&refused([&asked[..], arguments].concat()), parts);
+    };
+    refuses(&["--boundary", "none"], &["the surface is empty", "`edge` or `corner`"]);
+    refuses(&["--boundary", "open"], &["--polygon", "--mesh"]);
+}
+
+#[test]
 fn what_has_no_depth() {
     let square =
         TemporaryFile::new("flat.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");

@@ -72,3 +72,19 @@ fn the_reading_of_a_row_is_no_luck() {
         assert!(!finding.is_by_luck(best, (0, column)));
     }
 }
+
+/// Where there are no other numbers, nothing says that a reading explains too few of them.
+#[test]
+fn the_only_number_is_no_luck() {
+    let paper = paper(
+        "[[table]]\nid = 'a'\nlocus = 'A'\nscheme = 'four-point'\nvalue = 'contraction(c)'\n\
+         columns = { name = 'c', values = ['2'] }\ncells = [['0.375']]\n",
+    );
+    let audit = judged(&paper);
+    let finding = &audit.tables[0];
+    assert!(finding.searches().all(|search| search.best.is_empty()));
+    let readings = readings(&paper, finding, CellKind::Plain).expect("no error");
+    let mut explaining = readings.iter().filter(|reading| reading.explained[0][0]).peekable();
+    assert!(explaining.peek().is_some());
+    assert!(explaining.all(|reading| !finding.is_by_luck(reading, (0, 0))));
+}

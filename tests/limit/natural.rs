@@ -48,6 +48,8 @@ fn shifts_derived_by_hand() {
     // s_0 = −4/5 and s_1 = −2/5: lines are not kept.
     // Their mean is rounded.
     assert_eq!(shift(&of_rows(&[&[6, 4], &[3, 7]], 10, 0)), (r(-1229, 2048), false));
+    // s_0 = −3/5 and s_1 = −1/5: −2/5 is rounded upwards.
+    assert_eq!(shift(&of_rows(&[&[7, 3], &[4, 6]], 10, 0)), (r(-819, 2048), false));
 }
 
 /// Limits at parameters whose digits repeat, from a program that solves other systems.

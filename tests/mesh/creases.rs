@@ -105,6 +105,26 @@ fn chaikin_by_hand() {
     assert_eq!(found.iter().filter(|one| one.is_some()).count(), 3);
 }
 
+/// An edge of sharpness 1/2 that stays sharp at one end has the weight 1/2, and at both ends the weight 1.
+#[test]
+fn a_fraction_beside_sharper_edges() {
+    let mesh = octahedron();
+    let connectivity = mesh.connectivity();
+    let edge = connectivity.edges().iter().position(|edge| [[0, 4], [4, 0]].contains(&edge.ends));
+    let mut tags = Tags::default();
+    tags.creasing = Creasing::Chaikin;
+    tags.crease(connectivity, [4, 0], sharp(1, 2)).expect("an edge");
+    let weight = |tags: &Tags| tags.edge_weight(connectivity, edge.expect("an edge"));
+    assert_eq!(weight(&tags), r(1, 2));
+    // 3/8 + 9/4 − 1 is above 0.
+    tags.crease(connectivity, [4, 1], sharp(9, 1)).expect("an edge");
+    assert_eq!(weight(&tags), r(1, 2));
+    tags.crease(connectivity, [0, 5], sharp(9, 1)).expect("an edge");
+    assert_eq!(weight(&tags), r(1, 1));
+    tags.creasing = Creasing::Uniform;
+    assert_eq!(weight(&tags), r(1, 2));
+}
+
 #[test]
 fn which_rule_a_vertex_has() {
     let mesh = grid(4, 4, false);

@@ -36,7 +36,7 @@ fn agrees(name: &str, rule: Rule, count: usize) {
         assert_eq!(depth.too_few, level.checked_sub(1).and_then(|x| u32::try_from(x).ok()));
         if let Some(place) = depth.beyond {
             let sampled = sampled[level - 1];
-            assert!(place.distance >= tolerance && place.distance <= sampled * 1.02);
+            assert!(place.distance > tolerance && place.distance <= sampled * 1.02);
         }
     }
 }
@@ -49,6 +49,26 @@ fn the_least_level_is_that_of_dense_samples() {
     agrees("bipyramid of 8", Rule::Loop, 2);
     agrees("trapezohedron of 7", Rule::CatmullClark, 1);
     agrees("prism of 5", Rule::DooSabin, 2);
+}
+
+/// Meshes whose first levels have no inner vertex, or none that is regular.
+#[test]
+fn meshes_of_one_face() {
+    let corners = [[0, 0, 0], [3, 0, 0], [3, 2, 1], [0, 3, 0], [-2, 1, 1]];
+    for (count, scheme) in [
+        (3, MeshScheme::Loop),
+        (3, MeshScheme::LoopWarren),
+        (3, MeshScheme::CatmullClark),
+        (4, MeshScheme::CatmullClark),
+        (5, MeshScheme::CatmullClark),
+    ] {
+        let one = mesh(&corners[..count], vec![(0..count).collect()]);
+        let distances = MeshDistances::new(one, scheme).expect("small");
+        let tolerance = r(1, 50);
+        let depth = distances.geometric_depth(&tolerance, FaceSurface::Bilinear).expect("few");
+        let parametric = distances.depth(&tolerance).expect("few");
+        assert!(0 < depth.level && depth.level <= parametric.level, "{count}: {depth:?}");
+    }
 }
 
 #[test]

@@ -208,6 +208,25 @@ fn levels_and_bounds_are_in_order() {
     }
 }
 
+/// Points move by 3/4 of the longest edge at most in the first step: level 0 needs so much more than level 1.
+#[test]
+fn what_the_first_step_guarantees() {
+    let cube = crate::common::solids::grid([1, 1, 1], |_| true);
+    let distances = MeshDistances::of_solid(cube.clone()).expect("within the caps");
+    let guaranteed =
+        |tolerance: &Rational| solid_a_priori(&cube, &distances, tolerance).expect("a level");
+    let least = |level: u32| {
+        let (mut low, mut high) = (r(0, 1), r(1_000, 1));
+        for _ in 0..40 {
+            let middle = (&low + &high) / Rational::from(2);
+            if guaranteed(&middle).level <= level { high = middle } else { low = middle }
+        }
+        nearest(&high)
+    };
+    let more = (least(0) - least(1)) / guaranteed(&r(1, 1)).longest_edge;
+    assert!((more - 0.75).abs() < 1e-6, "{more}");
+}
+
 /// 23/12·(3/4)^k β ≤ ε, for the longest edge of the boundary.
 #[test]
 fn the_formula_of_the_paper() {

@@ -37,6 +37,7 @@ from ._solid import (
     solid_geometric_depth,
     solid_limit_points,
 )
+from ._tags import Tags
 
 #: The version of the program.
 __version__: str = _native.version()
@@ -69,6 +70,7 @@ __all__ = [
     "Spectrum",
     "SubcertError",
     "SurfaceDepth",
+    "Tags",
     "VertexSmoothness",
     "audit",
     "exact",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, List, Optional, Sequence
+from typing import Any, List, Optional, Sequence, Tuple
 
 from . import _native
 from ._errors import SubcertError
@@ -19,6 +19,9 @@ from ._geometry import (
     surface_depth_of,
 )
 from ._numbers import Number
+from ._tags import Tags
+from ._tags import found as tags_of
+from ._tags import given as given_tags
 
 
 @dataclass(frozen=True)
@@ -32,13 +35,20 @@ class RefinedMesh:
 
     vertices: Any
     faces: List[List[int]]
+    #: What is sharp at this level.
+    tags: Tags
 
 
 def mesh_depth(
-    scheme: str, vertices: Any, faces: Sequence[Sequence[int]], tolerance: Number
+    scheme: str,
+    vertices: Any,
+    faces: Sequence[Sequence[int]],
+    tolerance: Number,
+    *,
+    tags: Optional[Tags] = None,
 ) -> MeshDepth:
     """How many levels bring a mesh within a tolerance of its limit surface. Schemes are
-    "catmull-clark", "doo-sabin", "loop" and "loop-warren". Floats are the numbers that they are.
+    "catmull-clark", "doo-sabin", "loop" and "loop-warren". Floats are the numbers that they are. ``tags`` say what is sharp.
 
     >>> cube = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
     >>> faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
@@ -46,7 +56,7 @@ def mesh_depth(
     >>> found.level, found.too_few
     (4, 3)
     """
-    return depth_of(_native.mesh_depth(scheme, _vertices(vertices), _faces(faces), tolerance))
+    return depth_of(_native.mesh_depth(scheme, *_mesh(vertices, faces, tags), tolerance))
 
 
 def mesh_geometric_depth(
@@ -56,6 +66,7 @@ def mesh_geometric_depth(
     tolerance: Number,
     *,
     faces_are: str = "bilinear",
+    tags: Optional[Tags] = None,
 ) -> SurfaceDepth:
     """How many levels bring a mesh within a tolerance of its limit surface, as sets of points. Triangles are flat, and
     faces with more than four vertices are fans from their centroids; so are quadrilaterals with ``faces_are="fan"``.
@@ -66,14 +77,17 @@ def mesh_geometric_depth(
     >>> found.level, found.too_few, found.of
     (2, 1, 'limit')
     """
-    found = _native.mesh_geometric_depth(
-        scheme, _vertices(vertices), _faces(faces), tolerance, faces_are
-    )
-    return surface_depth_of(found)
+    mesh = _mesh(vertices, faces, tags)
+    return surface_depth_of(_native.mesh_geometric_depth(scheme, *mesh, tolerance, faces_are))
 
 
 def refine_mesh(
-    scheme: str, vertices: Any, faces: Sequence[Sequence[int]], levels: int = 1
+    scheme: str,
+    vertices: Any,
+    faces: Sequence[Sequence[int]],
+    levels: int = 1,
+    *,
+    tags: Optional[Tags] = None,
 ) -> RefinedMesh:
     """The mesh after some levels, computed exactly and rounded once.
 
@@ -83,12 +97,17 @@ def refine_mesh(
     >>> len(found.vertices), len(found.faces)
     (26, 24)
     """
-    points, refined = _native.mesh_refine(scheme, _vertices(vertices), _faces(faces), levels)
-    return RefinedMesh(as_given(points, vertices, (len(points),)), refined)
+    mesh = _mesh(vertices, faces, tags)
+    points, refined, sharp = _native.mesh_refine(scheme, *mesh, levels)
+    return RefinedMesh(as_given(points, vertices, (len(points),)), refined, tags_of(sharp))
 
 
 def limit_points(
-    scheme: str, vertices: Any, faces: Sequence[Sequence[int]]
+    scheme: str,
+    vertices: Any,
+    faces: Sequence[Sequence[int]],
+    *,
+    tags: Optional[Tags] = None,
 ) -> List[Optional[LimitPoint]]:
     """Where the limit surface has each vertex; None where it does not reach it.
 
@@ -97,8 +116,12 @@ def limit_points(
     >>> limit_points("catmull-clark", cube, faces)[0].exact
     (Fraction(-1, 2), Fraction(-1, 2), Fraction(-1, 2))
     """
-    found = _native.mesh_limit(scheme, _vertices(vertices), _faces(faces))
+    found = _native.mesh_limit(scheme, *_mesh(vertices, faces, tags))
     return [limit_of(limit) for limit in found]
+
+
+def _mesh(vertices: Any, faces: Any, tags: Optional[Tags]) -> Tuple[Any, Any, Any]:
+    return _vertices(vertices), _faces(faces), given_tags(tags)
 
 
 def _vertices(vertices: Any) -> List[List[Any]]:

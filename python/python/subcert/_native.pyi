@@ -101,16 +101,25 @@ _MeshDepth = Tuple[int, Optional[int], List[float], Optional[Tuple[int, Any, Any
 _Net = Tuple[Sequence[Any], int, str]
 _SurfaceDepth = Tuple[int, Optional[int], Optional[Tuple[str, int, List[float], float]]]
 
+_Tags = Tuple[List[Any], List[Any], List[int], str, str]
+
 def mesh_depth(
-    scheme: str, vertices: Sequence[Any], faces: List[List[int]], tolerance: Any
+    scheme: str, vertices: Sequence[Any], faces: List[List[int]], tags: _Tags, tolerance: Any
 ) -> _MeshDepth: ...
 def mesh_geometric_depth(
-    scheme: str, vertices: Sequence[Any], faces: List[List[int]], tolerance: Any, faces_are: str
+    scheme: str,
+    vertices: Sequence[Any],
+    faces: List[List[int]],
+    tags: _Tags,
+    tolerance: Any,
+    faces_are: str,
 ) -> _SurfaceDepth: ...
 def mesh_refine(
-    scheme: str, vertices: Sequence[Any], faces: List[List[int]], levels: int
-) -> Tuple[List[List[float]], List[List[int]]]: ...
-def mesh_limit(scheme: str, vertices: Sequence[Any], faces: List[List[int]]) -> List[Any]: ...
+    scheme: str, vertices: Sequence[Any], faces: List[List[int]], tags: _Tags, levels: int
+) -> Tuple[List[List[float]], List[List[int]], _Tags]: ...
+def mesh_limit(
+    scheme: str, vertices: Sequence[Any], faces: List[List[int]], tags: _Tags
+) -> List[Any]: ...
 def net_depth(scheme: str, given: _Net, tolerance: Any) -> _MeshDepth: ...
 def net_geometric_depth(scheme: str, given: _Net, tolerance: Any) -> _SurfaceDepth: ...
 def net_refine(scheme: str, given: _Net, levels: int) -> Tuple[List[List[float]], int]: ...

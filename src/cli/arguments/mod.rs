@@ -22,8 +22,8 @@ pub(super) use papers::{
 };
 pub(super) use schemes::{
     AtlasArguments, BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments,
-    DistanceArgument, FacesArgument, OracleArguments, OracleFormat, PlotArguments, RangeArguments,
-    SchemeArguments, SchemesArguments,
+    DepthBoundary, DistanceArgument, FacesArgument, OracleArguments, OracleFormat, PlotArguments,
+    RangeArguments, SchemeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};
 pub(super) use spectrum::{SpectrumArguments, TableArguments};

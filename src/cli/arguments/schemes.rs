@@ -1,6 +1,6 @@
 //! The arguments of the commands about schemes.
 
-use super::meshes::ClosedArgument;
+use super::meshes::{ClosedArgument, MeshBoundary};
 use super::{FindingFormat, FindingOutput, Output, Valences};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -70,9 +70,10 @@ pub(in crate::cli) struct DepthArguments {
     /// points. β is its largest difference
     #[arg(long, value_name = "FILE", conflicts_with = "spread")]
     pub(in crate::cli) polygon: Option<PathBuf>,
-    /// What happens at its ends [default: closed]
-    #[arg(long, value_enum, requires = "polygon")]
-    pub(in crate::cli) boundary: Option<BoundaryArgument>,
+    /// What happens at the ends of a control polygon [default: closed], or the rules at the boundary of a polygon mesh
+    /// [default: those in the file, or else edge]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) boundary: Option<DepthBoundary>,
     /// A polygon mesh as OBJ, OFF, PLY, STL, USD (usda) or VTK, a tensor net as CSV or JSON, or a solid as VTK or MEDIT
     /// (ascii), for the depth that it needs; `-` for the standard input. The scheme is catmull-clark,
     /// doo-sabin, loop, or loop-warren; of a net a curve, or two with ` x ` between them; of a solid
@@ -197,6 +198,42 @@ pub(in crate::cli) enum BoundaryArgument {
     Closed,
     /// Only rules whose points all exist are applied
     Open,
+}
+
+/// The boundary of a control polygon or of a polygon mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum DepthBoundary {
+    /// The last point is followed by the first
+    Closed,
+    /// Only rules whose points all exist are applied
+    Open,
+    /// Faces at the boundary of the mesh are holes
+    None,
+    /// The B-spline of the boundary polygon of the mesh
+    Edge,
+    /// The same, with a corner at each vertex of one face
+    Corner,
+}
+
+impl DepthBoundary {
+    /// Of a control polygon: whether it is closed.
+    pub(in crate::cli) fn closed(self) -> Option<bool> {
+        match self {
+            DepthBoundary::Closed => Some(true),
+            DepthBoundary::Open => Some(false),
+            DepthBoundary::None | DepthBoundary::Edge | DepthBoundary::Corner => None,
+        }
+    }
+
+    /// Of a polygon mesh.
+    pub(in crate::cli) fn of_mesh(self) -> Option<MeshBoundary> {
+        match self {
+            DepthBoundary::Closed | DepthBoundary::Open => None,
+            DepthBoundary::None => Some(MeshBoundary::None),
+            DepthBoundary::Edge => Some(MeshBoundary::Edge),
+            DepthBoundary::Corner => Some(MeshBoundary::Corner),
+        }
+    }
 }
 
 #[derive(Debug, Args)]

@@ -47,7 +47,7 @@ impl FacesFormat {
         }
     }
 
-    /// Writes the lower and upper bounds of all faces.
+    /// Writes the lower and upper bounds of all faces; a table has no rows of holes.
     pub(super) fn write(
         self,
         path: &Path,
@@ -64,11 +64,21 @@ impl FacesFormat {
     }
 }
 
+/// The faces that are no holes, with their rows and vertices.
+fn without_holes<'a>(
+    mesh: &'a PolygonMesh<Rational>,
+    rows: &'a [FaceRow],
+) -> impl Iterator<Item = (usize, &'a FaceRow, &'a Vec<usize>)> {
+    let holes = mesh.tags().holes(mesh.connectivity());
+    let all = rows.iter().zip(mesh.faces()).enumerate();
+    all.filter(move |(face, _)| !holes.contains(face)).map(|(face, (row, own))| (face, row, own))
+}
+
 fn csv(mesh: &PolygonMesh<Rational>, rows: &[FaceRow]) -> String {
     let own = rows.iter().any(|row| row.own.is_some());
     let more = if own { ",own_level,is_least" } else { "" };
     let mut text = format!("face,vertices,level,lower,upper{more}\n");
-    for (face, (row, vertices)) in rows.iter().zip(mesh.faces()).enumerate() {
+    for (face, row, vertices) in without_holes(mesh, rows) {
         let FaceRow { level, bounds, own } = row;
         let [lower, upper] = bounds.map(shortest);
         let own = own.map(|(level, least)| format!(",{level},{least}")).unwrap_or_default();
@@ -78,7 +88,7 @@ fn csv(mesh: &PolygonMesh<Rational>, rows: &[FaceRow]) -> String {
 }
 
 fn json(mesh: &PolygonMesh<Rational>, rows: &[FaceRow]) -> String {
-    let row = |(face, (row, vertices)): (usize, (&FaceRow, &Vec<usize>))| {
+    let row = |(face, row, vertices): (usize, &FaceRow, &Vec<usize>)| {
         let FaceRow { level, bounds, own } = row;
         let [lower, upper] = bounds.map(shortest);
         let mut entry = serde_json::json!({
@@ -90,7 +100,7 @@ fn json(mesh: &PolygonMesh<Rational>, rows: &[FaceRow]) -> String {
         }
         entry
     };
-    let rows: Vec<serde_json::Value> = rows.iter().zip(mesh.faces()).enumerate().map(row).collect();
+    let rows: Vec<serde_json::Value> = without_holes(mesh, rows).map(row).collect();
     let form = serde_json::json!({ "schema": SCHEMA, "faces": rows });
     serde_json::to_string_pretty(&form).expect("keys that are texts") + "\n"
 }

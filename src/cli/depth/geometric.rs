@@ -10,6 +10,7 @@ use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, geometric_depth as form, mesh_depth};
 use crate::cli::output::{Failure, Outcome};
 use crate::cli::progress::Progress;
+use std::collections::BTreeSet;
 use subcert::exact::{Rational, format::short};
 use subcert::float::{shortest, upper};
 use subcert::mesh::{MeshError, MeshScheme, Point, PolygonMesh};
@@ -110,10 +111,14 @@ impl Faces {
         depths: Vec<FaceDepth>,
         mut distances: Vec<[f64; 2]>,
         tolerance: &Rational,
+        holes: &BTreeSet<usize>,
     ) -> Faces {
         // The level is sufficient for all.
         for bounds in &mut distances {
             bounds[1] = bounds[1].min(upper(tolerance));
+        }
+        for &hole in holes {
+            distances[hole] = [0.0; 2];
         }
         Faces { depths, distances }
     }
@@ -143,11 +148,13 @@ impl Faces {
         })
     }
 
-    /// How many faces there are at one level for all, and where each face has its own.
+    /// How many faces but holes there are at one level for all, and where each face has its own.
     fn counts(&self, mesh: &PolygonMesh<Rational>, growth: Growth, level: u32) -> [f64; 2] {
-        let all = mesh.faces().iter().map(|face| growth.count(face, level)).sum();
-        let own = mesh.faces().iter().zip(&self.depths);
-        [all, own.map(|(face, own)| growth.count(face, own.level)).sum()]
+        let holes = mesh.tags().holes(mesh.connectivity());
+        let faces = mesh.faces().iter().zip(&self.depths).enumerate();
+        let faces = faces.filter(|(face, _)| !holes.contains(face)).map(|(_, face)| face);
+        let own = faces.clone().map(|(face, own)| growth.count(face, own.level)).sum();
+        [faces.map(|(face, _)| growth.count(face, level)).sum(), own]
     }
 }
 
@@ -177,7 +184,7 @@ impl Surface {
         let faces = if arguments.per_face.is_some() || arguments.output.is_page() {
             let depths = distances.geometric_faces(tolerance, surface)?;
             let bounds = distances.geometric_distances(found.level, tolerance, surface)?;
-            Some(Faces::new(depths, bounds, tolerance))
+            Some(Faces::new(depths, bounds, tolerance, &mesh.tags().holes(mesh.connectivity())))
         } else {
             None
         };

@@ -3,11 +3,10 @@
 /// What the depth is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    Mesh,
+    /// A polygon mesh, with creases, corners or holes, or without.
+    Mesh { tagged: bool },
     /// A tensor net, with so many faces along a row.
-    Net {
-        faces_in_row: usize,
-    },
+    Net { faces_in_row: usize },
     /// The boundary of a hexahedral solid.
     Boundary,
     /// A hexahedral solid, the pieces of which are cells.
@@ -17,7 +16,7 @@ pub(super) enum Kind {
 impl Kind {
     pub(super) fn name(self) -> &'static str {
         match self {
-            Kind::Mesh | Kind::Solid => "mesh",
+            Kind::Mesh { .. } | Kind::Solid => "mesh",
             Kind::Boundary => "boundary",
             Kind::Net { .. } => "net",
         }
@@ -30,7 +29,7 @@ impl Kind {
     /// The cell (i, j) of a face of a net.
     pub(super) fn cell(self, face: usize) -> Option<[usize; 2]> {
         match self {
-            Kind::Mesh | Kind::Boundary | Kind::Solid => None,
+            Kind::Mesh { .. } | Kind::Boundary | Kind::Solid => None,
             Kind::Net { faces_in_row } => Some([face / faces_in_row, face % faces_in_row]),
         }
     }
@@ -38,7 +37,8 @@ impl Kind {
     /// Whose edges the level a priori is about.
     pub(super) fn all(self) -> &'static str {
         match self {
-            Kind::Mesh => "meshes with these valences and",
+            Kind::Mesh { tagged: false } => "meshes with these valences and",
+            Kind::Mesh { tagged: true } => "meshes with these valences and tags, and",
             Kind::Boundary => "boundaries with these valences and",
             Kind::Net { .. } => "nets with",
             Kind::Solid => "meshes whose cells meet so, with",
@@ -48,7 +48,7 @@ impl Kind {
     /// What the distance is.
     pub(super) fn distance(self) -> &'static str {
         match self {
-            Kind::Mesh | Kind::Boundary => {
+            Kind::Mesh { .. } | Kind::Boundary => {
                 "The distance is that of each face of the level from its own piece of the limit \
                  surface, point by point at the same parameters. Faces and vertices are numbered from 0."
             }

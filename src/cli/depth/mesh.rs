@@ -7,10 +7,10 @@ use super::numbers::{digits, levels, point, too_few};
 use super::pictures::{Drawn, Pieces};
 use super::promise::{Formula, Promise, promises};
 use super::refined::Refined;
-use crate::cli::arguments::{DepthArguments, FindingFormat};
+use crate::cli::arguments::{DepthArguments, DepthBoundary, FindingFormat};
 use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, mesh_depth as form};
-use crate::cli::mesh::{failure, read};
+use crate::cli::mesh::{failure, read, with_boundary};
 use crate::cli::output::{Outcome, positive};
 use crate::cli::progress::Progress;
 use std::path::Path;
@@ -26,6 +26,7 @@ use subcert::report::html::{FindingPage, Picture};
 pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destination) -> Outcome {
     let asked = positive("--tolerance", &arguments.tolerance)?;
     let (scheme, name, file) = read(&arguments.scheme, path)?;
+    let file = with_boundary(file, arguments.boundary.and_then(DepthBoundary::of_mesh));
     let (geometric, tolerance) = measure(file.mesh().points(), arguments, &asked, "mesh")?;
     let refused = |error| failure(&file, &error);
     let guaranteed = a_priori(file.mesh(), scheme, &tolerance).map_err(refused)?;
@@ -33,6 +34,7 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
         paper: FORMULA_PAPER,
         level: formula_level(file.mesh(), guaranteed.longest_edge, &tolerance),
     });
+    let kind = Kind::Mesh { tagged: !file.mesh().tags().is_plain() };
     let per_face = arguments.per_face.as_deref();
     let per_face =
         per_face.map(|path| FacesFormat::of(path).map(|format| (path, format))).transpose()?;
@@ -43,7 +45,7 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
             Surface::of(mesh, scheme, &tolerance, arguments).map_err(refused)?;
         let report = GeometricReport {
             scheme: scheme.name().to_owned(),
-            kind: Kind::Mesh,
+            kind,
             growth: Growth::of(scheme),
             name,
             mesh,
@@ -80,7 +82,7 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
         drop(progress);
         Some(depth)
     };
-    let (scheme, kind) = (scheme.name().to_owned(), Kind::Mesh);
+    let scheme = scheme.name().to_owned();
     Report { scheme, name, tolerance, guaranteed, promised, found, kind, pictures }
         .show(arguments, to)
 }

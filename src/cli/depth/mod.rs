@@ -23,7 +23,7 @@ mod solid;
 mod surface;
 
 use super::arguments::{
-    BoundaryArgument, DepthArguments, DistanceArgument, FacesArgument, FindingFormat,
+    DepthArguments, DepthBoundary, DistanceArgument, FacesArgument, FindingFormat,
 };
 use super::finding::{Destination, command};
 use super::geometry::Geometry;
@@ -55,7 +55,9 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     }
     if let Some(path) = &arguments.mesh {
         let net = NetInput { scheme: &arguments.scheme, path, closed: arguments.closed };
-        return match Geometry::of(&net)? {
+        let geometry = Geometry::of(&net)?;
+        only_its_boundary(arguments, matches!(geometry, Geometry::Mesh))?;
+        return match geometry {
             Geometry::Mesh | Geometry::Solid if arguments.certificate.is_some() => {
                 Err(certified::none("polygon meshes and solids have none"))
             }
@@ -64,6 +66,7 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
             Geometry::Solid => solid::solid_depth(path, arguments, &to),
         };
     }
+    only_its_boundary(arguments, false)?;
     match (&arguments.polygon, arguments.distance) {
         (None, _) => only_parametric(arguments, "all control polygons of a spread")?,
         (Some(_), Some(DistanceArgument::Parametric)) if arguments.relative => {
@@ -86,6 +89,21 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
         Ok(FindingPage { sentence: &sentence, sheet, pictures, command: &command }.to_html())
     };
     to.deliver(|| report.sheet(arguments), || report.form(arguments), page)
+}
+
+/// Refuses `--boundary` where it says nothing.
+fn only_its_boundary(arguments: &DepthArguments, is_mesh: bool) -> Outcome {
+    let Some(boundary) = arguments.boundary else { return Ok(()) };
+    let fits = match boundary.closed() {
+        Some(_) => arguments.polygon.is_some(),
+        None => is_mesh,
+    };
+    if fits {
+        return Ok(());
+    }
+    let message = "--boundary closed and open are for control polygons (--polygon), and none, edge and corner for \
+                   polygon meshes (--mesh)";
+    Err(Failure::Input(message.to_owned()))
 }
 
 /// Refuses the options of distances of sets.
@@ -345,7 +363,7 @@ fn points(scheme: &Scheme, arguments: &DepthArguments) -> Result<Option<Points>,
         let message = "--polygon is for curves; a surface has a control net";
         return Err(Failure::Input(message.to_owned()));
     }
-    let closed = arguments.boundary != Some(BoundaryArgument::Open);
+    let closed = arguments.boundary.and_then(DepthBoundary::closed) != Some(false);
     let points = Points::new(&read_polygon(path, &CAPS)?, closed);
     if points.spread().is_zero() {
         let message = "--polygon: all points are the same, and so is the limit at every level";

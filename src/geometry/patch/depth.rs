@@ -87,7 +87,8 @@ impl MeshDistances {
                 "no vertex is inside the mesh, and Doo–Sabin surfaces end at the faces around inner vertices; take \
                  catmull-clark"
             } else {
-                "all faces are holes; with the boundary `none`, faces at the boundary are"
+                "all faces are holes, or at a boundary with the rules `none`; take other rules at the boundary, `edge` or \
+                 `corner`, or fewer holes"
             };
             return Err(MeshError::TooMuch { reason: format!("the surface is empty: {reason}") });
         }

@@ -97,10 +97,10 @@ impl<'a> Parsed<'a> {
             lines.wrong(counts.place(), message).with_help(HELP)
         })?;
         sizes.resize(3, 0);
-        let total = sizes.iter().try_fold(0_usize, |sum, size| sum.checked_add(*size));
-        if total != Some(rest.len()) {
+        let total = sizes.iter().fold(0_usize, |sum, size| sum.saturating_add(*size));
+        if total != rest.len() {
             let message =
-                format!("{} values after `{}`, which counts others", rest.len(), counts.text);
+                format!("`{}` announces {total} values, and {} follow", counts.text, rest.len());
             return Err(lines.wrong(extent(line), message).with_help(HELP));
         }
         let (wholes, rest) = rest.split_at(sizes[0]);

@@ -82,6 +82,8 @@ impl<'a> Geometry<'a> {
         let mut valences = weighted_valences(mesh.connectivity(), *scheme);
         let next = step_with(&control, *scheme, &stencils.map(nearest))?;
         valences.extend(weighted_valences(next.connectivity(), *scheme));
+        // Later levels have regular vertices and faces, whatever the first ones have.
+        valences.insert(if scheme.is_triangular() { 6 } else { 4 });
         let stencils = Stencils::new(*scheme, valences).map(nearest);
         let shapes = Shapes::new(Kind::Surface(*scheme));
         let (scheme, tolerance) = (*scheme, tolerance.clone());
@@ -416,6 +418,7 @@ impl Places<'_> {
         far: &FarPoint,
     ) -> GeometricPlace {
         let model = &self.distances.model;
+        // A power of two.
         let scale = nearest(&self.scale);
         let lower = far_distance(whole, far, &(&self.tolerance / &self.scale));
         let Source::Surface { mesh, .. } = &model.source else { unreachable!("a surface") };
@@ -443,7 +446,7 @@ impl Places<'_> {
             from: far.from,
             point: model.place(&far.point),
             other: model.place(&far.other),
-            distance: lower * scale * (1.0 - 1e-15),
+            distance: lower * scale,
         }
     }
 }

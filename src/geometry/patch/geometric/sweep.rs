@@ -57,14 +57,15 @@ pub(in crate::patch) fn first_far<P: Units, S: Sets>(
     })
 }
 
-/// The greatest of a few lower bounds of the distance of a far point that holds; `tolerance` is one, in the scale of
-/// the sets.
+/// The greatest of a few lower bounds of the distance of a far point that holds, above `tolerance`, which is in the
+/// scale of the sets.
 pub(in crate::patch) fn far_distance<S: Sets>(
     whole: &Whole<S>,
     far: &FarPoint,
     tolerance: &Rational,
 ) -> f64 {
-    let least = nearest(tolerance);
+    // So far it is from all of the other set already.
+    let least = nearest(tolerance).next_up();
     let greatest = length(&far.other.minus(&far.point));
     let share = |i: u32| least + (greatest - least) * f64::from(i) / 16.0;
     (0..16)

@@ -383,7 +383,8 @@ impl<'a> NetLevels<'a> {
             SetKind::Mesh => (on_mesh, on_limit),
             SetKind::Limit => (on_limit, on_mesh),
         };
-        let distance = distance * nearest(&model.scale) * (1.0 - 1e-15);
+        // The scale is a power of two.
+        let distance = distance * nearest(&model.scale);
         GeometricPlace {
             face,
             parameters: Some(parameters),
