@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, List, Optional, Sequence, Tuple
@@ -88,6 +89,14 @@ def limit_of(found: Any) -> Optional[LimitPoint]:
     point, fractions = found
     exactly = None if fractions is None else tuple(coprime(*x) for x in fractions)
     return LimitPoint(tuple(point), exactly)
+
+
+def rows_of(given: Any) -> List[Any]:
+    """Points, or rows of points, as a list."""
+    if isinstance(given, (str, os.PathLike)):
+        remedy = "the command line reads files of meshes, nets and solids"
+        raise SubcertError(f"{given!r} is no list of points", remedy=remedy)
+    return given.tolist() if hasattr(given, "tolist") else list(given)
 
 
 def points_of(rows: Sequence[Any], name: str) -> List[List[Any]]:

@@ -16,6 +16,7 @@ from ._geometry import (
     indices,
     limit_of,
     points_of,
+    rows_of,
     surface_depth_of,
 )
 from ._numbers import Number
@@ -125,7 +126,7 @@ def _mesh(vertices: Any, faces: Any, tags: Optional[Tags]) -> Tuple[Any, Any, An
 
 
 def _vertices(vertices: Any) -> List[List[Any]]:
-    rows = vertices.tolist() if hasattr(vertices, "tolist") else list(vertices)
+    rows = rows_of(vertices)
     if not rows:
         raise SubcertError("there are no vertices")
     return points_of(rows, "vertex")

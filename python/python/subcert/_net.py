@@ -14,6 +14,7 @@ from ._geometry import (
     depth_of,
     limit_of,
     points_of,
+    rows_of,
     surface_depth_of,
 )
 from ._numbers import Number
@@ -76,7 +77,7 @@ def limit_net(
 
 
 def _given(points: Any, closed: str) -> Tuple[List[List[Any]], int, str]:
-    rows: Sequence[Any] = points.tolist() if hasattr(points, "tolist") else list(points)
+    rows: Sequence[Any] = rows_of(points)
     rows = [row.tolist() if hasattr(row, "tolist") else row for row in rows]
     for i, row in enumerate(rows):
         if not isinstance(row, (list, tuple)):

@@ -16,6 +16,7 @@ from ._geometry import (
     indices,
     limit_of,
     points_of,
+    rows_of,
     surface_depth_of,
 )
 from ._numbers import Number
@@ -86,7 +87,7 @@ def solid_limit_points(points: Any, cells: Sequence[Sequence[int]]) -> List[Limi
 
 
 def _points(points: Any) -> List[List[Any]]:
-    rows = points.tolist() if hasattr(points, "tolist") else list(points)
+    rows = rows_of(points)
     if not rows:
         raise SubcertError("there are no points")
     return points_of(rows, "point")
