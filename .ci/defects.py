@@ -8,6 +8,9 @@ SUBCERT_DEFECT turns on, so that one build serves all. The tests near a defect r
 A run ends at the first test that fails. Documentation tests do not run. A defect with which the tests take longer
 than LIMIT seconds is caught too. Each is printed as a row of a table, and one that no test catches fails the run.
 Without numbers, all tests run first without any defect: they have to pass.
+
+Number 23 is not caught: finite sharpness by Chaikin's rule, of an edge that is at no vertex of a face, changes less
+than what the samples in the tests show.
 """
 
 import os
@@ -77,7 +80,7 @@ DEFECTS = [
      "certificate::coq"),
     ("src/reports/certificate/witness.rs", "axis + 1", "axis + 0", "certificate::theorems certificate::papers"),
     ("src/cli/jsr.rs", "!is_comment && !last.is_empty()", "!last.is_empty()", "cli::smoothness"),
-    ("src/cli/depth/mod.rs", "arguments.boundary != Some(BoundaryArgument::Open)", "true", "cli::polygons"),
+    ("src/cli/depth/mod.rs", "arguments.boundary.and_then(DepthBoundary::closed) != Some(false)", "true", "cli::polygons"),
     ("proofs/checker/src/sets/near.rs", "distance + radius + more <= TOLERANCE", "distance + more <= TOLERANCE",
      "depth::"),
     ("proofs/checker/src/rules/range.rs", "*sign < 0 || *sign == 0 && !below", "*sign <= 0", "rules::"),

@@ -466,6 +466,30 @@ fn a_depth_that_is_defined_rounded_down_keeps_no_promise() {
     assert_eq!(short.kept_by_sound, None);
 }
 
+/// The path whose distances are 2, 17/8, 1/2, 17/32, …: the first is within 2, but the next is not.
+#[test]
+fn a_promise_of_a_depth_is_for_all_later_levels() {
+    let table = |id: &str, promise: &str, cells: &str| {
+        format!(
+            "[[table]]\nid = '{id}'\nlocus = 'T'\nvalue = '0'\n\
+             promise = {{ {promise}, spread = '1', ring = 'path' }}\n\
+             columns = {{ name = 'x', values = ['1', '2'] }}\ncells = [[{cells}]]\n"
+        )
+    };
+    let path = "[[scheme]]\nname = 'path'\norbits = { a = '1', b = '1', c = '1' }\n\
+                edges = [['a', 'b'], ['b', 'c']]\n[scheme.weights.a]\na = '1'\n\
+                [scheme.weights.b]\na = '1'\nb = '-2'\nc = '2'\n\
+                [scheme.weights.c]\na = '7/8'\nb = '-15/8'\nc = '2'\n";
+    let depths = table("depths", "tolerance = '2'", "'0', '2'");
+    let bounds = table("bounds", "level = '0'", "'2', '1.9'");
+    let paper = paper(&[path, &depths, &bounds].concat());
+    let audit = judged(&paper);
+    let kept = |table: usize, cell: usize| audit.tables[table].cells[0][cell].kept.as_ref();
+    assert!(matches!(kept(0, 0), Some(Kept::No(broken)) if broken.level == 1), "{:?}", kept(0, 0));
+    assert_eq!((kept(0, 1), kept(1, 0)), (Some(&Kept::Yes), Some(&Kept::Yes)));
+    assert!(matches!(kept(1, 1), Some(Kept::No(broken)) if broken.level == 0));
+}
+
 /// Chaikin's polygons are up to 2^−k/2 from their limit, its nets and the points of a
 /// square face 2^−k.
 #[test]

@@ -127,6 +127,24 @@ fn a_square_is_as_far_as_its_corners() {
     assert!(says(r(3535, 10_000), None, &["limit 1/2"]).is_err());
 }
 
+/// The polygon from 0 to 10 and back is a part of its limit, which reaches beyond both ends: the new point between the
+/// two at 10 is 9/16·20 = 11.25.
+#[test]
+fn a_limit_may_be_far_from_a_polygon_that_it_holds() {
+    let line = points(&[[0, 0], [10, 0], [10, 0], [0, 0]]);
+    let scheme = parse_scheme("four-point:w=1/16").expect("a scheme");
+    let says = |tolerance: Rational, enough: Option<u32>, far: &[DepthFar]| {
+        let direction = DepthDirection { mask: scheme.masks()[0], count: 4, range: None };
+        check_depth(&depth_certificate(&tolerance, &[direction], &line, enough, far))
+    };
+    let at = |of_limit| [DepthFar { level: 0, of_limit, parameters: vec![r(3, 2)] }];
+    assert!(says(r(2, 1), Some(0), &[]).is_ok());
+    assert!(says(r(6, 5), Some(0), &[]).is_err());
+    assert!(says(r(6, 5), None, &at(true)).is_ok());
+    assert!(says(r(6, 5), None, &at(false)).is_err());
+    assert!(says(r(13, 10), None, &at(true)).is_err());
+}
+
 #[test]
 fn nothing_else_is_accepted() {
     let ring = points(&[[0, 0], [5, 1], [4, 5], [-1, 3]]);

@@ -75,6 +75,10 @@ fn radii_of_files() {
         (&"3.917384715148".into(), &"3.917384715149".into())
     );
     assert_eq!((&pair["exact"], &pair["product"]), (&true.into(), &Value::from(vec![0, 1])));
+    // A line of a comment is not empty.
+    let commented = "3 3 # a row\n# between the rows of one matrix\n-2 1\n\n-1 -1\n-4 0\n";
+    let commented = TemporaryFile::new("commented.txt", commented);
+    assert_eq!(json(["jsr", commented.path()])["upper"], pair["upper"]);
 }
 
 #[test]

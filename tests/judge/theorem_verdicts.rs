@@ -185,6 +185,7 @@ fn known_bounds_and_bounds_a_little_smaller() {
     let cases = [
         ("chaikin", "distance", "beta/2*(1/2)^k", TheoremVerdict::Proved),
         ("chaikin", "distance", "beta*49/100*(1/2)^k", TheoremVerdict::Refuted),
+        ("chaikin", "distance", "beta*beta/2*(1/2)^k/beta", TheoremVerdict::Proved),
         // False, but only from level 35 on.
         ("chaikin", "distance", "beta*(49/100)^k", TheoremVerdict::Open),
         ("chaikin", "difference", "beta*(1/2)^k", TheoremVerdict::Proved),
