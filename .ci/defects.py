@@ -82,7 +82,7 @@ DEFECTS = [
     ("src/cli/jsr.rs", "!is_comment && !last.is_empty()", "!last.is_empty()", "cli::smoothness"),
     ("src/cli/depth/mod.rs", "arguments.boundary.and_then(DepthBoundary::closed) != Some(false)", "true", "cli::polygons"),
     ("proofs/checker/src/sets/near.rs", "distance + radius + more <= TOLERANCE", "distance + more <= TOLERANCE",
-     "depth::"),
+     "certificate::depth"),
     ("proofs/checker/src/rules/range.rs", "*sign < 0 || *sign == 0 && !below", "*sign <= 0", "rules::"),
     ("proofs/checker/src/rules/growth.rs", "own.equals(&other)? && whole.2 == next.2", "own.equals(&other)?",
      "rules::"),

@@ -128,7 +128,7 @@ fn a_square_is_as_far_as_its_corners() {
 }
 
 /// The polygon from 0 to 10 and back is a part of its limit, which reaches beyond both ends: the new point between the
-/// two at 10 is 9/16·20 = 11.25.
+/// two at 10 is 9/16·20 = 11.25, and the greatest value of the limit at i/2^10 is 11.250318…, at 1517/1024.
 #[test]
 fn a_limit_may_be_far_from_a_polygon_that_it_holds() {
     let line = points(&[[0, 0], [10, 0], [10, 0], [0, 0]]);
@@ -137,12 +137,14 @@ fn a_limit_may_be_far_from_a_polygon_that_it_holds() {
         let direction = DepthDirection { mask: scheme.masks()[0], count: 4, range: None };
         check_depth(&depth_certificate(&tolerance, &[direction], &line, enough, far))
     };
-    let at = |of_limit| [DepthFar { level: 0, of_limit, parameters: vec![r(3, 2)] }];
-    assert!(says(r(2, 1), Some(0), &[]).is_ok());
-    assert!(says(r(6, 5), Some(0), &[]).is_err());
-    assert!(says(r(6, 5), None, &at(true)).is_ok());
-    assert!(says(r(6, 5), None, &at(false)).is_err());
-    assert!(says(r(13, 10), None, &at(true)).is_err());
+    let at = |of_limit, parameter| [DepthFar { level: 0, of_limit, parameters: vec![parameter] }];
+    let (less, more) = (r(12_503, 10_000), r(12_504, 10_000));
+    assert!(says(more.clone(), Some(0), &[]).is_ok());
+    assert!(says(less.clone(), Some(0), &[]).is_err());
+    assert!(says(less.clone(), None, &at(true, r(1_517, 1_024))).is_ok());
+    assert!(says(less.clone(), None, &at(true, r(3, 2))).is_err());
+    assert!(says(less, None, &at(false, r(3, 2))).is_err());
+    assert!(says(more, None, &at(true, r(1_517, 1_024))).is_err());
 }
 
 #[test]

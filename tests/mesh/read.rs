@@ -145,7 +145,10 @@ fn errors_in_obj_files() {
         ("t crease 2/1 0 1 x", "`x` is not a number"),
         ("t crease x 0 1 x", "how many"),
         ("t crease 99999999999999999999999/0/0", "how many"),
-        ("t crease 18446744073709551615/1/0 1", "1 values after"),
+        (
+            "t crease 18446744073709551615/1/0 1",
+            "announces 18446744073709551616 values, and 1 follow",
+        ),
         ("t", "without a name"),
         ("t corner 1/1/0 3 1", "vertex 3 does not exist: there are 3"),
         ("t hole 1/0/0 1", "face 1 does not exist: there are 1"),

@@ -97,8 +97,8 @@ impl<'a> Parsed<'a> {
             lines.wrong(counts.place(), message).with_help(HELP)
         })?;
         sizes.resize(3, 0);
-        let total = sizes.iter().fold(0_usize, |sum, size| sum.saturating_add(*size));
-        if total != rest.len() {
+        let total: u128 = sizes.iter().map(|&size| size as u128).sum();
+        if total != rest.len() as u128 {
             let message =
                 format!("`{}` announces {total} values, and {} follow", counts.text, rest.len());
             return Err(lines.wrong(extent(line), message).with_help(HELP));
