@@ -107,9 +107,8 @@ pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, Mes
     Ok(noted(scheme, name, file))
 }
 
-/// The mesh of a file with these rules at its boundary, or with those in the file.
-pub(super) fn with_boundary(file: MeshFile, boundary: Option<MeshBoundary>) -> MeshFile {
-    let Some(boundary) = boundary else { return file };
+/// The mesh of a file with these rules at its boundary.
+pub(super) fn with_boundary(file: MeshFile, boundary: MeshBoundary) -> MeshFile {
     let mut tags = file.mesh().tags().clone();
     tags.boundary = match boundary {
         MeshBoundary::None => Boundary::None,
@@ -185,8 +184,10 @@ impl Work {
         level: u32,
         (boundary, isolated): (Option<MeshBoundary>, Option<IsolatedArgument>),
     ) -> Result<Work, Failure> {
-        let (scheme, name, file) = read(scheme, path)?;
-        let mut file = with_boundary(file, boundary);
+        let (scheme, name, mut file) = read(scheme, path)?;
+        if let Some(boundary) = boundary {
+            file = with_boundary(file, boundary);
+        }
         let keeps = isolated == Some(IsolatedArgument::Keep);
         if !file.mesh().isolated().is_empty() {
             super::output::note(if keeps {

@@ -49,7 +49,8 @@ def mesh_depth(
     tags: Optional[Tags] = None,
 ) -> MeshDepth:
     """How many levels bring a mesh within a tolerance of its limit surface. Schemes are
-    "catmull-clark", "doo-sabin", "loop" and "loop-warren". Floats are the numbers that they are. ``tags`` say what is sharp.
+    "catmull-clark", "doo-sabin", "loop" and "loop-warren". Floats are the numbers that they are.
+    ``tags`` say what is sharp.
 
     >>> cube = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
     >>> faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]

@@ -2,6 +2,7 @@
 
 use super::meshes::{ClosedArgument, MeshBoundary};
 use super::{FindingFormat, FindingOutput, Output, Valences};
+use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -201,37 +202,27 @@ pub(in crate::cli) enum BoundaryArgument {
 }
 
 /// The boundary of a control polygon or of a polygon mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::cli) enum DepthBoundary {
-    /// The last point is followed by the first
-    Closed,
-    /// Only rules whose points all exist are applied
-    Open,
-    /// Faces at the boundary of the mesh are holes
-    None,
-    /// The B-spline of the boundary polygon of the mesh
-    Edge,
-    /// The same, with a corner at each vertex of one face
-    Corner,
+    Polygon(BoundaryArgument),
+    Mesh(MeshBoundary),
 }
 
-impl DepthBoundary {
-    /// Of a control polygon: whether it is closed.
-    pub(in crate::cli) fn closed(self) -> Option<bool> {
-        match self {
-            DepthBoundary::Closed => Some(true),
-            DepthBoundary::Open => Some(false),
-            DepthBoundary::None | DepthBoundary::Edge | DepthBoundary::Corner => None,
-        }
+impl ValueEnum for DepthBoundary {
+    fn value_variants<'a>() -> &'a [DepthBoundary] {
+        &[
+            DepthBoundary::Polygon(BoundaryArgument::Closed),
+            DepthBoundary::Polygon(BoundaryArgument::Open),
+            DepthBoundary::Mesh(MeshBoundary::None),
+            DepthBoundary::Mesh(MeshBoundary::Edge),
+            DepthBoundary::Mesh(MeshBoundary::Corner),
+        ]
     }
 
-    /// Of a polygon mesh.
-    pub(in crate::cli) fn of_mesh(self) -> Option<MeshBoundary> {
+    fn to_possible_value(&self) -> Option<PossibleValue> {
         match self {
-            DepthBoundary::Closed | DepthBoundary::Open => None,
-            DepthBoundary::None => Some(MeshBoundary::None),
-            DepthBoundary::Edge => Some(MeshBoundary::Edge),
-            DepthBoundary::Corner => Some(MeshBoundary::Corner),
+            DepthBoundary::Polygon(boundary) => boundary.to_possible_value(),
+            DepthBoundary::Mesh(boundary) => boundary.to_possible_value(),
         }
     }
 }

@@ -64,11 +64,11 @@ impl FacesFormat {
     }
 }
 
-/// The faces that are no holes, with their rows and vertices.
-fn without_holes<'a>(
+/// The faces that are no holes, with what each has of a list for all faces, and their vertices.
+pub(super) fn without_holes<'a, T>(
     mesh: &'a PolygonMesh<Rational>,
-    rows: &'a [FaceRow],
-) -> impl Iterator<Item = (usize, &'a FaceRow, &'a Vec<usize>)> {
+    rows: &'a [T],
+) -> impl Iterator<Item = (usize, &'a T, &'a Vec<usize>)> {
     let holes = mesh.tags().holes(mesh.connectivity());
     let all = rows.iter().zip(mesh.faces()).enumerate();
     all.filter(move |(face, _)| !holes.contains(face)).map(|(face, (row, own))| (face, row, own))

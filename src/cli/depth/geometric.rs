@@ -1,6 +1,6 @@
 //! The depth of one polygon mesh, one net or the boundary of one solid by its distance from the limit as sets of points.
 
-use super::faces::{FaceRow, FacesFormat};
+use super::faces::{FaceRow, FacesFormat, without_holes};
 use super::kind::Kind;
 use super::numbers::{digits, few_text, levels, point};
 use super::promise::Formula;
@@ -10,7 +10,6 @@ use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, geometric_depth as form, mesh_depth};
 use crate::cli::output::{Failure, Outcome};
 use crate::cli::progress::Progress;
-use std::collections::BTreeSet;
 use subcert::exact::{Rational, format::short};
 use subcert::float::{shortest, upper};
 use subcert::mesh::{MeshError, MeshScheme, Point, PolygonMesh};
@@ -111,14 +110,10 @@ impl Faces {
         depths: Vec<FaceDepth>,
         mut distances: Vec<[f64; 2]>,
         tolerance: &Rational,
-        holes: &BTreeSet<usize>,
     ) -> Faces {
         // The level is sufficient for all.
         for bounds in &mut distances {
             bounds[1] = bounds[1].min(upper(tolerance));
-        }
-        for &hole in holes {
-            distances[hole] = [0.0; 2];
         }
         Faces { depths, distances }
     }
@@ -150,11 +145,9 @@ impl Faces {
 
     /// How many faces but holes there are at one level for all, and where each face has its own.
     fn counts(&self, mesh: &PolygonMesh<Rational>, growth: Growth, level: u32) -> [f64; 2] {
-        let holes = mesh.tags().holes(mesh.connectivity());
-        let faces = mesh.faces().iter().zip(&self.depths).enumerate();
-        let faces = faces.filter(|(face, _)| !holes.contains(face)).map(|(_, face)| face);
-        let own = faces.clone().map(|(face, own)| growth.count(face, own.level)).sum();
-        [faces.map(|(face, _)| growth.count(face, level)).sum(), own]
+        without_holes(mesh, &self.depths).fold([0.0; 2], |[all, each], (_, own, vertices)| {
+            [all + growth.count(vertices, level), each + growth.count(vertices, own.level)]
+        })
     }
 }
 
@@ -184,7 +177,7 @@ impl Surface {
         let faces = if arguments.per_face.is_some() || arguments.output.is_page() {
             let depths = distances.geometric_faces(tolerance, surface)?;
             let bounds = distances.geometric_distances(found.level, tolerance, surface)?;
-            Some(Faces::new(depths, bounds, tolerance, &mesh.tags().holes(mesh.connectivity())))
+            Some(Faces::new(depths, bounds, tolerance))
         } else {
             None
         };

@@ -26,7 +26,10 @@ use subcert::report::html::{FindingPage, Picture};
 pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destination) -> Outcome {
     let asked = positive("--tolerance", &arguments.tolerance)?;
     let (scheme, name, file) = read(&arguments.scheme, path)?;
-    let file = with_boundary(file, arguments.boundary.and_then(DepthBoundary::of_mesh));
+    let file = match arguments.boundary {
+        Some(DepthBoundary::Mesh(boundary)) => with_boundary(file, boundary),
+        _ => file,
+    };
     let (geometric, tolerance) = measure(file.mesh().points(), arguments, &asked, "mesh")?;
     let refused = |error| failure(&file, &error);
     let guaranteed = a_priori(file.mesh(), scheme, &tolerance).map_err(refused)?;

@@ -23,7 +23,7 @@ mod solid;
 mod surface;
 
 use super::arguments::{
-    DepthArguments, DepthBoundary, DistanceArgument, FacesArgument, FindingFormat,
+    BoundaryArgument, DepthArguments, DepthBoundary, DistanceArgument, FacesArgument, FindingFormat,
 };
 use super::finding::{Destination, command};
 use super::geometry::Geometry;
@@ -94,9 +94,9 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
 /// Refuses `--boundary` where it says nothing.
 fn only_its_boundary(arguments: &DepthArguments, is_mesh: bool) -> Outcome {
     let Some(boundary) = arguments.boundary else { return Ok(()) };
-    let fits = match boundary.closed() {
-        Some(_) => arguments.polygon.is_some(),
-        None => is_mesh,
+    let fits = match boundary {
+        DepthBoundary::Polygon(_) => arguments.polygon.is_some(),
+        DepthBoundary::Mesh(_) => is_mesh,
     };
     if fits {
         return Ok(());
@@ -363,7 +363,7 @@ fn points(scheme: &Scheme, arguments: &DepthArguments) -> Result<Option<Points>,
         let message = "--polygon is for curves; a surface has a control net";
         return Err(Failure::Input(message.to_owned()));
     }
-    let closed = arguments.boundary.and_then(DepthBoundary::closed) != Some(false);
+    let closed = arguments.boundary != Some(DepthBoundary::Polygon(BoundaryArgument::Open));
     let points = Points::new(&read_polygon(path, &CAPS)?, closed);
     if points.spread().is_zero() {
         let message = "--polygon: all points are the same, and so is the limit at every level";

@@ -13,7 +13,6 @@ use crate::cli::finding::Destination;
 use crate::cli::net::{NetFile, NetInput, failure};
 use crate::cli::output::{Failure, Outcome, positive};
 use crate::cli::progress::Progress;
-use std::collections::BTreeSet;
 use subcert::patch::{
     APriori, FaceSurface, NET_FORMULA_PAPER, NetDistances, net_a_priori, net_formula_level,
 };
@@ -54,7 +53,7 @@ pub(super) fn net_depth(
         let faces = if per_face.is_some() || arguments.output.is_page() {
             let depths = distances.geometric_faces(&tolerance).map_err(failure)?;
             let bounds = distances.geometric_distances(found.level, &tolerance).map_err(failure)?;
-            Some(Faces::new(depths, bounds, &tolerance, &BTreeSet::new()))
+            Some(Faces::new(depths, bounds, &tolerance))
         } else {
             None
         };

@@ -1,6 +1,7 @@
 //! The least level whose mesh is within a tolerance of the limit surface as a set of points.
 
 use super::super::depth::MeshDistances;
+use super::super::levels::Source;
 use super::level::Geometry;
 use super::levels::{Levels as _, distances};
 use super::patch::FaceSurface;
@@ -47,7 +48,7 @@ impl MeshDistances {
 
     /// For each face of the control mesh a lower and an upper bound of the distance, at a level, of its part of the mesh
     /// and its part of the limit from the whole other set: with upper bounds ε, ε/2, ε/4 or ε/8, or infinite
-    /// where ε is none.
+    /// where ε is none. Holes are neither: they have 0.
     ///
     /// # Errors
     /// As [`geometric_depth`](Self::geometric_depth).
@@ -57,7 +58,14 @@ impl MeshDistances {
         tolerance: &Rational,
         surface: FaceSurface,
     ) -> Result<Vec<[f64; 2]>, MeshError> {
-        distances(level, tolerance, |tolerance| Geometry::new(self, surface, tolerance))
+        let mut bounds =
+            distances(level, tolerance, |tolerance| Geometry::new(self, surface, tolerance))?;
+        if let Source::Surface { mesh, .. } = &self.model.source {
+            for hole in mesh.tags().holes(mesh.connectivity()) {
+                bounds[hole] = [0.0; 2];
+            }
+        }
+        Ok(bounds)
     }
 
     /// What each face of the control mesh needs: its part of the mesh of a level, and its part of the limit, are
