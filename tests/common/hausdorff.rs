@@ -5,8 +5,9 @@ use std::collections::HashMap;
 
 pub type P = [f64; 3];
 
+// Tests are not optimised: what is called most has no closures.
 fn add(p: P, q: P, factor: f64) -> P {
-    [0, 1, 2].map(|i| p[i] + factor * q[i])
+    [p[0] + factor * q[0], p[1] + factor * q[1], p[2] + factor * q[2]]
 }
 
 fn mean(points: impl IntoIterator<Item = P>) -> P {
@@ -306,8 +307,14 @@ impl Tree {
     }
 
     fn box_distance(&self, p: P) -> f64 {
-        let out = [0, 1, 2].map(|i| (self.low[i] - p[i]).max(p[i] - self.high[i]).max(0.0));
-        dot(out, out)
+        let mut square = 0.0;
+        for i in 0..3 {
+            let out = if p[i] < self.low[i] { self.low[i] - p[i] } else { p[i] - self.high[i] };
+            if out > 0.0 {
+                square += out * out;
+            }
+        }
+        square
     }
 
     /// Lowers `best` to the squared distance of a point.
@@ -349,14 +356,15 @@ fn to_triangle(p: P, [a, b, c]: &[P; 3]) -> f64 {
             return dot(off, off);
         }
     }
-    let to_edge = |from: &P, to: &P| {
-        let (way, off) = (add(*to, *from, -1.0), add(p, *from, -1.0));
-        let square = dot(way, way);
-        let t = if square > 0.0 { (dot(way, off) / square).clamp(0.0, 1.0) } else { 0.0 };
-        let off = add(off, way, -t);
-        dot(off, off)
-    };
-    to_edge(a, b).min(to_edge(b, c)).min(to_edge(c, a))
+    let (off, way) = (add(p, *b, -1.0), add(*c, *b, -1.0));
+    to_edge(w, u, uu).min(to_edge(w, v, vv)).min(to_edge(off, way, dot(way, way)))
+}
+
+/// The squared distance of a point from an edge: where the point is seen from one end, and the other end, of this square.
+fn to_edge(off: P, way: P, square: f64) -> f64 {
+    let t = if square > 0.0 { (dot(way, off) / square).clamp(0.0, 1.0) } else { 0.0 };
+    let off = add(off, way, -t);
+    dot(off, off)
 }
 
 fn farthest(points: impl Iterator<Item = P>, tree: &Tree, start: f64) -> f64 {

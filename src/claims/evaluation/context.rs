@@ -44,6 +44,8 @@ pub(crate) struct TableContext<'a> {
     pub(crate) given: BTreeMap<String, Rational>,
     /// The values of unstated parameters that are assumed or recovered.
     pub(crate) assumed: BTreeMap<String, Rational>,
+    /// The rounding intervals of the tolerances that are headers, in their order.
+    tolerances: Vec<Option<(Rational, Rational)>>,
 }
 
 impl<'a> TableContext<'a> {
@@ -61,14 +63,29 @@ impl<'a> TableContext<'a> {
         assumed.extend(recovered.iter().map(|(name, value)| (name.clone(), value.clone())));
         let header = |name: &String| table.axes().any(|axis| axis.name() == Some(name));
         given.retain(|name, _| !table.unstated.contains_key(name) && !header(name));
-        Ok(TableContext { paper, table, library, given, assumed })
+        let mut context =
+            TableContext { paper, table, library, given, assumed, tolerances: Vec::new() };
+        let interval = |entry: &AxisEntry| {
+            let text = entry.read.as_ref().unwrap_or(&entry.printed);
+            parse_decimal(text).ok().map(|decimal| decimal.interval())
+        };
+        let tolerances =
+            table.axes().find(|axis| context.tolerance(axis)).map(|axis| &axis.entries);
+        context.tolerances = tolerances.into_iter().flatten().map(interval).collect();
+        Ok(context)
+    }
+
+    /// The rounding interval of a header that is a tolerance; `None` of other headers, and where it is no
+    /// decimal.
+    pub(crate) fn rounding(&self, axis: &Axis, place: usize) -> Option<&(Rational, Rational)> {
+        self.tolerances.get(place).filter(|_| self.tolerance(axis))?.as_ref()
     }
 
     pub(crate) fn scope<'s>(
         &'s self,
         at: At<'s>,
         functions: &'s Quantities<'s>,
-        known: &Known,
+        known: &'s Known,
     ) -> Scope<'s, RealCyclotomic> {
         let definitions = at.settings.definitions.as_deref().unwrap_or(&self.paper.definitions);
         let mut scope = Scope::new(definitions, functions);
@@ -83,9 +100,7 @@ impl<'a> TableContext<'a> {
                 None => scope.with_unstated(name),
             };
         }
-        for (name, value) in known {
-            scope = scope.with(name, value.clone());
-        }
+        scope = scope.with_all(known);
         for (name, value) in self.header_values(at) {
             scope = scope.with(name, value.into());
         }
@@ -100,7 +115,7 @@ impl<'a> TableContext<'a> {
         axes.filter_map(move |(axis, place)| {
             let (name, value) = axis.value(place)?;
             let other = at.settings.parameters.get(name).cloned();
-            let own = || self.header(axis, &axis.entries[place], value, at.settings);
+            let own = || self.header(axis, place, value, at.settings);
             Some((name, other.unwrap_or_else(own)))
         })
     }
@@ -116,21 +131,11 @@ impl<'a> TableContext<'a> {
     }
 
     /// The value of a header. Under some readings a tolerance is an end of its rounding interval.
-    fn header(
-        &self,
-        axis: &Axis,
-        entry: &AxisEntry,
-        value: &Rational,
-        settings: &Settings,
-    ) -> Rational {
+    fn header(&self, axis: &Axis, place: usize, value: &Rational, settings: &Settings) -> Rational {
         let Some(word) = settings.word(&HEADER) else { return value.clone() };
-        let text = entry.read.as_ref().unwrap_or(&entry.printed);
-        let decimal = self.tolerance(axis).then(|| parse_decimal(text).ok()).flatten();
-        let Some(decimal) = decimal else {
-            return value.clone();
-        };
-        let (low, high) = decimal.interval();
-        if word == "less" { low } else { high }
+        let interval = self.rounding(axis, place);
+        let end = interval.map(|(low, high)| if word == "less" { low } else { high });
+        end.unwrap_or(value).clone()
     }
 
     /// Whether the cells are depths.
@@ -188,7 +193,8 @@ impl<'a> TableContext<'a> {
         let other = at.settings.scheme.and_then(|place| references(self.paper).get(place).copied());
         let located = other.or_else(|| self.table.scheme_at(at.row, at.column));
         let Some(located) = located else { return Ok(quantities) };
-        let scope = self.scope(at, &quantities, &Known::new());
+        let known = Known::new();
+        let scope = self.scope(at, &quantities, &known);
         match self.library.resolve(&located.reference, &scope) {
             Ok(scheme) => {
                 quantities.scheme = Some(scheme);
@@ -208,7 +214,8 @@ impl<'a> TableContext<'a> {
             Ok(quantities) => quantities,
             Err(outcome) => return Ok(Err(outcome)),
         };
-        let scope = self.scope(at, &quantities, &Known::new());
+        let known = Known::new();
+        let scope = self.scope(at, &quantities, &known);
         match self.library.ring_at(&located.reference, &scope) {
             Ok(ring) => Ok(Ok(ring)),
             Err(error) => Self::unresolved(located, error).map(Err),

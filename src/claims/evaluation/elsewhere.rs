@@ -8,7 +8,7 @@ use crate::evaluation::quantity::Quantities;
 use crate::evaluation::reference::Unresolved;
 use crate::evaluation::settings::{RowValues, Settings};
 use crate::evaluation::table::Evaluator;
-use crate::exact::{Rational, RealCyclotomic, parse_decimal};
+use crate::exact::{Rational, RealCyclotomic};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -159,15 +159,13 @@ impl Evaluator<'_> {
         let in_rows = std::ptr::eq(axis, &raw const self.table.columns);
         let there = if in_rows { At { row: line, ..at } } else { At { column: line, ..at } };
         let (name, printed) = axis.value(place)?;
-        let entry = &axis.entries[place];
-        let text = entry.read.as_ref().unwrap_or(&entry.printed);
-        let (low, high) = parse_decimal(text).ok()?.interval();
+        let (low, high) = self.rounding(axis, place)?;
         let call = self.logarithm(there)?;
         let (ratio, x) = (call.ratio.as_rational()?, call.x.as_rational()?);
         let level = self.library.log_level(&call.ratio, &call.x, Rounded::Nearest).ok()?;
         let power = ratio.pow(i32::try_from(level).ok()?);
         let value = &(printed * &power) / x;
-        if !(&low..=&high).contains(&&value) {
+        if !(low..=high).contains(&&value) {
             return None;
         }
         let settings = at.settings.with_parameter(name, &value);

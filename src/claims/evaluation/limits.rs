@@ -103,7 +103,7 @@ impl LimitScheme<'_> {
         let given = values(&self.paper.given)?.into_iter();
         let own = values(self.given)?;
         for (name, value) in given.filter(|(name, _)| !own.contains_key(name)).chain(own.clone()) {
-            scope = scope.with(&name, V::from_rational(&value));
+            scope = scope.with(name, V::from_rational(&value));
         }
         Ok(scope)
     }

@@ -120,7 +120,7 @@ pub(crate) fn of_cell(
 fn cell_scope<'s>(
     judge: &'s Evaluator<'_>,
     at: At<'s>,
-    parameter: &str,
+    parameter: &'s str,
     functions: &'s Constants<'s>,
 ) -> Scope<'s, Parametric> {
     let definitions = at.settings.definitions.as_deref().unwrap_or(&judge.paper.definitions);

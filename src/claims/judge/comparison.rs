@@ -51,7 +51,7 @@ impl Comparison<'_> {
 
     fn scope<'s>(
         &'s self,
-        case: &Case,
+        case: &'s Case,
         functions: &'s Coefficients<'s, Polynomial>,
         member: &'s dyn Fn(&str) -> Polynomial,
     ) -> Result<Scope<'s, Polynomial>, Diagnostic> {
@@ -86,7 +86,7 @@ impl Comparison<'_> {
                 return Err(Diagnostic::new(&right.source, right.span.clone(), message)
                     .with_help("give it a value too, or name its family in `symbols`"));
             }
-            scope = scope.with(&name, value);
+            scope = scope.with(name, value);
         }
         Ok(scope)
     }

@@ -56,7 +56,7 @@ impl<'a> Values<'a> {
     ) -> Result<RealExpression, Diagnostic> {
         let mut scope = Scope::new(self.definitions, &());
         for (name, value) in &self.constants {
-            scope = scope.with(name, value.clone());
+            scope = scope.with(*name, value.clone());
         }
         for &(name, value) in indices {
             scope = scope.with(name, RealExpression::from(Rational::from(value)));

@@ -3,7 +3,8 @@
 use super::scheme::MeshScheme;
 use crate::exact::{Rational, RealCyclotomic, Scalar};
 use crate::scheme::{LocalRules, parse_local_rules};
-use std::collections::BTreeMap;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, HashMap};
 
 /// The weights of a scheme for all valences of a mesh.
 #[derive(Clone, Debug)]
@@ -47,7 +48,18 @@ impl<S> Stencils<S> {
     }
 }
 
+thread_local! {
+    /// The weights so far: around an edge whose sharpness falls, the same valences come back at every level.
+    static ROWS: RefCell<HashMap<(MeshScheme, usize), Vec<RealCyclotomic>>> = RefCell::default();
+}
+
 fn row(scheme: MeshScheme, n: usize) -> Vec<RealCyclotomic> {
+    ROWS.with_borrow_mut(|rows| {
+        rows.entry((scheme, n)).or_insert_with(|| of_catalogue(scheme, n)).clone()
+    })
+}
+
+fn of_catalogue(scheme: MeshScheme, n: usize) -> Vec<RealCyclotomic> {
     let parameter = if scheme == MeshScheme::DooSabin { "n" } else { "N" };
     let ring: LocalRules = parse_local_rules(&format!("{}:{parameter}={n}", scheme.name()))
         .expect("the catalogue has rules for every valence");

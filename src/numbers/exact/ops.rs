@@ -9,12 +9,14 @@ macro_rules! binary_operator {
      $compute:path, $in_place:path) => {
         impl std::ops::$trait<&$type> for &$type {
             type Output = $type;
+            #[inline]
             fn $method(self, other: &$type) -> $type {
                 $compute(self, other)
             }
         }
         impl std::ops::$trait<$type> for $type {
             type Output = $type;
+            #[inline]
             fn $method(mut self, other: $type) -> $type {
                 $in_place(&mut self, &other);
                 self
@@ -22,6 +24,7 @@ macro_rules! binary_operator {
         }
         impl std::ops::$trait<&$type> for $type {
             type Output = $type;
+            #[inline]
             fn $method(mut self, other: &$type) -> $type {
                 $in_place(&mut self, other);
                 self
@@ -29,11 +32,13 @@ macro_rules! binary_operator {
         }
         impl std::ops::$trait<$type> for &$type {
             type Output = $type;
+            #[inline]
             fn $method(self, other: $type) -> $type {
                 $compute(self, &other)
             }
         }
         impl std::ops::$assign<&$type> for $type {
+            #[inline]
             fn $assign_method(&mut self, other: &$type) {
                 $in_place(self, other);
             }

@@ -218,7 +218,7 @@ impl Mul for &IntegerPolynomial {
         let mut product = vec![Integer::zero(); length];
         for (i, a) in self.coefficients.iter().enumerate() {
             for (j, b) in other.coefficients.iter().enumerate() {
-                product[i + j] += &(a * b);
+                product[i + j].add_product(a, b);
             }
         }
         IntegerPolynomial::new(product)

@@ -5,6 +5,7 @@ use super::error::CallError;
 use super::evaluate::evaluate_with;
 use super::located::LocatedFormula;
 use super::value::Value;
+use std::borrow::Cow;
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -32,13 +33,21 @@ impl<V> Functions<V> for () {
 /// formula is evaluated where it is used, so it sees the indices of the sums around its
 /// use.
 pub struct Scope<'a, V> {
-    values: BTreeMap<String, V>,
-    unstated: BTreeSet<String>,
-    families: BTreeMap<String, &'a dyn Fn(&str) -> V>,
+    /// Of equal names the last one counts.
+    values: Vec<Given<'a, V>>,
+    unstated: Vec<&'a str>,
+    families: BTreeMap<&'a str, &'a dyn Fn(&str) -> V>,
     definitions: &'a BTreeMap<String, LocatedFormula>,
     functions: &'a dyn Functions<V>,
     depth: Cell<usize>,
     work: Work,
+}
+
+/// Names with values. A scope is built for every cell and every reading of a table, so it copies
+/// neither names nor tables of values.
+enum Given<'a, V> {
+    One(Cow<'a, str>, V),
+    All(&'a BTreeMap<String, V>),
 }
 
 impl<'a, V: Value> Scope<'a, V> {
@@ -49,8 +58,8 @@ impl<'a, V: Value> Scope<'a, V> {
         functions: &'a dyn Functions<V>,
     ) -> Scope<'a, V> {
         Scope {
-            values: BTreeMap::new(),
-            unstated: BTreeSet::new(),
+            values: Vec::new(),
+            unstated: Vec::new(),
             families: BTreeMap::new(),
             definitions,
             functions,
@@ -61,8 +70,15 @@ impl<'a, V: Value> Scope<'a, V> {
 
     /// Gives `name` a value; it hides a definition of that name.
     #[must_use]
-    pub fn with(mut self, name: &str, value: V) -> Scope<'a, V> {
-        self.values.insert(name.to_owned(), value);
+    pub fn with(mut self, name: impl Into<Cow<'a, str>>, value: V) -> Scope<'a, V> {
+        self.values.push(Given::One(name.into(), value));
+        self
+    }
+
+    /// Gives each of these names its value, as [`Scope::with`] does.
+    #[must_use]
+    pub fn with_all(mut self, values: &'a BTreeMap<String, V>) -> Scope<'a, V> {
+        self.values.push(Given::All(values));
         self
     }
 
@@ -70,25 +86,32 @@ impl<'a, V: Value> Scope<'a, V> {
     /// member's full name. A value given to a single member by [`Scope::with`] takes
     /// precedence.
     #[must_use]
-    pub fn with_family(mut self, name: &str, member: &'a dyn Fn(&str) -> V) -> Scope<'a, V> {
-        self.families.insert(name.to_owned(), member);
+    pub fn with_family(mut self, name: &'a str, member: &'a dyn Fn(&str) -> V) -> Scope<'a, V> {
+        self.families.insert(name, member);
         self
     }
 
     /// Adds the parameter `name` without a value.
     #[must_use]
-    pub fn with_unstated(mut self, name: &str) -> Scope<'a, V> {
-        self.unstated.insert(name.to_owned());
+    pub fn with_unstated(mut self, name: &'a str) -> Scope<'a, V> {
+        self.unstated.push(name);
         self
+    }
+
+    fn given(&self, name: &str) -> Option<&V> {
+        self.values.iter().rev().find_map(|given| match given {
+            Given::One(own, value) => (own == name).then_some(value),
+            Given::All(values) => values.get(name),
+        })
     }
 }
 
 impl<V: Value> Context<V> for Scope<'_, V> {
     fn name(&self, name: &str, indices: &[(String, V)]) -> Result<Lookup<V>, CallError> {
-        if let Some(value) = self.values.get(name) {
+        if let Some(value) = self.given(name) {
             return Ok(Lookup::Found(value.clone()));
         }
-        if self.unstated.contains(name) {
+        if self.unstated.contains(&name) {
             return Ok(Lookup::Unstated);
         }
         if let Some((family, _)) = name.split_once('[')
@@ -113,9 +136,15 @@ impl<V: Value> Context<V> for Scope<'_, V> {
     }
 
     fn names(&self) -> Vec<String> {
-        let names = self.values.keys().chain(&self.unstated).chain(self.definitions.keys());
-        let names = names.chain(self.families.keys());
-        names.cloned().collect::<BTreeSet<String>>().into_iter().collect()
+        let mut names: BTreeSet<&str> = self.definitions.keys().map(String::as_str).collect();
+        names.extend(self.unstated.iter().chain(self.families.keys()));
+        for given in &self.values {
+            match given {
+                Given::One(name, _) => names.extend([&**name]),
+                Given::All(values) => names.extend(values.keys().map(String::as_str)),
+            }
+        }
+        names.into_iter().map(str::to_owned).collect()
     }
 
     fn work(&self) -> Option<&Work> {

@@ -1,6 +1,6 @@
 //! Subdivision depths: the least level at which a bound meets a tolerance.
 
-use crate::exact::Rational;
+use crate::exact::{Integer, Rational};
 
 /// The greatest depth that is computed.
 pub const MAX_DEPTH: u32 = 100_000;
@@ -72,14 +72,10 @@ pub fn log_level(ratio: &Rational, x: &Rational, rounded: Rounded) -> Result<u32
             Ok(if exact { up } else { up.saturating_sub(1) })
         }
         Rounded::Nearest => {
-            // ⌊t + 1/2⌋ for t = log_ratio(x): the greatest k with ratio^(2k−1) ≥ x².
-            let (mut low, mut high) = (0, least_level(&Rational::one(), ratio, x)?);
-            let square = x * x;
-            while low < high {
-                let k = low + (high - low).div_ceil(2);
-                if ratio.pow((2 * k).cast_signed() - 1) >= square { low = k } else { high = k - 1 }
-            }
-            Ok(low)
+            // ⌊t + 1/2⌋ for t = log_ratio(x) is k = ⌈t⌉ if ratio^(2k−1) ≥ x², and k − 1 otherwise.
+            let up = least_level(&Rational::one(), ratio, x)?;
+            let nearer = up == 0 || ratio.pow((2 * up).cast_signed() - 1) >= x * x;
+            Ok(if nearer { up } else { up - 1 })
         }
     }
 }
@@ -126,23 +122,30 @@ pub fn least_level(
     let right = tolerance.numerator() * factor.denominator();
     let (p, q) = (ratio.numerator(), ratio.denominator());
     let limit = u32::try_from(MAX_POWER_BITS / q.bits()).unwrap_or(MAX_DEPTH).min(MAX_DEPTH);
-    let meets = |k: u32| &left * p.pow(k) <= &right * q.pow(k);
-    least(limit, meets).ok_or(DepthError::TooDeep)
+    least(limit, [left, right], [p, q]).ok_or(DepthError::TooDeep)
 }
 
-/// The least k in 1, …, `limit` with `meets(k)`, found by doubling and then by bisection;
-/// `None` if there is none. Once `meets` is true, it must stay true for all greater k.
-fn least(limit: u32, meets: impl Fn(u32) -> bool) -> Option<u32> {
-    let (mut low, mut high) = (0, limit.min(1));
-    while !meets(high) {
-        if high == limit {
-            return None;
+/// The least k in 1, …, `limit` with left·p^k ≤ right·q^k, where p < q and left > right; `None` if there is
+/// none. The greatest k with left·p^k > right·q^k is found digit by digit, from squares of squares of p and q.
+fn least(limit: u32, [left, right]: [Integer; 2], [p, q]: [Integer; 2]) -> Option<u32> {
+    let times =
+        |sides: &[Integer; 2], power: &[Integer; 2]| [&sides[0] * &power[0], &sides[1] * &power[1]];
+    let meets = |sides: &[Integer; 2]| sides[0] <= sides[1];
+    let mut powers = vec![[p, q]];
+    let (mut sides, mut step) = ([left, right], 1);
+    while let Some(last) = powers.last().filter(|_| 2 * step <= limit)
+        && !meets(&times(&sides, last))
+    {
+        powers.push(times(last, last));
+        step *= 2;
+    }
+    let mut greatest = 0;
+    for power in powers.iter().rev() {
+        let next = times(&sides, power);
+        if greatest + step <= limit && !meets(&next) {
+            (sides, greatest) = (next, greatest + step);
         }
-        (low, high) = (high, (2 * high).min(limit));
+        step /= 2;
     }
-    while high - low > 1 {
-        let middle = low + (high - low) / 2;
-        if meets(middle) { high = middle } else { low = middle }
-    }
-    Some(high)
+    (greatest < limit).then_some(greatest + 1)
 }

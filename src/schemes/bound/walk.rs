@@ -54,7 +54,7 @@ impl Kernel for Integer {
         self.is_zero()
     }
     fn accumulate(&mut self, x: &Integer, y: &Integer) {
-        *self += &(x * y);
+        self.add_product(x, y);
     }
 }
 

@@ -355,7 +355,7 @@ fn combine(sparse: &Sparse, rows: &[Vec<Integer>]) -> Vec<Integer> {
 fn add_combination(sum: &mut [Integer], sparse: &Sparse, rows: &[Vec<Integer>]) {
     for (at, coefficient) in sparse {
         for (total, entry) in sum.iter_mut().zip(&rows[*at]) {
-            *total += &(coefficient * entry);
+            total.add_product(coefficient, entry);
         }
     }
 }

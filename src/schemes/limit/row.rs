@@ -75,7 +75,7 @@ impl Refinement {
             // before the first point.
             let place = |j: usize| (start + j).saturating_sub(width - 1).min(last);
             (0..).zip(rule).fold(Integer::zero(), |mut sum, (j, entry)| {
-                sum += &(entry * &points[place(j)]);
+                sum.add_product(entry, &points[place(j)]);
                 sum
             })
         };
@@ -100,7 +100,7 @@ impl Refinement {
             let start = usize::try_from(i.div_euclid(self.arity) - first).expect("first is least");
             let rule = usize::try_from(i.rem_euclid(self.arity)).expect("a residue");
             for (to, entry) in coefficients[start..].iter_mut().zip(&self.common.numerators[rule]) {
-                *to += &(coefficient * entry);
+                to.add_product(coefficient, entry);
             }
         }
         Row { first: first + self.offset, coefficients }

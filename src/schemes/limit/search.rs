@@ -27,10 +27,12 @@ pub(super) enum Goal {
 }
 
 impl Goal {
-    fn settles(&self, bound: &Fraction, best: &Rational) -> bool {
+    /// The greatest bound that meets the goal, if this is the greatest value found; `None` if every
+    /// bound does.
+    fn enough(&self, best: &Rational) -> Option<Fraction> {
         match self {
-            Goal::Width(width) => *bound <= Fraction::from(&(best + width)),
-            Goal::Threshold(threshold) => *bound <= Fraction::from(threshold) || best > threshold,
+            Goal::Width(width) => Some(Fraction::from(&(best + width))),
+            Goal::Threshold(threshold) => (best <= threshold).then(|| Fraction::from(threshold)),
         }
     }
 }
@@ -82,9 +84,14 @@ impl<'a> Search<'a> {
     pub(super) fn run(&mut self, goal: &Goal, best: &mut Best) -> Rational {
         let mut upper = Fraction::from(&best.value);
         let mut stack = self.bounded(self.start(), None, best);
+        let (mut found, mut enough) = (best.value.clone(), goal.enough(&best.value));
         while let Some((bound, cell)) = stack.pop() {
+            if best.value != found {
+                (found, enough) = (best.value.clone(), goal.enough(&best.value));
+            }
             let deep = cell.level >= self.level + MAX_DEEPER;
-            if deep || goal.settles(&bound, &best.value) || !self.takes(&cell) {
+            let settled = enough.as_ref().is_none_or(|enough| bound <= *enough);
+            if deep || settled || !self.takes(&cell) {
                 upper = upper.max(bound);
                 continue;
             }

@@ -213,7 +213,7 @@ impl SchemeDefinition {
             scope = scope.with(name, value.clone());
         }
         for (name, index) in indices {
-            scope = scope.with(name, V::from_rational(&Rational::from(*index)));
+            scope = scope.with(*name, V::from_rational(&Rational::from(*index)));
         }
         evaluate(&formula.expr, &scope)
             .map_err(|error| SchemeError::File(Box::new(formula.diagnostic(&error))))

@@ -144,7 +144,7 @@ fn no_limit_point_is_farther_away_than_certified() {
         // Open and closed nets in turn.
         let net = bumpy(10, 11, CLOSED[2 * (i % 2)]);
         for tolerance in [r(1, 1), r(1, 20)] {
-            attack(&net, name, &tolerance, 40);
+            attack(&net, name, &tolerance, 24);
         }
     }
 }
@@ -158,7 +158,7 @@ proptest! {
         name in prop::sample::select(&NAMES[..]),
         (p, q) in (1_i64..30, 1_i64..20),
     ) {
-        attack(&net, name, &r(p, q), 40);
+        attack(&net, name, &r(p, q), 24);
     }
 }
 

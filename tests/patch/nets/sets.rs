@@ -158,7 +158,7 @@ const TORUS: Closed = Closed { u: true, v: true };
 
 /// The certified levels are those of samples, at tolerances between distances that were sampled.
 fn agrees(net: &Net, name: &str, mask: &[f64]) {
-    let sampled = sampled(net, mask, 3, 6, 64);
+    let sampled = sampled(net, mask, 3, 5, 32);
     let distances = distances(net, &scheme(name));
     let parts = |x: f64| {
         #[expect(clippy::cast_possible_truncation, reason = "few")]

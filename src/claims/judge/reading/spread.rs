@@ -89,12 +89,14 @@ fn solved(space: &Space<'_>, name: &str, one: &Evaluated, least: usize) -> Optio
     let base = &space.judge.assumed[name];
     let value = |(place, _): &(Integer, Integer)| {
         let holding = meeting(place);
+        if holding.len() < most {
+            return None;
+        }
         let between = (root(place) * base, root(holding.iter().min()?) * base);
         // The lower end belongs to the intersection, but a spread is not 0.
         let inside = plainest_between(&between.0, &between.1);
         let ends = [between.0.clone(), inside].into_iter().filter(|value| !value.is_zero());
-        let simplest = ends.min_by_key(height)?;
-        (holding.len() == most).then_some((simplest, between))
+        Some((ends.min_by_key(height)?, between))
     };
     let values = intervals.iter().filter_map(value);
     let (simplest, between) = values.min_by_key(|(simplest, _)| height(simplest))?;

@@ -37,21 +37,19 @@ impl Case<'_> {
     pub(crate) fn scope<'s>(
         &'s self,
         functions: &'s Quantities<'s>,
-        names: &[(&str, Rational)],
+        names: &[(&'s str, Rational)],
     ) -> Scope<'s, RealCyclotomic> {
         let definitions = functions.settings.definitions.as_deref();
         let mut scope = Scope::new(definitions.unwrap_or(&self.paper.definitions), functions);
-        for (name, value) in &functions.settings.known {
-            scope = scope.with(name, value.clone());
-        }
+        scope = scope.with_all(&functions.settings.known);
         for (name, value) in &self.values {
             scope = scope.with(name, value.clone().into());
         }
         for name in self.spreads() {
-            scope = scope.with(name, Rational::one().into());
+            scope = scope.with(*name, Rational::one().into());
         }
         for (name, value) in names {
-            scope = scope.with(name, value.clone().into());
+            scope = scope.with(*name, value.clone().into());
         }
         scope
     }

@@ -3,6 +3,7 @@
 use super::field::Field;
 use super::symmetric::product;
 use crate::exact::Integer;
+use std::sync::LazyLock;
 
 /// (A, N) with f·A = N for f ≠ 0 in `Z[θ]`. N is the norm of f. A is the product of the
 /// other conjugates of f, and lies in `Z[θ]` too.
@@ -121,9 +122,19 @@ fn power(mut base: u64, mut exponent: u64, p: u64) -> u64 {
     result
 }
 
+/// The first of the primes: most norms need no others.
+static FIRST: LazyLock<Vec<u32>> = LazyLock::new(|| primes_below(1 << 31).take(64).collect());
+
 /// The primes below 2^31, in decreasing order.
 pub fn primes() -> impl Iterator<Item = u32> {
-    (3..1 << 31).rev().step_by(2).filter(|&candidate| is_prime(candidate))
+    let later = std::iter::once_with(|| primes_below(FIRST[FIRST.len() - 1])).flatten();
+    FIRST.iter().copied().chain(later)
+}
+
+/// The odd primes below a bound, which is even or such a prime, in decreasing order.
+fn primes_below(bound: u32) -> impl Iterator<Item = u32> {
+    let last = bound - 1 - bound % 2;
+    (0..=last).rev().step_by(2).filter(|&candidate| is_prime(candidate))
 }
 
 /// Whether n is prime, for odd n with 61 < n < 2^32. In this range every strong probable

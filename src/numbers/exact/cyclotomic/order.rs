@@ -15,7 +15,7 @@ impl Element {
         let (mut sum, mut error) =
             (self.numerators[0].shifted_left(Field::bits(level)), Integer::zero());
         for (k, numerator) in self.terms().filter(|(k, _)| *k > 0) {
-            sum += &(numerator * &table[k]);
+            sum.add_product(numerator, &table[k]);
             error += &numerator.abs();
         }
         (sum, error)

@@ -126,6 +126,26 @@ impl Integer {
         Integer::normal(backend::pow(&self.large(), exponent))
     }
 
+    /// Adds a·b, for words without a product in between.
+    ///
+    /// ```
+    /// use subcert::exact::Integer;
+    ///
+    /// let mut sum = Integer::from(1);
+    /// sum.add_product(&Integer::from(2), &Integer::from(3));
+    /// assert_eq!(sum, Integer::from(7));
+    /// ```
+    #[inline]
+    pub fn add_product(&mut self, a: &Integer, b: &Integer) {
+        if let (Word(sum), Word(x), Word(y)) = (&mut self.0, &a.0, &b.0)
+            && let Some(value) = x.checked_mul(*y).and_then(|product| sum.checked_add(product))
+        {
+            *sum = value;
+        } else {
+            *self += &(a * b);
+        }
+    }
+
     /// 10^exponent.
     #[must_use]
     pub fn power_of_ten(exponent: u32) -> Integer {

@@ -7,27 +7,46 @@ use crate::exact::ops::{binary_operator, ring_basics};
 use std::cmp::Ordering;
 use std::ops::Neg;
 
-/// Implements a ring operator on two references, and in place.
+/// Implements a ring operator on two references, and in place. What words give at once stands in
+/// functions that are inlined, also in other crates.
 macro_rules! operation {
-    ($compute:ident, $in_place:ident, $checked:ident, $trait:ident::$method:ident,
-     $assign:ident::$assign_method:ident) => {
+    ($compute:ident, $in_place:ident, $slow:ident, $slow_in_place:ident, $checked:ident,
+     $trait:ident::$method:ident, $assign:ident::$assign_method:ident) => {
+        #[inline]
         fn $compute(a: &Integer, b: &Integer) -> Integer {
+            if let (Word(x), Word(y)) = (&a.0, &b.0)
+                && let Some(value) = x.$checked(*y)
+            {
+                return Integer(Word(value));
+            }
+            $slow(a, b)
+        }
+
+        fn $slow(a: &Integer, b: &Integer) -> Integer {
             Integer::normal(match (&a.0, &b.0) {
-                (Word(x), Word(y)) => match x.$checked(*y) {
-                    Some(value) => return Integer(Word(value)),
-                    None => std::ops::$trait::$method(Int::from(*x), *y),
-                },
+                (Word(x), Word(y)) => std::ops::$trait::$method(Int::from(*x), *y),
                 (Word(x), Large(y)) => Int::from(std::ops::$trait::$method(*x, y)),
                 (Large(x), Word(y)) => Int::from(std::ops::$trait::$method(x, *y)),
                 (Large(x), Large(y)) => Int::from(std::ops::$trait::$method(x, y)),
             })
         }
 
+        #[inline]
         fn $in_place(a: &mut Integer, b: &Integer) {
+            if let (Word(x), Word(y)) = (&mut a.0, &b.0)
+                && let Some(value) = x.$checked(*y)
+            {
+                *x = value;
+            } else {
+                $slow_in_place(a, b);
+            }
+        }
+
+        fn $slow_in_place(a: &mut Integer, b: &Integer) {
             match (&mut a.0, &b.0) {
                 (Large(x), Word(y)) => std::ops::$assign::$assign_method(x, *y),
                 (Large(x), Large(y)) => std::ops::$assign::$assign_method(x, y),
-                _ => return *a = $compute(a, b),
+                _ => return *a = $slow(a, b),
             }
             a.normalise();
         }
@@ -35,9 +54,33 @@ macro_rules! operation {
         binary_operator!(Integer, $trait::$method, $assign::$assign_method, $compute, $in_place);
     };
 }
-operation!(add, add_in_place, checked_add, Add::add, AddAssign::add_assign);
-operation!(sub, sub_in_place, checked_sub, Sub::sub, SubAssign::sub_assign);
-operation!(mul, mul_in_place, checked_mul, Mul::mul, MulAssign::mul_assign);
+operation!(
+    add,
+    add_in_place,
+    slow_add,
+    slow_add_in_place,
+    checked_add,
+    Add::add,
+    AddAssign::add_assign
+);
+operation!(
+    sub,
+    sub_in_place,
+    slow_sub,
+    slow_sub_in_place,
+    checked_sub,
+    Sub::sub,
+    SubAssign::sub_assign
+);
+operation!(
+    mul,
+    mul_in_place,
+    slow_mul,
+    slow_mul_in_place,
+    checked_mul,
+    Mul::mul,
+    MulAssign::mul_assign
+);
 ring_basics!(Integer);
 
 impl Neg for &Integer {

@@ -136,7 +136,7 @@ impl Number for Integer {
 
     fn add_product(&mut self, x: &Integer, coefficient: &Integer) {
         if !x.is_zero() {
-            *self += &(x * coefficient);
+            Integer::add_product(self, x, coefficient);
         }
     }
 
