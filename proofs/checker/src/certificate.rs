@@ -1,6 +1,6 @@
 //! Certificates: lines, and blocks of lines.
 
-use crate::reject::{Checked, Compared, Reason, Rejection, Text, agree, compare, require};
+use crate::reject::{At, Checked, Compared, Reason, Rejection, Text, agree, compare, require};
 
 /// The first line of a certificate.
 const VERSION: &str = "subcert-certificate 4";
@@ -120,6 +120,13 @@ impl<'a> Block<'a> {
     }
 }
 
+/// The numbered lines of a certificate that stands alone, after its first one and without comments.
+pub fn alone(text: &str) -> impl Iterator<Item = Line<'_>> {
+    let lines = (1..).zip(text.lines().map(str::trim)).skip(1);
+    let lines = lines.map(|(number, text)| Line { number, text });
+    lines.filter(|line| !line.text.is_empty() && !line.text.starts_with('#'))
+}
+
 /// What a certificate is about, as its second line says: a paper or a project, and its key.
 #[derive(Clone, Copy)]
 pub enum About<'k> {
@@ -144,7 +151,7 @@ impl About<'_> {
 pub fn blocks<'a>(text: &'a str, about: About<'_>) -> Checked<Vec<Block<'a>>> {
     let mut number = 0;
     let blocks = read(text, about, &mut number);
-    blocks.map_err(|rejection| rejection.at(number.max(1)))
+    blocks.at(number.max(1))
 }
 
 /// Reads the blocks. It counts the lines up to the one that is wrong.

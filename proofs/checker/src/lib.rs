@@ -86,7 +86,7 @@ use meter::Meter;
 use paper::Paper;
 pub use radius::{Radius, check_radius};
 use regularity::expanded;
-use reject::Checked;
+use reject::{At, Checked};
 pub use reject::{
     DepthReason, DepthRejection, RadiusReason, RadiusRejection, Reason, Rejection, Stop, Text,
 };
@@ -273,7 +273,7 @@ pub fn check_theorems(
         let of_file = |text: &&str| {
             let agreement = kernel::agree(&paper, key, &recovered, text)?;
             let first = known.insert((agreement.kind.clone(), agreement.id.clone()));
-            reject::require(first, Reason::OtherFile).map_err(|rejection| rejection.at(1))?;
+            reject::require(first, Reason::OtherFile).at(1)?;
             Ok(agreement)
         };
         Ok(files.iter().map(of_file).collect())

@@ -6,7 +6,7 @@ use crate::decimal::{Q, int};
 use crate::library::Constant;
 use crate::local_rules::LocalRules;
 use crate::paper::{Paper, printed};
-use crate::reject::{Checked, Reason, compare, require};
+use crate::reject::{At, Checked, Reason, compare, require};
 use crate::rules::Promised;
 use crate::table::{Place, Read, Table};
 use crate::toml::Toml;
@@ -39,7 +39,7 @@ pub fn agree<'a>(
         used.push((name.clone(), value.clone()));
     }
     for theorem in &file.statements {
-        one(&table, theorem).map_err(|rejection| rejection.at(theorem.line))?;
+        one(&table, theorem).at(theorem.line)?;
     }
     Ok(used)
 }

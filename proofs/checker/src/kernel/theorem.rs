@@ -5,7 +5,7 @@ use super::{comment, masks, parameters, placed, ring, stated};
 use crate::decimal::{Q, int, read_rational};
 use crate::definitions::formula_of;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, compare, require};
+use crate::reject::{At, Checked, Reason, compare, require};
 use crate::rules::{Instance, first_level};
 use crate::setting::Setting;
 use crate::toml::Toml;
@@ -19,7 +19,7 @@ pub fn agree<'a>(paper: &'a Paper<'a>, claim: &'a Toml, file: &Theorems) -> Chec
         return Err(Reason::Recovered(name.clone()).into());
     }
     for theorem in &file.statements {
-        one(paper, claim, theorem).map_err(|rejection| rejection.at(theorem.line))?;
+        one(paper, claim, theorem).at(theorem.line)?;
     }
     Ok(())
 }

@@ -33,15 +33,10 @@ pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Che
     let class = class.parse().map_err(|_| malformed())?;
     let exact = read_rational(value).ok_or(malformed())?;
     // The sequence that is read forwards belongs to the reversed rules.
-    let rational = |rule: &Vec<Value>| {
-        let mut rule: Vec<Q> = rule.iter().map(Value::rational).collect::<Option<_>>()?;
-        if forward {
-            rule.reverse();
-        }
-        Some(rule)
-    };
-    let rational = rules.iter().map(rational).collect::<Option<Vec<Vec<Q>>>>();
-    let rational = rational.ok_or(Reason::Malformed("rational masks"))?;
+    let mut rational = Value::rationals(rules).ok_or(Reason::Malformed("rational masks"))?;
+    if forward {
+        rational.iter_mut().for_each(|rule| rule.reverse());
+    }
     let operator = Operator::new(paper.library.meter, &rational)?;
     let sum = operator.of_class(levels, &class)?;
     compare(sum == exact, &exact, &sum, Reason::Class)?;

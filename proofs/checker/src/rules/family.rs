@@ -10,7 +10,7 @@ use super::reading::{MAX_DIFFERENCES, PartRead, Reads};
 use super::scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
 use crate::certificate::Block;
 use crate::decimal::{Q, int};
-use crate::reject::{Checked, Reason, Stop, agree, compare, require};
+use crate::reject::{At, Checked, Reason, Stop, agree, compare, require};
 use crate::table::{Cells, Place, Read, Table};
 use crate::toml::Toml;
 use crate::value::Value;
@@ -115,7 +115,7 @@ fn family(
         listed.compare(numbers, cells, &values)?;
     }
     let complete = require(members.is_empty() && listed.all_met(), Reason::Member);
-    complete.and_then(|()| family.compare(reads, whole)).map_err(|rejection| rejection.at(line))
+    complete.and_then(|()| family.compare(reads, whole)).at(line)
 }
 
 /// Checks that the readings of cells that need assumptions are members of their family.

@@ -4,7 +4,7 @@ use super::limits::{Shown, mask};
 use super::pieces::Free;
 use super::smoothness::{order, scope, valences, vertex};
 use crate::certificate::Block;
-use crate::convolution::{Convolution, MAX_LENGTH};
+use crate::convolution::{Convolution, MAX_LENGTH, Sequence};
 use crate::decimal::{Decimal, read_rational};
 use crate::definitions::formula;
 use crate::evaluate::Scope;
@@ -169,10 +169,8 @@ fn norm(
     let [scheme] = &schemes[..] else {
         return Err(Stop::Wrong("smoothness is that of one scheme alone".into()));
     };
-    let (n, width) = (scheme.arity(), scheme.width());
-    let columns = (0..width).rev();
-    let mut symbol: Vec<Value> =
-        columns.flat_map(|j| scheme.mask.iter().map(move |rule| rule[j].clone())).collect();
+    let n = scheme.arity();
+    let mut symbol = Sequence { rules: &scheme.mask, forward: false }.values();
     for order in 0..=m {
         let mut quotient: Vec<Value> = Vec::new();
         for (i, a) in symbol.iter().enumerate() {

@@ -9,7 +9,7 @@ use super::verdict::{Verdict, verdict};
 use crate::certificate::{About, Block, blocks};
 use crate::definitions::{Definitions, formulas};
 use crate::meter::Meter;
-use crate::reject::{Checked, Reason, Rejection, Stop, Text, compare, require};
+use crate::reject::{At, Checked, Reason, Rejection, Stop, Text, compare, require};
 use crate::toml::Toml;
 use std::collections::BTreeMap;
 
@@ -51,7 +51,7 @@ pub fn check<'a>(file: &'a Toml, certificates: &[&str]) -> Result<Checks<'a>, St
             };
             let meter = Meter::default();
             let checked = judge(table, &definitions, &mut block, &meter);
-            let checked = checked.map_err(|rejection| rejection.at(block.at));
+            let checked = checked.at(block.at);
             if found.insert(*id, (place, checked)).is_some() {
                 found.insert(*id, (place, Err(block.head.reject(Reason::Twice))));
             }
