@@ -99,13 +99,8 @@ impl LogSum {
 }
 
 fn has_logarithm(expr: &Expr) -> bool {
-    match expr {
-        Expr::Of(head, parts) => {
-            let own = matches!(head, Head::Call(function, _) if base(function).is_some());
-            own || parts.iter().any(has_logarithm)
-        }
-        _ => false,
-    }
+    let own = |of: &&Expr| matches!(of, Expr::Of(Head::Call(f, _), _) if base(f).is_some());
+    expr.nodes().iter().any(own)
 }
 
 impl Bound<'_> {

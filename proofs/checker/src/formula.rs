@@ -38,6 +38,17 @@ pub enum Head {
     Over(String, String),
 }
 
+impl Expr {
+    /// The formula and all of its parts.
+    pub fn nodes(&self) -> Vec<&Expr> {
+        let mut nodes = vec![self];
+        if let Expr::Of(_, parts) = self {
+            nodes.extend(parts.iter().flat_map(Expr::nodes));
+        }
+        nodes
+    }
+}
+
 /// Reads a formula of at most `longest` characters.
 pub fn parse(text: &str, longest: usize) -> Result<Expr, String> {
     if text.chars().count() > longest {

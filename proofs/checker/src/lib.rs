@@ -80,6 +80,7 @@ mod shipped;
 
 use catalogue::catalogue;
 use certificate::{About, Block};
+use definitions::formulas;
 pub use kernel::Agreement;
 use library::Library;
 use meter::Meter;
@@ -159,37 +160,13 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
             return Err(format!("two claims are called `{id}`"));
         }
     }
-    let (mut tasks, mut broken) = (Vec::new(), Vec::new());
-    for (place, text) in certificates.iter().enumerate() {
-        let blocks = certificate::blocks(text, About::Paper(&key)).unwrap_or_else(|rejection| {
-            broken.push((place, rejection));
-            Vec::new()
-        });
-        for block in blocks {
-            let (kind, id) = block.head.word();
-            let claim = file.list(kind).iter().find(|claim| claim.text("id") == Some(id));
-            match claim.filter(|_| shape::KINDS.contains(&kind)) {
-                Some(claim) => tasks.push(Task { place, kind, id, claim, block }),
-                None => broken.push((place, block.head.reject(Reason::NoSuchClaim))),
-            }
-        }
-    }
+    let (tasks, broken) = tasks(&file, About::Paper(&key), &shape::KINDS, certificates);
     let mut outcomes: BTreeMap<(&str, &str), Outcome> = BTreeMap::new();
     let (mut holding, mut cited) = (BTreeSet::new(), Vec::new());
     let mut given: Vec<(&str, Given)> = Vec::new();
     let mut borrowed: Vec<(&Task<'_>, (Given, String))> = Vec::new();
     let mut verdicts_said = BTreeMap::new();
-    let mut blocks_of: BTreeMap<(&str, &str), usize> = BTreeMap::new();
-    for task in &tasks {
-        *blocks_of.entry((task.kind, task.id)).or_default() += 1;
-    }
     for (task, verdict) in tasks.iter().zip(verdicts(&file, &known, &tasks)) {
-        // Of two blocks none counts, neither for this claim nor for others.
-        if blocks_of[&(task.kind, task.id)] > 1 {
-            let twice = task.block.head.reject(Reason::Twice);
-            outcomes.insert((task.kind, task.id), Outcome::Invalid(task.place, twice));
-            continue;
-        }
         let outcome = match verdict {
             Ok(Verdict::Other) => Outcome::Valid,
             Ok(Verdict::Recovers(Recovered { own, from })) => {
@@ -205,8 +182,7 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
                 cited.push((task.id, task.block.head, citation.uses));
                 Outcome::Cited(citation.statement)
             }
-            Err(rejection) if rejection.given_up() => Outcome::Incomplete(Some(rejection)),
-            Err(rejection) => Outcome::Invalid(task.place, rejection),
+            Err(rejection) => task.refused(rejection),
         };
         if matches!(outcome, Outcome::Valid | Outcome::Cited(_)) {
             verdicts_said.insert(task.id.to_owned(), said::verdict(task.kind, &task.block));
@@ -319,32 +295,34 @@ fn check_project(file: &Toml, certificates: &[&str]) -> Result<Report, String> {
     if let Some(path) = shape::misfit(file, "project-file") {
         return Err(format!("`{path}` is unknown, or not of its type"));
     }
-    let checks = shipped::check(file, certificates)?;
+    let key = file.text("key").ok_or("`key` is missing")?;
+    let definitions = formulas(file.entries("define")).map_err(|stop| stop.to_string())?;
+    let tables = file.list("shipped").iter().map(|table| table.text("id").unwrap_or(""));
     let mut ids = BTreeSet::new();
-    for (id, _) in &checks.tables {
-        if !is_id(id) || !ids.insert(*id) {
+    for id in tables.clone() {
+        if !is_id(id) || !ids.insert(id) {
             return Err(format!("{id:?} cannot be an id, or two tables have it"));
         }
     }
-    if !is_id(checks.key) {
-        return Err(format!("{:?} cannot be a key", checks.key));
+    if !is_id(key) {
+        return Err(format!("{key:?} cannot be a key"));
     }
-    let (mut claims, mut verdicts) = (Vec::new(), BTreeMap::new());
-    for (id, checked) in checks.tables {
-        let outcome = match checked {
-            None => Outcome::Incomplete(None),
-            Some((_, Ok(verdict))) => {
-                verdicts.insert(id.to_owned(), verdict);
+    let (tasks, broken) = tasks(file, About::Project(key), &["shipped"], certificates);
+    let (mut outcomes, mut verdicts) = (BTreeMap::new(), BTreeMap::new());
+    for task in &tasks {
+        let check = |block| shipped::check(task.claim, &definitions, block);
+        let outcome = match task.once().and_then(check) {
+            Ok(verdict) => {
+                verdicts.insert(task.id.to_owned(), verdict);
                 Outcome::Valid
             }
-            Some((_, Err(rejection))) if rejection.given_up() => {
-                Outcome::Incomplete(Some(rejection))
-            }
-            Some((place, Err(rejection))) => Outcome::Invalid(place, rejection),
+            Err(rejection) => task.refused(rejection),
         };
-        claims.push(("shipped", id.to_owned(), outcome));
+        outcomes.insert(task.id, outcome);
     }
-    Ok(Report { key: checks.key.to_owned(), claims, verdicts, broken: checks.broken })
+    let mut outcome = |id| outcomes.remove(id).unwrap_or(Outcome::Incomplete(None));
+    let claims = tables.map(|id| ("shipped", id.to_owned(), outcome(id))).collect();
+    Ok(Report { key: key.to_owned(), claims, verdicts, broken })
 }
 
 /// Whether a text can be the id of a claim or the key of a file. It has to fit in one line.
@@ -361,6 +339,55 @@ struct Task<'t> {
     id: &'t str,
     claim: &'t Toml,
     block: Block<'t>,
+    /// Whether other blocks are about the same claim. Of several none counts, neither for this claim nor for others.
+    twice: bool,
+}
+
+impl<'t> Task<'t> {
+    /// The block, if it is the only one about its claim.
+    fn once(&self) -> Checked<Block<'t>> {
+        let once = reject::require(!self.twice, Reason::Twice).at(self.block.head.number);
+        once.map(|()| self.block.clone())
+    }
+
+    /// The outcome of a claim whose certificate is refused.
+    fn refused(&self, rejection: Rejection) -> Outcome {
+        if rejection.given_up() {
+            Outcome::Incomplete(Some(rejection))
+        } else {
+            Outcome::Invalid(self.place, rejection)
+        }
+    }
+}
+
+/// The blocks of certificates about claims of these kinds, and the rejections of whole certificates.
+fn tasks<'t>(
+    file: &'t Toml,
+    about: About<'_>,
+    kinds: &[&str],
+    certificates: &[&'t str],
+) -> (Vec<Task<'t>>, Vec<(usize, Rejection)>) {
+    let (mut tasks, mut broken, mut counts) = (Vec::new(), Vec::new(), BTreeMap::new());
+    for (place, text) in certificates.iter().enumerate() {
+        let blocks = certificate::blocks(text, about).unwrap_or_else(|rejection| {
+            broken.push((place, rejection));
+            Vec::new()
+        });
+        for block in blocks {
+            let (kind, id) = block.head.word();
+            let claim = file.list(kind).iter().find(|claim| claim.text("id") == Some(id));
+            let Some(claim) = claim.filter(|_| kinds.contains(&kind)) else {
+                broken.push((place, block.head.reject(Reason::NoSuchClaim)));
+                continue;
+            };
+            *counts.entry((kind, id)).or_insert(0) += 1;
+            tasks.push(Task { place, kind, id, claim, block, twice: false });
+        }
+    }
+    for task in &mut tasks {
+        task.twice = counts[&(task.kind, task.id)] > 1;
+    }
+    (tasks, broken)
 }
 
 /// Checks every task on its own, on all cores.
@@ -372,9 +399,10 @@ fn verdicts(file: &Toml, known: &[Toml], tasks: &[Task<'_>]) -> Vec<Checked<Verd
         let Ok(paper) = Paper::new(file, &library) else { return Vec::new() };
         let mut checked = Vec::new();
         while let at = next.fetch_add(1, Ordering::Relaxed)
-            && let Some(Task { kind, claim, block, .. }) = tasks.get(at)
+            && let Some(task) = tasks.get(at)
         {
-            checked.push((at, rules::check(&paper, kind, claim, block.clone())));
+            let check = |block| rules::check(&paper, task.kind, task.claim, block);
+            checked.push((at, task.once().and_then(check)));
         }
         checked
     };

@@ -36,6 +36,15 @@ impl Toml {
         file(&mut cursor).map(Toml::Table).map_err(|what| cursor.expected(what))
     }
 
+    /// Adds an item to the list of a key of a table.
+    pub fn push(&mut self, key: &str, item: Toml) {
+        if let Toml::Table(table) = self
+            && let Toml::List(list) = slot(table, key, Toml::List(Vec::new()))
+        {
+            list.push(item);
+        }
+    }
+
     /// The value of a key of a table.
     pub fn get(&self, key: &str) -> Option<&Toml> {
         self.as_table().iter().find(|(name, _)| name == key).map(|(_, value)| value)

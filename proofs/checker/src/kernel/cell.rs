@@ -163,11 +163,7 @@ fn broken(table: &Table<'_>, at: Place, theorem: &Theorem) -> Checked<()> {
     let Some(&Argument::Level(level)) = theorem.arguments.get(expected.len()) else {
         return Err(Reason::Malformed("a promise that is broken").into());
     };
-    let printed = Value::from(decimal.value);
-    let (least, most) = match &promised.tolerance {
-        Some(tolerance) => (printed.integer(i64::MAX)?, tolerance.clone()),
-        None => (promised.level.ok_or(Reason::NoPromise)?, printed),
-    };
+    let (least, most) = promised.stated(decimal.value.into())?;
     // A depth is promised for all later levels too.
     let later = promised.tolerance.is_some() && i64::from(level) > least;
     require(later || i64::from(level) == least, Reason::Level)?;

@@ -14,12 +14,12 @@ pub fn unit<N: Number>(size: usize) -> Matrix<N> {
     (0..size).map(row).collect()
 }
 
-/// A row times a matrix.
-fn times<N: Number>(row: &[N], matrix: &Matrix<N>) -> Vec<N> {
+/// The sum of the rows of a matrix, each scaled by the entry of a row.
+fn times<N: Number, M: Number>(row: &[M], by: impl Fn(&N, &M) -> N, matrix: &Matrix<N>) -> Vec<N> {
     let mut sum = vec![N::whole(0); matrix.len()];
     for (x, entries) in row.iter().zip(matrix).filter(|(x, _)| x.sign() != 0) {
         for (sum, entry) in sum.iter_mut().zip(entries) {
-            *sum = sum.plus(&x.times(entry));
+            *sum = sum.plus(&by(entry, x));
         }
     }
     sum
@@ -27,13 +27,7 @@ fn times<N: Number>(row: &[N], matrix: &Matrix<N>) -> Vec<N> {
 
 /// A row of fractions times a matrix.
 pub fn scaled_times<N: Number>(row: &[Q], matrix: &Matrix<N>) -> Vec<N> {
-    let mut sum = vec![N::whole(0); matrix.len()];
-    for (x, entries) in row.iter().zip(matrix).filter(|(x, _)| x.sign() != 0) {
-        for (sum, entry) in sum.iter_mut().zip(entries) {
-            *sum = sum.plus(&entry.scaled(x));
-        }
-    }
-    sum
+    times(row, N::scaled, matrix)
 }
 
 /// The steps of an operation with each entry of a matrix.
@@ -48,7 +42,7 @@ pub fn multiplied<N: Number>(
     meter: &Meter,
 ) -> Result<Matrix<N>, Stop> {
     meter.spend(a.len() as u64 * (cost(a) + cost(b)))?;
-    Ok(a.iter().map(|row| times(row, b)).collect())
+    Ok(a.iter().map(|row| times(row, N::times, b)).collect())
 }
 
 /// The determinant, by elimination.

@@ -1,6 +1,7 @@
 //! Certificates of joint spectral radii, and of the smoothness that follows from them. FORMAT.md,
 //! «Joint spectral radii».
 
+mod element;
 mod field;
 mod given;
 mod independence;
@@ -13,7 +14,7 @@ use crate::certificate::Line;
 use crate::decimal::{Q, int};
 use crate::meter::Meter;
 use crate::reject::{At, RadiusReason, RadiusRejection, Stop, Text, require};
-use field::Element;
+use element::Element;
 use given::symbol;
 use independence::is_independent;
 use matrices::{Matrix, determinant, multiplied, scaled_times, symmetric_square};

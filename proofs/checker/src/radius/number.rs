@@ -1,8 +1,8 @@
 //! Entries of matrices: fractions, or numbers of one real field.
 
-use super::field::{Element, Field};
+use super::field::Field;
 use crate::decimal::{Q, bits, int};
-use num_traits::Signed as _;
+use crate::polynomial::signum;
 use std::rc::Rc;
 
 /// A real number that is computed with exactly.
@@ -43,7 +43,7 @@ pub trait Number: Clone {
 }
 
 /// The steps of an operation with a number of so many binary digits. Multiplication and division are quadratic.
-fn steps(bits: u64) -> u64 {
+pub fn steps(bits: u64) -> u64 {
     let blocks = bits / 512;
     1 + blocks + blocks * blocks
 }
@@ -68,44 +68,12 @@ impl Number for Q {
         self.recip()
     }
     fn sign(&self) -> i8 {
-        i8::from(self.is_positive()) - i8::from(self.is_negative())
+        signum(self)
     }
     fn text(&self) -> String {
         self.to_string()
     }
     fn cost(&self) -> u64 {
         steps(bits(self))
-    }
-}
-
-impl Number for Element {
-    fn of(coordinates: &[Q], field: Option<&Rc<Field>>) -> Element {
-        Element::new(coordinates.to_vec(), field.cloned())
-    }
-    fn plus(&self, other: &Element) -> Element {
-        Element::plus(self, other)
-    }
-    fn times(&self, other: &Element) -> Element {
-        Element::times(self, other)
-    }
-    fn scaled(&self, factor: &Q) -> Element {
-        Element::scaled(self, factor)
-    }
-    fn inverse(&self) -> Element {
-        Element::inverse(self)
-    }
-    fn sign(&self) -> i8 {
-        Element::sign(self)
-    }
-    fn text(&self) -> String {
-        let coordinates: Vec<String> = self.coordinates().iter().map(Q::to_string).collect();
-        coordinates.join(",")
-    }
-    fn cost(&self) -> u64 {
-        let coordinates = self.coordinates();
-        let longest = coordinates.iter().map(bits).max().unwrap_or(0);
-        let longest = longest + self.growth();
-        // Each of these fractions takes a common divisor.
-        1 + (coordinates.len() * coordinates.len()) as u64 * (longest / 32 + steps(longest))
     }
 }

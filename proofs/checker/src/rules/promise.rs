@@ -42,11 +42,8 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
             require(said.is_empty(), Reason::Malformed("ROW COLUMN"))?;
             continue;
         }
-        let (promised, printed) = (Promised::new(table, at)?, Value::from(printed.value));
-        let (level, most) = match (promised.level, &promised.tolerance) {
-            (None, Some(tolerance)) => (printed.integer(i64::MAX)?, tolerance.clone()),
-            (level, _) => (level.ok_or(Reason::NoPromise)?, printed),
-        };
+        let promised = Promised::new(table, at)?;
+        let (level, most) = promised.stated(printed.value.into())?;
         let level = sound::level(level)?;
         let setting = setting(table, &promised, &mut settings)?;
         if verdict == "kept" {
@@ -202,7 +199,8 @@ pub fn change(promised: &Promised<'_>, rules: &[Rules<'_>], k: u32, l: u32) -> R
     let [first, second] = rules else { return largest(&rules[0]) };
     // This is THEOREMS.md, 32, with level l in place of the limit.
     let norm = |axis: usize, level: u32| {
-        promised.class_sum(&promised.schemes[axis].mask, &Value::int(level.into()))
+        let rules = &promised.schemes[axis].mask;
+        promised.paper.library.products.greatest(rules, &Value::int(level.into()))
     };
     let (c, d) = (largest(first)?, largest(second)?);
     let one = c.times(&norm(1, l)?)?.plus(1, &d.times(&norm(0, k)?)?)?;
