@@ -1,7 +1,13 @@
-//! Linear equations.
+//! Linear equations, and unit matrices.
 
 use crate::decimal::Q;
 use num_traits::Zero;
+
+/// The unit matrix.
+pub fn unit<T: Clone>(size: usize, [zero, one]: [T; 2]) -> Vec<Vec<T>> {
+    let entry = |i, j| if i == j { one.clone() } else { zero.clone() };
+    (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect()
+}
 
 /// The unique solution of equations, or `None`. The right side of each equation comes last.
 pub fn solve(mut rows: Vec<Vec<Q>>) -> Option<Vec<Q>> {

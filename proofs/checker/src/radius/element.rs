@@ -1,13 +1,12 @@
-//! The numbers of a field Q(α) by their coordinates.
+//! Entries of matrices: fractions, or numbers of one field Q(α) by their coordinates.
 
 use super::field::Field;
-use super::number::{Number, steps};
 use crate::decimal::{Q, bits, int};
 use crate::polynomial::{divide, gcd, multiplied, signum, trimmed};
 use num_traits::{One, Zero};
 use std::rc::Rc;
 
-/// The number p(α).
+/// The number p(α), or a fraction.
 #[derive(Clone)]
 pub struct Element {
     p: Vec<Q>,
@@ -20,26 +19,47 @@ impl Element {
         Element { p: trimmed(p), field }
     }
 
-    fn with(&self, other: &Element, p: Vec<Q>) -> Element {
-        Element::new(p, self.field.as_ref().or(other.field.as_ref()).cloned())
-    }
-}
-
-impl Number for Element {
-    /// The coordinates are of a degree below that of the polynomial.
-    fn of(coordinates: &[Q], field: Option<&Rc<Field>>) -> Element {
+    /// The number with these coordinates, of a degree below that of the polynomial.
+    pub fn of(coordinates: &[Q], field: Option<&Rc<Field>>) -> Element {
         Element::new(coordinates.to_vec(), field.cloned())
     }
 
-    fn plus(&self, other: &Element) -> Element {
+    /// A fraction.
+    pub fn fraction(value: &Q) -> Element {
+        Element::of(std::slice::from_ref(value), None)
+    }
+
+    /// An integer.
+    pub fn whole(value: i64) -> Element {
+        Element::fraction(&int(value))
+    }
+
+    fn with(&self, other: &Element, p: Vec<Q>) -> Element {
+        Element::new(p, self.field.as_ref().or(other.field.as_ref()).cloned())
+    }
+
+    /// The sum.
+    pub fn plus(&self, other: &Element) -> Element {
         self.with(other, combined(self.p.clone(), &int(1), &other.p))
     }
 
-    fn scaled(&self, factor: &Q) -> Element {
+    /// The difference.
+    pub fn minus(&self, other: &Element) -> Element {
+        self.with(other, combined(self.p.clone(), &int(-1), &other.p))
+    }
+
+    /// The absolute value.
+    pub fn size(&self) -> Element {
+        if self.sign() < 0 { self.scaled(&int(-1)) } else { self.clone() }
+    }
+
+    /// The product with a fraction.
+    pub fn scaled(&self, factor: &Q) -> Element {
         Element::new(self.p.iter().map(|x| x * factor).collect(), self.field.clone())
     }
 
-    fn times(&self, other: &Element) -> Element {
+    /// The product.
+    pub fn times(&self, other: &Element) -> Element {
         let product = self.with(other, multiplied(&self.p, &other.p));
         match &product.field {
             Some(field) if product.p.len() > field.degree() => {
@@ -50,16 +70,17 @@ impl Number for Element {
         }
     }
 
-    fn sign(&self) -> i8 {
+    /// −1, 0 or 1.
+    pub fn sign(&self) -> i8 {
         match &self.field {
             Some(field) if self.p.len() > 1 => field.sign(&self.p),
             _ => self.p.first().map_or(0, signum),
         }
     }
 
-    /// The inverse of p modulo the part of the polynomial that has no divisor with p in common. This part has the
+    /// 1/p(α), for p(α) ≠ 0: the inverse of p modulo the part of the polynomial that has no divisor with p in common. This part has the
     /// root α.
-    fn inverse(&self) -> Element {
+    pub fn inverse(&self) -> Element {
         let (Some(field), true) = (&self.field, self.p.len() > 1) else {
             let value = self.p.first().map(Q::recip);
             return Element::new(value.into_iter().collect(), self.field.clone());
@@ -88,18 +109,31 @@ impl Number for Element {
         Element::new(inverse, self.field.clone())
     }
 
-    fn text(&self) -> String {
-        self.p.iter().map(Q::to_string).collect::<Vec<String>>().join(",")
+    /// As a certificate writes it.
+    pub fn text(&self) -> String {
+        match &self.p[..] {
+            [] => "0".to_owned(),
+            p => p.iter().map(Q::to_string).collect::<Vec<String>>().join(","),
+        }
     }
 
-    fn cost(&self) -> u64 {
+    /// The steps of an operation with it.
+    pub fn cost(&self) -> u64 {
+        let longest = self.p.iter().map(bits).max().unwrap_or(0);
+        let Some(field) = &self.field else { return steps(longest) };
         // The coordinates of a product grow where the polynomial divides it.
-        let leading = |field: &Rc<Field>| field.polynomial().last().map_or(0, bits);
-        let leading = self.field.as_ref().filter(|_| self.p.len() > 1).map_or(0, leading);
-        let longest = self.p.iter().map(bits).max().unwrap_or(0) + self.p.len() as u64 * leading;
+        let leading = field.polynomial().last().map_or(0, bits);
+        let degree = self.p.len() as u64;
+        let longest = longest + if degree > 1 { degree * leading } else { 0 };
         // Each of these fractions takes a common divisor.
-        1 + (self.p.len() * self.p.len()) as u64 * (longest / 32 + steps(longest))
+        1 + degree * degree * (longest / 32 + steps(longest))
     }
+}
+
+/// The steps of an operation with a number of so many binary digits. Multiplication and division are quadratic.
+pub fn steps(bits: u64) -> u64 {
+    let blocks = bits / 512;
+    1 + blocks + blocks * blocks
 }
 
 /// p + factor·q.

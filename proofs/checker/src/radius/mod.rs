@@ -6,20 +6,19 @@ mod field;
 mod given;
 mod independence;
 mod matrices;
-mod number;
 mod read;
 mod smoothness;
 
 use crate::certificate::Line;
 use crate::decimal::{Q, int};
+use crate::linear;
 use crate::meter::Meter;
 use crate::reject::{At, RadiusReason, RadiusRejection, Stop, Text, require};
 use element::Element;
 use given::symbol;
 use independence::is_independent;
-use matrices::{Matrix, determinant, multiplied, scaled_times, symmetric_square};
+use matrices::{Matrix, determinant, multiplied, symmetric_square, times};
 use num_traits::Signed as _;
-use number::Number;
 use read::{Certificate, Lower};
 use std::fmt;
 
@@ -46,16 +45,14 @@ type Checked<T> = crate::reject::Checked<T, RadiusReason>;
 /// The line that is wrong, and the reason.
 pub fn check_radius(text: &str) -> Result<Radius, RadiusRejection> {
     let (certificate, meter) = (Certificate::read(text)?, Meter::default());
-    if certificate.field.is_some() {
-        checked::<Element>(&certificate, &meter)
-    } else {
-        checked::<Q>(&certificate, &meter)
-    }
+    checked(&certificate, &meter)
 }
 
 /// Whether the shifts of the limit function of a mask are linearly independent (THEOREMS.md, 108).
 pub fn has_independent_shifts(rules: &[Vec<Q>]) -> bool {
-    is_independent(&symbol(rules), rules.len())
+    let elements = |rule: &Vec<Q>| rule.iter().map(Element::fraction).collect();
+    let elements: Vec<Vec<Element>> = rules.iter().map(elements).collect();
+    is_independent(&symbol(&elements), rules.len())
 }
 
 /// Checks the lines of a certificate about the rules of a mask, which end with the line `end`. What is wrong with the
@@ -69,18 +66,18 @@ pub fn check_mask(
 ) -> Result<Radius, RadiusRejection> {
     let coordinates = |rule: &Vec<Q>| rule.iter().map(|entry| vec![entry.clone()]).collect();
     let rules = rules.iter().map(|rule| (first, coordinates(rule))).collect();
-    checked::<Q>(&Certificate::embedded(rules, lines, end)?, meter)
+    checked(&Certificate::embedded(rules, lines, end)?, meter)
 }
 
-fn checked<N: Number>(certificate: &Certificate, meter: &Meter) -> Checked<Radius> {
+fn checked(certificate: &Certificate, meter: &Meter) -> Checked<Radius> {
     let Certificate { lower, field, end, .. } = certificate;
-    let matrices: Vec<Matrix<N>> = certificate.matrices()?;
+    let matrices: Vec<Matrix> = certificate.matrices()?;
     if let Some(lower) = lower {
         check_lower(&matrices, lower, meter).at(lower.line)?;
     }
     check_hull(&matrices, certificate, meter)?;
     let at_least = lower.as_ref().map(|lower| (lower.bound.clone(), lower.degree()));
-    let (continuous, not_continuous) = smoothness::check::<N>(certificate)?;
+    let (continuous, not_continuous) = smoothness::check(certificate)?;
     let decided = field.as_ref().is_none_or(|field| !field.gave_up());
     let halvings = Stop::Capped("the halvings of an interval");
     require(decided, RadiusReason::Stopped(halvings)).at(*end)?;
@@ -89,9 +86,9 @@ fn checked<N: Number>(certificate: &Certificate, meter: &Meter) -> Checked<Radiu
 }
 
 /// A real eigenvalue of at least q shows itself by the sign of the characteristic polynomial at q.
-fn check_lower<N: Number>(matrices: &[Matrix<N>], lower: &Lower, meter: &Meter) -> Checked<()> {
+fn check_lower(matrices: &[Matrix], lower: &Lower, meter: &Meter) -> Checked<()> {
     let size = matrices[0].len();
-    let mut product = matrices::unit(size);
+    let mut product = linear::unit(size, [0, 1].map(Element::whole));
     for &factor in &lower.product {
         product = multiplied(&product, matrices.get(factor).ok_or(RadiusReason::NoSuch)?, meter)?;
     }
@@ -103,9 +100,9 @@ fn check_lower<N: Number>(matrices: &[Matrix<N>], lower: &Lower, meter: &Meter) 
     }
     for (i, row) in shifted.iter_mut().enumerate() {
         for (j, x) in row.iter_mut().enumerate() {
-            *x = if lower.negative { x.clone() } else { N::whole(0).minus(x) };
+            *x = if lower.negative { x.clone() } else { Element::whole(0).minus(x) };
             if i == j {
-                *x = x.plus(&N::fraction(&lower.bound));
+                *x = x.plus(&Element::fraction(&lower.bound));
             }
         }
     }
@@ -115,37 +112,31 @@ fn check_lower<N: Number>(matrices: &[Matrix<N>], lower: &Lower, meter: &Meter) 
 }
 
 /// Every image of a row is a combination whose coefficients, with the remainder, are at most the bound.
-fn check_hull<N: Number>(
-    matrices: &[Matrix<N>],
-    certificate: &Certificate,
-    meter: &Meter,
-) -> Checked<()> {
+fn check_hull(matrices: &[Matrix], certificate: &Certificate, meter: &Meter) -> Checked<()> {
     let size = matrices[0].len();
-    let entries = matrices.iter().flatten().flatten().map(Number::cost).sum::<u64>();
-    let bound = N::fraction(&certificate.bound);
+    let entries = matrices.iter().flatten().flatten().map(Element::cost).sum::<u64>();
+    let bound = Element::fraction(&certificate.bound);
     let inverse = certificate.unit.recip();
-    let mut rows: Vec<Vec<Q>> = matrices::unit(size);
-    for row in rows.iter_mut().flatten() {
-        *row *= &certificate.unit;
-    }
+    let unit = [Element::whole(0), Element::fraction(&certificate.unit)];
+    let mut rows: Matrix = linear::unit(size, unit);
     for (line, row) in &certificate.rows {
         require(row.len() == size, RadiusReason::Size).at(*line)?;
-        rows.push(row.clone());
+        rows.push(row.iter().map(Element::fraction).collect());
     }
-    let image = |row: &Vec<Q>, matrix: &Matrix<N>, terms: &[(usize, Q)]| -> Checked<()> {
-        let of_row: u64 = row.iter().map(Number::cost).sum();
+    let image = |row: &[Element], matrix: &Matrix, terms: &[(usize, Q)]| -> Checked<()> {
+        let of_row: u64 = row.iter().map(Element::cost).sum();
         meter.spend(size as u64 * (of_row + terms.len() as u64) + entries)?;
-        let mut rest = scaled_times(row, matrix);
+        let mut rest = times(row, matrix);
         let mut coefficients = int(0);
         for (place, factor) in terms {
             let other = rows.get(*place).ok_or(RadiusReason::NoSuch)?;
             for (x, v) in rest.iter_mut().zip(other) {
-                *x = x.minus(&N::fraction(&(factor * v)));
+                *x = x.minus(&v.scaled(factor));
             }
             coefficients += factor.abs();
         }
-        let remainder = rest.iter().fold(N::whole(0), |sum, x| sum.plus(&x.size()));
-        let cost = remainder.scaled(&inverse).plus(&N::fraction(&coefficients));
+        let remainder = rest.iter().fold(Element::whole(0), |sum, x| sum.plus(&x.size()));
+        let cost = remainder.scaled(&inverse).plus(&Element::fraction(&coefficients));
         if cost.minus(&bound).sign() <= 0 {
             return Ok(());
         }

@@ -2,14 +2,13 @@
 
 use super::Checked;
 use super::independence::is_independent;
-use super::number::Number;
 use super::read::{Certificate, Lower};
 use crate::decimal::{Q, int};
 use crate::reject::{At, RadiusReason, RadiusRejection, require};
 use num_traits::Pow as _;
 
 /// The m for which the limits are C^m, and that for which not all are.
-pub fn check<N: Number>(certificate: &Certificate) -> Checked<(Option<usize>, Option<usize>)> {
+pub fn check(certificate: &Certificate) -> Checked<(Option<usize>, Option<usize>)> {
     let Certificate { continuous, not_continuous, .. } = certificate;
     let Some((_, order)) = certificate.order else {
         return match continuous.or(*not_continuous) {
@@ -30,7 +29,7 @@ pub fn check<N: Number>(certificate: &Certificate) -> Checked<(Option<usize>, Op
     if let Some((line, m)) = *not_continuous {
         // Not C^0: the scheme diverges, whatever the shifts are.
         require(m == 0 || continuous.is_some(), RadiusReason::NotConvergent).at(line)?;
-        let independent = || is_independent::<N>(&certificate.symbol(), n);
+        let independent = || is_independent(&certificate.symbol(), n);
         require(m == 0 || independent(), RadiusReason::Dependent).at(line)?;
         let reaches = |lower: &Lower| m <= order && lower.bound >= limit(m).pow(lower.degree());
         let reached = certificate.lower.as_ref().is_some_and(reaches);

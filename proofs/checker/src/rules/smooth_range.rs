@@ -104,33 +104,18 @@ fn covered(
     closed: bool,
     meter: &Meter,
 ) -> Result<bool, Stop> {
-    let against = |at: &Root, end: &Option<Value>| -> Result<Option<Ordering>, Stop> {
-        end.as_ref().map(|end| self::against(at, end, meter)).transpose()
-    };
     for (place, _) in signs.iter().enumerate().filter(|(_, sign)| **sign >= 0) {
         // The break itself, or the piece between the break before it and this one.
         let (at, half) = (place % 2 == 1, place / 2);
-        let (low, high) = if at {
-            (Some(&breaks[half]), Some(&breaks[half]))
-        } else {
-            (half.checked_sub(1).map(|i| &breaks[i]), breaks.get(half))
-        };
+        let low = if at { Some(&breaks[half]) } else { half.checked_sub(1).map(|i| &breaks[i]) };
         let touching = !at || !closed;
-        let below = match high {
-            Some(high) => {
-                let order = against(high, from)?;
-                order.is_some_and(|order| order.is_lt() || touching && order.is_eq())
-            }
-            None => false,
+        let beyond = |at: Option<&Root>, end: &Option<Value>, side: Ordering| {
+            let Some((at, end)) = at.zip(end.as_ref()) else { return Ok(false) };
+            let order = against(at, end, meter)?;
+            Ok::<bool, Stop>(order == side || touching && order.is_eq())
         };
-        let above = match low {
-            Some(low) => {
-                let order = against(low, to)?;
-                order.is_some_and(|order| order.is_gt() || touching && order.is_eq())
-            }
-            None => false,
-        };
-        if !below && !above {
+        let below = beyond(breaks.get(half), from, Ordering::Less)?;
+        if !below && !beyond(low, to, Ordering::Greater)? {
             return Ok(false);
         }
     }
