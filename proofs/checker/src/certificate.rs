@@ -33,6 +33,12 @@ impl<'a> Line<'a> {
     }
 }
 
+/// So many words of a line.
+pub fn words<'t, const N: usize>(said: &'t str, what: &'static str) -> Checked<[&'t str; N]> {
+    let words: Vec<&str> = said.split_whitespace().collect();
+    words.try_into().map_err(|_| Reason::Malformed(what).into())
+}
+
 /// The line of a claim and the lines that are indented under it. A rule takes them one by one.
 #[derive(Clone, Debug)]
 pub struct Block<'a> {
@@ -87,6 +93,11 @@ impl<'a> Block<'a> {
         let said = self.after(word)?;
         let same = |text: &str| text.split_whitespace().eq(said.split_whitespace());
         compare(text.is_some_and(same), said, text.unwrap_or_default(), Reason::Restated)
+    }
+
+    /// The same, of a text that the claim file need not have. Without it there is no line.
+    pub fn may_restate(&mut self, word: &'static str, text: Option<&str>) -> Checked<()> {
+        if text.is_some() { self.restates(word, text) } else { Ok(()) }
     }
 
     /// Takes the next line. It has to be this word alone.

@@ -1,6 +1,6 @@
 //! Printed Hölder exponents, and their comparison with K − log_n(q)/l.
 
-use crate::decimal::{Q, int};
+use crate::decimal::{Q, count, int};
 use crate::evaluate::Scope;
 use crate::formula::{Expr, Head};
 use crate::magnitude::compare;
@@ -106,7 +106,6 @@ fn has_logarithm(expr: &Expr) -> bool {
 impl Bound<'_> {
     /// How K − log_n(q)/l compares with a + Σ c·log_n(x): n^{K − a} with q^{1/l} Π x^c.
     pub fn compare(&self, value: &LogSum) -> Result<Ordering, Stop> {
-        let count = |x: usize| Q::from_integer(x.into());
         let mut powers = vec![
             (count(self.arity), count(self.order) - &value.rational),
             (self.radius.clone(), -count(self.degree).recip()),

@@ -70,6 +70,7 @@ mod rules;
 mod said;
 mod setting;
 mod table;
+mod tasks;
 mod witness;
 
 // Joint spectral radii, depths of control data, constants that programs ship, and theorems of Coq.
@@ -79,7 +80,7 @@ mod sets;
 mod shipped;
 
 use catalogue::catalogue;
-use certificate::{About, Block};
+use certificate::About;
 use definitions::formulas;
 pub use kernel::Agreement;
 use library::Library;
@@ -98,6 +99,7 @@ use std::num::NonZero;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{Builder, available_parallelism};
+use tasks::{Task, tasks};
 use toml::Toml;
 
 /// The bytes of a stack. The deepest formula needs fewer.
@@ -146,10 +148,15 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     if file.get("project").is_some() {
         return check_project(&file, certificates);
     }
-    let (known, key) = (catalogue()?, of_paper(&file)?.to_owned());
+    check_paper(&file, certificates).map(|(report, _)| report)
+}
+
+/// Checks certificates against the claim file of a paper. Gives the values of parameters too that valid ones recover.
+fn check_paper(file: &Toml, certificates: &[&str]) -> Result<(Report, Vec<kernel::Given>), String> {
+    let (known, key) = (catalogue()?, of_paper(file)?.to_owned());
     let meter = Meter::default();
     let library = Library::new(file.list("scheme"), &known, &meter);
-    let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
+    let paper = Paper::new(file, &library).map_err(|stop| stop.to_string())?;
     let mut ids = BTreeSet::new();
     let tables = file.list("regularity").iter().map(|table| table.text("id").unwrap_or(""));
     for id in paper.claims().into_iter().map(|(_, id)| id).chain(tables).chain([&key[..]]) {
@@ -160,13 +167,13 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
             return Err(format!("two claims are called `{id}`"));
         }
     }
-    let (tasks, broken) = tasks(&file, About::Paper(&key), &shape::KINDS, certificates);
+    let (tasks, broken) = tasks(file, About::Paper(&key), &shape::KINDS, certificates);
     let mut outcomes: BTreeMap<(&str, &str), Outcome> = BTreeMap::new();
     let (mut holding, mut cited) = (BTreeSet::new(), Vec::new());
     let mut given: Vec<(&str, Given)> = Vec::new();
     let mut borrowed: Vec<(&Task<'_>, (Given, String))> = Vec::new();
     let mut verdicts_said = BTreeMap::new();
-    for (task, verdict) in tasks.iter().zip(verdicts(&file, &known, &tasks)) {
+    for (task, verdict) in tasks.iter().zip(verdicts(file, &known, &tasks)) {
         let outcome = match verdict {
             Ok(Verdict::Other) => Outcome::Valid,
             Ok(Verdict::Recovers(Recovered { own, from })) => {
@@ -182,7 +189,7 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
                 cited.push((task.id, task.block.head, citation.uses));
                 Outcome::Cited(citation.statement)
             }
-            Err(rejection) => task.refused(rejection),
+            Err(rejection) => refused(task, rejection),
         };
         if matches!(outcome, Outcome::Valid | Outcome::Cited(_)) {
             verdicts_said.insert(task.id.to_owned(), said::verdict(task.kind, &task.block));
@@ -200,6 +207,12 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
         outcomes.insert((task.kind, task.id), Outcome::Invalid(task.place, rejection));
         given.retain(|(id, _)| *id != task.id);
     }
+    let from = borrowed.into_iter().map(|(task, (given, _))| (task.id, given));
+    let valid = |id| outcomes.get(&("table", id)) == Some(&Outcome::Valid);
+    let recovered = given.into_iter().chain(from).filter(|(id, _)| valid(id));
+    let recovered =
+        recovered.map(|(id, (name, value))| kernel::Given { table: id.to_owned(), name, value });
+    let recovered = recovered.collect();
     for (id, head, uses) in cited {
         if let Some(other) = uses.into_iter().find(|other| !holding.contains(&other[..])) {
             let rejection = head.reject(Reason::Premise(other));
@@ -209,7 +222,8 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let claims = paper.claims().into_iter().map(|(kind, id)| {
         (kind, id.to_owned(), outcomes.remove(&(kind, id)).unwrap_or(Outcome::Incomplete(None)))
     });
-    Ok(Report { key, claims: claims.collect(), verdicts: verdicts_said, broken })
+    let claims = claims.collect();
+    Ok((Report { key, claims, verdicts: verdicts_said, broken }, recovered))
 }
 
 /// Checks the fields and names of a claim file, and gives its key.
@@ -240,7 +254,7 @@ pub fn check_theorems(
         return Err("there are no theorems about the constants of a project".to_owned());
     }
     let (known, key) = (catalogue()?, of_paper(&file)?);
-    let recovered = recovered(claims, certificates, key)?;
+    let (_, recovered) = check_paper(&file, certificates)?;
     let compare = || {
         let meter = Meter::default();
         let library = Library::new(file.list("scheme"), &known, &meter);
@@ -258,36 +272,6 @@ pub fn check_theorems(
         let worker = Builder::new().stack_size(STACK).spawn_scoped(scope, compare);
         worker.expect("a thread").join().unwrap_or_else(|panic| resume_unwind(panic))
     })
-}
-
-/// The values that valid certificates recover.
-fn recovered(claims: &str, certificates: &[&str], key: &str) -> Result<Vec<kernel::Given>, String> {
-    let report = check(claims, certificates)?;
-    let is_valid = |kind: &str, id: &str| {
-        let valid = |(k, i, outcome): &(&str, String, Outcome)| {
-            *k == kind && i == id && *outcome == Outcome::Valid
-        };
-        report.claims.iter().any(valid)
-    };
-    let mut given = Vec::new();
-    for text in certificates {
-        for block in certificate::blocks(text, About::Paper(key)).unwrap_or_default() {
-            let (kind, id) = block.head.word();
-            let lines = block.lines().iter().map(certificate::Line::word);
-            for (_, said) in lines.filter(|(word, _)| *word == "recovered" && is_valid(kind, id)) {
-                let mut words = said.split(' ');
-                let (name, value) = (words.next(), words.next().and_then(decimal::read_rational));
-                if let (Some(name), Some(value)) = (name, value) {
-                    given.push(kernel::Given {
-                        table: id.to_owned(),
-                        name: name.to_owned(),
-                        value,
-                    });
-                }
-            }
-        }
-    }
-    Ok(given)
 }
 
 /// Checks certificates against the claim file of a project.
@@ -316,7 +300,7 @@ fn check_project(file: &Toml, certificates: &[&str]) -> Result<Report, String> {
                 verdicts.insert(task.id.to_owned(), verdict);
                 Outcome::Valid
             }
-            Err(rejection) => task.refused(rejection),
+            Err(rejection) => refused(task, rejection),
         };
         outcomes.insert(task.id, outcome);
     }
@@ -331,63 +315,13 @@ fn is_id(text: &str) -> bool {
     !text.is_empty() && text.chars().all(fits)
 }
 
-/// A claim and its block of a certificate.
-struct Task<'t> {
-    /// The index of the certificate.
-    place: usize,
-    kind: &'t str,
-    id: &'t str,
-    claim: &'t Toml,
-    block: Block<'t>,
-    /// Whether other blocks are about the same claim. Of several none counts, neither for this claim nor for others.
-    twice: bool,
-}
-
-impl<'t> Task<'t> {
-    /// The block, if it is the only one about its claim.
-    fn once(&self) -> Checked<Block<'t>> {
-        let once = reject::require(!self.twice, Reason::Twice).at(self.block.head.number);
-        once.map(|()| self.block.clone())
+/// The outcome of a claim whose certificate is refused.
+fn refused(task: &Task<'_>, rejection: Rejection) -> Outcome {
+    if rejection.given_up() {
+        Outcome::Incomplete(Some(rejection))
+    } else {
+        Outcome::Invalid(task.place, rejection)
     }
-
-    /// The outcome of a claim whose certificate is refused.
-    fn refused(&self, rejection: Rejection) -> Outcome {
-        if rejection.given_up() {
-            Outcome::Incomplete(Some(rejection))
-        } else {
-            Outcome::Invalid(self.place, rejection)
-        }
-    }
-}
-
-/// The blocks of certificates about claims of these kinds, and the rejections of whole certificates.
-fn tasks<'t>(
-    file: &'t Toml,
-    about: About<'_>,
-    kinds: &[&str],
-    certificates: &[&'t str],
-) -> (Vec<Task<'t>>, Vec<(usize, Rejection)>) {
-    let (mut tasks, mut broken, mut counts) = (Vec::new(), Vec::new(), BTreeMap::new());
-    for (place, text) in certificates.iter().enumerate() {
-        let blocks = certificate::blocks(text, about).unwrap_or_else(|rejection| {
-            broken.push((place, rejection));
-            Vec::new()
-        });
-        for block in blocks {
-            let (kind, id) = block.head.word();
-            let claim = file.list(kind).iter().find(|claim| claim.text("id") == Some(id));
-            let Some(claim) = claim.filter(|_| kinds.contains(&kind)) else {
-                broken.push((place, block.head.reject(Reason::NoSuchClaim)));
-                continue;
-            };
-            *counts.entry((kind, id)).or_insert(0) += 1;
-            tasks.push(Task { place, kind, id, claim, block, twice: false });
-        }
-    }
-    for task in &mut tasks {
-        task.twice = counts[&(task.kind, task.id)] > 1;
-    }
-    (tasks, broken)
 }
 
 /// Checks every task on its own, on all cores.

@@ -3,9 +3,9 @@
 use crate::decimal::Q;
 use num_traits::Zero;
 
-/// The unit matrix.
-pub fn unit<T: Clone>(size: usize, [zero, one]: [T; 2]) -> Vec<Vec<T>> {
-    let entry = |i, j| if i == j { one.clone() } else { zero.clone() };
+/// A multiple of the unit matrix, by its entries off and on the diagonal.
+pub fn unit<T: Clone>(size: usize, [off, on]: [T; 2]) -> Vec<Vec<T>> {
+    let entry = |i, j| if i == j { on.clone() } else { off.clone() };
     (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect()
 }
 

@@ -36,7 +36,7 @@ fn cells(table: &Toml) -> Result<Vec<(&'static str, Toml)>, String> {
     }
     let (id, locus) = (table.text("id").unwrap_or_default(), table.text("locus"));
     let rows = rows(table)?;
-    let columns: Vec<&str> = table.list("columns").iter().filter_map(Toml::as_text).collect();
+    let columns: Vec<&str> = table.texts("columns").collect();
     let different: BTreeSet<&&str> = columns.iter().collect();
     if columns.is_empty() || different.len() < columns.len() {
         return Err("no column, or one twice".to_owned());

@@ -260,6 +260,12 @@ stopped!(Reason RadiusReason DepthReason);
 /// The result of a check.
 pub type Checked<T, R = Reason> = Result<T, Rejection<R>>;
 
+/// The result of a check of a joint spectral radius.
+pub type RadiusChecked<T> = Checked<T, RadiusReason>;
+
+/// The result of a check of a depth.
+pub type DepthChecked<T> = Checked<T, DepthReason>;
+
 /// A result whose rejection gets a line.
 pub trait At {
     /// The same at this line, if the rejection has no line of its own.

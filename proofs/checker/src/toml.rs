@@ -70,6 +70,16 @@ impl Toml {
         self.get(key).map_or(&[], Toml::as_list)
     }
 
+    /// The strings in the list of a key.
+    pub fn texts(&self, key: &str) -> impl Iterator<Item = &str> {
+        self.list(key).iter().filter_map(Toml::as_text)
+    }
+
+    /// Whether a key is `true`.
+    pub fn is_set(&self, key: &str) -> bool {
+        self.get(key) == Some(&Toml::Flag(true))
+    }
+
     /// The table that this is, or an empty one.
     pub fn as_table(&self) -> &[(String, Toml)] {
         if let Toml::Table(table) = self { table } else { &[] }

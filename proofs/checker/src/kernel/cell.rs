@@ -54,7 +54,8 @@ fn one(table: &Table<'_>, theorem: &Theorem) -> Checked<()> {
             let promised = Promised::new(table, at)?;
             let level = promised.level.ok_or(Reason::NoPromise)?;
             let mut expected = curve(&promised, Points::Indexed)?;
-            expected.push(Argument::Level(promised_level(level)?));
+            let level = u32::try_from(level).map_err(|_| Reason::Malformed("a level"))?;
+            expected.push(Argument::Level(level));
             stated(theorem, "bounds_distance", &expected)
         }
         ("sufficient_depth", "This depth suffices.") => {
@@ -136,10 +137,6 @@ fn constant(table: &Table<'_>, at: Place, theorem: &Theorem) -> Checked<()> {
 fn curve(promised: &Promised<'_>, points: Points) -> Checked<Vec<Argument>> {
     require(promised.schemes.len() == 1, Reason::Single)?;
     placed(promised.paper.library, &promised.schemes, promised.offset, points)
-}
-
-fn promised_level(level: i64) -> Checked<u32> {
-    Ok(u32::try_from(level).map_err(|_| Reason::Malformed("a level"))?)
 }
 
 /// Data of spread 1 exceed the promise of a cell, divided by the spread that it is for.

@@ -1,11 +1,10 @@
 //! The matrices that a certificate is about.
 
-use super::Checked;
 use super::element::Element;
 use super::matrices::Matrix;
 use super::read::{Certificate, Coordinates};
 use crate::decimal::int;
-use crate::reject::{At, RadiusReason, RadiusRejection, require};
+use crate::reject::{At, RadiusChecked as Checked, RadiusReason, RadiusRejection, require};
 
 /// The most rows of a matrix, and the most matrices.
 const MAX_SIZE: usize = 64;

@@ -1,6 +1,7 @@
 //! Whether the shifts of the limit function of a mask are linearly independent. THEOREMS.md, 108 and 121.
 
 use super::element::Element;
+use crate::decimal::count;
 
 /// Whether no z ≠ 0 is a common zero of the n parts of the symbol, and there is no z ≠ 1 such that A(wω) = 0 for all w =
 /// z, z^n, z^{n²}, …, and all ω ≠ 1 with ω^n = 1.
@@ -29,9 +30,7 @@ fn closed(symbol: &[Element], n: usize) -> Vec<Element> {
     if common.is_empty() {
         return common;
     }
-    let place =
-        |i: usize| Element::fraction(&crate::decimal::int(i64::try_from(i).unwrap_or(i64::MAX)));
-    let derivative: Vec<Element> = (1..common.len()).map(|i| common[i].times(&place(i))).collect();
+    let derivative: Vec<Element> = (1..common.len()).map(|i| common[i].scaled(&count(i))).collect();
     let mut closed = divided(&common, &gcd(&common, &derivative)).0;
     let (without, rest) =
         divided(&closed, &[Element::whole(0).minus(&Element::whole(1)), Element::whole(1)]);

@@ -13,7 +13,9 @@ use crate::certificate::Line;
 use crate::decimal::{Q, int};
 use crate::linear;
 use crate::meter::Meter;
-use crate::reject::{At, RadiusReason, RadiusRejection, Stop, Text, require};
+use crate::reject::{
+    At, RadiusChecked as Checked, RadiusReason, RadiusRejection, Stop, Text, require,
+};
 use element::Element;
 use given::symbol;
 use independence::is_independent;
@@ -36,8 +38,6 @@ pub struct Radius {
     /// Not all of them are C^m for this m.
     pub not_continuous: Option<usize>,
 }
-
-type Checked<T> = crate::reject::Checked<T, RadiusReason>;
 
 /// Checks a certificate of a joint spectral radius.
 ///

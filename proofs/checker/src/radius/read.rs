@@ -1,10 +1,9 @@
 //! The lines of a certificate of a joint spectral radius.
 
-use super::Checked;
 use super::field::Field;
 use crate::certificate::{Line, alone};
 use crate::decimal::{Q, read_rational};
-use crate::reject::{At, RadiusReason, require};
+use crate::reject::{At, RadiusChecked as Checked, RadiusReason, require};
 use num_traits::{Signed, Zero};
 use std::rc::Rc;
 

@@ -1,10 +1,9 @@
 //! What a radius says of the limits of a scheme. THEOREMS.md, 107, 108 and 110.
 
-use super::Checked;
 use super::independence::is_independent;
 use super::read::{Certificate, Lower};
-use crate::decimal::{Q, int};
-use crate::reject::{At, RadiusReason, RadiusRejection, require};
+use crate::decimal::count;
+use crate::reject::{At, RadiusChecked as Checked, RadiusReason, RadiusRejection, require};
 use num_traits::Pow as _;
 
 /// The m for which the limits are C^m, and that for which not all are.
@@ -18,10 +17,7 @@ pub fn check(certificate: &Certificate) -> Checked<(Option<usize>, Option<usize>
     };
     let n = certificate.rules.len();
     // n^{K − m}.
-    let limit = |m: usize| -> Q {
-        let base = int(i64::try_from(n).unwrap_or(i64::MAX));
-        (m..order).fold(int(1), |power, _| power * &base)
-    };
+    let limit = |m: usize| (m..order).fold(count(1), |power, _| power * count(n));
     if let Some((line, m)) = *continuous {
         let below = m < order && certificate.bound < limit(m);
         require(below, RadiusReason::NotBelow).at(line)?;

@@ -150,8 +150,7 @@ fn values(table: &Table<'_>, name: &str) -> Result<BTreeSet<Q>, Stop> {
     for claim in paper.file.list("table") {
         let given = paper.constants(claim.entries("given"))?;
         found.extend(given.get(name).and_then(Value::rational));
-        for axis in ["rows", "columns"].into_iter().filter_map(|axis| claim.get(axis)) {
-            let headers = Headers::read(axis)?;
+        for headers in Headers::of(claim)? {
             let axis = headers.axis().filter(|axis| axis.name == name);
             found.extend(axis.into_iter().flat_map(|axis| &axis.entries).map(|(_, v)| v.clone()));
         }

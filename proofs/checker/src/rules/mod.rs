@@ -37,6 +37,7 @@ use crate::shape::misfit;
 use crate::toml::Toml;
 pub use instance::{Instance, first_level};
 pub use recovered::{Given, Recovered};
+pub use sides::Stated;
 pub use sound::Promised;
 use theorem::Citation;
 

@@ -145,17 +145,13 @@ pub fn kept(
     Ok(())
 }
 
-fn values(paper: &Paper<'_>, said: &str) -> Checked<Vec<Value>> {
-    said.split_whitespace().map(|word| paper.number(word)).collect()
-}
-
 /// Checks `weights …`, and gives e_a − w for every point.
 pub fn errors(
     paper: &Paper<'_>,
     ring: &LocalRules<'_>,
     block: &mut Block<'_>,
 ) -> Checked<Vec<Vec<Value>>> {
-    let weights = values(paper, block.after("weights")?)?;
+    let weights = paper.numbers(block.after("weights")?)?;
     require(ring.is_limit(&weights)?, Reason::Weights)?;
     require(ring.contracts()?, Reason::NoLimit)?;
     let errors = ring.units().into_iter().map(|unit| less(&unit, &weights));
@@ -172,7 +168,7 @@ pub fn flows(
     small: &dyn Fn(&Value) -> Checked<()>,
 ) -> Checked<()> {
     for functional in functionals {
-        let flow = values(paper, block.after("flow")?)?;
+        let flow = paper.numbers(block.after("flow")?)?;
         require(flow.len() == ring.edges.len(), Reason::Malformed("a number for each edge"))?;
         let (cost, carried) = ring.carried(&flow)?;
         for (carried, needed) in carried.iter().zip(functional) {

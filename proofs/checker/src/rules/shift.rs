@@ -9,7 +9,7 @@ use crate::displacement::moved;
 use crate::functional::Rules;
 use crate::library::Library;
 use crate::paper::Paper;
-use crate::polygon::{Polygon, spread};
+use crate::polygon::Polygon;
 use crate::reject::{Checked, Reason, compare, require};
 use crate::scheme::Scheme;
 use crate::setting::{MAX_CLASSES, Setting};
@@ -92,9 +92,7 @@ struct Level(Polygon, BigInt);
 
 impl Level {
     fn of(rules: &Rules<'_>, control: &Polygon, level: u32) -> Checked<Level> {
-        let Polygon { first, points } = control;
-        let own = Polygon { first: *first, points: points.clone() };
-        let mut last = Level(own, BigInt::one());
+        let mut last = Level(control.clone(), BigInt::one());
         for _ in 0..level {
             let (points, over) = rules.refined((&last.0, &last.1))?;
             last = Level(points, over);
@@ -107,8 +105,7 @@ impl Level {
     }
 
     fn spread(&self) -> Q {
-        let pairs = self.0.points.windows(2).map(|pair| [&pair[0], &pair[1]]);
-        Q::new(spread(pairs), self.1.clone())
+        Q::new(self.0.spread(), self.1.clone())
     }
 }
 

@@ -32,8 +32,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let free = Free::read(paper, claim, block)?;
     block.restates("smoothness", claim.text("smoothness"))?;
     let m = order(claim.text("smoothness").unwrap_or_default())?;
-    let [closed, only] =
-        ["closed", "only"].map(|key| matches!(claim.get(key), Some(Toml::Flag(true))));
+    let [closed, only] = ["closed", "only"].map(|key| claim.is_set(key));
     let ends = [end(paper, claim, "from")?, end(paper, claim, "to")?];
     require(ends.iter().any(Option::is_some), Reason::Malformed("an end"))?;
     if let [Some(from), Some(to)] = &ends {

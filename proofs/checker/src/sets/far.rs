@@ -1,10 +1,9 @@
 //! Whether a point of one set is far from all of the other (THEOREMS.md, 167).
 
-use super::Checked;
 use super::near::{Set, cell, is_inside, parts, roots};
 use super::net::{Cell, Net, Point, Ratio, TOLERANCE, length, square};
 use crate::meter::Meter;
-use crate::reject::{DepthReason, require};
+use crate::reject::{DepthChecked as Checked, DepthReason, require};
 
 /// The highest level of cells.
 const DEEPEST: u32 = 30;

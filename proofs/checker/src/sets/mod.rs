@@ -7,7 +7,7 @@ mod net;
 mod read;
 
 use crate::meter::Meter;
-use crate::reject::{At, DepthReason, DepthRejection, require};
+use crate::reject::{At, DepthChecked as Checked, DepthReason, DepthRejection, require};
 use direction::Direction;
 use near::Set;
 use net::{Net, Ratio, less};
@@ -16,8 +16,6 @@ use std::fmt;
 
 /// The most steps of a certificate, of all its lines together.
 const MAX_STEPS: u64 = 200_000_000;
-
-type Checked<T> = crate::reject::Checked<T, DepthReason>;
 
 /// What a valid certificate proves.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,10 +1,9 @@
 //! The refined points of a control polygon or net, in whole multiples of a small unit with bounds of their errors.
 
-use super::Checked;
 use super::direction::Direction;
 use crate::decimal::{Q, int};
 use crate::meter::Meter;
-use crate::reject::Stop;
+use crate::reject::{DepthChecked as Checked, Stop};
 use num_integer::{Integer as _, Roots as _};
 use num_traits::{Signed as _, ToPrimitive as _};
 use std::collections::HashMap;
@@ -330,40 +329,33 @@ impl<'a> Net<'a> {
         Ok(all)
     }
 
-    /// The greatest distance of the polygon of a level from that of `net` at equal parameters, on a cell of the level:
-    /// the difference is linear, in each direction, between the nodes of both.
-    pub fn apart(&mut self, level: u32, cell: Cell, net: u32) -> Checked<i128> {
-        let mut nodes = [vec![Ratio { top: 0, bottom: 1 }], vec![Ratio { top: 0, bottom: 1 }]];
+    /// The nodes of some nets on a cell, in both directions.
+    fn grid(&self, level: u32, cell: Cell, nets: &[u32]) -> Checked<Vec<[Ratio; 2]>> {
+        let mut nodes = [(); 2].map(|()| vec![Ratio { top: 0, bottom: 1 }]);
         for which in 0..self.count() {
-            nodes[which] = self.nodes(which, level, cell[which], level)?;
-            nodes[which].extend(self.nodes(which, level, cell[which], net)?);
+            let of = nets.iter().map(|net| self.nodes(which, level, cell[which], *net));
+            nodes[which] = of.collect::<Checked<Vec<_>>>()?.concat();
             nodes[which].sort_by(|x, y| less(*y, *x).cmp(&less(*x, *y)));
             nodes[which].dedup();
         }
+        let [rows, columns] = &nodes;
+        Ok(rows.iter().flat_map(|row| columns.iter().map(|column| [*row, *column])).collect())
+    }
+
+    /// The greatest distance of the polygon of a level from that of `net` at equal parameters, on a cell of the level:
+    /// the difference is linear, in each direction, between the nodes of both.
+    pub fn apart(&mut self, level: u32, cell: Cell, net: u32) -> Checked<i128> {
         let mut greatest = 0;
-        for row in &nodes[0] {
-            for column in &nodes[1] {
-                let [own, other] = [level, net].map(|net| self.at(net, &[*row, *column]));
-                greatest = greatest.max(square(&own?, &other?));
-            }
+        for at in self.grid(level, cell, &[level, net])? {
+            let [own, other] = [level, net].map(|net| self.at(net, &at));
+            greatest = greatest.max(square(&own?, &other?));
         }
         Ok(length(greatest))
     }
 
     /// All values of the polygon of `net` on a cell are in the hull of these.
     pub fn hull(&mut self, level: u32, cell: Cell, net: u32) -> Checked<Vec<Point>> {
-        let rows = self.nodes(0, level, cell[0], net)?;
-        let columns = match self.count() {
-            1 => vec![Ratio { top: 0, bottom: 1 }],
-            _ => self.nodes(1, level, cell[1], net)?,
-        };
-        let mut all = Vec::with_capacity(rows.len() * columns.len());
-        for row in &rows {
-            for column in &columns {
-                all.push(self.at(net, &[*row, *column])?);
-            }
-        }
-        Ok(all)
+        self.grid(level, cell, &[net])?.into_iter().map(|at| self.at(net, &at)).collect()
     }
 
     /// How far the limit, and all later polygons, are at most from the polygon of the level on a cell (167).

@@ -1,9 +1,8 @@
 //! The lines of a certificate of a depth.
 
-use super::Checked;
 use crate::certificate::{Line, alone};
 use crate::decimal::{Q, bits, read_rational};
-use crate::reject::{At, DepthReason, DepthRejection, Stop, require};
+use crate::reject::{At, DepthChecked as Checked, DepthReason, DepthRejection, Stop, require};
 use num_traits::{Signed, Zero};
 
 /// The first line.

@@ -1,7 +1,7 @@
 //! Polynomials on a square or a triangle by their coefficients in Bernstein form.
 
 use super::ball::Ball;
-use crate::decimal::{Q, int};
+use crate::decimal::{Q, count, int};
 use num_traits::Pow;
 
 /// The coefficients x_{i,j} of Σ x_{i,j} C(d,i)u^i(1−u)^{d−i} C(d,j)v^j(1−v)^{d−j}; or, on a triangle, for i + j ≤ d, of
@@ -15,8 +15,7 @@ pub struct Form {
 }
 
 fn choose(n: usize, k: usize) -> Q {
-    let number = |n: usize| int(i64::try_from(n).unwrap_or(1));
-    (0..k).fold(int(1), |product, i| product * number(n - i) / number(i + 1))
+    (0..k).fold(int(1), |product, i| product * count(n - i) / count(i + 1))
 }
 
 /// C(d,i)u^i(1−u)^{d−i}.

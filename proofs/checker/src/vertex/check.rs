@@ -7,7 +7,7 @@ use super::lattice::Part;
 use super::net::Net;
 use super::pieces::{Piece, pieces};
 use super::spectrum;
-use crate::certificate::Block;
+use crate::certificate::{Block, words};
 use crate::decimal::{Q, int, read_rational};
 use crate::local_rules::LocalRules;
 use crate::reject::{Checked, Reason, Stop, agree, require};
@@ -23,12 +23,6 @@ pub enum Found {
     Smooth,
     /// It is not C¹.
     Rough,
-}
-
-/// So many words.
-fn words<'t, const N: usize>(said: &'t str, what: &'static str) -> Checked<[&'t str; N]> {
-    let words: Vec<&str> = said.split_whitespace().collect();
-    words.try_into().map_err(|_| Reason::Malformed(what).into())
 }
 
 /// A number of a line.
