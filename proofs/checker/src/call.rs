@@ -1,7 +1,7 @@
 //! A call of a function, with its options.
 
 use crate::convolution::{Convolution, Sequence};
-use crate::decimal::Q;
+use crate::decimal::count;
 use crate::evaluate::{Asked, Indices, MAX_INTEGER, Scope};
 use crate::library::Library;
 use crate::reject::Stop;
@@ -41,7 +41,7 @@ pub fn within(value: &Value, least: i64, most: i64) -> Result<usize, Stop> {
 
 /// A count as a value.
 pub fn number(value: usize) -> Value {
-    Q::from_integer(value.into()).into()
+    count(value).into()
 }
 
 impl<'c> Call<'c> {

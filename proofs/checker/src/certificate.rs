@@ -1,6 +1,6 @@
 //! Certificates: lines, and blocks of lines.
 
-use crate::reject::{Checked, Compared, Reason, Rejection, Text, agree, compare, require};
+use crate::reject::{At, Checked, Compared, Reason, Rejection, Text, agree, compare, require};
 
 /// The first line of a certificate.
 const VERSION: &str = "subcert-certificate 4";
@@ -31,6 +31,12 @@ impl<'a> Line<'a> {
         let (word, rest) = self.text.split_once(' ').unwrap_or((self.text, ""));
         (word, rest.trim_start())
     }
+}
+
+/// So many words of a line.
+pub fn words<'t, const N: usize>(said: &'t str, what: &'static str) -> Checked<[&'t str; N]> {
+    let words: Vec<&str> = said.split_whitespace().collect();
+    words.try_into().map_err(|_| Reason::Malformed(what).into())
 }
 
 /// The line of a claim and the lines that are indented under it. A rule takes them one by one.
@@ -89,6 +95,11 @@ impl<'a> Block<'a> {
         compare(text.is_some_and(same), said, text.unwrap_or_default(), Reason::Restated)
     }
 
+    /// The same, of a text that the claim file need not have. Without it there is no line.
+    pub fn may_restate(&mut self, word: &'static str, text: Option<&str>) -> Checked<()> {
+        if text.is_some() { self.restates(word, text) } else { Ok(()) }
+    }
+
     /// Takes the next line. It has to be this word alone.
     pub fn word(&mut self, word: &'static str) -> Checked<()> {
         let rest = self.after(word)?;
@@ -120,6 +131,13 @@ impl<'a> Block<'a> {
     }
 }
 
+/// The numbered lines of a certificate that stands alone, after its first one and without comments.
+pub fn alone(text: &str) -> impl Iterator<Item = Line<'_>> {
+    let lines = (1..).zip(text.lines().map(str::trim)).skip(1);
+    let lines = lines.map(|(number, text)| Line { number, text });
+    lines.filter(|line| !line.text.is_empty() && !line.text.starts_with('#'))
+}
+
 /// What a certificate is about, as its second line says: a paper or a project, and its key.
 #[derive(Clone, Copy)]
 pub enum About<'k> {
@@ -144,7 +162,7 @@ impl About<'_> {
 pub fn blocks<'a>(text: &'a str, about: About<'_>) -> Checked<Vec<Block<'a>>> {
     let mut number = 0;
     let blocks = read(text, about, &mut number);
-    blocks.map_err(|rejection| rejection.at(number.max(1)))
+    blocks.at(number.max(1))
 }
 
 /// Reads the blocks. It counts the lines up to the one that is wrong.

@@ -39,6 +39,20 @@ impl Cursor {
         found
     }
 
+    /// Takes blanks and line ends.
+    pub fn space(&mut self) {
+        self.take(char::is_whitespace);
+    }
+
+    /// Takes a token and the blanks behind it, if it stands here.
+    pub fn token(&mut self, token: &str) -> bool {
+        let found = self.eat(token);
+        if found {
+            self.space();
+        }
+        found
+    }
+
     /// Takes a token. It has to stand here.
     pub fn expect(&mut self, token: &'static str) -> Parsed<()> {
         if self.eat(token) { Ok(()) } else { Err(token) }

@@ -23,6 +23,11 @@ pub fn int(value: i64) -> Q {
     Q::from_integer(value.into())
 }
 
+/// A count as a rational number.
+pub fn count(value: usize) -> Q {
+    Q::from_integer(value.into())
+}
+
 /// The binary digits of the numerator and the denominator.
 pub fn bits(value: &Q) -> u64 {
     value.numer().bits() + value.denom().bits()

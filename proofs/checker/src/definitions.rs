@@ -32,16 +32,13 @@ pub fn formulas(entries: &[(String, Toml)]) -> Result<Definitions, Stop> {
 pub fn names(expr: &Expr, definitions: &Definitions) -> BTreeSet<String> {
     let (mut names, mut waiting) = (BTreeSet::new(), vec![expr]);
     while let Some(expr) = waiting.pop() {
-        let found: Vec<&String> = match expr {
-            Expr::Name(name) | Expr::Of(Head::Member(name), _) => vec![name],
-            Expr::Of(Head::Call(_, options), _) => options.iter().map(|(_, word)| word).collect(),
-            Expr::Number(_) | Expr::Of(..) => Vec::new(),
-        };
-        if let Expr::Of(_, parts) = expr {
-            waiting.extend(parts);
-        }
-        for name in found {
-            if names.insert(name.clone()) {
+        for node in expr.nodes() {
+            let found: Vec<&String> = match node {
+                Expr::Name(name) | Expr::Of(Head::Member(name), _) => vec![name],
+                Expr::Of(Head::Call(_, options), _) => options.iter().map(|(_, it)| it).collect(),
+                Expr::Number(_) | Expr::Of(..) => Vec::new(),
+            };
+            for name in found.into_iter().filter(|name| names.insert((*name).clone())) {
                 waiting.extend(definitions.get(name).map(|definition| &**definition));
             }
         }

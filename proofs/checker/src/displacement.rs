@@ -16,7 +16,7 @@ pub fn gather(piece: Option<&Piece<'_>>, values: &[Value], terms: usize) -> Resu
 
 /// ã_{α,m} of `x'_{ni+α} − ((1−α/n)x_i + (α/n)x_{i+1}) = Σ_m ã_{α,m} Δ_{i+m}`, in the order
 /// of m, from m = min(0, o) on.
-pub fn displaced(scheme: &Scheme, alpha: usize, offset: i64) -> Result<Vec<Value>, Stop> {
+fn displaced(scheme: &Scheme, alpha: usize, offset: i64) -> Result<Vec<Value>, Stop> {
     let row = &scheme.mask[alpha];
     let width = i64::try_from(row.len()).unwrap_or(0);
     let coefficient = |m: i64| {
@@ -33,6 +33,17 @@ pub fn displaced(scheme: &Scheme, alpha: usize, offset: i64) -> Result<Vec<Value
     (offset.min(0)..=(offset + width - 2).max(0)).map(coefficient).collect()
 }
 
+/// The terms of every rule, gathered.
+pub fn moved(
+    piece: Option<&Piece<'_>>,
+    scheme: &Scheme,
+    offset: i64,
+    terms: usize,
+) -> Result<Vec<Value>, Stop> {
+    let of = |alpha| gather(piece, &displaced(scheme, alpha, offset)?, terms);
+    (0..scheme.arity()).map(of).collect()
+}
+
 fn fraction(top: usize, bottom: usize) -> Value {
     Q::new(top.into(), bottom.into()).into()
 }
@@ -47,7 +58,7 @@ pub fn surface(
     let n = scheme.arity();
     // A_α = Σ_{h≥1} a_{α,h}, and s_α the sum of the ã_{α,m} with m ≥ 1.
     let tail = |rule: usize| Value::total(&scheme.mask[rule][1..]);
-    let moved = |rule: usize| gather(piece, &displaced(scheme, rule, 0)?[1..], terms);
+    let later = |rule: usize| gather(piece, &displaced(scheme, rule, 0)?[1..], terms);
     // |x − top/bottom| + factor·s
     let eta = |x: &Value, top: usize, bottom: usize, factor: &Value, s: &Value| {
         x.minus(&fraction(top, bottom))?.abs(piece)?.plus(1, &factor.times(s)?)
@@ -55,11 +66,11 @@ pub fn surface(
     let mut sums = Vec::new();
     for alpha in 0..n {
         for beta in 0..n {
-            let (a, b, s) = (tail(alpha)?, tail(beta)?, moved(alpha)?);
+            let (a, b, s) = (tail(alpha)?, tail(beta)?, later(alpha)?);
             let (first, norm) = (&scheme.mask[beta][0], gather(piece, &scheme.mask[alpha], terms)?);
             let eta = [
                 eta(&first.times(&a)?, alpha * (n - beta), n * n, &first.abs(piece)?, &s)?,
-                eta(&b, beta, n, &norm, &moved(beta)?)?,
+                eta(&b, beta, n, &norm, &later(beta)?)?,
                 eta(&a.times(&b)?, alpha * beta, n * n, &b.abs(piece)?, &s)?,
             ];
             let terms = eta.iter().zip(spreads).map(|(eta, spread)| eta.times(spread));

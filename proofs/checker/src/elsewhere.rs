@@ -9,30 +9,24 @@ use crate::headers::Headers;
 use crate::paper::{Paper, printed};
 use crate::reject::Stop;
 use crate::rounding::interval;
-use crate::table::{Instead, Place, Read, Scoped, Table};
-use crate::toml::Toml;
+use crate::table::{Asked, Instead, Place, Scoped, Table};
 use crate::value::Value;
 use num_traits::Pow;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// The schemes of all tables of a paper: each text once, in their order.
 pub fn references<'a>(paper: &Paper<'a>) -> Result<Vec<&'a str>, Stop> {
     let mut found = Vec::new();
     for claim in paper.file.list("table") {
-        for reference in claim.text("scheme").into_iter().chain(headers_of(claim)?) {
+        let axes = Headers::of(claim)?;
+        let headers = axes.iter().flat_map(|axis| axis.schemes().iter().copied());
+        for reference in claim.text("scheme").into_iter().chain(headers) {
             if !found.contains(&reference) {
                 found.push(reference);
             }
         }
     }
     Ok(found)
-}
-
-/// The schemes that are headers of a table.
-fn headers_of(claim: &Toml) -> Result<Vec<&str>, Stop> {
-    let axes = ["rows", "columns"].into_iter().filter_map(|axis| claim.get(axis));
-    let axes = axes.map(Headers::read).collect::<Result<Vec<_>, Stop>>()?;
-    Ok(axes.iter().flat_map(|axis| axis.schemes().to_vec()).collect())
 }
 
 /// Follows a formula that is only the name of a definition to the formula of this definition.
@@ -50,33 +44,31 @@ impl Table<'_> {
     pub fn scope_with<'s>(
         &'s self,
         copied: &Copied<'_>,
-        at: Place,
-        read: &'s Read,
-        assumed: &BTreeSet<String>,
+        asked: Asked<'s, '_>,
     ) -> Result<Scoped<'s>, Stop> {
-        let own = || self.own_scope(at, read, assumed, &Instead::default());
+        let own = || self.own_scope(asked, &Instead::default());
         let (of, value) = match copied {
             Copied::Tolerance(line) => {
                 let mut instead = Instead::default();
-                instead.values.extend(self.tolerance_at(*line, at, read, assumed)?);
-                return self.own_scope(at, read, assumed, &instead);
+                instead.values.extend(self.tolerance_at(*line, asked)?);
+                return self.own_scope(asked, &instead);
             }
             Copied::Numbers(first) => {
                 let mut scoped = own()?;
                 scoped.0.first = *first;
                 return Ok(scoped);
             }
-            Copied::Printed(of, table) => (of, self.printed_in(table, at, &own()?.0)?),
+            Copied::Printed(of, table) => (of, self.printed_in(table, asked.at, &own()?.0)?),
             Copied::Parameter(of, name, value) => {
                 let value = Value::from(value.clone());
                 let values = BTreeMap::from([((*name).to_owned(), value)]);
                 let instead = Instead { values, scheme: None };
-                (of, self.definition(of, at, read, assumed, &instead)?)
+                (of, self.definition(of, asked, &instead)?)
             }
             Copied::Scheme(of, number) => {
                 let scheme = references(self.paper)?.get(*number).copied();
                 let instead = Instead { values: BTreeMap::new(), scheme };
-                (of, self.definition(of, at, read, assumed, &instead)?)
+                (of, self.definition(of, asked, &instead)?)
             }
         };
         let mut scoped = own()?;
@@ -89,12 +81,10 @@ impl Table<'_> {
     fn definition(
         &self,
         name: &str,
-        at: Place,
-        read: &Read,
-        assumed: &BTreeSet<String>,
+        asked: Asked<'_, '_>,
         instead: &Instead<'_>,
     ) -> Result<Value, Stop> {
-        let scope = self.own_scope(at, read, assumed, instead);
+        let scope = self.own_scope(asked, instead);
         let value = scope.and_then(|(scope, _)| scope.value(&Expr::Name(name.to_owned())));
         value.map_err(none_if_wrong)
     }
@@ -131,26 +121,22 @@ impl Table<'_> {
     fn tolerance_at(
         &self,
         line: usize,
-        at: Place,
-        read: &Read,
-        assumed: &BTreeSet<String>,
+        asked: Asked<'_, '_>,
     ) -> Result<Option<(String, Value)>, Stop> {
-        let named = |axis: &Option<Headers<'_>>| {
-            axis.as_ref()
-                .and_then(Headers::axis)
-                .is_some_and(|own| self.tolerance == Some(own.name))
+        let at = asked.at;
+        let [rows, columns] =
+            self.axes.each_ref().map(|axis| axis.as_ref().and_then(Headers::axis));
+        let (axis, place, there) = match rows.filter(|own| self.tolerance == Some(own.name)) {
+            Some(rows) => (Some(rows), at.0, (at.0, line)),
+            None => (columns, at.1, (line, at.1)),
         };
-        let (axis, place, there) = if named(&self.axes[0]) {
-            (&self.axes[0], at.0, (at.0, line))
-        } else {
-            (&self.axes[1], at.1, (line, at.1))
-        };
-        let Some(axis) = axis.as_ref().and_then(Headers::axis) else { return Ok(None) };
+        let Some(axis) = axis else { return Ok(None) };
         let (text, printed) = &axis.entries[place];
         let decimal = Decimal::read(text).filter(|_| self.places().any(|other| other == there));
         let Some(decimal) = decimal else { return Ok(None) };
         let call = |instead: &Instead<'_>| {
-            let scope = self.own_scope(there, read, assumed, instead).map_err(none_if_wrong)?.0;
+            let there = Asked { at: there, ..asked };
+            let scope = self.own_scope(there, instead).map_err(none_if_wrong)?.0;
             let Expr::Of(Head::Call(_, _), parts) = behind_names(self, &self.value) else {
                 return Err(NONE);
             };

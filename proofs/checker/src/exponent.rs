@@ -1,6 +1,6 @@
 //! Printed Hölder exponents, and their comparison with K − log_n(q)/l.
 
-use crate::decimal::{Q, int};
+use crate::decimal::{Q, count, int};
 use crate::evaluate::Scope;
 use crate::formula::{Expr, Head};
 use crate::magnitude::compare;
@@ -99,19 +99,13 @@ impl LogSum {
 }
 
 fn has_logarithm(expr: &Expr) -> bool {
-    match expr {
-        Expr::Of(head, parts) => {
-            let own = matches!(head, Head::Call(function, _) if base(function).is_some());
-            own || parts.iter().any(has_logarithm)
-        }
-        _ => false,
-    }
+    let own = |of: &&Expr| matches!(of, Expr::Of(Head::Call(f, _), _) if base(f).is_some());
+    expr.nodes().iter().any(own)
 }
 
 impl Bound<'_> {
     /// How K − log_n(q)/l compares with a + Σ c·log_n(x): n^{K − a} with q^{1/l} Π x^c.
     pub fn compare(&self, value: &LogSum) -> Result<Ordering, Stop> {
-        let count = |x: usize| Q::from_integer(x.into());
         let mut powers = vec![
             (count(self.arity), count(self.order) - &value.rational),
             (self.radius.clone(), -count(self.degree).recip()),

@@ -1,6 +1,6 @@
 //! The fields Q(x), x = 2cos(2π/n).
 
-use crate::polynomial::divide;
+use crate::polynomial::{divide, multiplied};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 use std::cell::RefCell;
@@ -121,25 +121,13 @@ pub fn reduce(n: u32, polynomial: Vec<BigInt>) -> Vec<BigInt> {
     if n == 1 {
         return polynomial;
     }
-    let (minimal, mut rest) = (&field(n).minimal, polynomial);
-    let degree = minimal.len() - 1;
-    for at in (0..rest.len().saturating_sub(degree)).rev() {
-        let leading = rest.pop().unwrap_or_default();
-        for (sum, coefficient) in rest[at..].iter_mut().zip(minimal) {
-            *sum -= &leading * coefficient;
-        }
-    }
-    rest.resize(degree, BigInt::zero());
+    let minimal = &field(n).minimal;
+    let mut rest = divide(polynomial, minimal).1;
+    rest.resize(minimal.len() - 1, BigInt::zero());
     rest
 }
 
 /// The product of two polynomials in x.
 pub fn multiply(n: u32, left: &[BigInt], right: &[BigInt]) -> Vec<BigInt> {
-    let mut product = vec![BigInt::zero(); left.len() + right.len() - 1];
-    for (i, a) in left.iter().enumerate() {
-        for (j, b) in right.iter().enumerate() {
-            product[i + j] += a * b;
-        }
-    }
-    reduce(n, product)
+    reduce(n, multiplied(left, right))
 }

@@ -38,13 +38,24 @@ pub enum Head {
     Over(String, String),
 }
 
+impl Expr {
+    /// The formula and all of its parts.
+    pub fn nodes(&self) -> Vec<&Expr> {
+        let mut nodes = vec![self];
+        if let Expr::Of(_, parts) = self {
+            nodes.extend(parts.iter().flat_map(Expr::nodes));
+        }
+        nodes
+    }
+}
+
 /// Reads a formula of at most `longest` characters.
 pub fn parse(text: &str, longest: usize) -> Result<Expr, String> {
     if text.chars().count() > longest {
         return Err(format!("a formula of more than {longest} characters"));
     }
     let mut parser = Parser { text: Cursor::new(text), depth: 0 };
-    parser.space();
+    parser.text.space();
     let parsed = parser.sum().and_then(|expr| match parser.text.peek() {
         None => Ok(expr),
         Some(_) => Err("an operator or the end"),
@@ -71,21 +82,8 @@ pub fn is_name(text: &str) -> bool {
 }
 
 impl Parser {
-    fn space(&mut self) {
-        self.text.take(char::is_whitespace);
-    }
-
-    /// Takes a token and the blanks behind it.
-    fn eat(&mut self, token: &str) -> bool {
-        let found = self.text.eat(token);
-        if found {
-            self.space();
-        }
-        found
-    }
-
     fn expect(&mut self, token: &str, expected: &'static str) -> Parsed<()> {
-        if self.eat(token) { Ok(()) } else { Err(expected) }
+        if self.text.token(token) { Ok(()) } else { Err(expected) }
     }
 
     fn nested<T>(&mut self, parse: impl Fn(&mut Self) -> Parsed<T>) -> Parsed<T> {
@@ -104,7 +102,7 @@ impl Parser {
         operand: impl Fn(&mut Self) -> Parsed<Expr>,
     ) -> Parsed<Expr> {
         let (mut found, mut operands) = (Vec::new(), vec![operand(self)?]);
-        while let Some((_, operator)) = operators.iter().find(|(token, _)| self.eat(token)) {
+        while let Some((_, operator)) = operators.iter().find(|(token, _)| self.text.token(token)) {
             found.push(*operator);
             operands.push(operand(self)?);
         }
@@ -125,18 +123,18 @@ impl Parser {
 
     /// `-x^2` is `-(x^2)`, and `x^-2` is `x^(-2)`.
     fn factor(&mut self) -> Parsed<Expr> {
-        if self.eat("-") || self.eat("\u{2212}") {
+        if self.text.token("-") || self.text.token("\u{2212}") {
             return Ok(Expr::Of(Head::Minus, vec![self.nested(Self::factor)?]));
         }
         let base = self.primary()?;
-        if !self.eat("^") {
+        if !self.text.token("^") {
             return Ok(base);
         }
         Ok(Expr::Of(Head::Power, vec![base, self.nested(Self::factor)?]))
     }
 
     fn primary(&mut self) -> Parsed<Expr> {
-        if self.eat("(") {
+        if self.text.token("(") {
             let inner = self.nested(Self::sum)?;
             self.expect(")", "an operator or `)`")?;
             return Ok(inner);
@@ -163,13 +161,13 @@ impl Parser {
             text = format!("{text}e{sign}{}", self.text.take(digits));
         }
         let decimal = Decimal::read(&text).ok_or("a number")?;
-        self.space();
+        self.text.space();
         Ok(Expr::Number(decimal.value.into()))
     }
 
     fn list(&mut self) -> Parsed<Vec<Expr>> {
         let mut list = vec![self.sum()?];
-        while self.eat(",") {
+        while self.text.token(",") {
             list.push(self.sum()?);
         }
         Ok(list)
@@ -177,13 +175,13 @@ impl Parser {
 
     fn name_or_call(&mut self) -> Parsed<Expr> {
         let name = self.text.take(continues_name);
-        self.space();
-        if self.eat("[") {
+        self.text.space();
+        if self.text.token("[") {
             let indices = self.nested(Self::list)?;
             self.expect("]", "`,` or `]`")?;
             return Ok(Expr::Of(Head::Member(name), indices));
         }
-        if !self.eat("(") {
+        if !self.text.token("(") {
             return Ok(Expr::Name(name));
         }
         let fold = ["sum", "max", "min"].contains(&name.as_str());
@@ -202,8 +200,8 @@ impl Parser {
     fn assigned(&mut self) -> Option<String> {
         let start = self.text.at();
         let name = self.text.take(continues_name);
-        self.space();
-        let found = is_name(&name) && self.eat("=");
+        self.text.space();
+        let found = is_name(&name) && self.text.token("=");
         if !found {
             self.text.back(start);
         }
@@ -237,14 +235,14 @@ impl Parser {
                 if word.is_empty() {
                     return Err("a word such as `forward`");
                 }
-                self.space();
+                self.text.space();
                 options.push((option, word));
             } else if options.is_empty() {
                 arguments.push(self.sum()?);
             } else {
                 return Err("a choice such as `order = forward`");
             }
-            if !self.eat(",") {
+            if !self.text.token(",") {
                 break;
             }
             if self.text.peek() == Some(')') {

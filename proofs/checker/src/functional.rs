@@ -98,11 +98,14 @@ type Zero = Result<Option<(i64, Vec<Q>)>, Stop>;
 impl<'a> Rules<'a> {
     /// The rules of a scheme at an offset; `None` if they are not rational.
     pub fn new(meter: &'a Meter, scheme: &Scheme, offset: i64) -> Result<Option<Rules<'a>>, Stop> {
-        let row = |row: &Vec<Value>| row.iter().map(Value::rational).collect();
-        let mask = scheme.mask.iter().map(row).collect::<Option<Vec<Vec<Q>>>>();
-        let Some(mask) = mask else { return Ok(None) };
-        let (rows, over) = over_one_denominator(&mask)?;
-        Ok(Some(Rules { rows, over, offset, meter, zero: OnceCell::new() }))
+        let Some(mask) = Value::rationals(&scheme.mask) else { return Ok(None) };
+        Rules::of(meter, &mask, offset).map(Some)
+    }
+
+    /// The rules of a mask at an offset.
+    pub fn of(meter: &'a Meter, mask: &[Vec<Q>], offset: i64) -> Result<Rules<'a>, Stop> {
+        let (rows, over) = over_one_denominator(mask)?;
+        Ok(Rules { rows, over, offset, meter, zero: OnceCell::new() })
     }
 
     /// The arity n.

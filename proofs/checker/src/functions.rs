@@ -4,7 +4,7 @@ use crate::call::{Call, TERMS, entry, number, within, wrong};
 use crate::convolution::Product;
 use crate::decimal::Q;
 use crate::depth::depth;
-use crate::displacement::{displaced, gather, surface};
+use crate::displacement::{moved, surface};
 use crate::evaluate::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::library::Library;
 use crate::meter::Meter;
@@ -87,9 +87,7 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
             let offset = if word == "own" { Some(scheme.offset) } else { word.parse().ok() };
             let offset = offset.filter(|o: &i64| o.abs() <= 10_000);
             let Some(o) = offset else { return wrong(format!("`{word}` is no offset")) };
-            let moved = |alpha| gather(piece, &displaced(&scheme, alpha, o)?, terms);
-            let moved = (0..scheme.arity()).map(moved).collect::<Result<Vec<_>, _>>()?;
-            Value::greatest(&moved, piece)
+            Value::greatest(&moved(piece, &scheme, o, terms)?, piece)
         }
         ("surface_displacement", [x1, x2, x3]) => {
             let (scheme, terms) = (call.scheme()?, call.choose("terms", &TERMS)?);

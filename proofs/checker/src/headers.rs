@@ -37,6 +37,12 @@ impl<'a> Headers<'a> {
         }
     }
 
+    /// Reads the headers of the rows and of the columns of a table, as far as it has them.
+    pub fn of(claim: &'a Toml) -> Result<Vec<Headers<'a>>, Stop> {
+        let axes = ["rows", "columns"].into_iter().filter_map(|axis| claim.get(axis));
+        axes.map(Headers::read).collect()
+    }
+
     /// The number of headers.
     pub fn count(&self) -> usize {
         match self {

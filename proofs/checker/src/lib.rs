@@ -70,6 +70,7 @@ mod rules;
 mod said;
 mod setting;
 mod table;
+mod tasks;
 mod witness;
 
 // Joint spectral radii, depths of control data, constants that programs ship, and theorems of Coq.
@@ -79,14 +80,15 @@ mod sets;
 mod shipped;
 
 use catalogue::catalogue;
-use certificate::{About, Block};
+use certificate::About;
+use definitions::formulas;
 pub use kernel::Agreement;
 use library::Library;
 use meter::Meter;
 use paper::Paper;
 pub use radius::{Radius, check_radius};
 use regularity::expanded;
-use reject::Checked;
+use reject::{At, Checked};
 pub use reject::{
     DepthReason, DepthRejection, RadiusReason, RadiusRejection, Reason, Rejection, Stop, Text,
 };
@@ -97,6 +99,7 @@ use std::num::NonZero;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{Builder, available_parallelism};
+use tasks::{Task, tasks};
 use toml::Toml;
 
 /// The bytes of a stack. The deepest formula needs fewer.
@@ -145,10 +148,15 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     if file.get("project").is_some() {
         return check_project(&file, certificates);
     }
-    let (known, key) = (catalogue()?, of_paper(&file)?.to_owned());
+    check_paper(&file, certificates).map(|(report, _)| report)
+}
+
+/// Checks certificates against the claim file of a paper. Gives the values of parameters too that valid ones recover.
+fn check_paper(file: &Toml, certificates: &[&str]) -> Result<(Report, Vec<kernel::Given>), String> {
+    let (known, key) = (catalogue()?, of_paper(file)?.to_owned());
     let meter = Meter::default();
     let library = Library::new(file.list("scheme"), &known, &meter);
-    let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
+    let paper = Paper::new(file, &library).map_err(|stop| stop.to_string())?;
     let mut ids = BTreeSet::new();
     let tables = file.list("regularity").iter().map(|table| table.text("id").unwrap_or(""));
     for id in paper.claims().into_iter().map(|(_, id)| id).chain(tables).chain([&key[..]]) {
@@ -159,37 +167,13 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
             return Err(format!("two claims are called `{id}`"));
         }
     }
-    let (mut tasks, mut broken) = (Vec::new(), Vec::new());
-    for (place, text) in certificates.iter().enumerate() {
-        let blocks = certificate::blocks(text, About::Paper(&key)).unwrap_or_else(|rejection| {
-            broken.push((place, rejection));
-            Vec::new()
-        });
-        for block in blocks {
-            let (kind, id) = block.head.word();
-            let claim = file.list(kind).iter().find(|claim| claim.text("id") == Some(id));
-            match claim.filter(|_| shape::KINDS.contains(&kind)) {
-                Some(claim) => tasks.push(Task { place, kind, id, claim, block }),
-                None => broken.push((place, block.head.reject(Reason::NoSuchClaim))),
-            }
-        }
-    }
+    let (tasks, broken) = tasks(file, About::Paper(&key), &shape::KINDS, certificates);
     let mut outcomes: BTreeMap<(&str, &str), Outcome> = BTreeMap::new();
     let (mut holding, mut cited) = (BTreeSet::new(), Vec::new());
     let mut given: Vec<(&str, Given)> = Vec::new();
     let mut borrowed: Vec<(&Task<'_>, (Given, String))> = Vec::new();
     let mut verdicts_said = BTreeMap::new();
-    let mut blocks_of: BTreeMap<(&str, &str), usize> = BTreeMap::new();
-    for task in &tasks {
-        *blocks_of.entry((task.kind, task.id)).or_default() += 1;
-    }
-    for (task, verdict) in tasks.iter().zip(verdicts(&file, &known, &tasks)) {
-        // Of two blocks none counts, neither for this claim nor for others.
-        if blocks_of[&(task.kind, task.id)] > 1 {
-            let twice = task.block.head.reject(Reason::Twice);
-            outcomes.insert((task.kind, task.id), Outcome::Invalid(task.place, twice));
-            continue;
-        }
+    for (task, verdict) in tasks.iter().zip(verdicts(file, &known, &tasks)) {
         let outcome = match verdict {
             Ok(Verdict::Other) => Outcome::Valid,
             Ok(Verdict::Recovers(Recovered { own, from })) => {
@@ -205,8 +189,7 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
                 cited.push((task.id, task.block.head, citation.uses));
                 Outcome::Cited(citation.statement)
             }
-            Err(rejection) if rejection.given_up() => Outcome::Incomplete(Some(rejection)),
-            Err(rejection) => Outcome::Invalid(task.place, rejection),
+            Err(rejection) => refused(task, rejection),
         };
         if matches!(outcome, Outcome::Valid | Outcome::Cited(_)) {
             verdicts_said.insert(task.id.to_owned(), said::verdict(task.kind, &task.block));
@@ -224,6 +207,12 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
         outcomes.insert((task.kind, task.id), Outcome::Invalid(task.place, rejection));
         given.retain(|(id, _)| *id != task.id);
     }
+    let from = borrowed.into_iter().map(|(task, (given, _))| (task.id, given));
+    let valid = |id| outcomes.get(&("table", id)) == Some(&Outcome::Valid);
+    let recovered = given.into_iter().chain(from).filter(|(id, _)| valid(id));
+    let recovered =
+        recovered.map(|(id, (name, value))| kernel::Given { table: id.to_owned(), name, value });
+    let recovered = recovered.collect();
     for (id, head, uses) in cited {
         if let Some(other) = uses.into_iter().find(|other| !holding.contains(&other[..])) {
             let rejection = head.reject(Reason::Premise(other));
@@ -233,7 +222,8 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let claims = paper.claims().into_iter().map(|(kind, id)| {
         (kind, id.to_owned(), outcomes.remove(&(kind, id)).unwrap_or(Outcome::Incomplete(None)))
     });
-    Ok(Report { key, claims: claims.collect(), verdicts: verdicts_said, broken })
+    let claims = claims.collect();
+    Ok((Report { key, claims, verdicts: verdicts_said, broken }, recovered))
 }
 
 /// Checks the fields and names of a claim file, and gives its key.
@@ -264,7 +254,7 @@ pub fn check_theorems(
         return Err("there are no theorems about the constants of a project".to_owned());
     }
     let (known, key) = (catalogue()?, of_paper(&file)?);
-    let recovered = recovered(claims, certificates, key)?;
+    let (_, recovered) = check_paper(&file, certificates)?;
     let compare = || {
         let meter = Meter::default();
         let library = Library::new(file.list("scheme"), &known, &meter);
@@ -273,7 +263,7 @@ pub fn check_theorems(
         let of_file = |text: &&str| {
             let agreement = kernel::agree(&paper, key, &recovered, text)?;
             let first = known.insert((agreement.kind.clone(), agreement.id.clone()));
-            reject::require(first, Reason::OtherFile).map_err(|rejection| rejection.at(1))?;
+            reject::require(first, Reason::OtherFile).at(1)?;
             Ok(agreement)
         };
         Ok(files.iter().map(of_file).collect())
@@ -284,67 +274,39 @@ pub fn check_theorems(
     })
 }
 
-/// The values that valid certificates recover.
-fn recovered(claims: &str, certificates: &[&str], key: &str) -> Result<Vec<kernel::Given>, String> {
-    let report = check(claims, certificates)?;
-    let is_valid = |kind: &str, id: &str| {
-        let valid = |(k, i, outcome): &(&str, String, Outcome)| {
-            *k == kind && i == id && *outcome == Outcome::Valid
-        };
-        report.claims.iter().any(valid)
-    };
-    let mut given = Vec::new();
-    for text in certificates {
-        for block in certificate::blocks(text, About::Paper(key)).unwrap_or_default() {
-            let (kind, id) = block.head.word();
-            let lines = block.lines().iter().map(certificate::Line::word);
-            for (_, said) in lines.filter(|(word, _)| *word == "recovered" && is_valid(kind, id)) {
-                let mut words = said.split(' ');
-                let (name, value) = (words.next(), words.next().and_then(decimal::read_rational));
-                if let (Some(name), Some(value)) = (name, value) {
-                    given.push(kernel::Given {
-                        table: id.to_owned(),
-                        name: name.to_owned(),
-                        value,
-                    });
-                }
-            }
-        }
-    }
-    Ok(given)
-}
-
 /// Checks certificates against the claim file of a project.
 fn check_project(file: &Toml, certificates: &[&str]) -> Result<Report, String> {
     if let Some(path) = shape::misfit(file, "project-file") {
         return Err(format!("`{path}` is unknown, or not of its type"));
     }
-    let checks = shipped::check(file, certificates)?;
+    let key = file.text("key").ok_or("`key` is missing")?;
+    let definitions = formulas(file.entries("define")).map_err(|stop| stop.to_string())?;
+    let tables = file.list("shipped").iter().map(|table| table.text("id").unwrap_or(""));
     let mut ids = BTreeSet::new();
-    for (id, _) in &checks.tables {
-        if !is_id(id) || !ids.insert(*id) {
+    for id in tables.clone() {
+        if !is_id(id) || !ids.insert(id) {
             return Err(format!("{id:?} cannot be an id, or two tables have it"));
         }
     }
-    if !is_id(checks.key) {
-        return Err(format!("{:?} cannot be a key", checks.key));
+    if !is_id(key) {
+        return Err(format!("{key:?} cannot be a key"));
     }
-    let (mut claims, mut verdicts) = (Vec::new(), BTreeMap::new());
-    for (id, checked) in checks.tables {
-        let outcome = match checked {
-            None => Outcome::Incomplete(None),
-            Some((_, Ok(verdict))) => {
-                verdicts.insert(id.to_owned(), verdict);
+    let (tasks, broken) = tasks(file, About::Project(key), &["shipped"], certificates);
+    let (mut outcomes, mut verdicts) = (BTreeMap::new(), BTreeMap::new());
+    for task in &tasks {
+        let check = |block| shipped::check(task.claim, &definitions, block);
+        let outcome = match task.once().and_then(check) {
+            Ok(verdict) => {
+                verdicts.insert(task.id.to_owned(), verdict);
                 Outcome::Valid
             }
-            Some((_, Err(rejection))) if rejection.given_up() => {
-                Outcome::Incomplete(Some(rejection))
-            }
-            Some((place, Err(rejection))) => Outcome::Invalid(place, rejection),
+            Err(rejection) => refused(task, rejection),
         };
-        claims.push(("shipped", id.to_owned(), outcome));
+        outcomes.insert(task.id, outcome);
     }
-    Ok(Report { key: checks.key.to_owned(), claims, verdicts, broken: checks.broken })
+    let mut outcome = |id| outcomes.remove(id).unwrap_or(Outcome::Incomplete(None));
+    let claims = tables.map(|id| ("shipped", id.to_owned(), outcome(id))).collect();
+    Ok(Report { key: key.to_owned(), claims, verdicts, broken })
 }
 
 /// Whether a text can be the id of a claim or the key of a file. It has to fit in one line.
@@ -353,14 +315,13 @@ fn is_id(text: &str) -> bool {
     !text.is_empty() && text.chars().all(fits)
 }
 
-/// A claim and its block of a certificate.
-struct Task<'t> {
-    /// The index of the certificate.
-    place: usize,
-    kind: &'t str,
-    id: &'t str,
-    claim: &'t Toml,
-    block: Block<'t>,
+/// The outcome of a claim whose certificate is refused.
+fn refused(task: &Task<'_>, rejection: Rejection) -> Outcome {
+    if rejection.given_up() {
+        Outcome::Incomplete(Some(rejection))
+    } else {
+        Outcome::Invalid(task.place, rejection)
+    }
 }
 
 /// Checks every task on its own, on all cores.
@@ -372,9 +333,10 @@ fn verdicts(file: &Toml, known: &[Toml], tasks: &[Task<'_>]) -> Vec<Checked<Verd
         let Ok(paper) = Paper::new(file, &library) else { return Vec::new() };
         let mut checked = Vec::new();
         while let at = next.fetch_add(1, Ordering::Relaxed)
-            && let Some(Task { kind, claim, block, .. }) = tasks.get(at)
+            && let Some(task) = tasks.get(at)
         {
-            checked.push((at, rules::check(&paper, kind, claim, block.clone())));
+            let check = |block| rules::check(&paper, task.kind, task.claim, block);
+            checked.push((at, task.once().and_then(check)));
         }
         checked
     };

@@ -1,7 +1,13 @@
-//! Linear equations.
+//! Linear equations, and unit matrices.
 
 use crate::decimal::Q;
 use num_traits::Zero;
+
+/// A multiple of the unit matrix, by its entries off and on the diagonal.
+pub fn unit<T: Clone>(size: usize, [off, on]: [T; 2]) -> Vec<Vec<T>> {
+    let entry = |i, j| if i == j { on.clone() } else { off.clone() };
+    (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect()
+}
 
 /// The unique solution of equations, or `None`. The right side of each equation comes last.
 pub fn solve(mut rows: Vec<Vec<Q>>) -> Option<Vec<Q>> {

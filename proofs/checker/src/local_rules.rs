@@ -3,6 +3,7 @@
 use crate::definitions::formulas;
 use crate::evaluate::Scope;
 use crate::library::Library;
+use crate::linear::unit;
 use crate::meter::Meter;
 use crate::orbits::{Orbits, wrong};
 use crate::reject::Stop;
@@ -94,9 +95,7 @@ impl<'a> LocalRules<'a> {
 
     /// The functional e_a for every point a.
     pub fn units(&self) -> Vec<Vec<Value>> {
-        let points = 0..self.names.len();
-        let unit = |a| points.clone().map(|b| Value::int(i64::from(a == b))).collect();
-        points.clone().map(unit).collect()
+        unit(self.names.len(), [0, 1].map(Value::int))
     }
 
     /// The functional e_a − e_b for every edge (a, b).

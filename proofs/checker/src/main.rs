@@ -88,25 +88,19 @@ impl Arguments {
     fn run(&self) -> Result<bool, String> {
         let (claims, certificates) = (&self.files[0], &self.files[1..]);
         let claim_text = read(claims)?;
-        match claim_text.split_whitespace().next() {
-            Some("subcert-certificate") => {
-                return Err(format!(
-                    "`{claims}` is a certificate, and the claim file that it is about has to stand \
-                     before it: subcert-check CLAIMS.toml {claims}"
-                ));
-            }
+        let (is, instead) = match claim_text.split_whitespace().next() {
+            Some("subcert-certificate") => (
+                "a certificate, and the claim file that it is about has to stand before it",
+                "CLAIMS.toml",
+            ),
             Some("subcert-radius") => {
-                return Err(format!(
-                    "`{claims}` is about a joint spectral radius, which needs no claim file: \
-                     subcert-check --radius {claims}"
-                ));
+                ("about a joint spectral radius, which needs no claim file", "--radius")
             }
-            Some("subcert-depth") => {
-                return Err(format!(
-                    "`{claims}` is about a depth, which needs no claim file: subcert-check --depth {claims}"
-                ));
-            }
-            _ => {}
+            Some("subcert-depth") => ("about a depth, which needs no claim file", "--depth"),
+            _ => ("", ""),
+        };
+        if !is.is_empty() {
+            return Err(format!("`{claims}` is {is}: subcert-check {instead} {claims}"));
         }
         let texts = certificates.iter().map(read).collect::<Result<Vec<String>, String>>()?;
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();

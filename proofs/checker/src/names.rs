@@ -38,11 +38,11 @@ fn own<'a>(kind: &str, claim: &'a Toml) -> Vec<&'a str> {
     match kind {
         "table" => {
             let axes = ["rows", "columns"].iter().filter_map(|key| claim.get(key)).filter_map(name);
-            let open = claim.list("unstated").iter().filter_map(Toml::as_text);
+            let open = claim.texts("unstated");
             axes.chain(keys("given")).chain(keys("unstated")).chain(open).collect()
         }
         "equation" => {
-            let symbols = claim.list("symbols").iter().filter_map(Toml::as_text);
+            let symbols = claim.texts("symbols");
             symbols.chain(claim.list("indices").iter().filter_map(name)).collect()
         }
         "smoothness" | "exponent" => keys("given").collect(),

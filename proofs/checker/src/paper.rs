@@ -61,6 +61,11 @@ impl<'a> Paper<'a> {
         }
         value(text, &self.library.closed())
     }
+
+    /// The values of such formulas, which blanks separate.
+    pub fn numbers(&self, text: &str) -> Checked<Vec<Value>> {
+        text.split_whitespace().map(|word| self.number(word)).collect()
+    }
 }
 
 /// The value of a formula of a certificate.

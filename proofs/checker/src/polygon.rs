@@ -6,6 +6,7 @@ use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
 
 /// The points x_i, i = first, first + 1, …, which are constant beyond both ends.
+#[derive(Clone)]
 pub struct Polygon {
     /// The index of the first point.
     pub first: i64,

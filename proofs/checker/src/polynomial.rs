@@ -5,6 +5,7 @@ use crate::decimal::{Q, bits};
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::{Num, One, Signed, Zero};
+use std::ops::{AddAssign, Mul};
 
 /// The quotient and the remainder. The leading coefficient of the divisor has to divide the
 /// coefficients that it meets.
@@ -19,6 +20,20 @@ pub fn divide<T: Num + Clone>(mut p: Vec<T>, divisor: &[T]) -> (Vec<T>, Vec<T>) 
     }
     p.truncate(degree);
     (quotient, p)
+}
+
+/// The product.
+pub fn multiplied<T: Num + Clone + AddAssign>(p: &[T], q: &[T]) -> Vec<T>
+where
+    for<'t> &'t T: Mul<Output = T>,
+{
+    let mut product = vec![T::zero(); (p.len() + q.len()).saturating_sub(1)];
+    for (i, a) in p.iter().enumerate() {
+        for (j, b) in q.iter().enumerate() {
+            product[i + j] += a * b;
+        }
+    }
+    product
 }
 
 /// Removes the leading coefficients that are 0.

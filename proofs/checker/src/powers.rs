@@ -2,6 +2,7 @@
 //! of rows, and bounds of all rows below a node.
 
 use crate::decimal::{Q, int, over_one_denominator};
+use crate::linear::unit;
 use crate::meter::Meter;
 use crate::reject::{Checked, Reason, Stop, require};
 use num_bigint::BigInt;
@@ -45,7 +46,7 @@ struct Reach {
     total: BigInt,
 }
 
-fn unit() -> BigInt {
+fn scale() -> BigInt {
     BigInt::one() << PLACES
 }
 
@@ -78,10 +79,7 @@ impl<'a> Operator<'a> {
 
     /// The rows of E^0.
     fn root(&self) -> Rows {
-        let entry = |row, column| if row == column { BigInt::one() } else { BigInt::zero() };
-        (0..self.size)
-            .map(|row| (0..self.size).map(|column| entry(row, column)).collect())
-            .collect()
+        unit(self.size, [BigInt::zero(), BigInt::one()])
     }
 
     /// The rows around n·i + β from the rows around i. Row n·i + β + p of E^(l+1) is Σ_j E_{ρ,j}
@@ -182,7 +180,7 @@ impl<'a> Operator<'a> {
         let last = self.first + i64::try_from(self.size).unwrap_or(0) - 2;
         let middle = ((&low + &high) / int(2)).floor().to_integer().to_i64().unwrap_or(0);
         let base = middle.clamp(self.first, last.max(self.first));
-        let unit = Q::from_integer(unit());
+        let unit = Q::from_integer(scale());
         let low = ((low - int(base)) * &unit).floor().to_integer();
         let high = ((high - int(base)) * &unit).ceil().to_integer();
         let lines = self.shift.is_some() && self.size > 1;
@@ -197,7 +195,7 @@ fn bound(rows: &Rows, reach: &Reach) -> Q {
     let largest = rows.iter().map(|row| norm(row)).max().unwrap_or_default();
     let bound = &reach.total * largest;
     let line = reach.ends.as_ref().map(|ends| by_line(rows, reach, ends));
-    Q::new(line.filter(|line| *line < bound).unwrap_or(bound), unit())
+    Q::new(line.filter(|line| *line < bound).unwrap_or(bound), scale())
 }
 
 /// 2^PLACES times the bound by the line through two rows (THEOREMS.md, 62).

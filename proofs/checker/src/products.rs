@@ -94,6 +94,11 @@ impl<'m> Products<'m> {
         self.of_mask(how, of)?.classes(self.meter, piece)
     }
 
+    /// The greatest class sum of a mask that is not read forwards, at level c.
+    pub fn greatest(&self, rules: &[Vec<Value>], c: &Value) -> Result<Value, Stop> {
+        self.classes(Sequence { rules, forward: false }, c, None)?.greatest(None)
+    }
+
     /// Adds a constant that has been shown.
     pub fn show(&self, of: Sequence<'_>, level: u32, value: Value) {
         self.constants.borrow_mut().insert((of.rules.to_vec(), of.forward, level), value);

@@ -14,23 +14,16 @@ const EXPONENTS: [&str; 4] = ["exponent", "value", "at_least", "at_most"];
 const BLANK: [&str; 3] = ["-", "–", "—"];
 
 /// The file with the claims of the cells of its tables behind its other claims.
-pub fn expanded(file: Toml) -> Result<Toml, String> {
+pub fn expanded(mut file: Toml) -> Result<Toml, String> {
     let mut claims = Vec::new();
     for table in file.list("regularity") {
         let id = table.text("id").unwrap_or_default();
         claims.extend(cells(table).map_err(|reason| format!("the table `{id}`: {reason}"))?);
     }
-    let Toml::Table(mut entries) = file else { return Ok(file) };
     for (kind, claim) in claims {
-        let at = entries.iter().position(|(name, _)| name == kind).unwrap_or_else(|| {
-            entries.push((kind.to_owned(), Toml::List(Vec::new())));
-            entries.len() - 1
-        });
-        if let Toml::List(list) = &mut entries[at].1 {
-            list.push(claim);
-        }
+        file.push(kind, claim);
     }
-    Ok(Toml::Table(entries))
+    Ok(file)
 }
 
 /// A scheme, and the value of a parameter with its name.
@@ -43,7 +36,7 @@ fn cells(table: &Toml) -> Result<Vec<(&'static str, Toml)>, String> {
     }
     let (id, locus) = (table.text("id").unwrap_or_default(), table.text("locus"));
     let rows = rows(table)?;
-    let columns: Vec<&str> = table.list("columns").iter().filter_map(Toml::as_text).collect();
+    let columns: Vec<&str> = table.texts("columns").collect();
     let different: BTreeSet<&&str> = columns.iter().collect();
     if columns.is_empty() || different.len() < columns.len() {
         return Err("no column, or one twice".to_owned());

@@ -201,14 +201,20 @@ reasons! {
     Stopped(why: Stop) "{why}"
 }
 
-/// A reason to refuse a certificate of a depth, and the line.
+/// A reason to refuse a certificate, and the line.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct DepthRejection {
-    /// The line, counted from 1.
+pub struct Rejection<R = Reason> {
+    /// The line, counted from 1. It is 0 until the line is known.
     pub line: usize,
     /// The reason.
-    pub reason: DepthReason,
+    pub reason: R,
 }
+
+/// A reason to refuse a certificate of a joint spectral radius, and the line.
+pub type RadiusRejection = Rejection<RadiusReason>;
+
+/// A reason to refuse a certificate of a depth, and the line.
+pub type DepthRejection = Rejection<DepthReason>;
 
 impl DepthRejection {
     /// Whether the certificate may be right: what it says is beyond a cap, or too near to call.
@@ -216,24 +222,6 @@ impl DepthRejection {
     pub fn given_up(&self) -> bool {
         matches!(self.reason, DepthReason::Stopped(Stop::Capped(_) | Stop::Undecided(_)))
     }
-}
-
-/// A reason to refuse a certificate, and the line.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct RadiusRejection {
-    /// The line, counted from 1.
-    pub line: usize,
-    /// The reason.
-    pub reason: RadiusReason,
-}
-
-/// A reason, and the line of the certificate.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Rejection {
-    /// The line, counted from 1. It is 0 until the line is known.
-    pub line: usize,
-    /// The reason.
-    pub reason: Reason,
 }
 
 impl Rejection {
@@ -249,34 +237,56 @@ impl Rejection {
                 | Reason::Stopped(Stop::Capped(_) | Stop::Undecided(_))
         )
     }
-
-    /// The same rejection at this line, if it has no line of its own.
-    pub(crate) fn at(mut self, line: usize) -> Rejection {
-        self.line = if self.line == 0 { line } else { self.line };
-        self
-    }
 }
 
-impl From<Reason> for Rejection {
-    fn from(reason: Reason) -> Rejection {
+impl<R> From<R> for Rejection<R> {
+    fn from(reason: R) -> Rejection<R> {
         Rejection { line: 0, reason }
     }
 }
 
-impl From<Stop> for Rejection {
-    fn from(stop: Stop) -> Rejection {
-        Reason::Stopped(stop).into()
-    }
+macro_rules! stopped {
+    ($($reason:ident)*) => {$(
+        impl From<Stop> for Rejection<$reason> {
+            fn from(stop: Stop) -> Rejection<$reason> {
+                $reason::Stopped(stop).into()
+            }
+        }
+    )*};
 }
 
+stopped!(Reason RadiusReason DepthReason);
+
 /// The result of a check.
-pub type Checked<T> = Result<T, Rejection>;
+pub type Checked<T, R = Reason> = Result<T, Rejection<R>>;
+
+/// The result of a check of a joint spectral radius.
+pub type RadiusChecked<T> = Checked<T, RadiusReason>;
+
+/// The result of a check of a depth.
+pub type DepthChecked<T> = Checked<T, DepthReason>;
+
+/// A result whose rejection gets a line.
+pub trait At {
+    /// The same at this line, if the rejection has no line of its own.
+    #[must_use]
+    fn at(self, line: usize) -> Self;
+}
+
+impl<T, R> At for Checked<T, R> {
+    fn at(self, line: usize) -> Checked<T, R> {
+        self.map_err(|mut rejection| {
+            rejection.line = if rejection.line == 0 { line } else { rejection.line };
+            rejection
+        })
+    }
+}
 
 /// A reason that compares what the certificate says with what the checker found.
 pub type Compared = fn(Text, Text) -> Reason;
 
 /// Checks a side condition.
-pub fn require(holds: bool, otherwise: Reason) -> Checked<()> {
+pub fn require<R>(holds: bool, otherwise: R) -> Checked<(), R> {
     if holds { Ok(()) } else { Err(otherwise.into()) }
 }
 

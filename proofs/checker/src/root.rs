@@ -98,12 +98,12 @@ impl Root {
         Ok(Root { low: middle, high: self.high.clone(), ..lower })
     }
 
-    /// The number in an interval without other roots of a polynomial.
-    fn apart_from(&self, p: &[Q], meter: &Meter) -> Result<Root, Stop> {
-        let (own, mut root) = (usize::from(self.sign_of(p, meter)? == 0), self.clone());
+    /// The number in an interval with so many roots of a polynomial, none of them at its ends.
+    fn narrowed(&self, p: &[Q], roots: usize, meter: &Meter) -> Result<Root, Stop> {
+        let mut root = self.clone();
         for _ in 0..MAX_HALVINGS {
             let ends = || [&root.low, &root.high].iter().all(|end| !at(p, end).is_zero());
-            if root.rational().is_some() || ends() && root.count(p, meter)? == own {
+            if root.rational().is_some() || ends() && root.count(p, meter)? == roots {
                 return Ok(root);
             }
             root = root.halved(meter)?;
@@ -111,25 +111,21 @@ impl Root {
         Err(Stop::Capped("the halvings of an interval"))
     }
 
+    /// The number in an interval without other roots of a polynomial.
+    fn apart_from(&self, p: &[Q], meter: &Meter) -> Result<Root, Stop> {
+        self.narrowed(p, usize::from(self.sign_of(p, meter)? == 0), meter)
+    }
+
     /// The sign of a polynomial at this number.
     pub fn sign_of(&self, p: &[Q], meter: &Meter) -> Result<i8, Stop> {
-        if let Some(value) = self.rational() {
-            return Ok(signum(&at(p, value)));
-        }
-        // A common divisor is not 0 at the ends.
-        meter.spend(steps_of_gcd(p, &self.polynomial))?;
-        if self.count(&gcd(p, &self.polynomial), meter)? > 0 {
-            return Ok(0);
-        }
-        let mut root = self.clone();
-        for _ in 0..MAX_HALVINGS {
-            let signs = [&root.low, &root.high].map(|end| signum(&at(p, end)));
-            if signs[0] != 0 && signs[1] != 0 && root.count(p, meter)? == 0 {
-                return Ok(signs[0]);
+        if self.rational().is_none() {
+            // A common divisor is not 0 at the ends.
+            meter.spend(steps_of_gcd(p, &self.polynomial))?;
+            if self.count(&gcd(p, &self.polynomial), meter)? > 0 {
+                return Ok(0);
             }
-            root = root.halved(meter)?;
         }
-        Err(Stop::Capped("the halvings of an interval"))
+        Ok(signum(&at(p, &self.narrowed(p, 0, meter)?.low)))
     }
 
     /// How two numbers compare.

@@ -103,18 +103,28 @@ fn nearest(value: &Value, floor: &BigInt) -> Result<BigInt, Stop> {
 /// The slip that changes one digit, or exchanges two neighbouring ones. A change of the last
 /// digit alone is no slip, since inexact arithmetic gives it too.
 fn digit_slip(printed: &BigInt, correct: &BigInt) -> Option<String> {
-    let (printed, correct) = (printed.to_string().into_bytes(), correct.to_string().into_bytes());
-    if printed.len() != correct.len() {
-        return None;
-    }
-    let differing: Vec<usize> = (0..printed.len()).filter(|&i| printed[i] != correct[i]).collect();
-    match differing[..] {
+    let (printed, correct) = (printed.to_string(), correct.to_string());
+    match differing(&printed, &correct)[..] {
         [i] if i + 1 < printed.len() => Some(format!("digit {}", i + 1)),
-        [i, j] if j == i + 1 && printed[i] == correct[j] && printed[j] == correct[i] => {
-            Some(format!("swap {}", i + 1))
-        }
+        [i, _] if is_exchanged(&printed, &correct) => Some(format!("swap {}", i + 1)),
         _ => None,
     }
+}
+
+/// The places at which two texts of one length differ.
+pub fn differing(typed: &str, right: &str) -> Vec<usize> {
+    let (typed, right) = (typed.as_bytes(), right.as_bytes());
+    if typed.len() != right.len() {
+        return Vec::new();
+    }
+    (0..typed.len()).filter(|&at| typed[at] != right[at]).collect()
+}
+
+/// Whether two neighbouring digits are exchanged.
+pub fn is_exchanged(typed: &str, right: &str) -> bool {
+    let (one, other) = (typed.as_bytes(), right.as_bytes());
+    matches!(differing(typed, right)[..],
+        [i, j] if j == i + 1 && one[i] == other[j] && one[j] == other[i])
 }
 
 /// The ends of the interval of values that have this decimal under a rounding.

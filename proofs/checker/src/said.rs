@@ -58,11 +58,11 @@ fn cells(block: &Block<'_>) -> String {
                     let verdict = words.next().unwrap_or_default();
                     let assumed = words.any(|word| word == "assuming") && verdict != "reproduced";
                     let assumed = if assumed { ", assuming" } else { "" };
-                    cells.add(format!("{verdict}{assumed}"));
+                    cells.add(&format!("{verdict}{assumed}"));
                 }
-                None => cells.add("lost".to_owned()),
+                None => cells.add("lost"),
             },
-            (promise @ ("kept" | "broken"), _) => promises.add(promise.to_owned()),
+            (promise @ ("kept" | "broken"), _) => promises.add(promise),
             _ => {}
         }
     }
@@ -74,17 +74,19 @@ fn cells(block: &Block<'_>) -> String {
 
 /// How often each word occurs, in the order of their first occurrences.
 #[derive(Default)]
-struct Counts(Vec<(String, usize)>);
+pub struct Counts(Vec<(String, usize)>);
 
 impl Counts {
-    fn add(&mut self, word: String) {
+    /// Counts a word.
+    pub fn add(&mut self, word: &str) {
         match self.0.iter_mut().find(|(known, _)| *known == word) {
             Some((_, count)) => *count += 1,
-            None => self.0.push((word, 1)),
+            None => self.0.push((word.to_owned(), 1)),
         }
     }
 
-    fn text(&self) -> String {
+    /// `12 confirmed, 3 refuted`.
+    pub fn text(&self) -> String {
         let texts = self.0.iter().map(|(word, count)| format!("{count} {word}"));
         texts.collect::<Vec<String>>().join(", ")
     }

@@ -41,14 +41,14 @@ impl<'a> Setting<'a> {
 
 /// Whether T_c < 1 for some n^c ≤ 4096, or by a line `constant`.
 fn converges(library: &Library<'_>, scheme: &Scheme) -> Result<bool, Stop> {
-    let of = Sequence { rules: &scheme.difference, forward: false };
-    if library.products.contract(of) {
+    let rules = &scheme.difference[..];
+    if library.products.contract(Sequence { rules, forward: false }) {
         return Ok(true);
     }
     let mut c = 1;
     while scheme.arity().saturating_pow(c) <= MAX_CLASSES {
-        let sums = library.products.classes(of, &Value::int(c.into()), None)?;
-        if sums.greatest(None)?.compare(&Value::int(1))?.is_lt() {
+        let greatest = library.products.greatest(rules, &Value::int(c.into()))?;
+        if greatest.compare(&Value::int(1))?.is_lt() {
             return Ok(true);
         }
         c += 1;

@@ -58,6 +58,17 @@ pub type Cells = Vec<(Place, Decimal)>;
 /// The scope of a cell, and the factors of its scheme.
 pub type Scoped<'s> = (Scope<'s>, Vec<Rc<Scheme>>);
 
+/// A cell under a reading, with the unstated parameters that are assumed.
+#[derive(Clone, Copy)]
+pub struct Asked<'s, 'b> {
+    /// The cell.
+    pub at: Place,
+    /// The reading.
+    pub read: &'s Read,
+    /// The parameters.
+    pub assumed: &'b BTreeSet<String>,
+}
+
 /// Quantities that replace those of a cell.
 #[derive(Default)]
 pub struct Instead<'i> {
@@ -106,7 +117,7 @@ impl<'a> Table<'a> {
         let columns = claim.get("columns").ok_or(Stop::Wrong("`columns` is missing".into()))?;
         let rows = claim.get("rows").map(Headers::read).transpose()?;
         let assumed = paper.constants(claim.entries("unstated"))?;
-        let open = claim.list("unstated").iter().filter_map(Toml::as_text).map(str::to_owned);
+        let open = claim.texts("unstated").map(str::to_owned);
         let unstated: BTreeSet<String> = assumed.keys().cloned().chain(open).collect();
         let mut given = paper.given.clone();
         given.extend(paper.constants(claim.entries("given"))?);
@@ -204,12 +215,11 @@ impl<'a> Table<'a> {
         read: &'s Read,
         assumed: &BTreeSet<String>,
     ) -> Result<Scoped<'s>, Stop> {
-        match read.copied() {
-            None => self.own_scope(at, read, assumed, &Instead::default()),
-            Some(text) => match Copied::read(text) {
-                Some(copied) => self.scope_with(&copied, at, read, assumed),
-                None => Err(Stop::Wrong(format!("`{text}` is no quantity of another place"))),
-            },
+        let asked = Asked { at, read, assumed };
+        let Some(text) = read.copied() else { return self.own_scope(asked, &Instead::default()) };
+        match Copied::read(text) {
+            Some(copied) => self.scope_with(&copied, asked),
+            None => Err(Stop::Wrong(format!("`{text}` is no quantity of another place"))),
         }
     }
 
@@ -217,9 +227,7 @@ impl<'a> Table<'a> {
     /// quantities of the cell.
     pub fn own_scope<'s>(
         &'s self,
-        (row, column): Place,
-        read: &'s Read,
-        assumed: &BTreeSet<String>,
+        Asked { at, read, assumed }: Asked<'s, '_>,
         instead: &Instead<'_>,
     ) -> Result<Scoped<'s>, Stop> {
         let definitions = read.definitions.as_ref().unwrap_or(&self.paper.definitions);
@@ -232,7 +240,7 @@ impl<'a> Table<'a> {
         }
         let missing = self.unstated.iter().filter(|name| !scope.values.contains_key(*name));
         scope.unstated = missing.cloned().collect();
-        for (axis, place) in self.axes.iter().zip([row, column]) {
+        for (axis, place) in self.axes.iter().zip([at.0, at.1]) {
             let Some(axis) = axis.as_ref().and_then(Headers::axis) else { continue };
             let (text, value) = &axis.entries[place];
             let value = match (read.reading.words.get("tolerance"), Decimal::read(text)) {
@@ -248,7 +256,7 @@ impl<'a> Table<'a> {
         }
         scope.values.extend(instead.values.clone());
         let mut schemes = Vec::new();
-        if let Some(reference) = instead.scheme.or_else(|| self.scheme((row, column))) {
+        if let Some(reference) = instead.scheme.or_else(|| self.scheme(at)) {
             schemes = self.paper.library.resolve(reference, &scope)?;
         }
         scope.scheme = schemes.first().cloned();

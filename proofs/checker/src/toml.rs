@@ -36,6 +36,15 @@ impl Toml {
         file(&mut cursor).map(Toml::Table).map_err(|what| cursor.expected(what))
     }
 
+    /// Adds an item to the list of a key of a table.
+    pub fn push(&mut self, key: &str, item: Toml) {
+        if let Toml::Table(table) = self
+            && let Toml::List(list) = slot(table, key, Toml::List(Vec::new()))
+        {
+            list.push(item);
+        }
+    }
+
     /// The value of a key of a table.
     pub fn get(&self, key: &str) -> Option<&Toml> {
         self.as_table().iter().find(|(name, _)| name == key).map(|(_, value)| value)
@@ -59,6 +68,16 @@ impl Toml {
     /// The list of a key, or an empty one.
     pub fn list(&self, key: &str) -> &[Toml] {
         self.get(key).map_or(&[], Toml::as_list)
+    }
+
+    /// The strings in the list of a key.
+    pub fn texts(&self, key: &str) -> impl Iterator<Item = &str> {
+        self.list(key).iter().filter_map(Toml::as_text)
+    }
+
+    /// Whether a key is `true`.
+    pub fn is_set(&self, key: &str) -> bool {
+        self.get(key) == Some(&Toml::Flag(true))
     }
 
     /// The table that this is, or an empty one.

@@ -65,6 +65,11 @@ impl Value {
         self.number().ok()?.rational()
     }
 
+    /// The rational numbers that all entries of a mask are; `None` if one is none.
+    pub fn rationals(rows: &[Vec<Value>]) -> Option<Vec<Vec<Q>>> {
+        rows.iter().map(|row| row.iter().map(Value::rational).collect()).collect()
+    }
+
     /// The monomials with coefficients that are not 0.
     pub fn all(&self) -> impl Iterator<Item = (&[(Rc<str>, u32)], &Number)> + Clone {
         let terms = self.terms.iter().map(|(monomial, number)| (&monomial[..], number));

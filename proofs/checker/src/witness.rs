@@ -1,6 +1,6 @@
 //! Witnesses: control data, and the place at which a quantity is evaluated.
 
-use crate::certificate::Block;
+use crate::certificate::{Block, words};
 use crate::decimal::{Q, int, read_rational};
 use crate::functional::{Functional, Rules, product};
 use crate::local_rules::LocalRules;
@@ -47,8 +47,7 @@ impl<'l> Witness<'l> {
     pub fn read(paper: &Paper<'_>, block: &mut Block<'l>) -> Checked<Witness<'l>> {
         let control = if let Some(said) = block.maybe("ring") {
             let points = integers(said).ok_or(Reason::Malformed("ring INTEGER…"))?;
-            let words = block.maybe("weights").unwrap_or_default().split_whitespace();
-            let weights = words.map(|word| paper.number(word)).collect::<Checked<Vec<Value>>>()?;
+            let weights = paper.numbers(block.maybe("weights").unwrap_or_default())?;
             Control::LocalRules(points, weights)
         } else if let Some(said) = block.maybe("net") {
             let first: Option<Vec<i64>> =
@@ -226,8 +225,7 @@ impl<'l> Witness<'l> {
 
 /// Checks that these are the two sides, and that the first one is larger.
 pub fn violated(paper: &Paper<'_>, said: &str, left: &Value, right: &Value) -> Checked<()> {
-    let said: Vec<&str> = said.split_whitespace().collect();
-    require(said.len() == 2, Reason::Malformed("two sides"))?;
+    let said: [&str; 2] = words(said, "two sides")?;
     for (said, side) in said.into_iter().zip([left, right]) {
         let said = paper.number(said)?;
         compare(said.equals(side)?, &said, side, Reason::Value)?;

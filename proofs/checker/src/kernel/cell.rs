@@ -6,7 +6,7 @@ use crate::decimal::{Q, int};
 use crate::library::Constant;
 use crate::local_rules::LocalRules;
 use crate::paper::{Paper, printed};
-use crate::reject::{Checked, Reason, compare, require};
+use crate::reject::{At, Checked, Reason, compare, require};
 use crate::rules::Promised;
 use crate::table::{Place, Read, Table};
 use crate::toml::Toml;
@@ -39,7 +39,7 @@ pub fn agree<'a>(
         used.push((name.clone(), value.clone()));
     }
     for theorem in &file.statements {
-        one(&table, theorem).map_err(|rejection| rejection.at(theorem.line))?;
+        one(&table, theorem).at(theorem.line)?;
     }
     Ok(used)
 }
@@ -54,7 +54,8 @@ fn one(table: &Table<'_>, theorem: &Theorem) -> Checked<()> {
             let promised = Promised::new(table, at)?;
             let level = promised.level.ok_or(Reason::NoPromise)?;
             let mut expected = curve(&promised, Points::Indexed)?;
-            expected.push(Argument::Level(promised_level(level)?));
+            let level = u32::try_from(level).map_err(|_| Reason::Malformed("a level"))?;
+            expected.push(Argument::Level(level));
             stated(theorem, "bounds_distance", &expected)
         }
         ("sufficient_depth", "This depth suffices.") => {
@@ -138,10 +139,6 @@ fn curve(promised: &Promised<'_>, points: Points) -> Checked<Vec<Argument>> {
     placed(promised.paper.library, &promised.schemes, promised.offset, points)
 }
 
-fn promised_level(level: i64) -> Checked<u32> {
-    Ok(u32::try_from(level).map_err(|_| Reason::Malformed("a level"))?)
-}
-
 /// Data of spread 1 exceed the promise of a cell, divided by the spread that it is for.
 fn broken(table: &Table<'_>, at: Place, theorem: &Theorem) -> Checked<()> {
     let promised = Promised::new(table, at)?;
@@ -163,11 +160,7 @@ fn broken(table: &Table<'_>, at: Place, theorem: &Theorem) -> Checked<()> {
     let Some(&Argument::Level(level)) = theorem.arguments.get(expected.len()) else {
         return Err(Reason::Malformed("a promise that is broken").into());
     };
-    let printed = Value::from(decimal.value);
-    let (least, most) = match &promised.tolerance {
-        Some(tolerance) => (printed.integer(i64::MAX)?, tolerance.clone()),
-        None => (promised.level.ok_or(Reason::NoPromise)?, printed),
-    };
+    let (least, most) = promised.stated(decimal.value.into())?;
     // A depth is promised for all later levels too.
     let later = promised.tolerance.is_some() && i64::from(level) > least;
     require(later || i64::from(level) == least, Reason::Level)?;

@@ -10,7 +10,7 @@ use crate::functional::Rules;
 use crate::library::Library;
 use crate::local_rules::LocalRules;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, Rejection, compare, require};
+use crate::reject::{At, Checked, Reason, Rejection, compare, require};
 use crate::scheme::Scheme;
 use crate::shape::misfit;
 use crate::value::Value;
@@ -50,7 +50,7 @@ pub fn agree<'a>(
 ) -> Checked<Agreement> {
     paper.library.restart();
     let file = read::read(text)?;
-    let agreement = || {
+    let agreement = || -> Checked<Agreement> {
         compare(file.key == key, &file.key, key, Reason::Stated)?;
         let mut claims = paper.file.list(&file.kind).iter();
         let claim = claims.find(|claim| claim.text("id") == Some(&file.id));
@@ -71,7 +71,7 @@ pub fn agree<'a>(
         })
     };
     // What is wrong with all theorems stands in the first lines.
-    agreement().map_err(|rejection: Rejection| rejection.at(1))
+    agreement().at(1)
 }
 
 /// Checks that no two theorems say the same of the same place, whatever their second comments call it: they are one
@@ -84,7 +84,10 @@ fn once(theorems: &[Theorem]) -> Checked<()> {
                     || earlier.arguments == theorem.arguments)
         };
         if let Some(earlier) = theorems[..number].iter().find(same) {
-            return Err(Rejection::from(Reason::TwiceStated(earlier.line)).at(theorem.line));
+            return Err(Rejection {
+                line: theorem.line,
+                reason: Reason::TwiceStated(earlier.line),
+            });
         }
     }
     Ok(())
@@ -98,8 +101,7 @@ fn comment(text: &str) -> String {
 
 /// The mask of a scheme at an offset, or its difference mask; `None` if it is not rational.
 fn mask(offset: i64, rules: &[Vec<Value>]) -> Option<Object> {
-    let row = |row: &Vec<Value>| row.iter().map(Value::rational).collect();
-    Some(Object::Mask(offset, rules.iter().map(row).collect::<Option<_>>()?))
+    Some(Object::Mask(offset, Value::rationals(rules)?))
 }
 
 /// The masks of schemes, at an offset or at their own, with which a statement begins.
@@ -151,8 +153,7 @@ fn rational(value: &Value) -> Checked<Q> {
 
 /// Weights for the points of a ring, with its edges.
 fn ring(ring: &LocalRules<'_>, weights: &[Vec<Value>]) -> Checked<Argument> {
-    let row = |row: &Vec<Value>| row.iter().map(rational).collect();
-    let weights = weights.iter().map(row).collect::<Checked<Vec<Vec<Q>>>>()?;
+    let weights = Value::rationals(weights).ok_or(Reason::Malformed("rational numbers"))?;
     Ok(Argument::Object(Object::Ring(weights, ring.edges.clone())))
 }
 

@@ -1,12 +1,11 @@
 //! Theorems of a paper that data refute: one instance, and the bound there.
 
 use super::read::{Argument, Theorem, Theorems};
-use super::{comment, masks, parameters, placed, ring, stated};
+use super::{comment, masks, parameters, placed, ring};
 use crate::decimal::{Q, int, read_rational};
-use crate::definitions::formula_of;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, compare, require};
-use crate::rules::{Instance, first_level};
+use crate::reject::{At, Checked, Reason, compare, require};
+use crate::rules::{Instance, Stated, first_level};
 use crate::setting::Setting;
 use crate::toml::Toml;
 use crate::value::Value;
@@ -19,7 +18,7 @@ pub fn agree<'a>(paper: &'a Paper<'a>, claim: &'a Toml, file: &Theorems) -> Chec
         return Err(Reason::Recovered(name.clone()).into());
     }
     for theorem in &file.statements {
-        one(paper, claim, theorem).map_err(|rejection| rejection.at(theorem.line))?;
+        one(paper, claim, theorem).at(theorem.line)?;
     }
     Ok(())
 }
@@ -40,30 +39,14 @@ fn one<'a>(paper: &'a Paper<'a>, claim: &'a Toml, theorem: &Theorem) -> Checked<
     let depth = of("bounds") == "depth";
     let named = named(paper, claim, &theorem.about, depth)?;
     let Named { reference, values, level, tolerance, points } = named;
-    let Instance { mut scope, schemes, offset, setting } =
+    let Instance { scope, schemes, offset, setting } =
         Instance::new(paper, claim, &reference, values)?;
     require(level >= first_level(claim)?, Reason::Level)?;
-    for name in ["beta", "beta_1", "beta_2", "beta_3"] {
-        // The data of the statement have the spread 1.
-        scope.values.insert(name.to_owned(), Value::int(1));
-    }
-    let level_value = Value::int(level.into());
-    match &tolerance {
-        Some(tolerance) => scope.values.insert("epsilon".to_owned(), tolerance.clone().into()),
-        None => scope.values.insert("k".to_owned(), level_value.clone()),
-    };
-    let by = scope.value(&formula_of(claim, "by")?)?;
-    require(by.sign(None)? >= 0, Reason::Negative)?;
-    let bound = match tolerance {
-        // The theorem calls this level deep enough.
-        Some(tolerance) => {
-            require(by.compare(&level_value)?.is_le(), Reason::Level)?;
-            Value::from(tolerance)
-        }
-        None => by,
-    };
-    let bound = bound.rational().ok_or(Reason::Malformed("a rational bound"))?;
     let quantity = if depth { "distance" } else { of("bounds") };
+    let stated = Stated { quantity, level, tolerance: tolerance.map(Value::from) };
+    // The data of the statement have the spread 1.
+    let bound = stated.bound(claim, scope, &[int(1), int(1)])?;
+    let bound = bound.rational().ok_or(Reason::Malformed("a rational bound"))?;
     let (form, mut expected) = match &setting {
         Setting::LocalRules(rules, interpolant) => {
             require(points == Points::Indexed, Reason::Malformed("masks"))?;
@@ -94,7 +77,7 @@ fn one<'a>(paper: &'a Paper<'a>, claim: &'a Toml, theorem: &Theorem) -> Checked<
     };
     expected.push(Argument::Level(level));
     expected.extend([int(1), bound].map(Argument::Number));
-    stated(theorem, &format!("exceeds_{form}{quantity}"), &expected)
+    super::stated(theorem, &format!("exceeds_{form}{quantity}"), &expected)
 }
 
 /// Reads `Refuted for SCHEME, NAME = VALUE at level K; the bound is BY`, or for a depth

@@ -1,14 +1,13 @@
-//! Numbers of the field Q(α) of a real root α of a polynomial, which need not be irreducible.
+//! The field Q(α) of a real root α of a polynomial, which need not be irreducible, and the signs of its numbers.
 //!
 //! A number p(α) has many coordinates p, if the polynomial is reducible. It is 0 if and only if the greatest common
 //! divisor of p and the polynomial has the root α. THEOREMS.md, 120.
 
 use crate::decimal::{Q, bits, int};
 use crate::meter::Meter;
-use crate::polynomial::{at, divide, gcd, roots_between, signum, steps_of_gcd, trimmed};
-use num_traits::{One, Zero};
+use crate::polynomial::{at, gcd, roots_between, signum, steps_of_gcd, trimmed};
+use num_traits::Zero;
 use std::cell::{Cell, RefCell};
-use std::rc::Rc;
 
 /// The most halvings for one sign.
 const MAX_HALVINGS: usize = 1_000;
@@ -47,6 +46,11 @@ impl Field {
         (simple && one).then_some(Field { polynomial, low, high, near, gave_up, meter })
     }
 
+    /// The polynomial.
+    pub fn polynomial(&self) -> &[Q] {
+        &self.polynomial
+    }
+
     /// The degree of the polynomial.
     pub fn degree(&self) -> usize {
         self.polynomial.len() - 1
@@ -81,7 +85,8 @@ impl Field {
         }
     }
 
-    fn sign(&self, p: &[Q]) -> i8 {
+    /// The sign of p(α); 0 if it was not found.
+    pub fn sign(&self, p: &[Q]) -> i8 {
         if let Some(sign) = self.sign_near(p) {
             return sign;
         }
@@ -99,7 +104,7 @@ impl Field {
     }
 
     /// Whether a common divisor with the polynomial is within the steps that are allowed.
-    fn affords(&self, p: &[Q]) -> bool {
+    pub fn affords(&self, p: &[Q]) -> bool {
         if self.meter.spend(steps_of_gcd(p, &self.polynomial)).is_err() {
             self.gave_up.set(true);
         }
@@ -110,116 +115,4 @@ impl Field {
     pub fn gave_up(&self) -> bool {
         self.gave_up.get()
     }
-}
-
-/// The number p(α).
-#[derive(Clone)]
-pub struct Element {
-    p: Vec<Q>,
-    /// `None` for a fraction.
-    field: Option<Rc<Field>>,
-}
-
-impl Element {
-    /// The number with these coordinates, of a degree below that of the polynomial.
-    pub fn new(p: Vec<Q>, field: Option<Rc<Field>>) -> Element {
-        Element { p: trimmed(p), field }
-    }
-
-    /// The coordinates.
-    pub fn coordinates(&self) -> &[Q] {
-        &self.p
-    }
-
-    /// By how many binary digits the coordinates of a product grow where the polynomial divides it.
-    pub fn growth(&self) -> u64 {
-        let polynomial =
-            self.field.as_ref().filter(|_| self.p.len() > 1).map(|field| &field.polynomial);
-        polynomial.map_or(0, |p| self.p.len() as u64 * p.last().map_or(0, bits))
-    }
-
-    fn with(&self, other: &Element, p: Vec<Q>) -> Element {
-        let field = self.field.as_ref().or(other.field.as_ref()).cloned();
-        Element::new(p, field)
-    }
-
-    /// The sum.
-    pub fn plus(&self, other: &Element) -> Element {
-        let mut sum = self.p.clone();
-        sum.resize(sum.len().max(other.p.len()), Q::zero());
-        for (x, y) in sum.iter_mut().zip(&other.p) {
-            *x += y;
-        }
-        self.with(other, sum)
-    }
-
-    /// The product with a fraction.
-    pub fn scaled(&self, factor: &Q) -> Element {
-        Element::new(self.p.iter().map(|x| x * factor).collect(), self.field.clone())
-    }
-
-    /// The product.
-    pub fn times(&self, other: &Element) -> Element {
-        let product = self.with(other, multiplied(&self.p, &other.p));
-        let Some(field) = &product.field else { return product };
-        let reduced = if product.p.len() > field.degree() {
-            divide(product.p.clone(), &field.polynomial).1
-        } else {
-            return product;
-        };
-        Element::new(reduced, product.field.clone())
-    }
-
-    /// The sign of p(α).
-    pub fn sign(&self) -> i8 {
-        match &self.field {
-            Some(field) if self.p.len() > 1 => field.sign(&self.p),
-            _ => self.p.first().map_or(0, signum),
-        }
-    }
-
-    /// 1/p(α), for p(α) ≠ 0: the inverse of p modulo the part of the polynomial that has no divisor with p in common.
-    /// This part has the root α.
-    pub fn inverse(&self) -> Element {
-        let (Some(field), true) = (&self.field, self.p.len() > 1) else {
-            let value = self.p.first().map(Q::recip);
-            return Element::new(value.into_iter().collect(), self.field.clone());
-        };
-        if !field.affords(&self.p) {
-            return Element::new(Vec::new(), self.field.clone());
-        }
-        let (modulus, _) = divide(field.polynomial.clone(), &gcd(&self.p, &field.polynomial));
-        // The remainders of Euclid's algorithm are r = u·p modulo the modulus.
-        let (mut before, mut rest) = (modulus.clone(), divide(self.p.clone(), &modulus).1);
-        let (mut factor_before, mut factor) = (Vec::new(), vec![Q::one()]);
-        rest = trimmed(rest);
-        while rest.len() > 1 {
-            let (quotient, next) = divide(before, &rest);
-            let product = multiplied(&quotient, &factor);
-            let mut difference: Vec<Q> = factor_before;
-            difference.resize(difference.len().max(product.len()), Q::zero());
-            for (x, y) in difference.iter_mut().zip(&product) {
-                *x -= y;
-            }
-            // With the leading coefficient 1 the fractions remain short.
-            let mut next = trimmed(next);
-            let scale = next.last().map_or_else(Q::one, Q::recip);
-            next.iter_mut().chain(&mut difference).for_each(|x| *x *= &scale);
-            (before, rest) = (rest, next);
-            (factor_before, factor) = (factor, difference);
-        }
-        let scale = rest.first().map_or_else(Q::zero, Q::recip);
-        let inverse = factor.iter().map(|x| x * &scale).collect();
-        Element::new(inverse, self.field.clone())
-    }
-}
-
-fn multiplied(p: &[Q], q: &[Q]) -> Vec<Q> {
-    let mut product = vec![Q::zero(); (p.len() + q.len()).saturating_sub(1)];
-    for (i, a) in p.iter().enumerate() {
-        for (j, b) in q.iter().enumerate() {
-            product[i + j] += a * b;
-        }
-    }
-    product
 }

@@ -1,26 +1,28 @@
 //! Whether the shifts of the limit function of a mask are linearly independent. THEOREMS.md, 108 and 121.
 
-use super::number::Number;
+use super::element::Element;
+use crate::decimal::count;
 
 /// Whether no z ≠ 0 is a common zero of the n parts of the symbol, and there is no z ≠ 1 such that A(wω) = 0 for all w =
 /// z, z^n, z^{n²}, …, and all ω ≠ 1 with ω^n = 1.
-pub fn is_independent<N: Number>(symbol: &[N], n: usize) -> bool {
+pub fn is_independent(symbol: &[Element], n: usize) -> bool {
     let start = symbol.iter().position(|a| a.sign() != 0).unwrap_or(0);
     let symbol = &symbol[start..];
     let part = |e: usize| symbol.iter().skip(e).step_by(n).cloned().collect();
-    let common = (0..n).map(part).fold(Vec::new(), |common, part: Vec<N>| gcd(&common, &part));
+    let common =
+        (0..n).map(part).fold(Vec::new(), |common, part: Vec<Element>| gcd(&common, &part));
     common.len() == 1 && closed(symbol, n).len() == 1
 }
 
 /// The square-free polynomial of these z.
 ///
 /// A(wω) = Σ ω^e·w^eA_e(w^n) with the parts A_e. This is 0 for all these ω if and only if all w^eA_e(w^n) agree.
-fn closed<N: Number>(symbol: &[N], n: usize) -> Vec<N> {
-    let difference = |e: usize| -> Vec<N> {
-        let term = |(i, a): (usize, &N)| match i % n {
+fn closed(symbol: &[Element], n: usize) -> Vec<Element> {
+    let difference = |e: usize| -> Vec<Element> {
+        let term = |(i, a): (usize, &Element)| match i % n {
             class if class == e => a.clone(),
-            class if class == e + 1 => N::whole(0).minus(a),
-            _ => N::whole(0),
+            class if class == e + 1 => Element::whole(0).minus(a),
+            _ => Element::whole(0),
         };
         symbol.iter().enumerate().map(term).collect()
     };
@@ -28,15 +30,15 @@ fn closed<N: Number>(symbol: &[N], n: usize) -> Vec<N> {
     if common.is_empty() {
         return common;
     }
-    let place = |i: usize| N::fraction(&crate::decimal::int(i64::try_from(i).unwrap_or(i64::MAX)));
-    let derivative: Vec<N> = (1..common.len()).map(|i| common[i].times(&place(i))).collect();
+    let derivative: Vec<Element> = (1..common.len()).map(|i| common[i].scaled(&count(i))).collect();
     let mut closed = divided(&common, &gcd(&common, &derivative)).0;
-    let (without, rest) = divided(&closed, &[N::whole(0).minus(&N::whole(1)), N::whole(1)]);
+    let (without, rest) =
+        divided(&closed, &[Element::whole(0).minus(&Element::whole(1)), Element::whole(1)]);
     if rest.is_empty() {
         closed = without;
     }
     loop {
-        let mut stretched = vec![N::whole(0); closed.len().saturating_sub(1) * n + 1];
+        let mut stretched = vec![Element::whole(0); closed.len().saturating_sub(1) * n + 1];
         for (i, c) in closed.iter().enumerate() {
             stretched[i * n] = c.clone();
         }
@@ -48,7 +50,7 @@ fn closed<N: Number>(symbol: &[N], n: usize) -> Vec<N> {
     }
 }
 
-fn trimmed<N: Number>(mut p: Vec<N>) -> Vec<N> {
+fn trimmed(mut p: Vec<Element>) -> Vec<Element> {
     while p.last().is_some_and(|c| c.sign() == 0) {
         p.pop();
     }
@@ -56,12 +58,12 @@ fn trimmed<N: Number>(mut p: Vec<N>) -> Vec<N> {
 }
 
 /// The quotient and the remainder by a polynomial whose last coefficient is not 0.
-fn divided<N: Number>(p: &[N], q: &[N]) -> (Vec<N>, Vec<N>) {
+fn divided(p: &[Element], q: &[Element]) -> (Vec<Element>, Vec<Element>) {
     // None is left where a sign was not found, and then nothing counts.
     let Some(degree) = q.len().checked_sub(1) else { return Default::default() };
     let inverse = q[degree].inverse();
     let mut rest = p.to_vec();
-    let mut quotient = vec![N::whole(0); rest.len().saturating_sub(degree)];
+    let mut quotient = vec![Element::whole(0); rest.len().saturating_sub(degree)];
     for i in (0..quotient.len()).rev() {
         quotient[i] = rest[i + degree].times(&inverse);
         for (j, c) in q.iter().enumerate() {
@@ -73,10 +75,10 @@ fn divided<N: Number>(p: &[N], q: &[N]) -> (Vec<N>, Vec<N>) {
 }
 
 /// The monic greatest common divisor.
-fn gcd<N: Number>(p: &[N], q: &[N]) -> Vec<N> {
-    let monic = |p: Vec<N>| -> Vec<N> {
+fn gcd(p: &[Element], q: &[Element]) -> Vec<Element> {
+    let monic = |p: Vec<Element>| -> Vec<Element> {
         let p = trimmed(p);
-        let inverse = p.last().map(N::inverse);
+        let inverse = p.last().map(Element::inverse);
         inverse.map_or(Vec::new(), |inverse| p.iter().map(|c| c.times(&inverse)).collect())
     };
     let (mut one, mut other) = (monic(p.to_vec()), monic(q.to_vec()));

@@ -1,22 +1,16 @@
 //! Matrices of real numbers.
 
-use super::number::Number;
+use super::element::Element;
 use crate::decimal::{Q, int};
 use crate::meter::Meter;
 use crate::reject::Stop;
 
 /// A square matrix, row by row.
-pub type Matrix<N> = Vec<Vec<N>>;
-
-/// The unit matrix.
-pub fn unit<N: Number>(size: usize) -> Matrix<N> {
-    let row = |i| (0..size).map(|j| if i == j { N::whole(1) } else { N::whole(0) }).collect();
-    (0..size).map(row).collect()
-}
+pub type Matrix = Vec<Vec<Element>>;
 
 /// A row times a matrix.
-fn times<N: Number>(row: &[N], matrix: &Matrix<N>) -> Vec<N> {
-    let mut sum = vec![N::whole(0); matrix.len()];
+pub fn times(row: &[Element], matrix: &Matrix) -> Vec<Element> {
+    let mut sum = vec![Element::whole(0); matrix.len()];
     for (x, entries) in row.iter().zip(matrix).filter(|(x, _)| x.sign() != 0) {
         for (sum, entry) in sum.iter_mut().zip(entries) {
             *sum = sum.plus(&x.times(entry));
@@ -25,38 +19,23 @@ fn times<N: Number>(row: &[N], matrix: &Matrix<N>) -> Vec<N> {
     sum
 }
 
-/// A row of fractions times a matrix.
-pub fn scaled_times<N: Number>(row: &[Q], matrix: &Matrix<N>) -> Vec<N> {
-    let mut sum = vec![N::whole(0); matrix.len()];
-    for (x, entries) in row.iter().zip(matrix).filter(|(x, _)| x.sign() != 0) {
-        for (sum, entry) in sum.iter_mut().zip(entries) {
-            *sum = sum.plus(&entry.scaled(x));
-        }
-    }
-    sum
-}
-
 /// The steps of an operation with each entry of a matrix.
-fn cost<N: Number>(matrix: &Matrix<N>) -> u64 {
-    matrix.iter().flatten().map(Number::cost).sum()
+fn cost(matrix: &Matrix) -> u64 {
+    matrix.iter().flatten().map(Element::cost).sum()
 }
 
 /// The product of two matrices.
-pub fn multiplied<N: Number>(
-    a: &Matrix<N>,
-    b: &Matrix<N>,
-    meter: &Meter,
-) -> Result<Matrix<N>, Stop> {
+pub fn multiplied(a: &Matrix, b: &Matrix, meter: &Meter) -> Result<Matrix, Stop> {
     meter.spend(a.len() as u64 * (cost(a) + cost(b)))?;
     Ok(a.iter().map(|row| times(row, b)).collect())
 }
 
 /// The determinant, by elimination.
-pub fn determinant<N: Number>(mut rows: Matrix<N>, meter: &Meter) -> Result<N, Stop> {
-    let (size, mut value) = (rows.len(), N::whole(1));
+pub fn determinant(mut rows: Matrix, meter: &Meter) -> Result<Element, Stop> {
+    let (size, mut value) = (rows.len(), Element::whole(1));
     for step in 0..size {
         let Some(pivot) = (step..size).find(|&i| rows[i][step].sign() != 0) else {
-            return Ok(N::whole(0));
+            return Ok(Element::whole(0));
         };
         meter.spend(cost(&rows))?;
         if pivot != step {
@@ -82,7 +61,7 @@ pub fn determinant<N: Number>(mut rows: Matrix<N>, meter: &Meter) -> Result<N, S
 /// The matrix on symmetric tensors: its eigenvalues are the products λ_i λ_j, i ≤ j.
 ///
 /// x_a x_b becomes Σ m_{a,p} m_{b,q} x_p x_q.
-pub fn symmetric_square<N: Number>(matrix: &Matrix<N>) -> Matrix<N> {
+pub fn symmetric_square(matrix: &Matrix) -> Matrix {
     let size = matrix.len();
     let half = Q::new(1.into(), 2.into());
     let pairs: Vec<(usize, usize)> =

@@ -1,22 +1,26 @@
 //! Certificates of joint spectral radii, and of the smoothness that follows from them. FORMAT.md,
 //! «Joint spectral radii».
 
+mod element;
 mod field;
 mod given;
 mod independence;
 mod matrices;
-mod number;
 mod read;
 mod smoothness;
 
+use crate::certificate::Line;
 use crate::decimal::{Q, int};
+use crate::linear;
 use crate::meter::Meter;
-use crate::reject::{RadiusReason, RadiusRejection, Stop, Text};
-use field::Element;
+use crate::reject::{
+    At, RadiusChecked as Checked, RadiusReason, RadiusRejection, Stop, Text, require,
+};
+use element::Element;
+use given::symbol;
 use independence::is_independent;
-use matrices::{Matrix, determinant, multiplied, scaled_times, symmetric_square};
+use matrices::{Matrix, determinant, multiplied, symmetric_square, times};
 use num_traits::Signed as _;
-use number::Number;
 use read::{Certificate, Lower};
 use std::fmt;
 
@@ -41,145 +45,113 @@ pub struct Radius {
 /// The line that is wrong, and the reason.
 pub fn check_radius(text: &str) -> Result<Radius, RadiusRejection> {
     let (certificate, meter) = (Certificate::read(text)?, Meter::default());
-    if certificate.field.is_some() {
-        checked::<Element>(&certificate, &meter)
-    } else {
-        checked::<Q>(&certificate, &meter)
-    }
+    checked(&certificate, &meter)
 }
 
-/// The rules of a mask that a claim speaks of, and the line of the certificate where they are needed.
-pub struct Mask {
-    /// The rules.
-    pub rules: Vec<Vec<Q>>,
-    /// The line.
-    pub line: usize,
+/// Whether the shifts of the limit function of a mask are linearly independent (THEOREMS.md, 108).
+pub fn has_independent_shifts(rules: &[Vec<Q>]) -> bool {
+    let elements = |rule: &Vec<Q>| rule.iter().map(Element::fraction).collect();
+    let elements: Vec<Vec<Element>> = rules.iter().map(elements).collect();
+    is_independent(&symbol(&elements), rules.len())
 }
 
-impl Mask {
-    /// Whether the shifts of the limit function are linearly independent (THEOREMS.md, 108).
-    pub fn is_independent(&self) -> bool {
-        let width = self.rules.first().map_or(0, Vec::len);
-        let places = (0..width).rev().flat_map(|j| self.rules.iter().map(move |rule| (j, rule)));
-        let symbol: Vec<Q> = places.map(|(j, rule)| rule[j].clone()).collect();
-        is_independent(&symbol, self.rules.len())
-    }
-}
-
-/// Checks the numbered lines of a certificate about a mask, which end with the line `end`.
+/// Checks the lines of a certificate about the rules of a mask, which end with the line `end`. What is wrong with the
+/// rules is so in the line `first`.
 pub fn check_mask(
-    mask: &Mask,
-    lines: &[(usize, &str)],
+    rules: &[Vec<Q>],
+    first: usize,
+    lines: &[Line<'_>],
     end: usize,
     meter: &Meter,
 ) -> Result<Radius, RadiusRejection> {
     let coordinates = |rule: &Vec<Q>| rule.iter().map(|entry| vec![entry.clone()]).collect();
-    let rules = mask.rules.iter().map(|rule| (mask.line, coordinates(rule))).collect();
-    checked::<Q>(&Certificate::embedded(rules, lines, end)?, meter)
+    let rules = rules.iter().map(|rule| (first, coordinates(rule))).collect();
+    checked(&Certificate::embedded(rules, lines, end)?, meter)
 }
 
-fn checked<N: Number>(certificate: &Certificate, meter: &Meter) -> Result<Radius, RadiusRejection> {
-    let matrices: Vec<Matrix<N>> = certificate.matrices()?;
-    if let Some(lower) = &certificate.lower {
-        check_lower(&matrices, lower, meter)?;
+fn checked(certificate: &Certificate, meter: &Meter) -> Checked<Radius> {
+    let Certificate { lower, field, end, .. } = certificate;
+    let matrices: Vec<Matrix> = certificate.matrices()?;
+    if let Some(lower) = lower {
+        check_lower(&matrices, lower, meter).at(lower.line)?;
     }
     check_hull(&matrices, certificate, meter)?;
-    let at_least = certificate.lower.as_ref().map(|lower| (lower.bound.clone(), lower.degree()));
-    let (continuous, not_continuous) = smoothness::check::<N>(certificate)?;
-    if certificate.field.as_ref().is_some_and(|field| field.gave_up()) {
-        let reason = RadiusReason::Stopped(Stop::Capped("the halvings of an interval"));
-        return Err(RadiusRejection { line: certificate.end, reason });
-    }
+    let at_least = lower.as_ref().map(|lower| (lower.bound.clone(), lower.degree()));
+    let (continuous, not_continuous) = smoothness::check(certificate)?;
+    let decided = field.as_ref().is_none_or(|field| !field.gave_up());
+    let halvings = Stop::Capped("the halvings of an interval");
+    require(decided, RadiusReason::Stopped(halvings)).at(*end)?;
     let order = certificate.order.map(|(_, order)| order);
     Ok(Radius { at_least, at_most: certificate.bound.clone(), order, continuous, not_continuous })
 }
 
 /// A real eigenvalue of at least q shows itself by the sign of the characteristic polynomial at q.
-fn check_lower<N: Number>(
-    matrices: &[Matrix<N>],
-    lower: &Lower,
-    meter: &Meter,
-) -> Result<(), RadiusRejection> {
-    let at = |reason| RadiusRejection { line: lower.line, reason };
-    let capped = |stop: Stop| at(RadiusReason::Stopped(stop));
+fn check_lower(matrices: &[Matrix], lower: &Lower, meter: &Meter) -> Checked<()> {
     let size = matrices[0].len();
-    let mut product = matrices::unit(size);
+    let mut product = linear::unit(size, [0, 1].map(Element::whole));
     for &factor in &lower.product {
-        let matrix = matrices.get(factor).ok_or_else(|| at(RadiusReason::NoSuch))?;
-        product = multiplied(&product, matrix, meter).map_err(capped)?;
+        product = multiplied(&product, matrices.get(factor).ok_or(RadiusReason::NoSuch)?, meter)?;
     }
-    let mut shifted = if lower.conjugate {
+    let mut shifted = product;
+    if lower.conjugate {
         let pairs = (size * (size + 1) / 2) as u64;
-        meter.spend(8 * pairs * pairs).map_err(capped)?;
-        symmetric_square(&product)
-    } else {
-        product
-    };
+        meter.spend(8 * pairs * pairs)?;
+        shifted = symmetric_square(&shifted);
+    }
     for (i, row) in shifted.iter_mut().enumerate() {
         for (j, x) in row.iter_mut().enumerate() {
-            *x = if lower.negative { x.clone() } else { N::whole(0).minus(x) };
+            *x = if lower.negative { x.clone() } else { Element::whole(0).minus(x) };
             if i == j {
-                *x = x.plus(&N::fraction(&lower.bound));
+                *x = x.plus(&Element::fraction(&lower.bound));
             }
         }
     }
-    let value = determinant(shifted, meter).map_err(capped)?;
-    if lower.bound.is_positive() && value.sign() <= 0 {
-        return Ok(());
-    }
-    Err(at(RadiusReason::NoEigenvalue(Text(lower.bound.to_string()))))
+    let value = determinant(shifted, meter)?;
+    let shown = lower.bound.is_positive() && value.sign() <= 0;
+    require(shown, RadiusReason::NoEigenvalue(Text(lower.bound.to_string())))
 }
 
 /// Every image of a row is a combination whose coefficients, with the remainder, are at most the bound.
-fn check_hull<N: Number>(
-    matrices: &[Matrix<N>],
-    certificate: &Certificate,
-    meter: &Meter,
-) -> Result<(), RadiusRejection> {
+fn check_hull(matrices: &[Matrix], certificate: &Certificate, meter: &Meter) -> Checked<()> {
     let size = matrices[0].len();
-    let entries = matrices.iter().flatten().flatten().map(Number::cost).sum::<u64>();
-    let at = |line, reason| RadiusRejection { line, reason };
-    let bound = N::fraction(&certificate.bound);
+    let entries = matrices.iter().flatten().flatten().map(Element::cost).sum::<u64>();
+    let bound = Element::fraction(&certificate.bound);
     let inverse = certificate.unit.recip();
-    let mut rows: Vec<Vec<Q>> = matrices::unit(size);
-    for row in rows.iter_mut().flatten() {
-        *row *= &certificate.unit;
-    }
+    let unit = [Element::whole(0), Element::fraction(&certificate.unit)];
+    let mut rows: Matrix = linear::unit(size, unit);
     for (line, row) in &certificate.rows {
-        if row.len() != size {
-            return Err(at(*line, RadiusReason::Size));
-        }
-        rows.push(row.clone());
+        require(row.len() == size, RadiusReason::Size).at(*line)?;
+        rows.push(row.iter().map(Element::fraction).collect());
     }
+    let image = |row: &[Element], matrix: &Matrix, terms: &[(usize, Q)]| -> Checked<()> {
+        let of_row: u64 = row.iter().map(Element::cost).sum();
+        meter.spend(size as u64 * (of_row + terms.len() as u64) + entries)?;
+        let mut rest = times(row, matrix);
+        let mut coefficients = int(0);
+        for (place, factor) in terms {
+            let other = rows.get(*place).ok_or(RadiusReason::NoSuch)?;
+            for (x, v) in rest.iter_mut().zip(other) {
+                *x = x.minus(&v.scaled(factor));
+            }
+            coefficients += factor.abs();
+        }
+        let remainder = rest.iter().fold(Element::whole(0), |sum, x| sum.plus(&x.size()));
+        let cost = remainder.scaled(&inverse).plus(&Element::fraction(&coefficients));
+        if cost.minus(&bound).sign() <= 0 {
+            return Ok(());
+        }
+        let most = Text(certificate.bound.to_string());
+        Err(RadiusReason::Outside(Text(cost.text()), most).into())
+    };
     let mut images = certificate.images.iter();
-    for row in &rows {
-        let of_row: u64 = row.iter().map(Number::cost).sum();
-        for matrix in matrices {
-            let (line, terms) =
-                images.next().ok_or(at(certificate.end, RadiusReason::ImagesMissing))?;
-            let steps = size as u64 * (of_row + terms.len() as u64) + entries;
-            meter.spend(steps).map_err(|stop| at(*line, RadiusReason::Stopped(stop)))?;
-            let mut rest = scaled_times(row, matrix);
-            let mut coefficients = int(0);
-            for (place, factor) in terms {
-                let other = rows.get(*place).ok_or(at(*line, RadiusReason::NoSuch))?;
-                for (x, v) in rest.iter_mut().zip(other) {
-                    *x = x.minus(&N::fraction(&(factor * v)));
-                }
-                coefficients += factor.abs();
-            }
-            let remainder = rest.iter().fold(N::whole(0), |sum, x| sum.plus(&x.size()));
-            let cost = remainder.scaled(&inverse).plus(&N::fraction(&coefficients));
-            if cost.minus(&bound).sign() > 0 {
-                let (cost, bound) = (Text(cost.text()), Text(certificate.bound.to_string()));
-                return Err(at(*line, RadiusReason::Outside(cost, bound)));
-            }
-        }
+    for (row, matrix) in rows.iter().flat_map(|row| matrices.iter().map(move |it| (row, it))) {
+        let reason = RadiusReason::ImagesMissing;
+        let missing = RadiusRejection { line: certificate.end, reason };
+        let (line, terms) = images.next().ok_or(missing)?;
+        image(row, matrix, terms).at(*line)?;
     }
-    match images.next() {
-        Some((line, _)) => Err(at(*line, RadiusReason::TooMany)),
-        None => Ok(()),
-    }
+    let more = images.next().map(|(line, _)| *line);
+    require(more.is_none(), RadiusReason::TooMany).at(more.unwrap_or_default())
 }
 
 impl fmt::Display for Radius {

@@ -1,8 +1,9 @@
 //! The lines of a certificate of a joint spectral radius.
 
 use super::field::Field;
+use crate::certificate::{Line, alone};
 use crate::decimal::{Q, read_rational};
-use crate::reject::{RadiusReason, RadiusRejection};
+use crate::reject::{At, RadiusChecked as Checked, RadiusReason, require};
 use num_traits::{Signed, Zero};
 use std::rc::Rc;
 
@@ -80,68 +81,54 @@ pub struct Certificate {
     next: usize,
 }
 
-type Read<T> = Result<T, RadiusReason>;
-
-fn numbers(text: &str) -> Read<Vec<Q>> {
-    let number = |word| read_rational(word).ok_or(RadiusReason::Malformed("numbers"));
+fn numbers(text: &str) -> Checked<Vec<Q>> {
+    let number = |word| Ok(read_rational(word).ok_or(RadiusReason::Malformed("numbers"))?);
     text.split_whitespace().map(number).collect()
 }
 
-fn count(text: &str) -> Read<usize> {
-    text.parse().map_err(|_| RadiusReason::Malformed("a count"))
+fn count(text: &str) -> Checked<usize> {
+    Ok(text.parse().map_err(|_| RadiusReason::Malformed("a count"))?)
 }
 
-fn positive(text: &str) -> Read<Q> {
+fn positive(text: &str) -> Checked<Q> {
     let number = read_rational(text).filter(Q::is_positive);
-    number.ok_or(RadiusReason::Malformed("a positive number"))
+    Ok(number.ok_or(RadiusReason::Malformed("a positive number"))?)
 }
 
 impl Certificate {
     /// Reads a certificate.
-    pub fn read(text: &str) -> Result<Certificate, RadiusRejection> {
+    pub fn read(text: &str) -> Checked<Certificate> {
+        let version = text.lines().next().is_none_or(|line| line.trim() == VERSION);
+        require(version, RadiusReason::Version).at(1)?;
         let mut read = Certificate::of(Vec::new());
-        let mut ended = text.len() > MAX_BYTES;
-        let mut place = 1;
-        for (line, raw) in (1..).zip(text.lines()) {
-            let words = raw.trim();
-            let reject = |reason| RadiusRejection { line, reason };
-            if line == 1 && words != VERSION {
-                return Err(reject(RadiusReason::Version));
-            }
-            if line == 1 || words.is_empty() || words.starts_with('#') {
-                continue;
-            }
-            if ended {
-                return Err(reject(RadiusReason::AfterEnd));
-            }
-            place = line;
-            ended = words == "end";
+        let (mut ended, mut place) = (text.len() > MAX_BYTES, 1);
+        for Line { number, text } in alone(text) {
+            require(!ended, RadiusReason::AfterEnd).at(number)?;
+            (place, ended) = (number, text == "end");
             if !ended {
-                read.take(line, words).map_err(reject)?;
+                read.take(number, text).at(number)?;
             }
         }
         read.finished(ended, place)
     }
 
-    /// Reads the numbered lines of a certificate about these rules, without rules, matrices and `end`,
-    /// which is the line `end`.
+    /// Reads the lines of a certificate about these rules, without rules, matrices and `end`, which is
+    /// the line `end`.
     pub fn embedded(
         rules: Vec<(usize, Vec<Coordinates>)>,
-        lines: &[(usize, &str)],
+        lines: &[Line<'_>],
         end: usize,
-    ) -> Result<Certificate, RadiusRejection> {
+    ) -> Checked<Certificate> {
         let mut read = Certificate::of(rules);
-        for &(line, words) in lines {
-            let own =
-                ["rule", "matrix", "field", "between"].iter().any(|word| words.starts_with(word));
-            let reason = RadiusReason::Malformed("no rules, which are those of the claim");
-            let taken = if own { Err(reason) } else { read.take(line, words) };
-            taken.map_err(|reason| RadiusRejection { line, reason })?;
+        for line in lines {
+            let given = ["rule", "matrix", "field", "between"];
+            let own = given.iter().any(|word| line.text.starts_with(word));
+            let rules = RadiusReason::Malformed("no rules, which are those of the claim");
+            require(!own, rules).and_then(|()| read.take(line.number, line.text)).at(line.number)?;
         }
         let read = read.finished(true, end)?;
-        let reason = RadiusReason::Malformed("the order of the sum rules");
-        let order = read.order.is_some();
-        if order { Ok(read) } else { Err(RadiusRejection { line: end, reason }) }
+        let order = RadiusReason::Malformed("the order of the sum rules");
+        require(read.order.is_some(), order).at(end).map(|()| read)
     }
 
     /// A certificate that says nothing about these rules.
@@ -164,36 +151,34 @@ impl Certificate {
         }
     }
 
-    fn finished(mut self, ended: bool, place: usize) -> Result<Certificate, RadiusRejection> {
+    fn finished(mut self, ended: bool, place: usize) -> Checked<Certificate> {
         self.end = place;
         let whole = ended && self.bound.is_positive() && self.unit.is_positive();
-        let reason = RadiusReason::Truncated;
-        if whole { Ok(self) } else { Err(RadiusRejection { line: place, reason }) }
+        require(whole, RadiusReason::Truncated).at(place).map(|()| self)
     }
 
     /// Numbers by their coordinates, of which a fraction has one.
-    fn entries(&self, text: &str) -> Read<Vec<Coordinates>> {
+    fn entries(&self, text: &str) -> Checked<Vec<Coordinates>> {
         let most = self.field.as_ref().map_or(1, |field| field.degree());
         let entry = |word: &str| {
             let coordinates: Option<Vec<Q>> = word.split(',').map(read_rational).collect();
-            coordinates.filter(|c| c.len() <= most).ok_or(RadiusReason::Malformed("coordinates"))
+            let coordinates = coordinates.filter(|c| c.len() <= most);
+            Ok(coordinates.ok_or(RadiusReason::Malformed("coordinates"))?)
         };
         text.split_whitespace().map(entry).collect()
     }
 
-    fn take(&mut self, line: usize, words: &str) -> Read<()> {
+    fn take(&mut self, line: usize, words: &str) -> Checked<()> {
         let (word, rest) = words.split_once(' ').unwrap_or((words, ""));
         let known = LINES.iter().position(|(known, _)| *known == word);
         let place = known.ok_or(RadiusReason::Malformed("a line of this format"))?;
-        if place < self.next {
-            return Err(RadiusReason::Order);
-        }
+        require(place >= self.next, RadiusReason::Order)?;
         self.next = if LINES[place].1 { place } else { place + 1 };
         match word {
             "field" => self.polynomial = numbers(rest)?,
             "between" => {
                 let [low, high] = &numbers(rest)?[..] else {
-                    return Err(RadiusReason::Malformed("two numbers"));
+                    return Err(RadiusReason::Malformed("two numbers").into());
                 };
                 let polynomial = std::mem::take(&mut self.polynomial);
                 let small = polynomial.len() <= MAX_DEGREE + 1;
@@ -204,17 +189,15 @@ impl Certificate {
             "order" => self.order = Some((line, count(rest)?)),
             "matrix" => {
                 let rows = rest.split('|').map(|row| self.entries(row));
-                let matrix = rows.collect::<Read<Vec<Vec<Coordinates>>>>()?;
+                let matrix = rows.collect::<Checked<Vec<Vec<Coordinates>>>>()?;
                 self.given.push((line, matrix));
             }
             "product" => {
-                let product = rest.split_whitespace().map(count).collect::<Read<Vec<usize>>>()?;
-                if product.is_empty() {
-                    return Err(RadiusReason::Malformed("one factor at least"));
-                }
-                let bound = Q::zero();
-                let lower = Lower { line, product, bound, negative: false, conjugate: false };
-                self.lower = Some(lower);
+                let product =
+                    rest.split_whitespace().map(count).collect::<Checked<Vec<usize>>>()?;
+                require(!product.is_empty(), RadiusReason::Malformed("one factor at least"))?;
+                let (bound, negative, conjugate) = (Q::zero(), false, false);
+                self.lower = Some(Lower { line, product, bound, negative, conjugate });
             }
             "eigenvalue" => {
                 let lower = self.lower.as_mut().ok_or(RadiusReason::Malformed("a product"))?;
@@ -223,7 +206,10 @@ impl Certificate {
                     "positive" => (false, false),
                     "negative" => (true, false),
                     "conjugate" => (false, true),
-                    _ => return Err(RadiusReason::Malformed("positive, negative or conjugate")),
+                    _ => {
+                        let kinds = RadiusReason::Malformed("positive, negative or conjugate");
+                        return Err(kinds.into());
+                    }
                 };
                 (lower.line, lower.bound) = (line, positive(bound)?);
             }
@@ -237,7 +223,7 @@ impl Certificate {
                         read_rational(factor).ok_or(RadiusReason::Malformed("a factor"))?;
                     Ok((count(place)?, factor))
                 };
-                let terms = rest.split_whitespace().map(term).collect::<Read<Vec<_>>>()?;
+                let terms = rest.split_whitespace().map(term).collect::<Checked<Vec<_>>>()?;
                 self.images.push((line, terms));
             }
             "continuous" => self.continuous = Some((line, count(rest)?)),

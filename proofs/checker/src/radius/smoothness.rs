@@ -1,50 +1,35 @@
 //! What a radius says of the limits of a scheme. THEOREMS.md, 107, 108 and 110.
 
 use super::independence::is_independent;
-use super::number::Number;
-use super::read::Certificate;
-use crate::decimal::{Q, int};
-use crate::reject::{RadiusReason, RadiusRejection};
+use super::read::{Certificate, Lower};
+use crate::decimal::count;
+use crate::reject::{At, RadiusChecked as Checked, RadiusReason, RadiusRejection, require};
 use num_traits::Pow as _;
 
 /// The m for which the limits are C^m, and that for which not all are.
-pub fn check<N: Number>(
-    certificate: &Certificate,
-) -> Result<(Option<usize>, Option<usize>), RadiusRejection> {
-    let at = |line, reason| RadiusRejection { line, reason };
-    let said = certificate.continuous.or(certificate.not_continuous);
+pub fn check(certificate: &Certificate) -> Checked<(Option<usize>, Option<usize>)> {
+    let Certificate { continuous, not_continuous, .. } = certificate;
     let Some((_, order)) = certificate.order else {
-        return match said {
-            Some((line, _)) => Err(at(line, RadiusReason::NoMask)),
+        return match continuous.or(*not_continuous) {
+            Some((line, _)) => Err(RadiusRejection { line, reason: RadiusReason::NoMask }),
             None => Ok((None, None)),
         };
     };
     let n = certificate.rules.len();
     // n^{K − m}.
-    let limit = |m: usize| -> Q {
-        let base = int(i64::try_from(n).unwrap_or(i64::MAX));
-        (m..order).fold(int(1), |power, _| power * &base)
-    };
-    if let Some((line, m)) = certificate.continuous
-        && (m >= order || certificate.bound >= limit(m))
-    {
-        return Err(at(line, RadiusReason::NotBelow));
+    let limit = |m: usize| (m..order).fold(count(1), |power, _| power * count(n));
+    if let Some((line, m)) = *continuous {
+        let below = m < order && certificate.bound < limit(m);
+        require(below, RadiusReason::NotBelow).at(line)?;
     }
-    if let Some((line, m)) = certificate.not_continuous {
+    if let Some((line, m)) = *not_continuous {
         // Not C^0: the scheme diverges, whatever the shifts are.
-        if m > 0 && certificate.continuous.is_none() {
-            return Err(at(line, RadiusReason::NotConvergent));
-        }
-        if m > 0 && !is_independent::<N>(&certificate.symbol(), n) {
-            return Err(at(line, RadiusReason::Dependent));
-        }
-        let lower = certificate.lower.as_ref();
-        let reaches =
-            lower.is_some_and(|lower| m <= order && lower.bound >= limit(m).pow(lower.degree()));
-        if !reaches {
-            return Err(at(line, RadiusReason::NotAbove));
-        }
+        require(m == 0 || continuous.is_some(), RadiusReason::NotConvergent).at(line)?;
+        let independent = || is_independent(&certificate.symbol(), n);
+        require(m == 0 || independent(), RadiusReason::Dependent).at(line)?;
+        let reaches = |lower: &Lower| m <= order && lower.bound >= limit(m).pow(lower.degree());
+        let reached = certificate.lower.as_ref().is_some_and(reaches);
+        require(reached, RadiusReason::NotAbove).at(line)?;
     }
-    let number = |said: Option<(usize, usize)>| said.map(|(_, m)| m);
-    Ok((number(certificate.continuous), number(certificate.not_continuous)))
+    Ok([continuous, not_continuous].map(|said| said.map(|(_, m)| m)).into())
 }

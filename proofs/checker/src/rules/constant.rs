@@ -1,7 +1,7 @@
 //! The rule `constant`: T_c or Λ_c of a scheme with too many residue classes for the functions
 //! of formulas.
 
-use crate::certificate::Block;
+use crate::certificate::{Block, words};
 use crate::convolution::Sequence;
 use crate::decimal::{Q, int, read_rational};
 use crate::paper::Paper;
@@ -10,16 +10,16 @@ use crate::reject::{Checked, Reason, compare, require};
 use crate::value::Value;
 use num_traits::Signed;
 
+/// The words of the line.
+const EXPECTED: &str = "SCHEME FUNCTION ORDER C CLASS VALUE";
+
 /// The most levels.
 const MAX_LEVELS: u32 = 256;
 
 /// Checks `SCHEME FUNCTION ORDER C CLASS VALUE` and `powers …`, and makes the constant known.
 pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Checked<()> {
-    let malformed = || Reason::Malformed("SCHEME FUNCTION ORDER C CLASS VALUE");
-    let words: Vec<&str> = said.split_whitespace().collect();
-    let [reference, function, order, c, class, value] = words[..] else {
-        return Err(malformed().into());
-    };
+    let malformed = || Reason::Malformed(EXPECTED);
+    let [reference, function, order, c, class, value] = words(said, EXPECTED)?;
     let schemes = paper.library.resolve(reference, &paper.library.closed())?;
     let [scheme] = &schemes[..] else { return Err(malformed().into()) };
     let rules = match function {
@@ -33,15 +33,12 @@ pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Che
     let class = class.parse().map_err(|_| malformed())?;
     let exact = read_rational(value).ok_or(malformed())?;
     // The sequence that is read forwards belongs to the reversed rules.
-    let rational = |rule: &Vec<Value>| {
-        let mut rule: Vec<Q> = rule.iter().map(Value::rational).collect::<Option<_>>()?;
-        if forward {
+    let mut rational = Value::rationals(rules).ok_or(Reason::Malformed("rational masks"))?;
+    if forward {
+        for rule in &mut rational {
             rule.reverse();
         }
-        Some(rule)
-    };
-    let rational = rules.iter().map(rational).collect::<Option<Vec<Vec<Q>>>>();
-    let rational = rational.ok_or(Reason::Malformed("rational masks"))?;
+    }
     let operator = Operator::new(paper.library.meter, &rational)?;
     let sum = operator.of_class(levels, &class)?;
     compare(sum == exact, &exact, &sum, Reason::Class)?;

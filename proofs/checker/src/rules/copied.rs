@@ -127,17 +127,11 @@ fn is_level(table: &Table<'_>) -> bool {
 fn constants(table: &Table<'_>) -> BTreeSet<String> {
     let promises = table.claim.get("promise").is_some();
     let start = if promises { behind_names(table, &table.value) } else { &table.value };
-    let (mut found, mut waiting) = (BTreeSet::new(), vec![start]);
-    while let Some(expr) = waiting.pop() {
-        match expr {
-            Expr::Name(name) if table.paper.definitions.contains_key(name) => {
-                found.insert(name.clone());
-            }
-            Expr::Of(_, parts) => waiting.extend(parts),
-            Expr::Name(_) | Expr::Number(_) => {}
-        }
-    }
-    found
+    let of = |expr: &Expr| match expr {
+        Expr::Name(name) if table.paper.definitions.contains_key(name) => Some(name.clone()),
+        _ => None,
+    };
+    start.nodes().into_iter().filter_map(of).collect()
 }
 
 /// Whether the value of a table is this definition alone, and the table prints a cell.
@@ -156,8 +150,7 @@ fn values(table: &Table<'_>, name: &str) -> Result<BTreeSet<Q>, Stop> {
     for claim in paper.file.list("table") {
         let given = paper.constants(claim.entries("given"))?;
         found.extend(given.get(name).and_then(Value::rational));
-        for axis in ["rows", "columns"].into_iter().filter_map(|axis| claim.get(axis)) {
-            let headers = Headers::read(axis)?;
+        for headers in Headers::of(claim)? {
             let axis = headers.axis().filter(|axis| axis.name == name);
             found.extend(axis.into_iter().flat_map(|axis| &axis.entries).map(|(_, v)| v.clone()));
         }
@@ -175,15 +168,6 @@ fn leads_to(table: &Table<'_>, definition: &Expr, such: impl Fn(&str) -> bool) -
     let definitions = &table.paper.definitions;
     let led = names(definition, definitions);
     let led = led.iter().filter_map(|name| definitions.get(name)).map(|led| &**led);
-    let mut waiting: Vec<&Expr> = led.chain([definition]).collect();
-    while let Some(expr) = waiting.pop() {
-        let Expr::Of(head, parts) = expr else { continue };
-        if let Head::Call(function, _) = head
-            && such(function)
-        {
-            return true;
-        }
-        waiting.extend(parts);
-    }
-    false
+    let mut nodes = led.chain([definition]).flat_map(Expr::nodes);
+    nodes.any(|expr| matches!(expr, Expr::Of(Head::Call(function, _), _) if such(function)))
 }

@@ -70,16 +70,6 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     agree(verdict, if listed > 0 { "fails" } else { "holds" }, Reason::Verdict)
 }
 
-/// A scope of the symbols.
-fn symbols<'a>(paper: &'a Paper<'a>, claim: &Toml) -> Scope<'a> {
-    let mut scope = paper.scope();
-    for symbol in claim.list("symbols").iter().filter_map(Toml::as_text) {
-        scope.values.insert(symbol.to_owned(), Value::symbol(symbol));
-        scope.families.insert(symbol.to_owned());
-    }
-    scope
-}
-
 /// The scope of a case. It shares the known values of definitions with other cases.
 fn scope<'a>(
     paper: &'a Paper<'a>,
@@ -87,7 +77,11 @@ fn scope<'a>(
     case: &Case<'_>,
     memory: &Rc<Memory>,
 ) -> Result<Scope<'a>, Stop> {
-    let mut scope = symbols(paper, claim);
+    let mut scope = paper.scope();
+    for symbol in claim.texts("symbols") {
+        scope.values.insert(symbol.to_owned(), Value::symbol(symbol));
+        scope.families.insert(symbol.to_owned());
+    }
     scope.memory = Rc::clone(memory);
     for (name, value) in case {
         scope.hidden.insert((*name).to_owned());

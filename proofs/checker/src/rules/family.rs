@@ -9,8 +9,8 @@ use super::members::{self, Members, explained, members, read, values};
 use super::reading::{MAX_DIFFERENCES, PartRead, Reads};
 use super::scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
 use crate::certificate::Block;
-use crate::decimal::{Q, int};
-use crate::reject::{Checked, Reason, Stop, agree, compare, require};
+use crate::decimal::{Q, count, int};
+use crate::reject::{At, Checked, Reason, Stop, agree, compare, require};
 use crate::table::{Cells, Place, Read, Table};
 use crate::toml::Toml;
 use crate::value::Value;
@@ -115,7 +115,7 @@ fn family(
         listed.compare(numbers, cells, &values)?;
     }
     let complete = require(members.is_empty() && listed.all_met(), Reason::Member);
-    complete.and_then(|()| family.compare(reads, whole)).map_err(|rejection| rejection.at(line))
+    complete.and_then(|()| family.compare(reads, whole)).at(line)
 }
 
 /// Checks that the readings of cells that need assumptions are members of their family.
@@ -234,7 +234,6 @@ impl Family<'_> {
         }
         // Rows and columns with readings explain some of the cells that are left.
         let (rows, columns) = table.size();
-        let lines = i64::try_from(rows + columns).unwrap_or(i64::MAX);
         for part in reads.all(*plain).filter(|part| !part.is_whole()) {
             let inside = |at: &Place| left.contains(at) && part.holds(table, *at);
             let cells = cells.iter().filter(|(at, _)| inside(at));
@@ -243,7 +242,7 @@ impl Family<'_> {
             let values = values.collect::<Result<Vec<_>, Stop>>()?;
             let found = explained(&cells, &values, part.read.decimals())?;
             let part_of = usize::from(part.read.copied().is_some());
-            let size = &sizes[part_of] * int(SHIFTS) * int(lines);
+            let size = &sizes[part_of] * int(SHIFTS) * count(rows + columns);
             let lucky = is_luck(table, &cells, found.len(), &size);
             require(found.len() >= LEAST_CELLS && !lucky, Reason::Luck)?;
             left.retain(|place| !found.contains(place));
@@ -291,7 +290,7 @@ impl Family<'_> {
         // The tables of a paper share the luck that is allowed.
         let printed = |table: &&Toml| table.text("cells") != Some("lost");
         let tables = self.table.paper.file.list("table").iter().filter(printed).count();
-        let parts = int(2 * i64::try_from(tables).unwrap_or(i64::MAX));
+        let parts = int(2) * count(tables);
         let mut sizes = [int(first) * &parts, int(first + second) * &parts];
         if !self.plain {
             let needed = cells.iter().map(|(place, _)| self.table.needed(*place).0);

@@ -14,7 +14,7 @@ type Solved = (String, Value);
 /// in a value.
 pub fn suppose(claim: &Toml, scope: &mut Scope<'_>) -> Result<(), Stop> {
     let (mut solved, mut members) = (Vec::<Solved>::new(), Vec::new());
-    for text in claim.list("hypotheses").iter().filter_map(Toml::as_text) {
+    for text in claim.texts("hypotheses") {
         let (name, value) = text.split_once('=').unwrap_or((text, ""));
         let Expr::Of(Head::Member(family), positions) = formula(name.trim())? else {
             return Err(Stop::Wrong("a hypothesis does not have the form `q[i] = …`".into()));

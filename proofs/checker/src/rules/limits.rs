@@ -5,16 +5,15 @@ use crate::decimal::Q;
 use crate::evaluate::Scope;
 use crate::exponent::{Bound, LogSum};
 use crate::paper::Paper;
-use crate::radius::{Mask, Radius, check_mask};
+use crate::radius::{Radius, check_mask, has_independent_shifts};
 use crate::reject::{Checked, RadiusReason, Reason, Stop, require};
 use crate::toml::Toml;
 use crate::value::Value;
 
 /// What is shown of the limits of a mask.
 pub struct Shown {
-    arity: usize,
     radius: Radius,
-    mask: Mask,
+    mask: Vec<Vec<Q>>,
 }
 
 /// The mask of the claim's scheme, in this scope.
@@ -22,23 +21,21 @@ pub fn mask(paper: &Paper<'_>, claim: &Toml, scope: &Scope<'_>) -> Checked<Vec<V
     let reference = claim.text("scheme").ok_or(Reason::Single)?;
     let schemes = paper.library.resolve(reference, scope)?;
     let [scheme] = &schemes[..] else { return Err(Reason::Single.into()) };
-    let rational = |row: &Vec<Value>| row.iter().map(Value::rational).collect();
-    let mask: Option<Vec<Vec<Q>>> = scheme.mask.iter().map(rational).collect();
-    mask.ok_or(Stop::Undefined("a coefficient of the mask is irrational").into())
+    let mask = Value::rationals(&scheme.mask);
+    Ok(mask.ok_or(Stop::Undefined("a coefficient of the mask is irrational"))?)
 }
 
 impl Shown {
     /// Reads the lines from `order` to `end` and checks them.
-    pub fn read(paper: &Paper<'_>, rules: Vec<Vec<Q>>, block: &mut Block<'_>) -> Checked<Shown> {
+    pub fn read(paper: &Paper<'_>, mask: Vec<Vec<Q>>, block: &mut Block<'_>) -> Checked<Shown> {
         let mut lines = Vec::new();
         block.look();
         let first = block.at;
         while let Some(line) = block.peek() {
             block.any()?;
             if line.text == "end" {
-                let mask = Mask { rules, line: first };
-                let arity = mask.rules.len();
-                let radius = check_mask(&mask, &lines, line.number, paper.library.meter);
+                let meter = paper.library.meter;
+                let radius = check_mask(&mask, first, &lines, line.number, meter);
                 let radius = radius.map_err(|rejection| {
                     block.at = rejection.line;
                     match rejection.reason {
@@ -46,9 +43,9 @@ impl Shown {
                         reason => Reason::Radius(reason),
                     }
                 })?;
-                return Ok(Shown { arity, radius, mask });
+                return Ok(Shown { radius, mask });
             }
-            lines.push((line.number, line.text));
+            lines.push(line);
         }
         Err(Reason::Malformed("the end of the radius").into())
     }
@@ -73,7 +70,8 @@ impl Shown {
         let Some(order) = self.radius.order.filter(|_| self.radius.continuous.is_some()) else {
             return Ok(false);
         };
-        let bound = Bound { order, arity: self.arity, radius: &self.radius.at_most, degree: 1 };
+        let bound =
+            Bound { order, arity: self.mask.len(), radius: &self.radius.at_most, degree: 1 };
         let found = bound.compare(value)?;
         Ok(if strictly { found.is_gt() } else { found.is_ge() })
     }
@@ -85,10 +83,11 @@ impl Shown {
             return Ok(false);
         };
         let converges = self.radius.continuous.is_some();
-        if !converges || !self.mask.is_independent() {
+        if !converges || !has_independent_shifts(&self.mask) {
             return Ok(false);
         }
-        let found = Bound { order, arity: self.arity, radius, degree: *degree }.compare(value)?;
+        let found =
+            Bound { order, arity: self.mask.len(), radius, degree: *degree }.compare(value)?;
         Ok(if strictly { found.is_lt() } else { found.is_le() })
     }
 }

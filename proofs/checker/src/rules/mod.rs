@@ -32,11 +32,12 @@ mod theorem;
 
 use crate::certificate::Block;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason};
+use crate::reject::{At, Checked, Reason};
 use crate::shape::misfit;
 use crate::toml::Toml;
 pub use instance::{Instance, first_level};
 pub use recovered::{Given, Recovered};
+pub use sides::Stated;
 pub use sound::Promised;
 use theorem::Citation;
 
@@ -60,7 +61,7 @@ pub fn check<'a>(
     mut block: Block<'_>,
 ) -> Checked<Verdict> {
     paper.library.restart();
-    judge(paper, kind, claim, &mut block).map_err(|rejection| rejection.at(block.at))
+    judge(paper, kind, claim, &mut block).at(block.at)
 }
 
 fn judge<'a>(

@@ -34,9 +34,7 @@ impl<'a> Free<'a> {
     /// Reads the lines `variable` and `scheme`.
     pub fn read(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<Free<'a>> {
         block.restates("variable", claim.text("variable"))?;
-        if claim.text("scheme").is_some() {
-            block.restates("scheme", claim.text("scheme"))?;
-        }
+        block.may_restate("scheme", claim.text("scheme"))?;
         Ok(Free { paper, claim, variable: claim.text("variable").unwrap_or_default() })
     }
 

@@ -42,11 +42,8 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
             require(said.is_empty(), Reason::Malformed("ROW COLUMN"))?;
             continue;
         }
-        let (promised, printed) = (Promised::new(table, at)?, Value::from(printed.value));
-        let (level, most) = match (promised.level, &promised.tolerance) {
-            (None, Some(tolerance)) => (printed.integer(i64::MAX)?, tolerance.clone()),
-            (level, _) => (level.ok_or(Reason::NoPromise)?, printed),
-        };
+        let promised = Promised::new(table, at)?;
+        let (level, most) = promised.stated(printed.value.into())?;
         let level = sound::level(level)?;
         let setting = setting(table, &promised, &mut settings)?;
         if verdict == "kept" {
@@ -148,17 +145,13 @@ pub fn kept(
     Ok(())
 }
 
-fn values(paper: &Paper<'_>, said: &str) -> Checked<Vec<Value>> {
-    said.split_whitespace().map(|word| paper.number(word)).collect()
-}
-
 /// Checks `weights …`, and gives e_a − w for every point.
 pub fn errors(
     paper: &Paper<'_>,
     ring: &LocalRules<'_>,
     block: &mut Block<'_>,
 ) -> Checked<Vec<Vec<Value>>> {
-    let weights = values(paper, block.after("weights")?)?;
+    let weights = paper.numbers(block.after("weights")?)?;
     require(ring.is_limit(&weights)?, Reason::Weights)?;
     require(ring.contracts()?, Reason::NoLimit)?;
     let errors = ring.units().into_iter().map(|unit| less(&unit, &weights));
@@ -175,7 +168,7 @@ pub fn flows(
     small: &dyn Fn(&Value) -> Checked<()>,
 ) -> Checked<()> {
     for functional in functionals {
-        let flow = values(paper, block.after("flow")?)?;
+        let flow = paper.numbers(block.after("flow")?)?;
         require(flow.len() == ring.edges.len(), Reason::Malformed("a number for each edge"))?;
         let (cost, carried) = ring.carried(&flow)?;
         for (carried, needed) in carried.iter().zip(functional) {
@@ -202,7 +195,8 @@ pub fn change(promised: &Promised<'_>, rules: &[Rules<'_>], k: u32, l: u32) -> R
     let [first, second] = rules else { return largest(&rules[0]) };
     // This is THEOREMS.md, 32, with level l in place of the limit.
     let norm = |axis: usize, level: u32| {
-        promised.class_sum(&promised.schemes[axis].mask, &Value::int(level.into()))
+        let rules = &promised.schemes[axis].mask;
+        promised.paper.library.products.greatest(rules, &Value::int(level.into()))
     };
     let (c, d) = (largest(first)?, largest(second)?);
     let one = c.times(&norm(1, l)?)?.plus(1, &d.times(&norm(0, k)?)?)?;

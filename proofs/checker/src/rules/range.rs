@@ -77,7 +77,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         let (_, read) = claim.get(name).and_then(printed)?;
         Some(Decimal::read(read)?.value)
     });
-    let closed = matches!(claim.get("closed"), Some(Toml::Flag(true)));
+    let closed = claim.is_set("closed");
     let reversed = from.zip(to).is_some_and(|(from, to)| from > to || from == to && !closed);
     let expected = match &set[..] {
         [_] if reversed => "inexact",

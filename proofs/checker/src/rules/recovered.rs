@@ -1,7 +1,7 @@
 //! The rule `recovered`: the values of parameters that the paper does not state.
 
 use crate::certificate::Block;
-use crate::decimal::{Q, int, read_rational};
+use crate::decimal::{Q, count, int, read_rational};
 use crate::reject::{Checked, Reason, require};
 use crate::table::Table;
 use crate::toml::Toml;
@@ -53,11 +53,8 @@ pub fn read(table: &mut Table<'_>, block: &mut Block<'_>) -> Checked<Recovered> 
 
 /// The number of tables of the paper that leave a parameter open.
 fn tables(table: &Table<'_>, name: &str) -> Q {
-    let open = |claim: &&Toml| {
-        claim.list("unstated").iter().filter_map(Toml::as_text).any(|open| open == name)
-    };
-    let count = table.paper.file.list("table").iter().filter(open).count();
-    int(i64::try_from(count).unwrap_or(i64::MAX))
+    let open = |claim: &&Toml| claim.texts("unstated").any(|open| open == name);
+    count(table.paper.file.list("table").iter().filter(open).count())
 }
 
 /// The upper bound (4R + 2)K of how many numbers are as plain as this one.

@@ -4,13 +4,12 @@
 use super::instance::Instance;
 use super::sides::{MAX_LEVEL, Stated};
 use crate::certificate::Block;
-use crate::convolution::Sequence;
 use crate::decimal::{Q, int, read_rational};
-use crate::displacement::{displaced, gather};
+use crate::displacement::moved;
 use crate::functional::Rules;
 use crate::library::Library;
 use crate::paper::Paper;
-use crate::polygon::{Polygon, spread};
+use crate::polygon::Polygon;
 use crate::reject::{Checked, Reason, compare, require};
 use crate::scheme::Scheme;
 use crate::setting::{MAX_CLASSES, Setting};
@@ -93,9 +92,7 @@ struct Level(Polygon, BigInt);
 
 impl Level {
     fn of(rules: &Rules<'_>, control: &Polygon, level: u32) -> Checked<Level> {
-        let Polygon { first, points } = control;
-        let own = Polygon { first: *first, points: points.clone() };
-        let mut last = Level(own, BigInt::one());
+        let mut last = Level(control.clone(), BigInt::one());
         for _ in 0..level {
             let (points, over) = rules.refined((&last.0, &last.1))?;
             last = Level(points, over);
@@ -108,27 +105,24 @@ impl Level {
     }
 
     fn spread(&self) -> Q {
-        let pairs = self.0.points.windows(2).map(|pair| [&pair[0], &pair[1]]);
-        Q::new(spread(pairs), self.1.clone())
+        Q::new(self.0.spread(), self.1.clone())
     }
 }
 
 /// σ(T_0 + … + T_{c−1})/(1 − T_c) for the least c with T_c < 1: a bound of the distance of the
 /// limit from points whose neighbours differ by at most 1.
 fn nearness(library: &Library<'_>, scheme: &Scheme, offset: i64) -> Checked<Q> {
-    let of = Sequence { rules: &scheme.difference, forward: false };
     let (mut sum, mut c) = (Q::one(), 1);
     let last = loop {
         require(scheme.arity().saturating_pow(c) <= MAX_CLASSES, Reason::NoContraction)?;
-        let sums = library.products.classes(of, &Value::int(c.into()), None)?;
-        let norm = sums.greatest(None)?.rational().ok_or(Reason::NoContraction)?;
+        let norm = library.products.greatest(&scheme.difference, &Value::int(c.into()))?;
+        let norm = norm.rational().ok_or(Reason::NoContraction)?;
         if norm < Q::one() {
             break norm;
         }
         (sum, c) = (sum + norm, c + 1);
     };
-    let moved = |alpha| gather(None, &displaced(scheme, alpha, offset)?, 0);
-    let moved: Result<Vec<Value>, _> = (0..scheme.arity()).map(moved).collect();
-    let moved = Value::greatest(&moved?, None)?.rational().ok_or(Reason::NoContraction)?;
+    let moved = Value::greatest(&moved(None, scheme, offset, 0)?, None)?;
+    let moved = moved.rational().ok_or(Reason::NoContraction)?;
     Ok(moved * sum / (int(1) - last))
 }

@@ -22,7 +22,7 @@ pub struct Stated<'a> {
     /// The level.
     pub level: u32,
     /// ε, if the theorem bounds the depth.
-    tolerance: Option<Value>,
+    pub tolerance: Option<Value>,
 }
 
 impl<'a> Stated<'a> {
@@ -45,11 +45,17 @@ impl<'a> Stated<'a> {
     pub fn violated(
         self,
         (paper, claim): (&Paper<'_>, &Toml),
-        mut scope: Scope<'_>,
+        scope: Scope<'_>,
         block: &mut Block<'_>,
         spreads: &[Q],
         left: &Value,
     ) -> Checked<()> {
+        let said = block.after("sides")?;
+        violated(paper, said, left, &self.bound(claim, scope, spreads)?)
+    }
+
+    /// What the theorem says that the quantity is at most, of data of these spreads.
+    pub fn bound(self, claim: &Toml, mut scope: Scope<'_>, spreads: &[Q]) -> Checked<Value> {
         let mut name = |name: &str, value: Value| scope.values.insert(name.to_owned(), value);
         name("beta", spreads.iter().max().cloned().unwrap_or_default().into());
         if let [first, second] = spreads {
@@ -61,7 +67,6 @@ impl<'a> Stated<'a> {
             Some(tolerance) => name("epsilon", tolerance.clone()),
             None => name("k", Value::int(self.level.into())),
         };
-        let said = block.after("sides")?;
         let by = scope.value(&formula_of(claim, "by")?)?;
         if self.tolerance.is_some() {
             // The theorem calls this level deep enough.
@@ -69,7 +74,6 @@ impl<'a> Stated<'a> {
         }
         // A negative bound presupposes something that does not hold, such as a constant below 1.
         require(by.sign(None)? >= 0, Reason::Negative)?;
-        let right = self.tolerance.unwrap_or(by);
-        violated(paper, said, left, &right)
+        Ok(self.tolerance.unwrap_or(by))
     }
 }

@@ -4,7 +4,7 @@ use super::limits::{Shown, mask};
 use super::pieces::Free;
 use super::smoothness::{order, scope, valences, vertex};
 use crate::certificate::Block;
-use crate::convolution::{Convolution, MAX_LENGTH};
+use crate::convolution::{Convolution, MAX_LENGTH, Sequence};
 use crate::decimal::{Decimal, read_rational};
 use crate::definitions::formula;
 use crate::evaluate::Scope;
@@ -32,8 +32,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let free = Free::read(paper, claim, block)?;
     block.restates("smoothness", claim.text("smoothness"))?;
     let m = order(claim.text("smoothness").unwrap_or_default())?;
-    let [closed, only] =
-        ["closed", "only"].map(|key| matches!(claim.get(key), Some(Toml::Flag(true))));
+    let [closed, only] = ["closed", "only"].map(|key| claim.is_set(key));
     let ends = [end(paper, claim, "from")?, end(paper, claim, "to")?];
     require(ends.iter().any(Option::is_some), Reason::Malformed("an end"))?;
     if let [Some(from), Some(to)] = &ends {
@@ -104,33 +103,18 @@ fn covered(
     closed: bool,
     meter: &Meter,
 ) -> Result<bool, Stop> {
-    let against = |at: &Root, end: &Option<Value>| -> Result<Option<Ordering>, Stop> {
-        end.as_ref().map(|end| self::against(at, end, meter)).transpose()
-    };
     for (place, _) in signs.iter().enumerate().filter(|(_, sign)| **sign >= 0) {
         // The break itself, or the piece between the break before it and this one.
         let (at, half) = (place % 2 == 1, place / 2);
-        let (low, high) = if at {
-            (Some(&breaks[half]), Some(&breaks[half]))
-        } else {
-            (half.checked_sub(1).map(|i| &breaks[i]), breaks.get(half))
-        };
+        let low = if at { Some(&breaks[half]) } else { half.checked_sub(1).map(|i| &breaks[i]) };
         let touching = !at || !closed;
-        let below = match high {
-            Some(high) => {
-                let order = against(high, from)?;
-                order.is_some_and(|order| order.is_lt() || touching && order.is_eq())
-            }
-            None => false,
+        let beyond = |at: Option<&Root>, end: &Option<Value>, side: Ordering| {
+            let Some((at, end)) = at.zip(end.as_ref()) else { return Ok(false) };
+            let order = against(at, end, meter)?;
+            Ok::<bool, Stop>(order == side || touching && order.is_eq())
         };
-        let above = match low {
-            Some(low) => {
-                let order = against(low, to)?;
-                order.is_some_and(|order| order.is_gt() || touching && order.is_eq())
-            }
-            None => false,
-        };
-        if !below && !above {
+        let below = beyond(breaks.get(half), from, Ordering::Less)?;
+        if !below && !beyond(low, to, Ordering::Greater)? {
             return Ok(false);
         }
     }
@@ -169,10 +153,8 @@ fn norm(
     let [scheme] = &schemes[..] else {
         return Err(Stop::Wrong("smoothness is that of one scheme alone".into()));
     };
-    let (n, width) = (scheme.arity(), scheme.width());
-    let columns = (0..width).rev();
-    let mut symbol: Vec<Value> =
-        columns.flat_map(|j| scheme.mask.iter().map(move |rule| rule[j].clone())).collect();
+    let n = scheme.arity();
+    let mut symbol = Sequence { rules: &scheme.mask, forward: false }.values();
     for order in 0..=m {
         let mut quotient: Vec<Value> = Vec::new();
         for (i, a) in symbol.iter().enumerate() {

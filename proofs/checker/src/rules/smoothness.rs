@@ -35,14 +35,9 @@ pub fn check<'a>(
     let orders = keys.map(|key| claim.text(key).map(order));
     let [continuous, not_continuous] = orders.map(Option::transpose);
     let (continuous, not_continuous) = (continuous?, not_continuous?);
-    for (word, key) in [("states-continuous", keys[0]), ("states-not-continuous", keys[1])] {
-        if claim.get(key).is_some() {
-            block.restates(word, claim.text(key))?;
-        }
-    }
-    if claim.get("valences").is_some() {
-        block.restates("valences", claim.text("valences"))?;
-    }
+    block.may_restate("states-continuous", claim.text(keys[0]))?;
+    block.may_restate("states-not-continuous", claim.text(keys[1]))?;
+    block.may_restate("valences", claim.text("valences"))?;
     let stated = continuous.is_some() || not_continuous.is_some();
     require(stated, Reason::Malformed("continuous or not_continuous"))?;
     if paper.library.is_ring(claim.text("scheme").unwrap_or_default()) {
@@ -166,9 +161,7 @@ pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>
     }
     block.restates("scheme", claim.text("scheme"))?;
     for (word, key) in [("value", "value"), ("at-least", "at_least"), ("at-most", "at_most")] {
-        if claim.get(key).is_some() {
-            block.restates(word, claim.text(key))?;
-        }
+        block.may_restate(word, claim.text(key))?;
     }
     if let Some(field) = claim.get("printed") {
         block.restates("printed", printed(field).map(|(text, _)| text))?;

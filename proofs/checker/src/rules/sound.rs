@@ -1,8 +1,7 @@
 //! The rule `sound`: a sound bound, beside the one that a table promises.
 
-use crate::convolution::Sequence;
 use crate::definitions::formula;
-use crate::displacement::{displaced, gather};
+use crate::displacement::{gather, moved};
 use crate::evaluate::Scope;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, compare, require};
@@ -79,6 +78,14 @@ impl<'t> Promised<'t> {
         Ok(Promised { paper, bounds, scope, schemes, offset, spread, level, tolerance })
     }
 
+    /// The level, and the most that is promised for it, where this number is printed.
+    pub fn stated(&self, printed: Value) -> Checked<(i64, Value)> {
+        Ok(match &self.tolerance {
+            Some(tolerance) => (printed.integer(i64::MAX)?, tolerance.clone()),
+            None => (self.level.ok_or(Reason::NoPromise)?, printed),
+        })
+    }
+
     /// The bound at a level that the constants `M c` give.
     pub fn bound(&self, level: i64, constants: &str) -> Checked<Value> {
         let number = |text: &str| Ok(self.paper.number(text)?.integer(MAX_LEVEL.into())?);
@@ -135,7 +142,7 @@ impl<'t> Promised<'t> {
 
     /// T_c, or for two factors the larger of the products of T_c of one and Λ_c of the other.
     pub fn constant(&self, c: &Value) -> Result<Value, Stop> {
-        let of = |rules| self.class_sum(rules, c);
+        let of = |rules| self.paper.library.products.greatest(rules, c);
         match &self.schemes[..] {
             [first, second, ..] => {
                 let one = of(&first.difference)?.times(&of(&second.mask)?)?;
@@ -145,19 +152,9 @@ impl<'t> Promised<'t> {
         }
     }
 
-    /// The greatest class sum of a mask at level c.
-    pub fn class_sum(&self, rules: &[Vec<Value>], c: &Value) -> Result<Value, Stop> {
-        let of = Sequence { rules, forward: false };
-        self.paper.library.products.classes(of, c, None)?.greatest(None)
-    }
-
     /// σ, or for two factors the greatest ς_αλ_β + ς_β.
     pub fn factor(&self) -> Result<Value, Stop> {
-        let moved = |scheme: &Scheme| {
-            let offset = self.offset.unwrap_or(scheme.offset);
-            let moved = |alpha| gather(None, &displaced(scheme, alpha, offset)?, 0);
-            (0..scheme.arity()).map(moved).collect::<Result<Vec<Value>, Stop>>()
-        };
+        let moved = |scheme: &Scheme| moved(None, scheme, self.offset.unwrap_or(scheme.offset), 0);
         let [first, second, ..] = &self.schemes[..] else {
             return Value::greatest(&moved(&self.schemes[0])?, None);
         };

@@ -18,9 +18,7 @@ pub fn check<'a>(
     block: &mut Block<'_>,
 ) -> Checked<Recovered> {
     let mut table = Table::new(paper, claim)?;
-    if claim.text("scheme").is_some() {
-        block.restates("scheme", claim.text("scheme"))?;
-    }
+    block.may_restate("scheme", claim.text("scheme"))?;
     block.restates("value", claim.text("value"))?;
     let recovered = recovered::read(&mut table, block)?;
     let reads = Reads::new(&table, block)?;

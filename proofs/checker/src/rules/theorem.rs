@@ -29,9 +29,7 @@ pub fn check<'a>(
 ) -> Checked<Option<Citation>> {
     require(block.maybe("open").is_none(), Reason::Open)?;
     for key in ["says", "bounds", "by"] {
-        if claim.get(key).is_some() {
-            block.restates(key, claim.text(key))?;
-        }
+        block.may_restate(key, claim.text(key))?;
     }
     let next = block.next_word();
     let (word, text, verdict) = match next {
@@ -63,8 +61,7 @@ pub fn check<'a>(
     let heading = format!("**{number}. ");
     require(THEOREMS.lines().any(|line| line.starts_with(&heading)), Reason::NoStatement)?;
     block.word(verdict)?;
-    let uses =
-        claim.list("proof_uses").iter().filter_map(Toml::as_text).map(str::to_owned).collect();
+    let uses = claim.texts("proof_uses").map(str::to_owned).collect();
     Ok(Some(Citation { statement: format!("THEOREMS.md, {number}"), uses }))
 }
 

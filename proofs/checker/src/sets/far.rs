@@ -3,7 +3,7 @@
 use super::near::{Set, cell, is_inside, parts, roots};
 use super::net::{Cell, Net, Point, Ratio, TOLERANCE, length, square};
 use crate::meter::Meter;
-use crate::reject::DepthReason;
+use crate::reject::{DepthChecked as Checked, DepthReason, require};
 
 /// The highest level of cells.
 const DEEPEST: u32 = 30;
@@ -11,16 +11,13 @@ const DEEPEST: u32 = 30;
 /// How many levels beyond that of the polygon a point of the limit is taken from, at most.
 const MORE_DIGITS: u32 = 14;
 
-type Check<T> = Result<T, DepthReason>;
-
 /// Checks that a level is not enough: its point, or that of the limit, is farther than the tolerance from the other set.
-pub fn check(net: &mut Net, level: u32, set: Set, at: &[Ratio], meter: &Meter) -> Check<()> {
+pub fn check(net: &mut Net, level: u32, set: Set, at: &[Ratio], meter: &Meter) -> Checked<()> {
     match set {
         Set::Polygon => {
             let point = net.at(level, at)?;
             let off = net.slack(level)?;
-            let far = is_far(net, level, Set::Limit, &point, off, meter)?;
-            if far { Ok(()) } else { Err(DepthReason::NotFar) }
+            require(is_far(net, level, Set::Limit, &point, off, meter)?, DepthReason::NotFar)
         }
         Set::Limit => {
             // The deepest level that the digits of the parameters allow.
@@ -33,7 +30,7 @@ pub fn check(net: &mut Net, level: u32, set: Set, at: &[Ratio], meter: &Meter) -
                     return Ok(());
                 }
             }
-            Err(DepthReason::NotFar)
+            Err(DepthReason::NotFar.into())
         }
     }
 }
@@ -47,10 +44,10 @@ fn is_far(
     point: &Point,
     off: i128,
     meter: &Meter,
-) -> Check<bool> {
+) -> Checked<bool> {
     let mut stack: Vec<(u32, Cell)> = roots(net).into_iter().map(|cell| (0, cell)).collect();
     while let Some((own, cell)) = stack.pop() {
-        meter.spend(8).map_err(DepthReason::Stopped)?;
+        meter.spend(8)?;
         if !is_inside(net, own, cell)? {
             continue;
         }

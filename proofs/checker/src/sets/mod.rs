@@ -7,7 +7,7 @@ mod net;
 mod read;
 
 use crate::meter::Meter;
-use crate::reject::{DepthReason, DepthRejection};
+use crate::reject::{At, DepthChecked as Checked, DepthReason, DepthRejection, require};
 use direction::Direction;
 use near::Set;
 use net::{Net, Ratio, less};
@@ -33,40 +33,31 @@ pub struct Depth {
 pub fn check_depth(text: &str) -> Result<Depth, DepthRejection> {
     let certificate = Certificate::read(text)?;
     let meter = Meter::up_to(MAX_STEPS);
-    let at = |line: usize| move |reason: DepthReason| DepthRejection { line, reason };
     let mut directions = Vec::new();
     for given in &certificate.directions {
-        directions.push(Direction::new(given, &meter).map_err(at(given.line))?);
+        directions.push(Direction::new(given, &meter).at(given.line)?);
     }
     let Certificate { points, tolerance, end, .. } = &certificate;
-    let mut net = Net::new(&directions, points, tolerance, &meter).map_err(at(*end))?;
+    let mut net = Net::new(&directions, points, tolerance, &meter).at(*end)?;
     let mut too_few: Vec<u32> = Vec::new();
     for far in &certificate.too_few {
-        let reject = at(far.line);
-        if too_few.contains(&far.level) {
-            return Err(reject(DepthReason::Twice));
-        }
-        let parameters: Vec<Ratio> =
-            far.at.iter().map(Ratio::of).collect::<Result<_, _>>().map_err(reject)?;
+        require(!too_few.contains(&far.level), DepthReason::Twice).at(far.line)?;
+        let parameters = far.at.iter().map(Ratio::of).collect::<Checked<Vec<Ratio>>>();
+        let parameters = parameters.at(far.line)?;
         let outside = (0..).zip(&parameters).any(|(which, x): (usize, &Ratio)| {
             let [from, to] = net.ranges[which];
             directions[which].range.is_some() && (less(*x, from) || less(to, *x))
         });
-        if outside {
-            return Err(reject(DepthReason::Outside));
-        }
+        require(!outside, DepthReason::Outside).at(far.line)?;
         let set = if far.of_limit { Set::Limit } else { Set::Polygon };
-        far::check(&mut net, far.level, set, &parameters, &meter).map_err(reject)?;
+        far::check(&mut net, far.level, set, &parameters, &meter).at(far.line)?;
         too_few.push(far.level);
     }
-    let enough = match certificate.enough {
-        None => None,
-        Some((line, level)) => {
-            near::check(&mut net, level, &meter).map_err(at(line))?;
-            Some(level)
-        }
-    };
+    if let Some((line, level)) = certificate.enough {
+        near::check(&mut net, level, &meter).at(line)?;
+    }
     too_few.sort_unstable();
+    let enough = certificate.enough.map(|(_, level)| level);
     Ok(Depth { enough, too_few })
 }
 

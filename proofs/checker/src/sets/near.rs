@@ -2,7 +2,7 @@
 
 use super::net::{Cell, Net, Point, Ratio, TOLERANCE, less, square};
 use crate::meter::Meter;
-use crate::reject::{DepthReason, Stop};
+use crate::reject::{DepthChecked as Checked, Stop};
 
 /// How many levels beyond that of the polygon cells are divided.
 const MORE_LEVELS: u32 = 14;
@@ -22,8 +22,6 @@ pub enum Set {
     Limit,
     Polygon,
 }
-
-type Check<T> = Result<T, DepthReason>;
 
 /// A piece that is to be in a ball.
 struct Piece {
@@ -58,7 +56,7 @@ pub fn parts(net: &Net, cell: Cell) -> Vec<Cell> {
 }
 
 /// Whether a cell has something of the range.
-pub fn is_inside(net: &Net, level: u32, cell: Cell) -> Check<bool> {
+pub fn is_inside(net: &Net, level: u32, cell: Cell) -> Checked<bool> {
     for (which, index) in cell.into_iter().enumerate().take(net.count()) {
         if net.nodes(which, level, index, 0)?.is_empty() {
             return Ok(false);
@@ -68,10 +66,10 @@ pub fn is_inside(net: &Net, level: u32, cell: Cell) -> Check<bool> {
 }
 
 /// Checks that the limit and the polygon of a level are within the tolerance as sets.
-pub fn check(net: &mut Net, level: u32, meter: &Meter) -> Check<()> {
+pub fn check(net: &mut Net, level: u32, meter: &Meter) -> Checked<()> {
     let mut stack: Vec<(u32, Cell)> = roots(net).into_iter().map(|cell| (0, cell)).collect();
     while let Some((own, cell)) = stack.pop() {
-        meter.spend(8).map_err(DepthReason::Stopped)?;
+        meter.spend(8)?;
         if !is_inside(net, own, cell)? {
             continue;
         }
@@ -95,10 +93,10 @@ pub fn check(net: &mut Net, level: u32, meter: &Meter) -> Check<()> {
 }
 
 /// Checks that a piece is near the other set.
-fn cover(net: &mut Net, level: u32, piece: Piece, meter: &Meter) -> Check<()> {
+fn cover(net: &mut Net, level: u32, piece: Piece, meter: &Meter) -> Checked<()> {
     let mut stack = vec![piece];
     while let Some(Piece { of, level: own, cell, hint }) = stack.pop() {
-        meter.spend(8).map_err(DepthReason::Stopped)?;
+        meter.spend(8)?;
         if !is_inside(net, own, cell)? {
             continue;
         }
@@ -122,7 +120,7 @@ fn cover(net: &mut Net, level: u32, piece: Piece, meter: &Meter) -> Check<()> {
             continue;
         }
         if own >= level + MORE_LEVELS {
-            return Err(DepthReason::Stopped(Stop::Undecided("whether this level is enough")));
+            return Err(Stop::Undecided("whether this level is enough").into());
         }
         let next = parts(net, cell);
         stack.extend(next.into_iter().map(|cell| Piece {
@@ -151,13 +149,13 @@ impl Near<'_, '_, '_> {
     }
 
     /// The square of the greatest distance of a point of the hull from the other set at parameters.
-    fn square(&mut self, at: &[Ratio]) -> Check<i128> {
+    fn square(&mut self, at: &[Ratio]) -> Checked<i128> {
         let point = self.net.at(self.other(), at)?;
         Ok(self.hull.iter().map(|x| square(x, &point)).max().unwrap_or(0))
     }
 
     /// Parameters in the range that are near in a step along one direction.
-    fn moved(&self, at: &[Ratio], which: usize, step: Ratio) -> Check<Vec<Ratio>> {
+    fn moved(&self, at: &[Ratio], which: usize, step: Ratio) -> Checked<Vec<Ratio>> {
         let mut at = at.to_vec();
         let new = at[which].times_plus(1, 1, step)?;
         let [from, to] = self.net.ranges[which];
@@ -171,7 +169,7 @@ impl Near<'_, '_, '_> {
     }
 
     /// The best parameters that were found, the distance there, and how far the point may be off.
-    fn search(&mut self, starts: Vec<Vec<Ratio>>) -> Check<(Vec<Ratio>, Option<i128>, i128)> {
+    fn search(&mut self, starts: Vec<Vec<Ratio>>) -> Checked<(Vec<Ratio>, Option<i128>, i128)> {
         let mut best: Option<(i128, Vec<Ratio>)> = None;
         for start in starts {
             let square = self.square(&start)?;
@@ -208,7 +206,7 @@ impl Near<'_, '_, '_> {
 }
 
 /// The cell of a level that has these parameters.
-pub fn cell(net: &Net, at: &[Ratio], level: u32) -> Check<Cell> {
+pub fn cell(net: &Net, at: &[Ratio], level: u32) -> Checked<Cell> {
     let mut cell = [0; 2];
     for (which, Ratio { top, bottom }) in at.iter().enumerate() {
         let index = (top * net.unit(which, level)?).div_euclid(*bottom);

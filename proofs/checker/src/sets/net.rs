@@ -3,7 +3,7 @@
 use super::direction::Direction;
 use crate::decimal::{Q, int};
 use crate::meter::Meter;
-use crate::reject::{DepthReason, Stop};
+use crate::reject::{DepthChecked as Checked, Stop};
 use num_integer::{Integer as _, Roots as _};
 use num_traits::{Signed as _, ToPrimitive as _};
 use std::collections::HashMap;
@@ -21,8 +21,6 @@ const MAX_KEPT: usize = 1 << 20;
 /// The tolerance in units.
 pub const TOLERANCE: i128 = 1 << UNITS;
 
-type Check<T> = Result<T, DepthReason>;
-
 /// A point in units.
 pub type Point = Rc<[i128]>;
 
@@ -36,12 +34,14 @@ pub struct Ratio {
 /// A cell of a level in each direction: the parameters from i to i + 1 over n^level.
 pub type Cell = [i64; 2];
 
-fn capped<T>(what: &'static str) -> Check<T> {
-    Err(DepthReason::Stopped(Stop::Capped(what)))
+const LARGE: &str = "how large points are in units of the tolerance";
+
+fn capped<T>(what: &'static str) -> Checked<T> {
+    Err(Stop::Capped(what).into())
 }
 
 impl Ratio {
-    pub fn of(x: &Q) -> Check<Ratio> {
+    pub fn of(x: &Q) -> Checked<Ratio> {
         match (x.numer().to_i64(), x.denom().to_i64()) {
             (Some(top), Some(bottom)) if top.abs() < 1 << 48 && bottom < 1 << 24 => {
                 Ok(Ratio { top: top.into(), bottom: bottom.into() })
@@ -55,7 +55,7 @@ impl Ratio {
     }
 
     /// self·factor + sign·other, in lowest terms.
-    pub fn times_plus(self, factor: i128, sign: i128, other: Ratio) -> Check<Ratio> {
+    pub fn times_plus(self, factor: i128, sign: i128, other: Ratio) -> Checked<Ratio> {
         let first = self.top.checked_mul(factor).and_then(|x| x.checked_mul(other.bottom));
         let second = other.top.checked_mul(sign * self.bottom);
         let top = first.zip(second).and_then(|(x, y)| x.checked_add(y));
@@ -100,7 +100,7 @@ pub struct Net<'a> {
     sums: Vec<i128>,
 }
 
-fn upwards(x: &Q) -> Check<i128> {
+fn upwards(x: &Q) -> Checked<i128> {
     let scaled = (x * int(1 << 20)).ceil();
     scaled
         .to_i64()
@@ -114,7 +114,7 @@ impl<'a> Net<'a> {
         points: &[Vec<Q>],
         tolerance: &Q,
         meter: &'a Meter,
-    ) -> Check<Net<'a>> {
+    ) -> Checked<Net<'a>> {
         // Fractions are not reduced, as that takes longer than all of this.
         let coordinate = |(x, origin): (&Q, &Q)| {
             let top = x.numer() * origin.denom() - origin.numer() * x.denom();
@@ -122,14 +122,12 @@ impl<'a> Net<'a> {
             let over = x.denom() * origin.denom() * tolerance.numer();
             let units = (top + &over).div_floor(&(over << 1_u32)).to_i64();
             let units = units.filter(|x| x.abs() < 1 << MAX_COORDINATE);
-            units.map(i128::from).ok_or(DepthReason::Stopped(Stop::Capped(
-                "how large points are in units of the tolerance",
-            )))
+            units.map_or_else(|| capped(LARGE), |x| Ok(x.into()))
         };
         let control = points
             .iter()
-            .map(|point| point.iter().zip(&points[0]).map(coordinate).collect::<Check<Point>>())
-            .collect::<Check<Vec<Point>>>()?;
+            .map(|point| point.iter().zip(&points[0]).map(coordinate).collect::<Checked<Point>>())
+            .collect::<Checked<Vec<Point>>>()?;
         let ranges = directions.iter().map(|direction| {
             if let Some([from, to]) = &direction.range {
                 return Ok([Ratio::of(from)?, Ratio::of(to)?]);
@@ -137,18 +135,18 @@ impl<'a> Net<'a> {
             let whole = |x: i64| Ratio { top: x.into(), bottom: 1 };
             Ok([whole(0), whole(direction.count)])
         });
-        let ranges = ranges.collect::<Check<Vec<[Ratio; 2]>>>()?;
+        let ranges = ranges.collect::<Checked<Vec<[Ratio; 2]>>>()?;
         // Products of two parameters of points have room then.
         let small = |shift: &Q| match Ratio::of(shift)? {
             shift if shift.bottom < 1 << 16 => Ok(shift),
             _ => capped("the natural shift"),
         };
         let of = |of: fn(&Direction) -> &Q| {
-            directions.iter().map(|it| upwards(of(it))).collect::<Check<Vec<i128>>>()
+            directions.iter().map(|it| upwards(of(it))).collect::<Checked<Vec<i128>>>()
         };
         Ok(Net {
             directions,
-            shifts: directions.iter().map(|it| small(&it.shift)).collect::<Check<_>>()?,
+            shifts: directions.iter().map(|it| small(&it.shift)).collect::<Checked<_>>()?,
             ranges,
             meter,
             dimensions: points[0].len(),
@@ -165,13 +163,13 @@ impl<'a> Net<'a> {
     }
 
     /// n^level.
-    pub fn unit(&self, which: usize, level: u32) -> Check<i128> {
+    pub fn unit(&self, which: usize, level: u32) -> Checked<i128> {
         let unit = self.directions[which].arity.checked_pow(level).filter(|unit| *unit < 1 << 42);
         unit.map_or_else(|| capped("the levels of cells"), |unit| Ok(unit.into()))
     }
 
     /// How far a value of the polygon of a level is at most from what is computed, in the Euclidean norm.
-    pub fn slack(&mut self, level: u32) -> Check<i128> {
+    pub fn slack(&mut self, level: u32) -> Checked<i128> {
         while self.errors.len() <= level as usize {
             let mut error = int(1) * Q::from_integer(self.errors[self.errors.len() - 1].into());
             // As `refined` does it: along the second direction first.
@@ -188,22 +186,18 @@ impl<'a> Net<'a> {
     }
 
     /// Points of the level before with coefficients, over one denominator, and rounded.
-    fn combined(&self, terms: &[(i128, Point)], over: i128) -> Check<Point> {
-        self.meter.spend(terms.len() as u64).map_err(DepthReason::Stopped)?;
+    fn combined(&self, terms: &[(i128, Point)], over: i128) -> Checked<Point> {
+        self.meter.spend(terms.len() as u64)?;
         let coordinate = |c: usize| {
             let sum: i128 = terms.iter().map(|(factor, point)| factor * point[c]).sum();
             let x = (2 * sum + over).div_euclid(2 * over);
-            if x.abs() < 1 << MAX_COORDINATE {
-                Ok(x)
-            } else {
-                capped("how large points are in units of the tolerance")
-            }
+            if x.abs() < 1 << MAX_COORDINATE { Ok(x) } else { capped(LARGE) }
         };
         (0..self.dimensions).map(coordinate).collect()
     }
 
     /// The control point of an index, in all directions; beyond the ends of an open direction lines go on.
-    fn control(&self, index: [i64; 2]) -> Check<Point> {
+    fn control(&self, index: [i64; 2]) -> Checked<Point> {
         let place = |which: usize| -> Vec<(i64, i128)> {
             let Some(Direction { count, range, .. }) = self.directions.get(which) else {
                 return vec![(0, 1)];
@@ -231,7 +225,7 @@ impl<'a> Net<'a> {
     }
 
     /// The point of a level.
-    pub fn point(&mut self, level: u32, index: [i64; 2]) -> Check<Point> {
+    pub fn point(&mut self, level: u32, index: [i64; 2]) -> Checked<Point> {
         let mut index = index;
         for (which, (index, direction)) in index.iter_mut().zip(self.directions).enumerate() {
             if direction.range.is_none() {
@@ -239,7 +233,7 @@ impl<'a> Net<'a> {
                 *index = i64::try_from(i128::from(*index).rem_euclid(all)).unwrap_or(0);
             }
         }
-        self.meter.spend(1).map_err(DepthReason::Stopped)?;
+        self.meter.spend(1)?;
         if let Some(point) = self.known.get(&(level, index)) {
             return Ok(Rc::clone(point));
         }
@@ -251,7 +245,7 @@ impl<'a> Net<'a> {
         Ok(point)
     }
 
-    fn refined(&mut self, level: u32, index: [i64; 2]) -> Check<Point> {
+    fn refined(&mut self, level: u32, index: [i64; 2]) -> Checked<Point> {
         let directions = self.directions;
         let rule = |which: usize| {
             let direction = &directions[which];
@@ -277,7 +271,7 @@ impl<'a> Net<'a> {
     }
 
     /// The value of the polygon of a level, linear between its points in each direction, at natural parameters.
-    pub fn at(&mut self, level: u32, parameters: &[Ratio]) -> Check<Point> {
+    pub fn at(&mut self, level: u32, parameters: &[Ratio]) -> Checked<Point> {
         let mut places = [(0_i64, 0_i128, 1_i128); 2];
         for which in 0..self.count() {
             let unit = self.unit(which, level)?;
@@ -305,7 +299,7 @@ impl<'a> Net<'a> {
 
     /// The parameters of a cell that are looked at, in one direction, cut at those between which a polygon of `net`
     /// is linear; empty where there are none.
-    pub fn nodes(&self, which: usize, level: u32, index: i64, net: u32) -> Check<Vec<Ratio>> {
+    pub fn nodes(&self, which: usize, level: u32, index: i64, net: u32) -> Checked<Vec<Ratio>> {
         let unit = self.unit(which, level)?;
         let [from, to] = self.ranges[which];
         let low = Ratio { top: index.into(), bottom: unit };
@@ -335,44 +329,37 @@ impl<'a> Net<'a> {
         Ok(all)
     }
 
-    /// The greatest distance of the polygon of a level from that of `net` at equal parameters, on a cell of the level:
-    /// the difference is linear, in each direction, between the nodes of both.
-    pub fn apart(&mut self, level: u32, cell: Cell, net: u32) -> Check<i128> {
-        let mut nodes = [vec![Ratio { top: 0, bottom: 1 }], vec![Ratio { top: 0, bottom: 1 }]];
+    /// The nodes of some nets on a cell, in both directions.
+    fn grid(&self, level: u32, cell: Cell, nets: &[u32]) -> Checked<Vec<[Ratio; 2]>> {
+        let mut nodes = [(); 2].map(|()| vec![Ratio { top: 0, bottom: 1 }]);
         for which in 0..self.count() {
-            nodes[which] = self.nodes(which, level, cell[which], level)?;
-            nodes[which].extend(self.nodes(which, level, cell[which], net)?);
+            let of = nets.iter().map(|net| self.nodes(which, level, cell[which], *net));
+            nodes[which] = of.collect::<Checked<Vec<_>>>()?.concat();
             nodes[which].sort_by(|x, y| less(*y, *x).cmp(&less(*x, *y)));
             nodes[which].dedup();
         }
+        let [rows, columns] = &nodes;
+        Ok(rows.iter().flat_map(|row| columns.iter().map(|column| [*row, *column])).collect())
+    }
+
+    /// The greatest distance of the polygon of a level from that of `net` at equal parameters, on a cell of the level:
+    /// the difference is linear, in each direction, between the nodes of both.
+    pub fn apart(&mut self, level: u32, cell: Cell, net: u32) -> Checked<i128> {
         let mut greatest = 0;
-        for row in &nodes[0] {
-            for column in &nodes[1] {
-                let [own, other] = [level, net].map(|net| self.at(net, &[*row, *column]));
-                greatest = greatest.max(square(&own?, &other?));
-            }
+        for at in self.grid(level, cell, &[level, net])? {
+            let [own, other] = [level, net].map(|net| self.at(net, &at));
+            greatest = greatest.max(square(&own?, &other?));
         }
         Ok(length(greatest))
     }
 
     /// All values of the polygon of `net` on a cell are in the hull of these.
-    pub fn hull(&mut self, level: u32, cell: Cell, net: u32) -> Check<Vec<Point>> {
-        let rows = self.nodes(0, level, cell[0], net)?;
-        let columns = match self.count() {
-            1 => vec![Ratio { top: 0, bottom: 1 }],
-            _ => self.nodes(1, level, cell[1], net)?,
-        };
-        let mut all = Vec::with_capacity(rows.len() * columns.len());
-        for row in &rows {
-            for column in &columns {
-                all.push(self.at(net, &[*row, *column])?);
-            }
-        }
-        Ok(all)
+    pub fn hull(&mut self, level: u32, cell: Cell, net: u32) -> Checked<Vec<Point>> {
+        self.grid(level, cell, &[net])?.into_iter().map(|at| self.at(net, &at)).collect()
     }
 
     /// How far the limit, and all later polygons, are at most from the polygon of the level on a cell (167).
-    pub fn radius(&mut self, level: u32, cell: Cell) -> Check<i128> {
+    pub fn radius(&mut self, level: u32, cell: Cell) -> Checked<i128> {
         let windows: Vec<[i64; 2]> = self
             .directions
             .iter()

@@ -1,7 +1,8 @@
 //! The lines of a certificate of a depth.
 
+use crate::certificate::{Line, alone};
 use crate::decimal::{Q, bits, read_rational};
-use crate::reject::{DepthReason, DepthRejection, Stop};
+use crate::reject::{At, DepthChecked as Checked, DepthReason, DepthRejection, Stop, require};
 use num_traits::{Signed, Zero};
 
 /// The first line.
@@ -57,36 +58,36 @@ pub struct Certificate {
     pub end: usize,
 }
 
-type Read<T> = Result<T, DepthReason>;
-
-fn malformed<T>(what: &'static str) -> Read<T> {
-    Err(DepthReason::Malformed(what))
+fn malformed<T>(what: &'static str) -> Checked<T> {
+    Err(DepthReason::Malformed(what).into())
 }
 
-fn capped<T>(what: &'static str) -> Read<T> {
-    Err(DepthReason::Stopped(Stop::Capped(what)))
+fn capped(what: &'static str) -> DepthReason {
+    DepthReason::Stopped(Stop::Capped(what))
 }
 
-fn numbers(words: &[&str]) -> Read<Vec<Q>> {
+fn numbers(words: &[&str]) -> Checked<Vec<Q>> {
     let number = |word: &&str| match read_rational(word) {
         None => malformed("numbers"),
-        Some(number) if bits(&number) > MAX_BITS => capped("2,048 binary digits of a number"),
+        Some(number) if bits(&number) > MAX_BITS => {
+            Err(capped("2,048 binary digits of a number").into())
+        }
         Some(number) => Ok(number),
     };
     words.iter().map(number).collect()
 }
 
-fn level(word: &str) -> Read<u32> {
+fn level(word: &str) -> Checked<u32> {
     match word.parse() {
         Ok(level) if level <= MAX_LEVEL => Ok(level),
-        Ok(_) => capped("levels up to 24"),
+        Ok(_) => Err(capped("levels up to 24").into()),
         Err(_) => malformed("a level"),
     }
 }
 
 impl Certificate {
     /// Reads a certificate.
-    pub fn read(text: &str) -> Result<Certificate, DepthRejection> {
+    pub fn read(text: &str) -> Checked<Certificate> {
         let mut read = Certificate {
             tolerance: Q::zero(),
             directions: Vec::new(),
@@ -95,47 +96,32 @@ impl Certificate {
             too_few: Vec::new(),
             end: 0,
         };
-        // The places of the kinds of lines in their order.
+        require(text.len() <= MAX_BYTES, capped("4 MiB of text")).at(1)?;
+        let version = text.lines().next().is_none_or(|line| line.trim() == VERSION);
+        require(version, DepthReason::Version).at(1)?;
+        // The place of the kind of a line in their order.
         let mut place = 0;
-        if text.len() > MAX_BYTES {
-            let reason = DepthReason::Stopped(Stop::Capped("4 MiB of text"));
-            return Err(DepthRejection { line: 1, reason });
+        for Line { number, text } in alone(text) {
+            require(read.end == 0, DepthReason::AfterEnd).at(number)?;
+            let words: Vec<&str> = text.split_whitespace().collect();
+            read.take(number, &words, &mut place).at(number)?;
         }
-        for (line, raw) in (1..).zip(text.lines()) {
-            let reject = |reason| DepthRejection { line, reason };
-            let words: Vec<&str> = raw.split_whitespace().collect();
-            if line == 1 && raw.trim() != VERSION {
-                return Err(reject(DepthReason::Version));
-            }
-            if read.end > 0 && !words.is_empty() && !words[0].starts_with('#') {
-                return Err(reject(DepthReason::AfterEnd));
-            }
-            if line == 1 || words.is_empty() || words[0].starts_with('#') {
-                continue;
-            }
-            read.take(line, &words, &mut place).map_err(reject)?;
-        }
-        let last = text.lines().count();
         if read.end == 0 {
-            return Err(DepthRejection { line: last, reason: DepthReason::Truncated });
+            let (line, reason) = (text.lines().count(), DepthReason::Truncated);
+            return Err(DepthRejection { line, reason });
         }
-        let shape = read.check_shape();
-        shape.map_err(|reason| DepthRejection { line: read.end, reason }).map(|()| read)
+        read.check_shape().at(read.end).map(|()| read)
     }
 
-    fn take(&mut self, line: usize, words: &[&str], place: &mut usize) -> Read<()> {
+    fn take(&mut self, line: usize, words: &[&str], place: &mut usize) -> Checked<()> {
         let kinds = ["tolerance", "direction", "rule", "point", "enough", "too-few", "end"];
         let kind = kinds.iter().position(|kind| *kind == words[0]);
         let kind = kind.ok_or(DepthReason::Malformed("a line of a known kind"))?;
         // A second direction comes after the rules of the first.
         let again = kind == 1 && *place == 2 && self.directions.len() == 1;
         let several = [2, 3, 5].contains(&kind) && kind == *place;
-        if !again
-            && !several
-            && (kind < *place || kind == *place && (kind > 0 || !self.tolerance.is_zero()))
-        {
-            return Err(DepthReason::Order);
-        }
+        let first = kind == 0 && *place == 0 && self.tolerance.is_zero();
+        require(again || several || first || kind > *place, DepthReason::Order)?;
         *place = kind;
         let rest = &words[1..];
         match kind {
@@ -148,13 +134,12 @@ impl Certificate {
                 Some(direction) if direction.rules.len() < MAX_RULES && rest.len() <= MAX_RULES => {
                     direction.rules.push(numbers(rest)?);
                 }
-                Some(_) => return capped("64 rules of 64 numbers"),
+                Some(_) => return Err(capped("64 rules of 64 numbers").into()),
                 None => return malformed("rule NUMBER…, after a direction"),
             },
             3 => {
-                if self.points.len() == MAX_POINTS || rest.len() > MAX_DIMENSIONS {
-                    return capped("100,000 points of 8 coordinates");
-                }
+                let fits = self.points.len() < MAX_POINTS && rest.len() <= MAX_DIMENSIONS;
+                require(fits, capped("100,000 points of 8 coordinates"))?;
                 self.points.push(numbers(rest)?);
             }
             4 => match rest {
@@ -175,35 +160,28 @@ impl Certificate {
         Ok(())
     }
 
-    fn check_shape(&self) -> Read<()> {
-        if !self.tolerance.is_positive() || self.directions.is_empty() {
-            return malformed("a tolerance, one direction or two, and points");
-        }
+    fn check_shape(&self) -> Checked<()> {
+        let shape = |holds, what| require(holds, DepthReason::Malformed(what));
+        let some = self.tolerance.is_positive() && !self.directions.is_empty();
+        shape(some, "a tolerance, one direction or two, and points")?;
         for Given { rules, .. } in &self.directions {
             let width = rules.first().map_or(0, Vec::len);
-            if rules.len() < 2 || width == 0 || rules.iter().any(|rule| rule.len() != width) {
-                return malformed("two rules or more of one length for each direction");
-            }
+            let even = rules.len() >= 2 && width > 0 && rules.iter().all(|it| it.len() == width);
+            shape(even, "two rules or more of one length for each direction")?;
         }
         let count = self.directions.iter().try_fold(1_usize, |all, it| all.checked_mul(it.count));
-        if self.points.is_empty() || count != Some(self.points.len()) {
-            return malformed("as many points as the directions have");
-        }
+        let all = !self.points.is_empty() && count == Some(self.points.len());
+        shape(all, "as many points as the directions have")?;
         let dimensions = self.points[0].len();
-        if dimensions == 0 || self.points.iter().any(|point| point.len() != dimensions) {
-            return malformed("points with as many coordinates each");
-        }
-        if self.too_few.iter().any(|far| far.at.len() != self.directions.len()) {
-            return malformed("one parameter for each direction");
-        }
-        if self.enough.is_none() && self.too_few.is_empty() {
-            return Err(DepthReason::Empty);
-        }
-        Ok(())
+        let even = dimensions > 0 && self.points.iter().all(|point| point.len() == dimensions);
+        shape(even, "points with as many coordinates each")?;
+        let places = self.too_few.iter().all(|far| far.at.len() == self.directions.len());
+        shape(places, "one parameter for each direction")?;
+        require(self.enough.is_some() || !self.too_few.is_empty(), DepthReason::Empty)
     }
 }
 
-fn direction(line: usize, words: &[&str]) -> Read<Given> {
+fn direction(line: usize, words: &[&str]) -> Checked<Given> {
     let shape = "direction OFFSET COUNT closed, or direction OFFSET COUNT FROM TO";
     let [offset, count, rest @ ..] = words else { return malformed(shape) };
     let offset = offset.parse().ok().filter(|offset: &i64| offset.abs() <= 1_000);

@@ -27,9 +27,7 @@ impl Interval {
         match (self.sign(), self) {
             (Some(1 | 0), _) => self.clone(),
             (Some(_), _) => self.negated(),
-            (None, Interval::Between { low, high, exponent }) if !low.is_negative() => {
-                Interval::Between { low: low.clone(), high: high.clone(), exponent: *exponent }
-            }
+            (None, Interval::Between { low, .. }) if !low.is_negative() => self.clone(),
             (None, Interval::Between { low, high, exponent }) => Interval::Between {
                 low: BigInt::zero(),
                 high: low.abs().max(high.clone()),
@@ -46,11 +44,8 @@ impl Interval {
             Some(_) => return Ok(self.clone()),
             None => {}
         }
-        let (a, b, e) = self.cover(bits);
-        let (c, d, f) = other.cover(bits);
-        let least = e.min(f);
-        let at = |n: BigInt, exponent: i64| n << (exponent - least).unsigned_abs();
-        Interval::new(at(a, e).max(at(c, f)), at(b, e).max(at(d, f)), least, bits)
+        let ([a, b], [c, d], exponent) = self.aligned(other, bits);
+        Interval::new(a.max(c), b.max(d), exponent, bits)
     }
 
     /// self + other.
@@ -60,11 +55,8 @@ impl Interval {
             (Interval::Point(x), _) if x.is_zero() => Ok(other.clone()),
             (_, Interval::Point(y)) if y.is_zero() => Ok(self.clone()),
             _ => {
-                let (a, b, e) = self.cover(bits);
-                let (c, d, f) = other.cover(bits);
-                let least = e.min(f);
-                let at = |n: BigInt, exponent: i64| n << (exponent - least).unsigned_abs();
-                Interval::new(at(a, e) + at(c, f), at(b, e) + at(d, f), least, bits)
+                let ([a, b], [c, d], exponent) = self.aligned(other, bits);
+                Interval::new(a + c, b + d, exponent, bits)
             }
         }
     }

@@ -1,10 +1,11 @@
 //! Intervals with rational ends, which enclose real numbers.
 
-use crate::decimal::Q;
+use crate::decimal::{Q, bits};
+use crate::polynomial::signum;
 use crate::reject::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Zero};
 use std::cmp::Ordering;
 
 /// The most binary digits of a rational number.
@@ -49,7 +50,7 @@ impl From<i64> for Interval {
 impl Interval {
     /// A rational number, if it is not too long.
     pub fn point(value: Q) -> Result<Interval, Stop> {
-        if value.numer().bits().saturating_add(value.denom().bits()) > MAX_BITS {
+        if bits(&value) > MAX_BITS {
             return Err(Stop::Capped("the size of a number"));
         }
         Ok(Interval::Point(value))
@@ -89,6 +90,14 @@ impl Interval {
         }
     }
 
+    /// The integers of [`Interval::cover`] of two numbers, with one exponent for both.
+    pub fn aligned(&self, other: &Interval, bits: u64) -> ([BigInt; 2], [BigInt; 2], i64) {
+        let ((a, b, e), (c, d, f)) = (self.cover(bits), other.cover(bits));
+        let least = e.min(f);
+        let at = |n: BigInt, exponent: i64| n << (exponent - least).unsigned_abs();
+        ([at(a, e), at(b, e)], [at(c, f), at(d, f)], least)
+    }
+
     /// Both ends.
     pub fn ends(&self) -> (Q, Q) {
         match self {
@@ -107,7 +116,7 @@ impl Interval {
     /// The binary digits of the ends.
     pub fn size(&self) -> u64 {
         match self {
-            Interval::Point(value) => value.numer().bits() + value.denom().bits(),
+            Interval::Point(value) => bits(value),
             Interval::Between { low, high, .. } => low.bits() + high.bits(),
         }
     }
@@ -118,8 +127,7 @@ impl Interval {
             Interval::Point(value) => (value.numer(), value.numer()),
             Interval::Between { low, high, .. } => (low, high),
         };
-        let signs =
-            [low, high].map(|end| i8::from(end.is_positive()) - i8::from(end.is_negative()));
+        let signs = [low, high].map(signum);
         (signs[0] == signs[1]).then_some(signs[0])
     }
 

@@ -41,7 +41,7 @@ pub fn read(text: &str, language: Language, target: Target) -> Checked<Shipped> 
     let read = if text.chars().count() > MAX_LENGTH {
         Err("a text that is not too long".into())
     } else {
-        parser.space();
+        parser.text.space();
         parser.sum().and_then(|value| match parser.text.peek() {
             None => Ok(value),
             Some(_) => Err("an operator or the end".into()),
@@ -64,18 +64,6 @@ struct Parser {
 type Parsed = Result<Literal, Wrong>;
 
 impl Parser {
-    fn space(&mut self) {
-        self.text.take(char::is_whitespace);
-    }
-
-    fn eat(&mut self, token: &str) -> bool {
-        let found = self.text.eat(token);
-        if found {
-            self.space();
-        }
-        found
-    }
-
     fn sum(&mut self) -> Parsed {
         self.chain(['+', '-'], |parser| parser.chain(['*', '/'], Self::factor))
     }
@@ -87,7 +75,7 @@ impl Parser {
             if matches!(self.text.peek(), Some('*' | '/')) {
                 return Err("a number: `**`, `//` and comments are not read".into());
             }
-            self.space();
+            self.text.space();
             let (_, right) = part(self)?;
             let held = left.1.operate(sign, right, self.language).map_err(Wrong::Stop)?;
             left = (None, held);
@@ -106,21 +94,21 @@ impl Parser {
     }
 
     fn factor(&mut self) -> Parsed {
-        if self.eat("-") {
+        if self.text.token("-") {
             let (written, held) = self.nested(Self::factor)?;
             let held = held.negated().map_err(Wrong::Stop)?;
             let written = written.map(|w| Written { value: -w.value, ..w });
             let written = written.filter(|w| !held.is_integer_other_than(&w.value));
             return Ok((written, held));
         }
-        if self.eat("+") {
+        if self.text.token("+") {
             return self.nested(Self::factor);
         }
-        if self.eat("(") {
+        if self.text.token("(") {
             // `(float)x`
             let start = self.text.at();
             if let Some(kind) = self.conversion() {
-                if self.eat(")") {
+                if self.text.token(")") {
                     return self.cast(kind, Self::factor);
                 }
                 self.text.back(start);
@@ -128,7 +116,7 @@ impl Parser {
             return self.bracket();
         }
         if let Some(kind) = self.conversion() {
-            if !self.eat("(") {
+            if !self.text.token("(") {
                 return Err("`(`".into());
             }
             return self.cast(kind, Self::bracket);
@@ -144,7 +132,7 @@ impl Parser {
     /// What follows an opening bracket.
     fn bracket(&mut self) -> Parsed {
         let inner = self.nested(Self::sum)?;
-        if self.eat(")") { Ok(inner) } else { Err("an operator or `)`".into()) }
+        if self.text.token(")") { Ok(inner) } else { Err("an operator or `)`".into()) }
     }
 
     /// The type that a number is converted to.
@@ -159,7 +147,7 @@ impl Parser {
             _ => None,
         };
         if kind.is_some() {
-            self.space();
+            self.text.space();
         } else {
             self.text.back(start);
         }
@@ -184,7 +172,7 @@ impl Parser {
         if read.is_err() {
             self.text.back(start);
         }
-        self.space();
+        self.text.space();
         Ok(read?)
     }
 }

@@ -189,11 +189,9 @@ impl<'m> Sturm<'m> {
     }
 
     fn interval(&self, low: &Q, high: &Q) -> Result<Interval, Stop> {
-        let [(low, _, e), (_, high, f)] =
-            [low, high].map(|end| Interval::Point(end.clone()).cover(self.bits + 8));
-        let least = e.min(f);
-        let at = |n: BigInt, exponent: i64| n << (exponent - least).unsigned_abs();
-        Interval::new(at(low, e), at(high, f), least, self.bits)
+        let [low, high] = [low, high].map(|end| Interval::Point(end.clone()));
+        let ([low, _], [_, high], exponent) = low.aligned(&high, self.bits + 8);
+        Interval::new(low, high, exponent, self.bits)
     }
 
     /// Whether an interval is as short as so many digits can be.

@@ -6,68 +6,23 @@ use super::reading::Reading;
 use super::table::Table;
 use super::value::{Change, Values};
 use super::verdict::{Verdict, verdict};
-use crate::certificate::{About, Block, blocks};
-use crate::definitions::{Definitions, formulas};
+use crate::certificate::Block;
+use crate::definitions::Definitions;
 use crate::meter::Meter;
-use crate::reject::{Checked, Reason, Rejection, Stop, Text, compare, require};
+use crate::reject::{At, Checked, Reason, Stop, compare, require};
+use crate::said::Counts;
 use crate::toml::Toml;
-use std::collections::BTreeMap;
 
 /// The least and the greatest number of binary digits of enclosures.
 const BITS: std::ops::RangeInclusive<u64> = 64..=20_000;
 
-/// The certificate of a table, by its index, and the verdict in a few words.
-type Check = (usize, Checked<String>);
-
-/// What is found of the tables of a project.
-pub struct Checks<'a> {
-    /// The key of the project.
-    pub key: &'a str,
-    /// The ids of the tables, in the order of the file, with the check of each.
-    pub tables: Vec<(&'a str, Option<Check>)>,
-    /// The rejections of whole certificates.
-    pub broken: Vec<(usize, Rejection)>,
+/// Checks a block about a table, and says the outcome with the counts of the verdicts.
+pub fn check(claim: &Toml, definitions: &Definitions, mut block: Block<'_>) -> Checked<String> {
+    judge(claim, definitions, &mut block).at(block.at)
 }
 
-/// Checks certificates about a claim file of a project.
-pub fn check<'a>(file: &'a Toml, certificates: &[&str]) -> Result<Checks<'a>, String> {
-    let key = file.text("key").ok_or("`key` is missing")?;
-    let definitions = formulas(file.entries("define")).map_err(|stop| stop.to_string())?;
-    let tables: Vec<(&str, &Toml)> =
-        file.list("shipped").iter().map(|table| (table.text("id").unwrap_or(""), table)).collect();
-    let (mut broken, mut found) = (Vec::new(), BTreeMap::new());
-    for (place, text) in certificates.iter().enumerate() {
-        let blocks = blocks(text, About::Project(key)).unwrap_or_else(|rejection| {
-            broken.push((place, rejection));
-            Vec::new()
-        });
-        for mut block in blocks {
-            let (kind, id) = block.head.word();
-            let Some((id, table)) =
-                tables.iter().find(|(known, _)| kind == "shipped" && *known == id)
-            else {
-                broken.push((place, block.head.reject(Reason::NoSuchClaim)));
-                continue;
-            };
-            let meter = Meter::default();
-            let checked = judge(table, &definitions, &mut block, &meter);
-            let checked = checked.map_err(|rejection| rejection.at(block.at));
-            if found.insert(*id, (place, checked)).is_some() {
-                found.insert(*id, (place, Err(block.head.reject(Reason::Twice))));
-            }
-        }
-    }
-    let tables = tables.iter().map(|(id, _)| (*id, found.remove(id))).collect();
-    Ok(Checks { key, tables, broken })
-}
-
-/// Checks a block, and says the outcome with the counts of the verdicts.
-fn judge(
-    claim: &Toml,
-    definitions: &Definitions,
-    block: &mut Block<'_>,
-    meter: &Meter,
-) -> Checked<String> {
+fn judge(claim: &Toml, definitions: &Definitions, block: &mut Block<'_>) -> Checked<String> {
+    let meter = &Meter::default();
     let table = Table::read(claim, definitions)?;
     let bits: Option<u64> = block.after("bits")?.parse().ok();
     let bits = bits.filter(|bits| BITS.contains(bits));
@@ -89,7 +44,7 @@ fn judge(
     };
     let printed = Values::new(definitions, bits, meter, None);
     let read = Values::new(definitions, bits, meter, change);
-    let mut counts: Vec<(String, usize)> = Vec::new();
+    let mut counts = Counts::default();
     let (mut worst, mut better, mut is_open) = (Verdict::Nearest, false, false);
     for place in 0..table.count {
         meter.restart();
@@ -106,18 +61,10 @@ fn judge(
         if let Some(reading) = &reading {
             let by_reading = table.value(reading.exact(&table), place, &read)?;
             let by_reading = verdict(&by_reading, &number, table.of)?;
-            let wrong = || (Text(format!("{}", place + 1)), Text(by_reading.to_string()));
-            require(by_reading.is_right(), {
-                let (number, verdict) = wrong();
-                Reason::NotRight(number, verdict)
-            })?;
+            compare(by_reading.is_right(), &(place + 1), &by_reading, Reason::NotRight)?;
             better |= by_reading.outcome().0 < found.outcome().0;
         }
-        let name = found.outcome().1;
-        match counts.iter_mut().find(|(known, _)| known == name) {
-            Some((_, count)) => *count += 1,
-            None => counts.push((name.to_owned(), 1)),
-        }
+        counts.add(found.outcome().1);
         worst = if found.outcome().0 > worst.outcome().0 { found } else { worst };
     }
     let outcome = match &reading {
@@ -132,9 +79,7 @@ fn judge(
     block.finished()?;
     // Nothing is computed of a number that is open, and so nothing of the table is certified.
     require(!is_open, Reason::OpenNumber)?;
-    let counts: Vec<String> =
-        counts.iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
-    Ok(format!("{outcome}: {}", counts.join(", ")))
+    Ok(format!("{outcome}: {}", counts.text()))
 }
 
 /// Takes the line of a number: `cell I… "LITERAL" VERDICT`. Gives the verdict that it states, and

@@ -3,8 +3,9 @@
 use super::decided::{Ends, decided, is_rounded, within};
 use super::number::Written;
 use super::rounding::{Type, half_even, ten};
-use crate::decimal::{Q, int};
+use crate::decimal::Q;
 use crate::reject::Stop;
+use crate::rounding::{differing, is_exchanged};
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 
@@ -54,7 +55,7 @@ pub fn slip(
     if negative != written.value.is_negative() {
         return Ok(None);
     }
-    let typed = digits(&(&written.value * ten(written.places)));
+    let typed = digits_of(&(&written.value * ten(written.places)).to_integer());
     let kinds: [Kind; 3] =
         [("digit", 0, is_digit), ("exchanged", 0, is_exchanged), ("dropped", 1, is_dropped)];
     for (kind, more, test) in kinds {
@@ -76,33 +77,13 @@ fn candidates(x: &Ends, places: i64) -> Result<[String; 2], Stop> {
     Ok([digits_of(&low), digits_of(&high)])
 }
 
-fn digits(x: &Q) -> String {
-    digits_of(&(x + int(0)).to_integer())
-}
-
 fn digits_of(n: &BigInt) -> String {
     n.abs().to_string()
-}
-
-/// The places at which two texts of one length differ.
-fn differing(typed: &str, right: &str) -> Vec<usize> {
-    let (typed, right) = (typed.as_bytes(), right.as_bytes());
-    if typed.len() != right.len() {
-        return Vec::new();
-    }
-    (0..typed.len()).filter(|&at| typed[at] != right[at]).collect()
 }
 
 /// Whether one digit is another one, which is not among the last.
 fn is_digit(typed: &str, right: &str) -> bool {
     matches!(differing(typed, right)[..], [at] if at + LAST < typed.len())
-}
-
-/// Whether two neighbouring digits are exchanged.
-fn is_exchanged(typed: &str, right: &str) -> bool {
-    let (one, other) = (typed.as_bytes(), right.as_bytes());
-    matches!(differing(typed, right)[..],
-        [i, j] if j == i + 1 && one[i] == other[j] && one[j] == other[i])
 }
 
 /// Whether a digit is missing that is not among the last.

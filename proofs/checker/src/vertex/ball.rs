@@ -54,6 +54,11 @@ impl Ball {
         Ball { low: &self.low + &other.low, high: &self.high + &other.high }
     }
 
+    /// The sum of multiples.
+    pub fn combined<'b>(terms: impl Iterator<Item = (&'b Ball, Q)>) -> Ball {
+        terms.fold(Ball::from(0), |sum, (x, factor)| sum.plus(&x.times(&Ball::from(&factor))))
+    }
+
     /// self − other.
     pub fn minus(&self, other: &Ball) -> Ball {
         Ball { low: &self.low - &other.high, high: &self.high - &other.low }

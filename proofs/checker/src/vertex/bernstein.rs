@@ -1,7 +1,8 @@
 //! Polynomials on a square or a triangle by their coefficients in Bernstein form.
 
 use super::ball::Ball;
-use crate::decimal::{Q, int};
+use crate::decimal::{Q, count, int};
+use num_traits::Pow;
 
 /// The coefficients x_{i,j} of Σ x_{i,j} C(d,i)u^i(1−u)^{d−i} C(d,j)v^j(1−v)^{d−j}; or, on a triangle, for i + j ≤ d, of
 /// Σ x_{i,j} d!/(i!j!(d−i−j)!) u^i v^j (1−u−v)^{d−i−j}.
@@ -14,8 +15,18 @@ pub struct Form {
 }
 
 fn choose(n: usize, k: usize) -> Q {
-    let number = |n: usize| int(i64::try_from(n).unwrap_or(1));
-    (0..k).fold(int(1), |product, i| product * number(n - i) / number(i + 1))
+    (0..k).fold(int(1), |product, i| product * count(n - i) / count(i + 1))
+}
+
+/// C(d,i)u^i(1−u)^{d−i}.
+fn on_line(d: usize, i: usize, u: &Q) -> Q {
+    choose(d, i) * Pow::pow(u, i) * Pow::pow(&(int(1) - u), d - i)
+}
+
+/// d!/(i!j!(d−i−j)!) u^i v^j (1−u−v)^{d−i−j}.
+pub fn on_triangle(d: usize, (i, j): (usize, usize), u: &Q, v: &Q) -> Q {
+    let rest = Pow::pow(&(int(1) - u - v), d - i - j);
+    choose(d, i) * choose(d - i, j) * Pow::pow(u, i) * Pow::pow(v, j) * rest
 }
 
 impl Form {
@@ -111,20 +122,13 @@ impl Form {
 
     /// The value at a place.
     pub fn at(&self, u: &Q, v: &Q) -> Ball {
-        let power = |x: &Q, k: usize| (0..k).fold(int(1), |product, _| product * x);
         let (d, e) = self.degrees();
-        let mut sum = Ball::from(0);
-        for (i, row) in self.rows.iter().enumerate() {
-            for (j, x) in row.iter().enumerate() {
-                let rest = if self.triangle {
-                    power(&(int(1) - u - v), d - i - j)
-                } else {
-                    power(&(int(1) - u), d - i) * power(&(int(1) - v), e - j)
-                };
-                let weight = self.binomial(i, j) * power(u, i) * power(v, j) * rest;
-                sum = sum.plus(&x.times(&Ball::from(&weight)));
-            }
-        }
-        sum
+        let entries = self.rows.iter().enumerate().flat_map(|(i, row)| {
+            row.iter().enumerate().map(move |(j, x)| {
+                let rest = || on_triangle(d, (i, j), u, v);
+                (x, if self.triangle { rest() } else { on_line(d, i, u) * on_line(e, j, v) })
+            })
+        });
+        Ball::combined(entries)
     }
 }

@@ -7,7 +7,7 @@ use super::lattice::Part;
 use super::net::Net;
 use super::pieces::{Piece, pieces};
 use super::spectrum;
-use crate::certificate::Block;
+use crate::certificate::{Block, words};
 use crate::decimal::{Q, int, read_rational};
 use crate::local_rules::LocalRules;
 use crate::reject::{Checked, Reason, Stop, agree, require};
@@ -26,8 +26,16 @@ pub enum Found {
 }
 
 /// A number of a line.
-fn number(text: Option<&str>) -> Checked<Q> {
-    Ok(text.and_then(read_rational).ok_or(Reason::Malformed("a number"))?)
+fn number(text: &str) -> Checked<Q> {
+    Ok(read_rational(text).ok_or(Reason::Malformed("a number"))?)
+}
+
+fn sign(text: &str) -> Checked<i8> {
+    match text {
+        "+" => Ok(1),
+        "-" => Ok(-1),
+        _ => Err(Reason::Malformed("+ or -").into()),
+    }
 }
 
 /// Reads the lines from `part` on, about the rules of a ring.
@@ -40,21 +48,15 @@ pub fn check_vertex(
     require(inner.order == valence, Reason::Vertex("this is the valence of the rules"))?;
     agree(block.after("part")?, inner.part.name(), Reason::Said)?;
     if block.next_word() == "diverges" {
-        let mut words = block.after("diverges")?.split_whitespace();
-        let k = words.next().and_then(|k| k.parse().ok()).ok_or(Reason::Malformed("a block"))?;
-        let side = match (words.next(), words.next()) {
-            (Some("+"), None) => 1,
-            (Some("-"), None) => -1,
-            _ => return Err(Reason::Malformed("a block, and + or -").into()),
-        };
-        spectrum::diverges(&inner, k, side)?;
+        let [k, side] = words(block.after("diverges")?, "a block, and + or -")?;
+        let k = k.parse().map_err(|_| Reason::Malformed("a block"))?;
+        spectrum::diverges(&inner, k, sign(side)?.into())?;
         return Ok(Found::Rough);
     }
-    let mut words = block.after("eigenvalue")?.split_whitespace();
-    let k = words.next().and_then(|k| k.parse().ok()).ok_or(Reason::Malformed("a block"))?;
-    let (low, high) = (number(words.next())?, number(words.next())?);
-    require(words.next().is_none(), Reason::Malformed("a block and two numbers"))?;
-    let r = number(Some(block.after("below")?))?;
+    let [k, low, high] = words(block.after("eigenvalue")?, "a block and two numbers")?;
+    let k = k.parse().map_err(|_| Reason::Malformed("a block"))?;
+    let (low, high) = (number(low)?, number(high)?);
+    let r = number(block.after("below")?)?;
     spectrum::check(&inner, k, [&low, &high], &r)?;
     let value = Ball::between(&low, &high);
     let net = Net::of(&inner, k, &value)?;
@@ -62,36 +64,28 @@ pub fn check_vertex(
     if k == 0 {
         // A face has no other eigenvalue of block 0.
         block.word("outer")?;
-        let curve = outer_curve(&net, &ring);
-        let one = [1, -1].iter().any(|side| curve.iter().all(|x| x.sign() == Some(*side)));
-        require(one, Reason::Vertex("the eigenfunction has one sign on the outer curve"))?;
+        let what = "the eigenfunction has one sign on the outer curve";
+        require(has_one_sign(&net, &ring), Reason::Vertex(what))?;
         return Ok(Found::Rough);
     }
     let unit = unit(&net)?;
     let forms: Vec<Form> = ring.iter().map(|piece| jacobian(piece).scaled(&unit)).collect();
     if block.next_word() == "positive" {
         for (word, sign) in [("positive", 1), ("negative", -1)] {
-            let mut words = block.after(word)?.split_whitespace();
-            let (a, b) = (number(words.next())?, number(words.next())?);
-            require(words.next().is_none(), Reason::Malformed("two numbers"))?;
-            let found = at(&ring, &forms, [&a, &b])?.sign();
+            let [a, b] = words(block.after(word)?, "two numbers")?;
+            let found = at(&ring, &forms, [&number(a)?, &number(b)?])?.sign();
             require(found == Some(sign), Reason::Vertex("the Jacobian has this sign there"))?;
         }
         return Ok(Found::Rough);
     }
-    let side = match block.after("jacobian")? {
-        "+" => 1,
-        "-" => -1,
-        _ => return Err(Reason::Malformed("+ or -").into()),
-    };
+    let side = sign(block.after("jacobian")?)?;
     for (place, form) in forms.iter().enumerate() {
         covered(block, place, form, &mut String::new(), side)?;
     }
     let negative = high < Q::zero();
     if side == 1 && k == 1 && !negative {
-        let curve = outer_curve(&net, &ring);
-        let one = [1, -1].iter().any(|side| curve.iter().all(|x| x.sign() == Some(*side)));
-        require(one, Reason::Vertex("the outer curve of a sector is in the half-plane"))?;
+        let what = "the outer curve of a sector is in the half-plane";
+        require(has_one_sign(&net, &ring), Reason::Vertex(what))?;
         return Ok(Found::Smooth);
     }
     // For λ < 0, for k ≥ 2, and for a negative Jacobian the map is not injective.
@@ -123,16 +117,15 @@ fn covered(
 ) -> Checked<()> {
     block.look();
     let line = block.peek().ok_or(Reason::Malformed("box"))?;
-    let mut words = line.text.split_whitespace();
-    let head = [words.next(), words.next(), words.next()];
-    let [Some("box"), Some(piece), Some(said)] = head else {
+    let words: Vec<&str> = line.text.split_whitespace().collect();
+    let ["box", piece, said, rest @ ..] = &words[..] else {
         return Err(Reason::Malformed("box").into());
     };
-    require(piece == place.to_string(), Reason::Vertex("the boxes cover the pieces in order"))?;
-    let said = if said == "-" { "" } else { said };
+    require(*piece == place.to_string(), Reason::Vertex("the boxes cover the pieces in order"))?;
+    let said = if *said == "-" { "" } else { said };
     if said == path {
-        let least = number(words.next())?;
-        require(words.next().is_none(), Reason::Malformed("a box"))?;
+        let [least] = rest else { return Err(Reason::Malformed("a box").into()) };
+        let least = number(least)?;
         require(least > Q::zero(), Reason::Vertex("a positive bound of the coefficients"))?;
         let bound = Ball::from(&least);
         for x in form.rows.iter().flatten() {
@@ -168,8 +161,8 @@ fn at(ring: &[Piece], forms: &[Form], [a, b]: [&Q; 2]) -> Checked<Ball> {
     Err(Stop::Undefined("no place of the ring").into())
 }
 
-/// The coefficients of p + q, or on a face p + cq, on the outer curve of sector 0.
-fn outer_curve(net: &Net, ring: &[Piece]) -> Vec<Ball> {
+/// Whether the coefficients of p + q, or on a face p + cq, have one sign on the outer curve of sector 0.
+fn has_one_sign(net: &Net, ring: &[Piece]) -> bool {
     let factor = if net.part == Part::Biquadratic { net.cosine.clone() } else { Ball::from(1) };
     let (mut curve, last) = (Vec::new(), 2 * net.start - 1);
     for piece in ring {
@@ -190,5 +183,5 @@ fn outer_curve(net: &Net, ring: &[Piece]) -> Vec<Ball> {
             (0..=d).for_each(|i| add(i, d));
         }
     }
-    curve
+    [1, -1].iter().any(|side| curve.iter().all(|x| x.sign() == Some(*side)))
 }

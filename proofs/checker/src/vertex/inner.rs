@@ -2,7 +2,7 @@
 
 use super::ball::Ball;
 use super::lattice::Part;
-use crate::decimal::{Q, int};
+use crate::decimal::{Q, count, int};
 use crate::local_rules::LocalRules;
 use crate::number::Number;
 use crate::reject::{Checked, Reason, Stop, require};
@@ -31,10 +31,6 @@ const RING: Reason = Reason::Vertex(
     "the orbits are those of a regular part, the weights are the same in all \
                                      sectors and their own mirror image",
 );
-
-fn integer(n: usize) -> Q {
-    int(i64::try_from(n).unwrap_or(i64::MAX))
-}
 
 /// cos(2π·turn).
 fn cosine(turn: &Q) -> Result<Ball, Stop> {
@@ -147,8 +143,8 @@ impl Inner {
             for d in 0..self.orbits[b].1 {
                 let weight = self.weight(a, b, d);
                 if !weight.is_zero() {
-                    let angle = integer(2 * d + self.offset(b)) - integer(self.offset(a));
-                    let turn = angle * integer(k) / integer(2 * self.order);
+                    let angle = count(2 * d + self.offset(b)) - count(self.offset(a));
+                    let turn = angle * count(k) / count(2 * self.order);
                     sum = sum.plus(&Ball::of(weight.number()?).times(&cosine(&turn)?));
                 }
             }
@@ -159,11 +155,11 @@ impl Inner {
 
     /// cos(2πk/n).
     pub fn cosine(&self, k: usize) -> Result<Ball, Stop> {
-        cosine(&(integer(k) / integer(self.order)))
+        cosine(&(count(k) / count(self.order)))
     }
 
     /// cos(πk/n).
     pub fn half_cosine(&self, k: usize) -> Result<Ball, Stop> {
-        cosine(&(integer(k) / integer(2 * self.order)))
+        cosine(&(count(k) / count(2 * self.order)))
     }
 }

@@ -38,12 +38,13 @@ impl Part {
         }
     }
 
-    /// The places of sector 0 of all orbits, in the order of the orbits that declare them.
+    /// The places of sector 0 on which the surface next to the vertex or on the face depends, in the order of the
+    /// orbits that may declare them.
     pub fn places(self) -> &'static [Place] {
         match self {
             Part::Bicubic => &[(0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (1, 2), (2, 2)],
             Part::BoxSpline => &[(0, 0), (1, 0), (1, 1), (2, 0)],
-            Part::Biquadratic => &[(0, 0)],
+            Part::Biquadratic => &[(0, 0), (0, 1), (1, 0), (1, 1)],
         }
     }
 
@@ -119,18 +120,14 @@ impl Part {
     /// The places of sector 0 in the inner ring, in the order of the orbits.
     pub fn inner(self) -> &'static [Place] {
         match self {
-            Part::Bicubic => &[(0, 0), (1, 0), (1, 1)],
-            Part::BoxSpline => &[(0, 0), (1, 0)],
-            Part::Biquadratic => &[(0, 0)],
+            Part::Bicubic => &self.places()[..3],
+            Part::BoxSpline => &self.places()[..2],
+            Part::Biquadratic => &self.places()[..1],
         }
     }
 
     /// The other places of sector 0 on which the surface next to the vertex or on the face depends.
     pub fn outer(self) -> &'static [Place] {
-        match self {
-            Part::Bicubic => &[(2, 0), (2, 1), (1, 2), (2, 2)],
-            Part::BoxSpline => &[(2, 0), (1, 1)],
-            Part::Biquadratic => &[(0, 1), (1, 0), (1, 1)],
-        }
+        &self.places()[self.inner().len()..]
     }
 }

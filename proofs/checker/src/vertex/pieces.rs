@@ -1,7 +1,7 @@
 //! The ring between two levels as polynomials.
 
 use super::ball::Ball;
-use super::bernstein::Form;
+use super::bernstein::{Form, on_triangle};
 use super::lattice::{Part, Place};
 use super::net::{Net, Point};
 use crate::decimal::{Q, int};
@@ -55,8 +55,7 @@ pub fn pieces(fine: &Net) -> Checked<Vec<Piece>> {
 /// Σ w_i x_i / Σ w_i.
 fn mean(weights: &[i64], values: &[Ball]) -> Ball {
     let whole = int(weights.iter().sum());
-    let terms = weights.iter().zip(values);
-    terms.fold(Ball::from(0), |sum, (w, x)| sum.plus(&x.times(&Ball::from(&(int(*w) / &whole)))))
+    Ball::combined(values.iter().zip(weights.iter().map(|w| int(*w) / &whole)))
 }
 
 fn square(fine: &Net, (a, b): Place, which: usize, weights: &[&[i64]]) -> Checked<Form> {
@@ -99,21 +98,15 @@ fn triangle(fine: &Net, (a, b): Place, direction: i32, which: usize) -> Checked<
         (0..5).flat_map(|i| (0..5 - i).map(move |j| (i, j))).collect();
     let small = |i: usize| i32::try_from(i).unwrap_or(0);
     let quarter = |i: usize| int(i64::from(small(i))) / int(4);
-    let basis = |(k, l): (usize, usize), (i, j): (usize, usize)| -> Q {
-        let fact = |n: usize| (1..=n).fold(int(1), |product, m| product * int(i64::from(small(m))));
-        let power = |x: Q, m: usize| (0..m).fold(int(1), |product, _| product * &x);
-        let m = 4 - k - l;
-        let many = fact(4) / (fact(k) * fact(l) * fact(m));
-        many * power(quarter(i), k) * power(quarter(j), l) * power(quarter(4 - i - j), m)
-    };
     let mut values = Vec::new();
     for &(i, j) in &places {
-        let mut sum = Ball::from(0);
+        let (mut points, mut weights) = (Vec::new(), Vec::new());
         for ((u, v), weight) in value_at((small(i), small(j))) {
-            let point = fine.at((a + direction * u, b + direction * v))?;
-            sum = sum.plus(&point[which].times(&Ball::from(&weight)));
+            let [p, q] = fine.at((a + direction * u, b + direction * v))?;
+            points.push(if which == 0 { p } else { q });
+            weights.push(weight);
         }
-        values.push(sum);
+        values.push(Ball::combined(points.iter().zip(weights)));
     }
     // One coefficient after the other is a combination of the values.
     let mut rows: Vec<Vec<Ball>> = vec![Vec::new(); 5];
@@ -121,12 +114,12 @@ fn triangle(fine: &Net, (a, b): Place, direction: i32, which: usize) -> Checked<
         // Σ w_p basis_l(p) is 1 for the coefficient at hand, and 0 for the others.
         let equation = |(other, &of): (usize, &(usize, usize))| -> Vec<Q> {
             let right = int(i64::from(other == at));
-            places.iter().map(|&place| basis(of, place)).chain([right]).collect()
+            let basis = |&(i, j): &(usize, usize)| on_triangle(4, of, &quarter(i), &quarter(j));
+            places.iter().map(basis).chain([right]).collect()
         };
         let equations = places.iter().enumerate().map(equation).collect();
         let weights = linear::solve(equations).ok_or(Stop::Undefined("an interpolation"))?;
-        let terms = weights.iter().zip(&values);
-        rows[k].push(terms.fold(Ball::from(0), |sum, (w, x)| sum.plus(&x.times(&Ball::from(w)))));
+        rows[k].push(Ball::combined(values.iter().zip(weights)));
     }
     Ok(Form { triangle: true, rows })
 }

@@ -3,7 +3,7 @@
 use super::ball::Ball;
 use super::inner::Inner;
 use super::lattice::Part;
-use crate::decimal::{Q, int};
+use crate::decimal::{Q, count, int};
 use crate::reject::{Checked, Reason, require};
 use num_traits::Zero;
 
@@ -31,7 +31,7 @@ fn characteristic(matrix: &[Vec<Ball>]) -> Vec<Ball> {
             }
         }
         let trace = (0..d).fold(Ball::from(0), |sum, i| sum.plus(&next[i][i]));
-        let share = Ball::from(&(int(-1) / int(i64::try_from(k).unwrap_or(1))));
+        let share = Ball::from(&(int(-1) / count(k)));
         coefficients.insert(0, trace.times(&share));
         power = next;
     }

@@ -1,0 +1,144 @@
+//! Entries of matrices: fractions, or numbers of one field Q(α) by their coordinates.
+
+use super::field::Field;
+use crate::decimal::{Q, bits, int};
+use crate::polynomial::{divide, gcd, multiplied, signum, trimmed};
+use num_traits::{One, Zero};
+use std::rc::Rc;
+
+/// The number p(α), or a fraction.
+#[derive(Clone)]
+pub struct Element {
+    p: Vec<Q>,
+    /// `None` for a fraction.
+    field: Option<Rc<Field>>,
+}
+
+impl Element {
+    fn new(p: Vec<Q>, field: Option<Rc<Field>>) -> Element {
+        Element { p: trimmed(p), field }
+    }
+
+    /// The number with these coordinates, of a degree below that of the polynomial.
+    pub fn of(coordinates: &[Q], field: Option<&Rc<Field>>) -> Element {
+        Element::new(coordinates.to_vec(), field.cloned())
+    }
+
+    /// A fraction.
+    pub fn fraction(value: &Q) -> Element {
+        Element::of(std::slice::from_ref(value), None)
+    }
+
+    /// An integer.
+    pub fn whole(value: i64) -> Element {
+        Element::fraction(&int(value))
+    }
+
+    fn with(&self, other: &Element, p: Vec<Q>) -> Element {
+        Element::new(p, self.field.as_ref().or(other.field.as_ref()).cloned())
+    }
+
+    /// The sum.
+    pub fn plus(&self, other: &Element) -> Element {
+        self.with(other, combined(self.p.clone(), &int(1), &other.p))
+    }
+
+    /// The difference.
+    pub fn minus(&self, other: &Element) -> Element {
+        self.with(other, combined(self.p.clone(), &int(-1), &other.p))
+    }
+
+    /// The absolute value.
+    pub fn size(&self) -> Element {
+        if self.sign() < 0 { self.scaled(&int(-1)) } else { self.clone() }
+    }
+
+    /// The product with a fraction.
+    pub fn scaled(&self, factor: &Q) -> Element {
+        Element::new(self.p.iter().map(|x| x * factor).collect(), self.field.clone())
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Element) -> Element {
+        let product = self.with(other, multiplied(&self.p, &other.p));
+        match &product.field {
+            Some(field) if product.p.len() > field.degree() => {
+                let rest = divide(product.p, field.polynomial()).1;
+                Element::new(rest, product.field)
+            }
+            _ => product,
+        }
+    }
+
+    /// −1, 0 or 1.
+    pub fn sign(&self) -> i8 {
+        match &self.field {
+            Some(field) if self.p.len() > 1 => field.sign(&self.p),
+            _ => self.p.first().map_or(0, signum),
+        }
+    }
+
+    /// 1/p(α), for p(α) ≠ 0: the inverse of p modulo the part of the polynomial that has no divisor with p in common. This part has the
+    /// root α.
+    pub fn inverse(&self) -> Element {
+        let (Some(field), true) = (&self.field, self.p.len() > 1) else {
+            let value = self.p.first().map(Q::recip);
+            return Element::new(value.into_iter().collect(), self.field.clone());
+        };
+        if !field.affords(&self.p) {
+            return Element::new(Vec::new(), self.field.clone());
+        }
+        let (modulus, _) = divide(field.polynomial().to_vec(), &gcd(&self.p, field.polynomial()));
+        // The remainders of Euclid's algorithm are r = u·p modulo the modulus.
+        let (mut before, mut rest) = (modulus.clone(), divide(self.p.clone(), &modulus).1);
+        let (mut factor_before, mut factor) = (Vec::new(), vec![Q::one()]);
+        rest = trimmed(rest);
+        while rest.len() > 1 {
+            let (quotient, next) = divide(before, &rest);
+            let product = multiplied(&quotient, &factor);
+            let mut difference = combined(factor_before, &int(-1), &product);
+            // With the leading coefficient 1 the fractions remain short.
+            let mut next = trimmed(next);
+            let scale = next.last().map_or_else(Q::one, Q::recip);
+            next.iter_mut().chain(&mut difference).for_each(|x| *x *= &scale);
+            (before, rest) = (rest, next);
+            (factor_before, factor) = (factor, difference);
+        }
+        let scale = rest.first().map_or_else(Q::zero, Q::recip);
+        let inverse = factor.iter().map(|x| x * &scale).collect();
+        Element::new(inverse, self.field.clone())
+    }
+
+    /// As a certificate writes it.
+    pub fn text(&self) -> String {
+        match &self.p[..] {
+            [] => "0".to_owned(),
+            p => p.iter().map(Q::to_string).collect::<Vec<String>>().join(","),
+        }
+    }
+
+    /// The steps of an operation with it.
+    pub fn cost(&self) -> u64 {
+        let longest = self.p.iter().map(bits).max().unwrap_or(0);
+        let Some(field) = &self.field else { return steps(longest) };
+        // The coordinates of a product grow where the polynomial divides it.
+        let leading = field.polynomial().last().map_or(0, bits);
+        let degree = self.p.len() as u64;
+        let longest = longest + if degree > 1 { degree * leading } else { 0 };
+        // Each of these fractions takes a common divisor.
+        1 + degree * degree * (longest / 32 + steps(longest))
+    }
+}
+
+/// The steps of an operation with a number of so many binary digits. Multiplication and division are quadratic.
+pub fn steps(bits: u64) -> u64 {
+    let blocks = bits / 512;
+    1 + blocks + blocks * blocks
+}
+
+/// p + factor·q.
+fn combined(mut p: Vec<Q>, factor: &Q, q: &[Q]) -> Vec<Q> {
+    p.resize(p.len().max(q.len()), Q::zero());
+    p.iter_mut().zip(q).for_each(|(x, y)| *x += factor * y);
+    p
+}
