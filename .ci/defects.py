@@ -57,7 +57,7 @@ DEFECTS = [
     ("src/geometry/mesh/crease/blend.rs", "connectivity.edges()[edge].ends.into_iter().all(stays)",
      "connectivity.edges()[edge].ends.into_iter().any(stays)", "mesh::creases"),
     ("src/geometry/mesh/limit/dart.rs", "&edges[(i + 1) % n]", "&edges[(i + n - 1) % n]", "mesh::creases"),
-    ("src/geometry/mesh/limit/settle.rs", "around && runs.len() > 1", "false", "mesh::"),
+    ("src/geometry/mesh/region.rs", "*i <= at || !star.boundary", "*i <= at", "mesh:: patch::geometric"),
     ("src/geometry/net/window.rs", "window.first..window.last + arity", "window.first..window.last", "net::"),
     ("src/geometry/patch/neighbourhood.rs", "*end >= inside", "*end > inside", "patch::creases"),
     ("src/geometry/patch/ring.rs", "is_cut[i] && is_cut[next]", "is_cut[i] || is_cut[next]", "patch::creases"),

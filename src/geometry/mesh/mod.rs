@@ -23,6 +23,7 @@ mod point;
 mod polygon;
 mod read;
 mod refine;
+mod region;
 mod root;
 mod scheme;
 mod star;
@@ -37,15 +38,17 @@ pub(crate) use field::{check_field, check_rules, check_tags};
 pub(crate) use limit::limit_weights;
 pub use limit::{LimitPoint, Normal, Sector, Tangents, limit_points};
 pub use point::Point;
+pub(crate) use point::combination;
 pub use polygon::PolygonMesh;
 pub(crate) use read::parse_coordinate;
-pub(crate) use read::{About, Cell, Parts, Places, Word, Words};
+pub(crate) use read::{About, Cell, Denominator, Parts, Places, Word, Words};
 pub use read::{
     MAX_FILE_BYTES, MeshFile, MeshFormat, is_polygonal_vtk, read_binary_mesh, read_mesh,
 };
 pub(crate) use read::{vtk_header, vtk_lists, vtk_points};
 pub use refine::{MAX_MESH_LEVEL, refine_mesh};
 pub(crate) use refine::{step_with, weighted_valences};
+pub(crate) use region::{cut, groups, grown};
 pub use scheme::MeshScheme;
 pub use star::Star;
 pub(crate) use stencil::Stencils;

@@ -21,7 +21,7 @@ pub(super) fn sum<'a, S: Scalar + 'a>(points: impl IntoIterator<Item = &'a Point
 }
 
 /// Σ c·p over these pairs.
-pub(super) fn combination<'a, S: Scalar + 'a>(
+pub(crate) fn combination<'a, S: Scalar + 'a>(
     terms: impl IntoIterator<Item = (&'a S, &'a Point<S>)>,
 ) -> Point<S> {
     terms.into_iter().fold(origin(), |mut total, (factor, point)| {

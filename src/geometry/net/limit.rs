@@ -5,7 +5,7 @@ use super::grid::Net;
 use super::scheme::NetScheme;
 use crate::exact::Rational;
 use crate::limit::{Functional, Limit, natural_shift};
-use crate::mesh::Point;
+use crate::mesh::{Point, combination};
 use crate::scheme::Mask;
 
 /// The limit point of every point of a net, row by row: the point of the surface at its natural
@@ -38,14 +38,9 @@ pub fn net_limits(net: &Net, scheme: &NetScheme) -> Result<Vec<Option<Point<Rati
     let weights: Vec<(i64, i64, Rational)> =
         u.terms().flat_map(|(p, x)| v.terms().map(move |(q, y)| (p, q, x * y))).collect();
     let limit = |i: i64, j: i64| -> Option<Point<Rational>> {
-        let mut sum = [Rational::zero(), Rational::zero(), Rational::zero()];
-        for (p, q, weight) in &weights {
-            let point = net.at(i + p, j + q)?;
-            for (sum, x) in sum.iter_mut().zip(point) {
-                *sum += &(weight * x);
-            }
-        }
-        Some(sum)
+        let terms: Option<Vec<(&Rational, &Point<Rational>)>> =
+            weights.iter().map(|(p, q, weight)| Some((weight, net.at(i + p, j + q)?))).collect();
+        Some(combination(terms?))
     };
     let [rows, columns] = net.sizes().map(|size| i64::try_from(size).unwrap_or(i64::MAX));
     Ok((0..rows)

@@ -2,8 +2,7 @@
 
 use super::grid::Net;
 use crate::exact::Rational;
-use crate::float::{nearest, shortest};
-use crate::mesh::BeyondF64;
+use crate::mesh::{BeyondF64, decimals, one_line};
 use std::fmt::Write as _;
 
 /// A net as CSV: a line for each row, its points separated by commas, the coordinates of a point by
@@ -26,16 +25,11 @@ use std::fmt::Write as _;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn to_csv(net: &Net<Rational>, title: &str) -> Result<String, BeyondF64> {
-    let title: String = title.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    let mut text = format!("# {title}\n");
+    let mut text = format!("# {}\n", one_line(title));
     for row in net.points().chunks(net.columns()) {
         for (j, point) in row.iter().enumerate() {
-            let numbers = point.each_ref().map(|x| shortest(nearest(x)));
-            if numbers.iter().any(|number| number.contains("inf")) {
-                return Err(BeyondF64);
-            }
             let separator = if j == 0 { "" } else { ", " };
-            write!(text, "{separator}{}", numbers.join(" ")).expect("memory");
+            write!(text, "{separator}{}", decimals(point)?.join(" ")).expect("memory");
         }
         text.push('\n');
     }

@@ -2,8 +2,9 @@
 
 use super::header::Header;
 use super::values::{Group, OracleValues, Value};
-use super::write::{header_lines, one_line};
+use super::write::header_lines;
 use crate::diagnostic::wrapped;
+use crate::mesh::one_line;
 use std::fmt::Write as _;
 
 /// The greatest length of a name in MATLAB, `namelengthmax`.

@@ -2,6 +2,7 @@
 
 use super::header::Header;
 use super::values::OracleValues;
+use crate::mesh::one_line;
 use std::io::{self, Write};
 
 /// The values as indented JSON: an object of `schema`, `header` and `groups`, its keys in the
@@ -100,10 +101,4 @@ pub(super) fn header_lines(header: &Header) -> Vec<(&'static str, String)> {
     ];
     lines.retain(|(_, text)| !text.is_empty());
     lines
-}
-
-/// The text with every control character replaced by a space, since a line break would
-/// end the comment.
-pub(super) fn one_line(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

@@ -1,7 +1,7 @@
 //! What the longest edge and the valences of a mesh guarantee, wherever its points are
 //! (`proofs/THEOREMS.md`, 96).
 
-use super::depth::not_positive;
+use super::surface::{TooMuch as _, positive};
 use crate::bound::LocalConstants;
 use crate::exact::{Enclosed, Rational, RealCyclotomic};
 use crate::float::{lower, nearest, upper};
@@ -55,7 +55,7 @@ pub fn a_priori(
     scheme: MeshScheme,
     tolerance: &Rational,
 ) -> Result<APriori, MeshError> {
-    not_positive(tolerance)?;
+    positive::<MeshError>(tolerance)?;
     check_tags(mesh, scheme)?;
     check_rules(mesh.connectivity(), scheme)?;
     let edges = mesh.connectivity().edges().iter().map(|edge| edge.ends);
@@ -67,9 +67,9 @@ pub fn a_priori(
     };
     let allowed = lower(tolerance) / (longest_edge * UP);
     let level = (0..MAX_LEVEL).find(|level| bound.at(*level) <= allowed).ok_or_else(|| {
-        let reason =
-            format!("the tolerance needs more than {MAX_LEVEL} levels; take a greater one");
-        MeshError::TooMuch { reason }
+        MeshError::too_much(format!(
+            "the tolerance needs more than {MAX_LEVEL} levels; take a greater one"
+        ))
     })?;
     Ok(APriori { level, longest_edge, ratio: bound.ratio })
 }

@@ -45,6 +45,11 @@ impl<V: Points> Cell<V> {
         self.points.len() as u64 / 16 + 1
     }
 
+    /// The points that the mesh of its level, or that of the polygon, is in the hull of.
+    pub(super) fn of_mesh(&self) -> &[V] {
+        self.base.as_ref().unwrap_or(&self.points)
+    }
+
     fn path_of(&self, shape: &Shape, part: usize) -> u128 {
         if shape.kind == Kind::Solid { 0 } else { self.path << 2 | part as u128 }
     }

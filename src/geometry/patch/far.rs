@@ -1,12 +1,6 @@
-//! Places where a mesh is far from its limit.
+//! Places where a mesh is far from its limit, and whether there is one.
 
-use super::levels::Source;
-use super::model::Model;
-use super::roots::Root;
-use super::search::Place;
-use crate::exact::RealCyclotomic;
-use crate::float::nearest;
-use crate::mesh::{MeshScheme, Point};
+use crate::mesh::Point;
 
 /// Where a mesh is far from its limit.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,50 +18,32 @@ pub struct FarPlace {
     pub on_limit: Point<f64>,
 }
 
-impl FarPlace {
-    /// A place in f64, as the mesh is in the file.
-    pub(super) fn rounded(
-        model: &Model,
-        root: &Root,
-        level: u32,
-        place: &Place<Point<f64>>,
-    ) -> FarPlace {
-        let [on_mesh, on_limit] = [&place.polygon, &place.limit].map(|point| model.place(point));
-        FarPlace::of(model, root, level, place, [on_mesh, on_limit])
-    }
+/// A place in a piece where the limit is far away.
+#[derive(Clone, Debug)]
+pub(super) struct Place<A, V> {
+    /// The level of the piece.
+    pub(super) level: u32,
+    /// Where in the root it is.
+    pub(super) at: A,
+    pub(super) limit: V,
+    pub(super) polygon: V,
+}
 
-    /// An exact place, rounded.
-    pub(super) fn exact(
-        model: &Model,
-        root: &Root,
-        level: u32,
-        place: &Place<Point<RealCyclotomic>>,
-    ) -> FarPlace {
-        let points = [&place.polygon, &place.limit].map(|point| point.each_ref().map(nearest));
-        FarPlace::of(model, root, level, place, points)
-    }
+/// Whether a piece is within the tolerance.
+pub(super) enum Verdict<P> {
+    Within,
+    Beyond(P),
+    /// Too near to call, or too much work.
+    Open,
+}
 
-    fn of<V>(
-        model: &Model,
-        root: &Root,
-        level: u32,
-        place: &Place<V>,
-        [on_mesh, on_limit]: [Point<f64>; 2],
-    ) -> FarPlace {
-        let first = match &model.source {
-            Source::Surface { scheme: MeshScheme::DooSabin, .. } | Source::Solid(_) => None,
-            Source::Surface { mesh, scheme, .. } if scheme.is_bicubic() => {
-                let before = &mesh.faces()[..root.face];
-                Some(before.iter().map(Vec::len).sum::<usize>() + root.part)
-            }
-            Source::Surface { .. } => Some(4 * root.face + root.part),
-        };
-        let level_face = first.filter(|_| level > 0).map(|first| {
-            // The path of the piece of that level, which the place may be a part of.
-            let path = place.path >> (2 * (place.level.max(level) - level));
-            ((first as u128) << (2 * (level - 1))) + path
-        });
-        let vertex = model.source.vertex(root);
-        FarPlace { face: root.face, vertex, level_face, on_mesh, on_limit }
+impl<P> Verdict<P> {
+    /// The same with the place in other terms.
+    pub(super) fn map<Q>(self, map: impl Fn(P) -> Q) -> Verdict<Q> {
+        match self {
+            Verdict::Within => Verdict::Within,
+            Verdict::Beyond(place) => Verdict::Beyond(map(place)),
+            Verdict::Open => Verdict::Open,
+        }
     }
 }

@@ -163,21 +163,26 @@ fn error(shape: &Shape, points: &[Vec<f64>], base: &[Vec<f64>]) -> f64 {
     }))
 }
 
+/// What a part of a shape of this kind with these points adds to the bound of its own level, and to those of all
+/// later ones.
+fn of_part(part: &Shape, points: &[Vec<f64>], base: &[Vec<f64>], kind: Kind) -> (f64, Vec<f64>) {
+    let spread = spread(part, points);
+    let tail = if part.is_regular() { 0.0 } else { part.growth.bound(0) * spread };
+    let later = match &part.rules.regular {
+        Some((_, bends)) => falling(bend(bends, points, kind)),
+        None => (0_u32..).take(LAST).map(|i| part.growth.bound(i) * spread).collect(),
+    };
+    (error(part, points, base) + tail, later)
+}
+
 /// The bounds of a shape whose parts have theirs.
 fn by_parts(shapes: &[Shape], shape: usize) -> Vec<f64> {
     let own = &shapes[shape];
     let mut bounds = vec![0.0_f64; LAST + 1];
     for (part, [points, base]) in own.parts.iter().zip(divided(own, &unit(own), None)) {
-        let part = &shapes[part.shape];
-        let spread = spread(part, &points);
-        let tail = if part.is_regular() { 0.0 } else { part.growth.bound(0) * spread };
-        bounds[0] = bounds[0].max(error(part, &points, &base) + tail);
-        let later: Vec<f64> = match &part.rules.regular {
-            Some((_, bends)) => falling(bend(bends, &points, own.kind)),
-            None => (0_u32..).take(LAST).map(|i| part.growth.bound(i) * spread).collect(),
-        };
-        for (bound, later) in bounds[1..].iter_mut().zip(later) {
-            *bound = bound.max(later);
+        let (now, later) = of_part(&shapes[part.shape], &points, &base, own.kind);
+        for (bound, now) in bounds.iter_mut().zip([now].into_iter().chain(later)) {
+            *bound = bound.max(now);
         }
     }
     bounds
@@ -215,13 +220,8 @@ fn repeated(shapes: &[Shape], shape: usize, again: &[usize]) -> (Vec<f64>, Vec<f
                     continue;
                 }
                 let part = &shapes[own.parts[i].shape];
-                let spread = spread(part, &points);
-                let tail = if part.is_regular() { 0.0 } else { part.growth.bound(0) * spread };
-                first = first.max(error(part, &points, &base) + tail);
-                let later: Vec<f64> = match &part.rules.regular {
-                    Some((_, bends)) => falling(bend(bends, &points, own.kind)),
-                    None => (0_u32..).take(LAST).map(|i| part.growth.bound(i) * spread).collect(),
-                };
+                let (now, later) = of_part(part, &points, &base, own.kind);
+                first = first.max(now);
                 for (bound, later) in bounds.iter_mut().zip(later) {
                     *bound = bound.max(later);
                 }

@@ -78,13 +78,9 @@ fn squared([x, y, z]: &Point<f64>) -> f64 {
     x * x + y * y + z * z
 }
 
-fn length(vector: &Point<f64>) -> f64 {
-    squared(vector).sqrt()
-}
-
 impl Judge<Point<f64>> for Rounded {
     fn above(&self, vector: &Point<f64>, level: u32) -> f64 {
-        length(vector) + self.slack(level)
+        squared(vector).sqrt() + self.slack(level)
     }
     fn greatest(&self, vectors: impl Iterator<Item = Point<f64>>, level: u32) -> f64 {
         // One root for all.
@@ -92,7 +88,7 @@ impl Judge<Point<f64>> for Rounded {
         square.sqrt() + self.slack(level)
     }
     fn below(&self, vector: &Point<f64>, level: u32) -> f64 {
-        (length(vector) - self.slack(level)).max(0.0)
+        (squared(vector).sqrt() - self.slack(level)).max(0.0)
     }
     fn within(&self, vector: &Point<f64>, level: u32) -> Option<bool> {
         if self.above(vector, level) <= self.tolerance[0] {
@@ -113,35 +109,34 @@ impl Judge<Point<f64>> for Rounded {
 }
 
 /// Exactly.
-pub(super) struct Exactly {
+pub(super) struct Exactly<S> {
     /// ε².
-    square: RealCyclotomic,
+    square: S,
     /// An f64 that is at most ε.
     tolerance: f64,
 }
 
-impl Exactly {
-    pub(super) fn new(tolerance: &Rational) -> Exactly {
-        Exactly { square: (tolerance * tolerance).into(), tolerance: lower(tolerance) }
+impl<S: Scalar> Exactly<S> {
+    pub(super) fn new(tolerance: &Rational) -> Exactly<S> {
+        let square = S::from_rational(&(tolerance * tolerance));
+        Exactly { square, tolerance: lower(tolerance) }
     }
 }
 
-fn square(vector: &Point<RealCyclotomic>) -> RealCyclotomic {
-    vector.iter().fold(RealCyclotomic::zero(), |sum, x| sum.plus(&x.times(x)))
+fn square<S: Scalar>(vector: &Point<S>) -> S {
+    vector.iter().fold(S::zero(), |sum, x| sum.plus(&x.times(x)))
 }
 
-impl Judge<Point<RealCyclotomic>> for Exactly {
-    fn above(&self, vector: &Point<RealCyclotomic>, _: u32) -> f64 {
+impl<S: Scalar + Enclosed + Ord + Sync> Judge<Point<S>> for Exactly<S> {
+    fn above(&self, vector: &Point<S>, _: u32) -> f64 {
         f64::from_bits(square(vector).step(|x| upper(x).to_bits())).sqrt().next_up()
     }
-    fn below(&self, vector: &Point<RealCyclotomic>, _: u32) -> f64 {
-        f64::from_bits(square(vector).step(|x| lower(x).max(0.0).to_bits()))
-            .sqrt()
-            .next_down()
-            .max(0.0)
+    fn below(&self, vector: &Point<S>, _: u32) -> f64 {
+        let square = f64::from_bits(square(vector).step(|x| lower(x).max(0.0).to_bits()));
+        square.sqrt().next_down().max(0.0)
     }
-    fn within(&self, vector: &Point<RealCyclotomic>, _: u32) -> Option<bool> {
-        Some(Scalar::minus(&square(vector), &self.square).sign() <= 0)
+    fn within(&self, vector: &Point<S>, _: u32) -> Option<bool> {
+        Some(square(vector) <= self.square)
     }
     fn tolerance(&self) -> f64 {
         self.tolerance

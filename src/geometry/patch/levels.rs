@@ -67,6 +67,17 @@ impl Source {
         }
     }
 
+    /// The first of the faces of level 1 that a face becomes; `None` for Doo and Sabin, and of a solid.
+    pub(super) fn first_part(&self, face: usize) -> Option<usize> {
+        match self {
+            Source::Surface { scheme: MeshScheme::DooSabin, .. } | Source::Solid(_) => None,
+            Source::Surface { mesh, scheme, .. } if scheme.is_bicubic() => {
+                Some(mesh.faces()[..face].iter().map(Vec::len).sum())
+            }
+            Source::Surface { .. } => Some(4 * face),
+        }
+    }
+
     /// The exact points; `None` where there would be too many, or too long ones.
     pub(super) fn exact(&self, count: usize) -> Option<Levels<Point<RealCyclotomic>>> {
         match self {
@@ -91,19 +102,13 @@ pub(super) fn surface<S: Number>(
     mesh: &PolygonMesh<S>,
     scheme: MeshScheme,
     refined: Vec<Point<S>>,
-) -> Levels<Point<S>>
-where
-    Point<S>: Vector<Weight = S>,
-{
+) -> Levels<Point<S>> {
     let corners = corners(scheme, mesh.connectivity());
     Levels { refined, start: Start::Faces { control: mesh.points().to_vec(), corners } }
 }
 
 /// The points of a solid.
-pub(super) fn solid<S: Number>(complex: &Complex, points: &[Point<S>]) -> Levels<Point<S>>
-where
-    Point<S>: Vector<Weight = S>,
-{
+pub(super) fn solid<S: Number>(complex: &Complex, points: &[Point<S>]) -> Levels<Point<S>> {
     let refined = refined_points(complex, points);
     let [edges, faces, cells] = split_points(complex, points);
     let split = points.iter().cloned().chain(edges).chain(faces).chain(cells).collect();

@@ -11,6 +11,7 @@
 //! | [`a_priori`] | what its longest edge and its valences guarantee |
 //! | [`formula_level`] | what a paper's formula promises |
 //! | [`NetDistances`], [`net_a_priori`], [`net_formula_level`] | the same of one tensor net (98 and 99) |
+//! | [`Distances`] | what both have in common |
 //! | [`CurveSets`] | the depth of one control polygon, as sets of points |
 //! | [`MeshDistances::of_solid`], [`solid_a_priori`], [`solid_formula_level`] | the same of a hexahedral solid |
 //!
@@ -35,6 +36,7 @@ mod judge;
 mod kind;
 mod levels;
 mod measure;
+mod mesh;
 mod model;
 mod neighbourhood;
 mod net;
@@ -46,12 +48,13 @@ mod rules;
 mod search;
 mod shape;
 mod shapes;
+mod surface;
 mod threads;
 mod work;
 
 pub use apriori::{APriori, a_priori};
 pub use curve::{CurveDepth, CurvePlace, CurveSets, MAX_CURVE_PIECES};
-pub use depth::{MAX_DEPTH_LEVEL, MeshDepth, MeshDistances};
+pub use depth::{Distances, MAX_DEPTH_LEVEL, MeshDepth};
 pub use far::FarPlace;
 pub use formula::{FORMULA_PAPER, formula_level};
 pub use geometric::{
@@ -59,5 +62,6 @@ pub use geometric::{
     relative_tolerance,
 };
 pub use hexes::{SOLID_FORMULA_PAPER, solid_a_priori, solid_formula_level};
+pub use mesh::MeshDistances;
 pub use net::{NET_FORMULA_PAPER, NetAPriori, NetDistances, net_a_priori, net_formula_level};
 pub use work::MeshWork;

@@ -5,7 +5,9 @@ use super::hexes::hex_roots;
 use super::judge::{Points, Rounded};
 use super::kind::Kind;
 use super::levels::{Levels, Source, solid, surface};
+use super::number::Row;
 use super::roots::{Root, Roots};
+use super::rules::parts_of_face;
 use super::shapes::Shapes;
 use super::threads::in_threads;
 use crate::exact::{Rational, RealCyclotomic};
@@ -17,9 +19,8 @@ use crate::mesh::{
 use crate::solid::{HexMesh, MAX_POINTS, SolidError};
 use std::sync::OnceLock;
 
-/// A mesh as pieces.
-pub(super) struct Model {
-    pub(super) kind: Kind,
+/// A mesh or a solid as pieces.
+pub struct Model {
     pub(super) shapes: Shapes,
     pub(super) roots: Roots,
     pub(super) source: Source,
@@ -33,7 +34,9 @@ pub(super) struct Model {
     size: f64,
     terms: usize,
     /// The sizes of the pieces of level 1.
-    sizes: Vec<f64>,
+    pub(super) sizes: Vec<f64>,
+    /// The corners of the parts of a bilinear or flat piece.
+    pub(super) quarters: Vec<Vec<Row<f64>>>,
 }
 
 impl Model {
@@ -91,46 +94,19 @@ impl Model {
         rounded: Levels<Point<f64>>,
         (scale, size, terms): (Rational, f64, usize),
     ) -> Model {
-        let kind = match &source {
-            Source::Surface { scheme, .. } => Kind::Surface(*scheme),
-            Source::Solid(_) => Kind::Solid,
-        };
         let terms = terms.max(shapes.longest());
         let (exact, sizes) = (OnceLock::new(), Vec::new());
+        let quarters = parts_of_face(if shapes.kind.is_triangular() { 3 } else { 4 });
         let mut model =
-            Model { kind, shapes, roots, source, rounded, exact, scale, size, terms, sizes };
-        let judge = model.rounded_judge(&Rational::one());
+            Model { shapes, roots, source, rounded, exact, scale, size, terms, sizes, quarters };
+        let judge = model.rounded_judge_after(&Rational::one(), 0);
         model.sizes = in_threads(&model.roots.all, |root| {
             model.rounded_cell(root, 1).size(&model.shapes, &judge)
         });
         model
     }
 
-    /// The bound of each piece of level 1 for a level from 1 on, and all later ones.
-    pub(super) fn bounds(&self, level: u32) -> impl Iterator<Item = f64> + '_ {
-        let bound =
-            move |(root, size): (&Root, &f64)| self.shapes.get(root.shape).bound(*size, level - 1);
-        self.roots.all.iter().zip(&self.sizes).map(bound)
-    }
-
-    /// The pieces of level 1 with a greater bound than this, the greatest first; for level 0, all.
-    pub(super) fn above(&self, level: u32, threshold: f64) -> Vec<(f64, &Root)> {
-        let bounds: Vec<f64> = match level {
-            0 => vec![f64::INFINITY; self.roots.all.len()],
-            _ => self.bounds(level).collect(),
-        };
-        let pieces = bounds.into_iter().zip(&self.roots.all);
-        let mut above: Vec<(f64, &Root)> = pieces.filter(|(bound, _)| *bound > threshold).collect();
-        above.sort_by(|left, right| right.0.total_cmp(&left.0));
-        above
-    }
-
-    /// Lengths in f64.
-    pub(super) fn rounded_judge(&self, tolerance: &Rational) -> Rounded {
-        Rounded::new(&(tolerance / &self.scale), self.size, self.terms)
-    }
-
-    /// The same for the points of the levels after that many, counted from 0 again: the slack of level ℓ is at least
+    /// Lengths in f64, for the points of the levels after that many, counted from 0 again: the slack of level ℓ is at least
     /// that of level ℓ + `level`.
     pub(super) fn rounded_judge_after(&self, tolerance: &Rational, level: u32) -> Rounded {
         let size = self.size * f64::from(level + 1);
@@ -172,17 +148,10 @@ impl Model {
         let levels = self.exact.get_or_init(|| self.source.exact(self.rounded.refined.len()));
         Some(self.cell(root, level, levels.as_ref()?))
     }
-
-    /// A point in f64 as it is in the file.
-    pub(super) fn place(&self, point: &Point<f64>) -> Point<f64> {
-        let scale = nearest(&self.scale);
-        let origin = &self.source.points()[0];
-        [0, 1, 2].map(|i| point[i] * scale + nearest(&origin[i]))
-    }
 }
 
 /// The points in f64, the first one as the origin, in units of the scale.
-fn moved(points: &[Point<Rational>], scale: &Rational) -> Vec<Point<f64>> {
+pub(super) fn moved(points: &[Point<Rational>], scale: &Rational) -> Vec<Point<f64>> {
     let origin = &points[0];
     let moved =
         |point: &Point<Rational>| [0, 1, 2].map(|i| nearest(&(&(&point[i] - &origin[i]) / scale)));

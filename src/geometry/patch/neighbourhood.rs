@@ -1,5 +1,6 @@
 //! A piece of a surface with the faces around it.
 
+use super::number::index;
 use super::ring::{Corner, Corners, Ring};
 use crate::exact::Rational;
 use crate::mesh::{Connectivity, Creasing, Sharpness, Tags};
@@ -139,10 +140,10 @@ impl Unfolding<'_> {
     }
 
     fn describe(&self, ring: &[Met], open: bool, position: usize, key: &mut Vec<u32>) {
-        key.extend([u32::from(open), number(position), number(ring.len())]);
+        key.extend([u32::from(open), index(position), index(ring.len())]);
         key.extend(
             ring.iter()
-                .map(|&(slot, _)| number(self.connectivity.faces()[self.slots[slot].0].len())),
+                .map(|&(slot, _)| index(self.connectivity.faces()[self.slots[slot].0].len())),
         );
     }
 
@@ -226,7 +227,7 @@ impl Unfolding<'_> {
             if self.tags.creasing == Creasing::Chaikin && sharp.finite().is_some() {
                 let mut others = self.finite_at(corner.star.neighbours[place], &[edge]);
                 others.sort();
-                key.push(number(others.len()));
+                key.push(index(others.len()));
                 for other in others {
                     encode(Some(&Sharpness::Finite(other)), key);
                 }
@@ -319,10 +320,6 @@ impl Unfolding<'_> {
     }
 }
 
-fn number(n: usize) -> u32 {
-    u32::try_from(n).unwrap_or(u32::MAX)
-}
-
 /// A sharpness as part of a key.
 fn encode(sharp: Option<&Sharpness>, key: &mut Vec<u32>) {
     match sharp {
@@ -330,7 +327,7 @@ fn encode(sharp: Option<&Sharpness>, key: &mut Vec<u32>) {
         Some(Sharpness::Infinite) => key.push(1),
         Some(Sharpness::Finite(value)) => {
             let digits = value.to_string();
-            key.extend([2, number(digits.len())]);
+            key.extend([2, index(digits.len())]);
             key.extend(digits.bytes().map(u32::from));
         }
     }

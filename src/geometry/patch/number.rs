@@ -7,6 +7,11 @@ use crate::mesh::Point;
 /// A linear combination: weights of numbered points.
 pub(super) type Row<W> = Vec<(u32, W)>;
 
+/// The number of a point in a row.
+pub(super) fn index(point: usize) -> u32 {
+    u32::try_from(point).unwrap_or(u32::MAX)
+}
+
 /// A kind of number that weights are taken to.
 pub(super) trait Number: Scalar {
     /// This weight, or the nearest number of this kind.
@@ -36,7 +41,7 @@ impl Number for RealCyclotomic {
 /// What is combined: points, or functionals of points.
 pub(super) trait Vector: Clone {
     /// The weights.
-    type Weight: Number;
+    type Weight: Scalar;
     /// Σ w·p over the row.
     fn combination(row: &Row<Self::Weight>, points: &[Self]) -> Self;
     /// self − other.
@@ -45,32 +50,11 @@ pub(super) trait Vector: Clone {
     fn plus_times(&self, other: &Self, factor: &Self::Weight) -> Self;
 }
 
-/// Points in f64.
-impl Vector for Point<f64> {
-    type Weight = f64;
-    fn combination(row: &Row<f64>, points: &[Self]) -> Self {
-        let mut sum = [0.0; 3];
-        for (index, weight) in row {
-            let point = &points[*index as usize];
-            sum[0] += weight * point[0];
-            sum[1] += weight * point[1];
-            sum[2] += weight * point[2];
-        }
-        sum
-    }
-    fn minus(&self, other: &Self) -> Self {
-        [self[0] - other[0], self[1] - other[1], self[2] - other[2]]
-    }
-    fn plus_times(&self, other: &Self, factor: &f64) -> Self {
-        [0, 1, 2].map(|i| self[i] + factor * other[i])
-    }
-}
-
-/// Exact points.
-impl Vector for Point<RealCyclotomic> {
-    type Weight = RealCyclotomic;
-    fn combination(row: &Row<RealCyclotomic>, points: &[Self]) -> Self {
-        let mut sum: Self = std::array::from_fn(|_| RealCyclotomic::zero());
+/// Points.
+impl<S: Scalar> Vector for Point<S> {
+    type Weight = S;
+    fn combination(row: &Row<S>, points: &[Self]) -> Self {
+        let mut sum = [S::zero(), S::zero(), S::zero()];
         for (index, weight) in row {
             for (total, x) in sum.iter_mut().zip(&points[*index as usize]) {
                 total.accumulate(&weight.times(x));
@@ -78,11 +62,13 @@ impl Vector for Point<RealCyclotomic> {
         }
         sum
     }
+    // Differences are taken in the innermost loops of other modules.
+    #[inline]
     fn minus(&self, other: &Self) -> Self {
-        std::array::from_fn(|i| Scalar::minus(&self[i], &other[i]))
+        [self[0].minus(&other[0]), self[1].minus(&other[1]), self[2].minus(&other[2])]
     }
-    fn plus_times(&self, other: &Self, factor: &RealCyclotomic) -> Self {
-        std::array::from_fn(|i| self[i].plus(&other[i].times(factor)))
+    fn plus_times(&self, other: &Self, factor: &S) -> Self {
+        [0, 1, 2].map(|i| self[i].plus(&other[i].times(factor)))
     }
 }
 
@@ -115,4 +101,16 @@ where
     V::Weight: 'a,
 {
     rows.into_iter().map(|row| V::combination(row, points)).collect()
+}
+
+/// Their mean.
+pub(super) fn mean(points: &[Point<f64>]) -> Point<f64> {
+    let count = f64::from(u32::try_from(points.len()).unwrap_or(u32::MAX));
+    [0, 1, 2].map(|i| points.iter().map(|point| point[i]).sum::<f64>() / count)
+}
+
+/// |p − q|².
+pub(super) fn squared(p: &Point<f64>, q: &Point<f64>) -> f64 {
+    let [x, y, z] = [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+    x * x + y * y + z * z
 }

@@ -3,7 +3,7 @@
 //! At a smooth boundary points are added outside, which the rules of the boundary continue:
 //! 2v − e for Catmull–Clark, v + w − a for Loop (`proofs/THEOREMS.md`, 92).
 
-use super::number::{Number, Row};
+use super::number::{Number, Row, index};
 use crate::exact::Rational;
 use crate::mesh::{Connectivity, MeshScheme, Star};
 use std::collections::BTreeMap;
@@ -62,8 +62,8 @@ pub(super) fn number<W: Number>(p: i64, q: i64) -> W {
     W::from_rational(&Rational::new(p, q))
 }
 
-fn one<W: Number>(index: usize) -> Row<W> {
-    vec![(u32::try_from(index).unwrap_or(u32::MAX), number(1, 1))]
+fn one<W: Number>(point: usize) -> Row<W> {
+    vec![(index(point), number(1, 1))]
 }
 
 impl<W: Number> Layout<W> {

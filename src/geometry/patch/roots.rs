@@ -2,7 +2,7 @@
 
 use super::cell::Cell;
 use super::neighbourhood::{Neighbourhood, Piece};
-use super::number::{Number, Row, Vector};
+use super::number::{Number, Row, Vector, index};
 use super::rules::{parts_of_face, quadrilaterals_of_face};
 use super::shapes::Shapes;
 use crate::mesh::{Connectivity, MeshError, MeshScheme, PolygonMesh};
@@ -57,8 +57,7 @@ impl Roots {
                 return Err(MeshError::TooMuch { reason });
             }
             let first = roots.points.len();
-            let number = |point: &usize| u32::try_from(*point).unwrap_or(u32::MAX);
-            roots.points.extend(neighbourhood.points.iter().map(number));
+            roots.points.extend(neighbourhood.points.iter().map(|&point| index(point)));
             roots.all.push(Root { face, part, shape, first });
         }
         Ok(roots)

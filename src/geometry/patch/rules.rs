@@ -3,7 +3,7 @@
 use super::bezier::Bezier;
 use super::hexes::Across;
 use super::neighbourhood::{Neighbourhood, Piece};
-use super::number::{Number, Row};
+use super::number::{Number, Row, index};
 use super::regular::{Bends, Layout, from_first, weighted};
 use crate::exact::{Rational, RealCyclotomic, Scalar};
 use crate::mesh::{
@@ -86,27 +86,6 @@ impl Local {
         step_with(&mesh, self.scheme, &self.stencils.map(S::of)).expect("a small mesh")
     }
 
-    /// The rows of these points of the next level.
-    fn rows<S: Number>(&self, wanted: &[usize]) -> Vec<Row<S>> {
-        let count = self.mesh.points().len();
-        let mut rows: Vec<Row<S>> = vec![Vec::new(); wanted.len()];
-        // Three unit vectors at a time, as the coordinates of points.
-        for first in (0..count).step_by(3) {
-            let unit = |point: usize| -> Point<S> {
-                [0, 1, 2].map(|i| S::from_rational(&Rational::from(i64::from(point == first + i))))
-            };
-            let refined = self.step((0..count).map(unit).collect());
-            for (row, &point) in rows.iter_mut().zip(wanted) {
-                for (i, weight) in (0_u32..).zip(&refined.points()[point]) {
-                    if !weight.vanishes() {
-                        row.push((u32::try_from(first).unwrap_or(u32::MAX) + i, weight.clone()));
-                    }
-                }
-            }
-        }
-        rows
-    }
-
     /// The weights, where the parts need these points of the next level.
     pub(super) fn rules<W: Number>(&self, wanted: &[usize]) -> Rules<W> {
         let corners = self.mesh.faces()[0].len();
@@ -114,7 +93,8 @@ impl Local {
         let layout = plain.then(|| Layout::of(self.scheme, self.mesh.connectivity(), corners));
         let layout = layout.flatten();
         let regular = layout.map(|layout| (layout.bezier(), layout.bends()));
-        let refined = self.rows(wanted);
+        let refined =
+            rows(self.mesh.points().len(), wanted, |units| self.step(units).points().to_vec());
         if self.scheme == MeshScheme::DooSabin {
             let star = from_first(self.mesh.connectivity(), 0);
             let around = Around { connectivity: self.mesh.connectivity(), star: &star };
@@ -141,15 +121,38 @@ impl Local {
         for (point, weight) in weights.expect("a small mesh") {
             row.entry(point).and_modify(|sum| sum.accumulate(&weight)).or_insert(weight);
         }
-        let index = |point: usize| u32::try_from(point).unwrap_or(u32::MAX);
         row.into_iter().map(|(point, weight)| (index(point), W::of(&weight))).collect()
     }
 }
 
+/// The rows of these points of the next level, which `refine` makes of `count` points.
+pub(super) fn rows<S: Number>(
+    count: usize,
+    wanted: &[usize],
+    refine: impl Fn(Vec<Point<S>>) -> Vec<Point<S>>,
+) -> Vec<Row<S>> {
+    let mut rows: Vec<Row<S>> = vec![Vec::new(); wanted.len()];
+    // Three unit vectors at a time, as the coordinates of points.
+    for first in (0..count).step_by(3) {
+        let unit = |point: usize| -> Point<S> {
+            [0, 1, 2].map(|i| S::from_rational(&Rational::from(i64::from(point == first + i))))
+        };
+        let refined = refine((0..count).map(unit).collect());
+        for (row, &point) in rows.iter_mut().zip(wanted) {
+            for (i, weight) in (first..).zip(&refined[point]) {
+                if !weight.vanishes() {
+                    row.push((index(i), weight.clone()));
+                }
+            }
+        }
+    }
+    rows
+}
+
 /// The mean of these points.
-fn mean_of<W: Number>(points: &[usize]) -> Row<W> {
+pub(super) fn mean_of<W: Number>(points: &[usize]) -> Row<W> {
     let share = Rational::new(1, points.len());
-    let row = |&point: &usize| (u32::try_from(point).unwrap_or(u32::MAX), W::from_rational(&share));
+    let row = |&point: &usize| (index(point), W::from_rational(&share));
     let single: Vec<Row<W>> = points.iter().map(|point| vec![row(point)]).collect();
     let one = W::from_rational(&Rational::one());
     weighted(&single.iter().map(|row| (one.clone(), row)).collect::<Vec<_>>())

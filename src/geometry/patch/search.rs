@@ -1,60 +1,30 @@
 //! Whether the polygons of a level are within a tolerance of the limit, and how far they are.
 
 use super::cell::{Cell, Known};
+use super::far::{Place, Verdict};
 use super::judge::{Judge, Points};
-use super::kind::Kind;
 use super::shapes::Shapes;
+use super::surface::PieceSearch;
 use crate::exact::{Rational, Scalar as _};
 
 /// The highest level of pieces.
 pub(super) const MAX_PIECE_LEVEL: u32 = 64;
 
-/// A place where the limit is far away.
-#[derive(Clone, Debug)]
-pub(super) struct Place<V> {
-    /// The level of the piece, and its path.
-    pub(super) level: u32,
-    pub(super) path: u128,
-    pub(super) limit: V,
-    pub(super) polygon: V,
-}
-
-impl<V> Place<V> {
-    fn of(cell: &Cell<V>, known: Known<V>) -> Place<V> {
-        let Known { limit, polygon, .. } = known;
-        Place { level: cell.level, path: cell.path, limit, polygon }
-    }
-}
-
-/// Whether a piece is within the tolerance.
-pub(super) enum Verdict<V> {
-    Within,
-    Beyond(Place<V>),
-    /// Too near to call, or too much work.
-    Open,
-}
-
 /// The search in one piece of level 1 after another, for the polygons of one level.
 pub(super) struct Search<'a, V: Points, J> {
-    pub(super) shapes: &'a Shapes,
-    pub(super) judge: &'a J,
+    shapes: &'a Shapes,
+    judge: &'a J,
     /// The level of the polygons.
-    pub(super) level: u32,
+    level: u32,
     /// How many pieces may still be looked at.
-    pub(super) steps: u64,
+    steps: u64,
     factors: [V::Weight; 2],
 }
 
 impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
-    pub(super) fn new(
-        shapes: &'a Shapes,
-        kind: Kind,
-        judge: &'a J,
-        level: u32,
-        steps: u64,
-    ) -> Self {
+    pub(super) fn new(shapes: &'a Shapes, judge: &'a J, level: u32, steps: u64) -> Self {
         // (1 − u)³ + u³ is from 1/4 to 1, and (1/2 − u)²·4 from 0 to 1.
-        let least = Rational::new(i64::from(kind.is_cubic()), 4);
+        let least = Rational::new(i64::from(shapes.kind.is_cubic()), 4);
         let factors = [Rational::one(), least].map(|x| V::Weight::from_rational(&x));
         Search { shapes, judge, level, steps, factors }
     }
@@ -102,9 +72,20 @@ impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
         stack.extend(parts);
         0.0
     }
+}
 
-    /// Whether a piece is within the tolerance.
-    pub(super) fn examine(&mut self, piece: Cell<V>) -> Verdict<V> {
+fn place<V>(cell: &Cell<V>, known: Known<V>) -> Place<u128, V> {
+    let Known { limit, polygon, .. } = known;
+    Place { level: cell.level, at: cell.path, limit, polygon }
+}
+
+/// Where a place is is the path to its piece.
+impl<V: Points, J: Judge<V>> PieceSearch<Cell<V>, Place<u128, V>> for Search<'_, V, J> {
+    fn left(&self) -> u64 {
+        self.steps
+    }
+
+    fn examine(&mut self, piece: Cell<V>) -> Verdict<Place<u128, V>> {
         let mut open = false;
         let tolerance = self.judge.tolerance();
         if tolerance < self.judge.floor() {
@@ -128,7 +109,7 @@ impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
                 cell = begun;
             }
             match cell.known(self.shapes, self.judge) {
-                Some(known) if known.beyond => return Verdict::Beyond(Place::of(&cell, known)),
+                Some(known) if known.beyond => return Verdict::Beyond(place(&cell, known)),
                 Some(known) if known.within => {}
                 _ if cell.level >= MAX_PIECE_LEVEL.min(self.level + EXTRA_LEVELS) => open = true,
                 _ => {
@@ -139,14 +120,12 @@ impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
         if open { Verdict::Open } else { Verdict::Within }
     }
 
-    /// The distance on a piece where it exceeds `best`, which is raised to the greatest lower bound
-    /// found; the result is an upper bound, at most `best`·(1 + `width`) where the steps allow.
-    pub(super) fn measure(
+    fn measure(
         &mut self,
         piece: Cell<V>,
         width: f64,
         best: &mut f64,
-        place: &mut Option<Place<V>>,
+        at: &mut Option<Place<u128, V>>,
     ) -> f64 {
         let mut upper = 0.0_f64;
         let mut stack = vec![self.sized(piece)];
@@ -171,7 +150,7 @@ impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
             let bound = known.upper;
             if known.lower > *best {
                 *best = known.lower;
-                *place = Some(Place::of(&cell, known));
+                *at = Some(place(&cell, known));
             }
             if bound <= enough.max(*best * (1.0 + width)) || stop {
                 upper = upper.max(bound);

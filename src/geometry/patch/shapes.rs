@@ -11,7 +11,7 @@ use std::sync::OnceLock;
 
 /// All shapes that have been met.
 pub(super) struct Shapes {
-    kind: Kind,
+    pub(super) kind: Kind,
     known: HashMap<Vec<u32>, usize>,
     all: Vec<Shape>,
 }

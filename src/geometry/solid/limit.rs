@@ -2,8 +2,8 @@
 
 use super::complex::Complex;
 use super::hexes::HexMesh;
-use crate::exact::{Rational, Scalar};
-use crate::mesh::Point;
+use crate::exact::Rational;
+use crate::mesh::{Point, combination};
 
 /// The limit point of every vertex of a hexahedral mesh under Bajaj's scheme.
 ///
@@ -28,13 +28,7 @@ use crate::mesh::Point;
 #[must_use]
 pub fn solid_limit_points(mesh: &HexMesh<Rational>) -> Vec<Point<Rational>> {
     let point = |row: Vec<(usize, Rational)>| {
-        let mut sum: Point<Rational> = std::array::from_fn(|_| Rational::zero());
-        for (point, weight) in row {
-            for (total, x) in sum.iter_mut().zip(&mesh.points()[point]) {
-                total.accumulate(&weight.times(x));
-            }
-        }
-        sum
+        combination(row.iter().map(|(point, weight)| (weight, &mesh.points()[*point])))
     };
     let vertices: Vec<usize> = (0..mesh.points().len()).collect();
     limit_rows(mesh.complex(), &vertices).into_iter().map(point).collect()

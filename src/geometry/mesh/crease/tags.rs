@@ -196,18 +196,21 @@ impl Tags {
     /// boundary vertex some boundary edge of which is not infinitely sharp by itself.
     #[must_use]
     pub fn holes(&self, connectivity: &Connectivity) -> BTreeSet<usize> {
-        let mut holes = self.holes.clone();
-        if self.boundary == Boundary::None {
-            for vertex in 0..connectivity.point_count() {
-                let star = connectivity.star(vertex);
-                let own = |edge: &usize| self.edges.get(edge) == Some(&Sharpness::Infinite);
-                let (first, last) = (star.edges[0], star.edges[star.edges.len() - 1]);
-                if star.boundary && !(own(&first) && own(&last)) {
-                    holes.extend(&star.faces);
-                }
-            }
-        }
-        holes
+        let faces = 0..connectivity.faces().len();
+        faces.filter(|face| self.is_hole(connectivity, *face)).collect()
+    }
+
+    /// Whether a face is a hole.
+    pub(in crate::mesh) fn is_hole(&self, connectivity: &Connectivity, face: usize) -> bool {
+        let opens = |&vertex: &usize| {
+            let star = connectivity.star(vertex);
+            let ends = [star.edges[0], star.edges[star.edges.len() - 1]];
+            let own = |edge: &usize| self.edges.get(edge) == Some(&Sharpness::Infinite);
+            star.boundary && !ends.iter().all(own)
+        };
+        let vertices = &connectivity.faces()[face];
+        self.holes.contains(&face)
+            || (self.boundary == Boundary::None && vertices.iter().any(opens))
     }
 
     /// Gives a vertex at the boundary of a part of a mesh the finite sharpness of the edges at it that the part does not

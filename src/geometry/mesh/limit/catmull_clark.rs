@@ -1,16 +1,14 @@
 //! Catmull–Clark, and the rules that differ from it in the weights of vertices.
 
-use super::super::crease::VertexMask;
 use super::super::error::MeshError;
-use super::super::field::inner_valences;
 use super::super::point::{Point, combination, sum};
 use super::super::polygon::PolygonMesh;
 use super::super::refine::refine_mesh;
 use super::super::scheme::MeshScheme;
 use super::super::star::Star;
 use super::super::stencil::Stencils;
-use super::weights::{bicubic, dart_edge, position, settled_weights};
-use super::{LimitPoint, Normal, at_vertex, circular, cosine, sharp_limit};
+use super::weights::bicubic;
+use super::{LimitPoint, Normal, circular, cosine, of_first};
 use crate::exact::{RealCyclotomic, Scalar};
 
 pub(super) fn limits(
@@ -18,20 +16,11 @@ pub(super) fn limits(
     scheme: MeshScheme,
 ) -> Result<Vec<Option<LimitPoint>>, MeshError> {
     let count = mesh.points().len();
-    let valences = inner_valences(mesh.connectivity()).map(|(_, n)| n);
-    let stencils = Stencils::new(scheme, valences);
-    let all = |mesh: &PolygonMesh<RealCyclotomic>| {
-        let limit =
-            |mesh: &_, vertex, star: &_, mask: &_| limit(mesh, vertex, star, mask, &stencils);
-        (0..count)
-            .map(|vertex| at_vertex(mesh, vertex, scheme, limit))
-            .collect::<Result<Vec<_>, _>>()
-    };
     if mesh.faces().iter().all(|face| face.len() == 4) {
-        return all(mesh);
+        return of_first(mesh, count, scheme);
     }
     // A refinement has quadrilaterals only, moves no limit, and keeps the numbers of the vertices.
-    let mut limits = all(&refine_mesh(mesh, scheme, 1)?)?;
+    let mut limits = of_first(&refine_mesh(mesh, scheme, 1)?, count, scheme)?;
     // Its faces are parts of those of the mesh.
     let sizes = mesh.faces().iter().enumerate();
     let parents: Vec<usize> =
@@ -42,22 +31,13 @@ pub(super) fn limits(
     Ok(limits)
 }
 
-/// The limit point of a vertex of a mesh of quadrilaterals, whose sharp edges are infinitely sharp.
-fn limit(
+/// The limit and the normal of a vertex between quadrilaterals without sharp edges.
+pub(super) fn smooth(
     mesh: &PolygonMesh<RealCyclotomic>,
     vertex: usize,
     star: &Star,
-    mask: &VertexMask,
     stencils: &Stencils,
-) -> LimitPoint {
-    if *mask != VertexMask::Smooth {
-        return sharp_limit(mesh, vertex, star, mask, true);
-    }
-    if dart_edge(mesh, star).is_some() {
-        let weights = settled_weights(mesh, vertex, star, mask, MeshScheme::CatmullClark, stencils);
-        let position = position(mesh, &weights);
-        return LimitPoint { position, normal: None, sectors: Vec::new() };
-    }
+) -> (Point<RealCyclotomic>, Option<Normal>) {
     let ring = Ring {
         vertex: &mesh.points()[vertex],
         edges: star.neighbours.iter().map(|&v| &mesh.points()[v]).collect(),
@@ -68,8 +48,7 @@ fn limit(
             .map(|(&face, &corner)| &mesh.points()[mesh.faces()[face][(corner + 2) % 4]])
             .collect(),
     };
-    let position = ring.position(stencils.of(ring.faces.len()));
-    LimitPoint { position, normal: ring.normal(), sectors: Vec::new() }
+    (ring.position(stencils.of(ring.faces.len())), ring.normal())
 }
 
 /// The points around a vertex; face point i is between the edge points i and i + 1.

@@ -12,15 +12,16 @@ mod weights;
 pub use normal::{Normal, Tangents};
 pub use sector::Sector;
 pub(crate) use weights::limit_weights;
-use weights::{position, sharp_weights};
+use weights::{dart_edge, position, settled_weights, sharp_weights};
 
 use super::crease::VertexMask;
 use super::error::MeshError;
-use super::field::{check_field, check_rules, check_tags};
+use super::field::{check_field, check_rules, check_tags, inner_valences};
 use super::point::{Point, combination};
 use super::polygon::PolygonMesh;
 use super::scheme::MeshScheme;
 use super::star::Star;
+use super::stencil::Stencils;
 use crate::exact::{Rational, RealCyclotomic};
 
 /// The limit of a vertex of a mesh.
@@ -80,38 +81,41 @@ pub fn limit_points(
     check_rules(mesh.connectivity(), scheme)?;
     check_tags(mesh, scheme)?;
     check_field(mesh.connectivity(), mesh.points(), scheme, true, mesh.points().len())?;
-    let scheme_limits = match scheme {
-        MeshScheme::CatmullClark | MeshScheme::Bajaj => {
-            return catmull_clark::limits(mesh, scheme);
-        }
-        MeshScheme::DooSabin => return doo_sabin::limits(mesh),
-        MeshScheme::Loop | MeshScheme::LoopWarren => loops::Limits::new(mesh, scheme),
-    };
-    (0..mesh.points().len())
-        .map(|vertex| {
-            at_vertex(mesh, vertex, scheme, |mesh, vertex, star, mask| {
-                scheme_limits.limit(mesh, vertex, star, mask)
-            })
-        })
-        .collect()
+    match scheme {
+        MeshScheme::CatmullClark | MeshScheme::Bajaj => catmull_clark::limits(mesh, scheme),
+        MeshScheme::DooSabin => doo_sabin::limits(mesh),
+        MeshScheme::Loop | MeshScheme::LoopWarren => of_first(mesh, mesh.points().len(), scheme),
+    }
 }
 
-/// The limit of a vertex by `limit`, after refinement around it where a sharpness falls there.
+/// The limits of the first vertices of a mesh of triangles or of quadrilaterals.
+fn of_first(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    count: usize,
+    scheme: MeshScheme,
+) -> Result<Vec<Option<LimitPoint>>, MeshError> {
+    let valences = inner_valences(mesh.connectivity()).filter(|(vertex, _)| *vertex < count);
+    let stencils = Stencils::new(scheme, valences.map(|(_, n)| n));
+    let limit = |vertex| at_vertex(mesh, vertex, scheme, &stencils).map(Some);
+    (0..count).map(limit).collect()
+}
+
+/// The limit of a vertex, after refinement around it where a sharpness falls there.
 fn at_vertex(
     mesh: &PolygonMesh<RealCyclotomic>,
     vertex: usize,
     scheme: MeshScheme,
-    limit: impl Fn(&PolygonMesh<RealCyclotomic>, usize, &Star, &VertexMask) -> LimitPoint,
-) -> Result<Option<LimitPoint>, MeshError> {
+    stencils: &Stencils,
+) -> Result<LimitPoint, MeshError> {
     let star = mesh.connectivity().star(vertex);
     if !settle::falls(mesh, vertex, &star) {
         let mask = mesh.tags().vertex_mask(mesh.connectivity(), vertex, &star);
-        return Ok(Some(limit(mesh, vertex, &star, &mask)));
+        return Ok(settled_limit(mesh, vertex, &star, &mask, (scheme, stencils)));
     }
     let (part, at) = settle::settled(mesh, vertex, scheme)?;
     let own = part.connectivity().star(at);
     let mask = part.tags().vertex_mask(part.connectivity(), at, &own);
-    let mut limit = limit(&part, at, &own, &mask);
+    let mut limit = settled_limit(&part, at, &own, &mask, (scheme, stencils));
     // The faces of a part have other numbers. Its star begins at another face where all is smooth.
     let ends: Vec<usize> = own.faces.clone();
     for sector in &mut limit.sectors {
@@ -120,7 +124,29 @@ fn at_vertex(
             *face = star.faces[place % star.faces.len()];
         }
     }
-    Ok(Some(limit))
+    Ok(limit)
+}
+
+/// The limit of a vertex whose sharp edges are infinitely sharp.
+fn settled_limit(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    vertex: usize,
+    star: &Star,
+    mask: &VertexMask,
+    (scheme, stencils): (MeshScheme, &Stencils),
+) -> LimitPoint {
+    if *mask != VertexMask::Smooth {
+        return sharp_limit(mesh, vertex, star, mask, !scheme.is_triangular());
+    }
+    let (position, normal) = if dart_edge(mesh, star).is_some() {
+        let weights = settled_weights(mesh, vertex, star, mask, scheme, stencils);
+        (position(mesh, &weights), None)
+    } else if scheme.is_triangular() {
+        loops::smooth(mesh, vertex, star, stencils)
+    } else {
+        catmull_clark::smooth(mesh, vertex, star, stencils)
+    };
+    LimitPoint { position, normal, sectors: Vec::new() }
 }
 
 /// The position and the sectors of a vertex that is not smooth.

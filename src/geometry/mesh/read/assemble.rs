@@ -16,6 +16,36 @@ use std::sync::Arc;
 /// The most binary digits of a numerator, and of the common denominator of all coordinates.
 const MAX_BITS: u64 = 4_096;
 
+/// The common denominator of all coordinates that have been read.
+pub(crate) struct Denominator(Integer);
+
+impl Denominator {
+    pub(crate) fn new() -> Denominator {
+        Denominator(Integer::one())
+    }
+
+    /// Takes in a point, which stands at a place.
+    pub(crate) fn take(
+        &mut self,
+        point: &Point<Rational>,
+        source: &Arc<SourceText>,
+        place: &Range<usize>,
+    ) -> Result<(), Diagnostic> {
+        for x in point {
+            self.0 = self.0.lcm(&x.denominator());
+            if x.numerator().bits().max(self.0.bits()) > MAX_BITS {
+                let message = format!(
+                    "with this point a numerator or the common denominator of the coordinates has \
+                     more than {MAX_BITS} binary digits"
+                );
+                return Err(Diagnostic::new(source, place.clone(), message)
+                    .with_help("round the coordinates"));
+            }
+        }
+        Ok(())
+    }
+}
+
 /// The most vertices of all faces together.
 pub(super) const MAX_CORNERS: usize = 4 * MAX_POINTS;
 
@@ -24,7 +54,7 @@ pub(crate) struct Parts {
     points: Vec<Point<Rational>>,
     faces: Vec<Vec<usize>>,
     places: Places,
-    denominator: Integer,
+    denominator: Denominator,
     corners: usize,
     /// What the file says besides points and faces.
     pub(crate) extras: Extras,
@@ -65,7 +95,7 @@ impl Parts {
     pub(crate) fn new(source: &Arc<SourceText>, base: usize) -> Parts {
         let source = Arc::clone(source);
         let places = Places { source, points: Vec::new(), faces: Vec::new(), base };
-        let (points, faces, denominator) = (Vec::new(), Vec::new(), Integer::one());
+        let (points, faces, denominator) = (Vec::new(), Vec::new(), Denominator::new());
         Parts { points, faces, places, denominator, corners: 0, extras: Extras::default() }
     }
 
@@ -86,17 +116,7 @@ impl Parts {
         if self.points.len() == MAX_POINTS {
             return Err(self.too_many(place, "points", MAX_POINTS));
         }
-        for x in &point {
-            self.denominator = self.denominator.lcm(&x.denominator());
-            if x.numerator().bits().max(self.denominator.bits()) > MAX_BITS {
-                let message = format!(
-                    "with this point a numerator or the common denominator of the coordinates has \
-                     more than {MAX_BITS} binary digits"
-                );
-                return Err(Diagnostic::new(&self.places.source, place, message)
-                    .with_help("round the coordinates"));
-            }
-        }
+        self.denominator.take(&point, &self.places.source, &place)?;
         self.points.push(point);
         self.places.points.push(place);
         Ok(())

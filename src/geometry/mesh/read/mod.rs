@@ -13,7 +13,7 @@ mod usd_tokens;
 mod vtk;
 mod words;
 
-pub(crate) use assemble::Parts;
+pub(crate) use assemble::{Denominator, Parts};
 pub(crate) use lines::{Word, parse_coordinate};
 pub(crate) use vtk::{Cell, vtk_header, vtk_lists, vtk_points};
 pub(crate) use words::Words;

@@ -212,15 +212,12 @@ impl Reader<'_> {
         let mut end = line;
         if self.is(b'=') {
             self.at += 1;
-            let value = self.bracketed(b'[', b']')?;
-            let value = match value {
-                Some(value) => Some(value),
-                None => self.bracketed(b'(', b')')?,
-            };
-            let value = match value {
-                Some(value) => Some(value),
-                None => self.bracketed(b'{', b'}')?,
-            };
+            let mut value = None;
+            for [open, close] in [b"[]", b"()", b"{}"] {
+                if value.is_none() {
+                    value = self.bracketed(*open, *close)?;
+                }
+            }
             field.value = if let Some(value) = value {
                 value
             } else {

@@ -6,14 +6,11 @@ mod json;
 use super::error::NetError;
 use super::grid::{Closed, Net};
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::exact::{Integer, Rational};
-use crate::mesh::{MAX_POINTS, Point, parse_coordinate};
+use crate::exact::Rational;
+use crate::mesh::{Denominator, MAX_POINTS, Point, parse_coordinate};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
-
-/// The most binary digits of a numerator, and of the common denominator of all coordinates.
-const MAX_BITS: u64 = 4_096;
 
 /// The forms of net files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,12 +89,12 @@ struct Parts<'a> {
     first: Option<(usize, Range<usize>)>,
     /// How many the current one has.
     row: usize,
-    denominator: Integer,
+    denominator: Denominator,
 }
 
 impl<'a> Parts<'a> {
     fn new(source: &'a Arc<SourceText>) -> Parts<'a> {
-        Parts { source, points: Vec::new(), first: None, row: 0, denominator: Integer::one() }
+        Parts { source, points: Vec::new(), first: None, row: 0, denominator: Denominator::new() }
     }
 
     fn wrong(&self, place: Range<usize>, message: impl Into<String>) -> Diagnostic {
@@ -115,16 +112,7 @@ impl<'a> Parts<'a> {
             let message = format!("more than {MAX_POINTS} points; take a smaller net");
             return Err(self.wrong(place, message));
         }
-        for x in &point {
-            self.denominator = self.denominator.lcm(&x.denominator());
-            if x.numerator().bits().max(self.denominator.bits()) > MAX_BITS {
-                let message = format!(
-                    "with this point a numerator or the common denominator of the coordinates has \
-                     more than {MAX_BITS} binary digits"
-                );
-                return Err(self.wrong(place, message).with_help("round the coordinates"));
-            }
-        }
+        self.denominator.take(&point, self.source, &place)?;
         self.points.push(point);
         self.row += 1;
         Ok(())

@@ -1,6 +1,6 @@
 //! One level: whether its polygon and the curve are within the tolerance (`proofs/THEOREMS.md`, 165).
 
-use super::super::geometric::SetKind;
+use super::super::geometric::{Nearness, SetKind};
 use super::cells::Name;
 use super::find::{Finder, Found, Set, between, distance};
 use std::collections::BTreeSet;
@@ -21,12 +21,7 @@ const MORE_PIECES: u32 = 6;
 const MAX_OPEN: usize = 1 << 18;
 
 /// What is known of a level.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Known {
-    Near,
-    Far(Far),
-    Open,
-}
+pub(super) type Known = Nearness<Far>;
 
 /// A point that is far from the other set.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,10 +1,10 @@
 //! Whether the two parts of a unit are near the other set (`proofs/THEOREMS.md`, 161 and 162).
 
-use super::super::number::Vector as _;
+use super::super::number::{Vector as _, squared};
 use super::node::Nodes;
 use super::patch::{Patch, ball, cross, dot, length, unit};
 use super::pieces::{Hull, Units};
-use super::place::SetKind;
+use super::place::{Nearness, SetKind};
 use super::scene::{Ring, Scene};
 use super::shadow::Direction;
 use crate::mesh::Point;
@@ -27,14 +27,6 @@ pub(in crate::patch) struct FarPoint {
     pub(in crate::patch) other: Point<f64>,
 }
 
-/// Whether a unit is near the other set, with both of its parts.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::patch) enum Nearness {
-    Near,
-    Far(FarPoint),
-    Open,
-}
-
 /// The search on one unit. `is_far` says whether a point of a set is surely beyond the tolerance from the other
 /// set, all of it.
 pub(super) struct Cover<'a, P: Units, F> {
@@ -55,7 +47,7 @@ pub(super) struct Cover<'a, P: Units, F> {
 
 impl<'a, P: Units, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, P, F> {
     /// Looks at one unit.
-    pub(super) fn unit(scene: &'a Scene<P>, unit: usize, is_far: &'a F) -> Nearness {
+    pub(super) fn unit(scene: &'a Scene<P>, unit: usize, is_far: &'a F) -> Nearness<FarPoint> {
         if scene.is_near_by_parameter(unit) {
             return Nearness::Near;
         }
@@ -63,21 +55,9 @@ impl<'a, P: Units, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, P, F> {
         if cover.direction.is_none() {
             cover = Cover::around(scene, unit, is_far, 4);
         }
-        let mut result = Nearness::Near;
-        let own = cover.roots[0];
-        match cover.limit(own, 0) {
-            Nearness::Near => {}
-            Nearness::Open => result = Nearness::Open,
-            far @ Nearness::Far(_) => return far,
-        }
-        for patch in scene.units[unit].patches.clone() {
-            match cover.mesh(&patch, 0) {
-                Nearness::Near => {}
-                Nearness::Open => result = Nearness::Open,
-                far @ Nearness::Far(_) => return far,
-            }
-        }
-        result
+        let limit = cover.limit(cover.roots[0], 0);
+        let patches = scene.units[unit].patches.iter();
+        Nearness::all(std::iter::once(limit).chain(patches.map(|patch| cover.mesh(patch, 0))))
     }
 
     fn around(scene: &'a Scene<P>, unit: usize, is_far: &'a F, steps: usize) -> Self {
@@ -113,7 +93,7 @@ impl<'a, P: Units, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, P, F> {
     }
 
     /// Whether a piece of the limit is near the mesh.
-    fn limit(&mut self, node: usize, divisions: u32) -> Nearness {
+    fn limit(&mut self, node: usize, divisions: u32) -> Nearness<FarPoint> {
         let own = self.direction;
         if own.is_some_and(|direction| self.is_over_mesh(node, &direction))
             || self.is_near_patch(node)
@@ -135,20 +115,22 @@ impl<'a, P: Units, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, P, F> {
         if divisions == MAX_DIVISIONS || self.pairs == 0 {
             return Nearness::Open;
         }
-        let mut result = Nearness::Near;
-        for part in self.nodes.parts(node) {
-            match self.limit(part, divisions + 1) {
-                Nearness::Near => {}
-                Nearness::Open => {
-                    result = Nearness::Open;
-                    if self.pairs == 0 {
-                        break;
-                    }
-                }
-                far @ Nearness::Far(_) => return far,
-            }
-        }
-        result
+        let parts = self.nodes.parts(node);
+        self.all(parts, |cover, part| cover.limit(part, divisions + 1))
+    }
+
+    /// Whether all these parts are near; they are looked at while pairs are left.
+    fn all<T>(
+        &mut self,
+        parts: impl IntoIterator<Item = T>,
+        look: impl Fn(&mut Self, T) -> Nearness<FarPoint>,
+    ) -> Nearness<FarPoint> {
+        let mut ended = false;
+        Nearness::all(parts.into_iter().map_while(|part| {
+            let found = (!ended).then(|| look(self, part));
+            ended = self.pairs == 0 && matches!(found, Some(Nearness::Open));
+            found
+        }))
     }
 
     fn tries(&mut self, point: &Point<f64>, from: SetKind) -> bool {
@@ -156,7 +138,7 @@ impl<'a, P: Units, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, P, F> {
         self.tried <= MAX_TRIED && (self.is_far)(point, from)
     }
 
-    fn far(&self, from: SetKind, point: Point<f64>, other: Point<f64>) -> Nearness {
+    fn far(&self, from: SetKind, point: Point<f64>, other: Point<f64>) -> Nearness<FarPoint> {
         Nearness::Far(FarPoint { unit: self.unit, from, point, other })
     }
 
@@ -205,12 +187,11 @@ impl<'a, P: Units, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, P, F> {
 
     fn near_on_mesh(&self, point: &Point<f64>) -> Point<f64> {
         let near = self.patches.iter().map(|patch| patch.near(point));
-        let squared = |other: &Point<f64>| dot(&other.minus(point), &other.minus(point));
-        near.min_by(|left, right| squared(left).total_cmp(&squared(right))).unwrap_or(*point)
+        near.min_by(|x, y| squared(x, point).total_cmp(&squared(y, point))).unwrap_or(*point)
     }
 
     /// Whether a patch is near the limit.
-    fn mesh(&mut self, patch: &Patch, divisions: u32) -> Nearness {
+    fn mesh(&mut self, patch: &Patch, divisions: u32) -> Nearness<FarPoint> {
         let mut failed = self.roots[0];
         if let Some(direction) = self.direction {
             match self.is_over_limit(patch, &direction) {
@@ -241,20 +222,7 @@ impl<'a, P: Units, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, P, F> {
         if divisions == MAX_DIVISIONS || self.pairs == 0 {
             return Nearness::Open;
         }
-        let mut result = Nearness::Near;
-        for part in patch.parts() {
-            match self.mesh(&part, divisions + 1) {
-                Nearness::Near => {}
-                Nearness::Open => {
-                    result = Nearness::Open;
-                    if self.pairs == 0 {
-                        break;
-                    }
-                }
-                far @ Nearness::Far(_) => return far,
-            }
-        }
-        result
+        self.all(patch.parts(), |cover, part| cover.mesh(&part, divisions + 1))
     }
 
     /// 161 for a patch under the limit of the ring; else a piece that keeps it from holding.
@@ -343,8 +311,8 @@ impl<'a, P: Units, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, P, F> {
 pub(super) fn reach(point: &Point<f64>, hull: &Hull, centre: &Point<f64>, radius: f64) -> f64 {
     let way = centre.minus(point);
     let round = length(&way) - radius;
-    let squared = |x: &Point<f64>| dot(&x.minus(point), &x.minus(point));
-    let nearest = hull.points.iter().min_by(|x, y| squared(x).total_cmp(&squared(y)));
+    let nearer = |x: &&Point<f64>, y: &&Point<f64>| squared(x, point).total_cmp(&squared(y, point));
+    let nearest = hull.points.iter().min_by(nearer);
     let beyond = |way: &Point<f64>| {
         let Some(normal) = unit(way) else { return 0.0 };
         let heights = hull.points.iter().map(|x| dot(&normal, &x.minus(point)));

@@ -1,7 +1,7 @@
 //! The least level whose mesh is within a tolerance of the limit surface as a set of points.
 
-use super::super::depth::MeshDistances;
 use super::super::levels::Source;
+use super::super::mesh::MeshDistances;
 use super::level::Geometry;
 use super::levels::{Levels as _, distances};
 use super::patch::FaceSurface;

@@ -1,19 +1,19 @@
 //! One level: whether its mesh, or the parts of it that belong to some faces, are within the tolerance.
 
-use super::super::depth::{MeshDistances, not_positive};
+use super::super::far::Verdict;
 use super::super::judge::Rounded;
 use super::super::kind::Kind;
 use super::super::levels::Source;
+use super::super::mesh::MeshDistances;
 use super::super::roots::Root;
-use super::super::search::{Search, Verdict};
+use super::super::search::Search;
 use super::super::shapes::Shapes;
+use super::super::surface::{PieceSearch as _, Surface as _, TooMuch as _};
 use super::super::threads::in_threads;
-use super::cover::{FarPoint, Nearness};
-use super::levels::{Known, Levels, MAX_LEVEL};
+use super::cover::FarPoint;
+use super::levels::{Known, Levels, check};
 use super::patch::FaceSurface;
 use super::place::GeometricPlace;
-use super::region::{cut, groups, grown};
-use super::relative::relative_tolerance;
 use super::scene::Scene;
 use super::sets::MeshSets;
 use super::sweep::{far_distance, first_far, sweep};
@@ -21,7 +21,9 @@ use super::units::{MeshUnits, Stage};
 use super::whole::Whole;
 use crate::exact::Rational;
 use crate::float::nearest;
-use crate::mesh::{MeshError, MeshScheme, PolygonMesh, Stencils, step_with, weighted_valences};
+use crate::mesh::{
+    MeshError, MeshScheme, PolygonMesh, Stencils, cut, groups, grown, step_with, weighted_valences,
+};
 
 /// How many pieces are looked at by parameter in one piece of level 1 before its face is looked at closely.
 const FILTER_STEPS: u64 = 2_000;
@@ -40,10 +42,6 @@ type Owner = Option<(usize, usize)>;
 
 /// A scene with the owners of its units.
 type Owned<'s> = (Scene<MeshUnits<'s>>, Vec<Owner>);
-
-/// As a distance of sets, a tolerance is at least 2 to the power of minus this, times the diagonal of the box around a
-/// mesh, or the greatest width of a control polygon in a coordinate.
-pub const LEAST_SHARE: u32 = 20;
 
 /// The search on a mesh.
 pub(super) struct Geometry<'a> {
@@ -65,19 +63,10 @@ impl<'a> Geometry<'a> {
     ) -> Result<Geometry<'a>, MeshError> {
         let model = &distances.model;
         let Source::Surface { mesh, scheme, stencils, .. } = &model.source else {
-            let reason = "the distance of a solid is that at equal parameters".to_owned();
-            return Err(MeshError::TooMuch { reason });
+            let reason = "the distance of a solid is that at equal parameters";
+            return Err(MeshError::too_much(reason.to_owned()));
         };
-        not_positive(tolerance)?;
-        let share = Rational::new(1, 1 << LEAST_SHARE);
-        let least = relative_tolerance(mesh.points(), &share);
-        if least.is_some_and(|least| *tolerance < least) {
-            let reason = format!(
-                "as a distance of sets, a tolerance is at least 2^-{LEAST_SHARE} of the diagonal of the \
-                 box around the mesh; take a greater one, or --distance parametric"
-            );
-            return Err(MeshError::TooMuch { reason });
-        }
+        check::<MeshError>(tolerance, mesh.points(), "mesh")?;
         let control = mesh.with_points(model.control());
         let mut valences = weighted_valences(mesh.connectivity(), *scheme);
         let next = step_with(&control, *scheme, &stencils.map(nearest))?;
@@ -127,7 +116,7 @@ impl<'a> Geometry<'a> {
             if !self.is_plain(root.face, root.shape, level) {
                 return true;
             }
-            let mut search = Search::new(&model.shapes, model.kind, &judge, level, FILTER_STEPS);
+            let mut search = Search::new(&model.shapes, &judge, level, FILTER_STEPS);
             !matches!(search.examine(model.rounded_cell(root, level)), Verdict::Within)
         });
         for (&number, far) in roots.iter().zip(far) {
@@ -303,20 +292,8 @@ impl<'a> Geometry<'a> {
         let mut known: Vec<Known> = vec![Known::Near; group.len()];
         for (&unit, nearness) in own.iter().zip(&found) {
             let Some((owner, number)) = owners[unit] else { continue };
-            let entry = &mut known[owner];
-            match nearness {
-                Nearness::Near => {}
-                Nearness::Open => {
-                    if matches!(entry, Known::Near) {
-                        *entry = Known::Open;
-                    }
-                }
-                Nearness::Far(far) => {
-                    if !matches!(entry, Known::Far(_)) {
-                        *entry = Known::Far(this.place(whole, &scene, group[owner], number, far));
-                    }
-                }
-            }
+            let place = |far: &_| this.place(whole, &scene, group[owner], number, far);
+            known[owner].add(nearness, place);
         }
         Ok(Some(group.iter().copied().zip(known).collect()))
     }
@@ -389,14 +366,6 @@ impl Levels for Geometry<'_> {
         let plain = self.is_plain_everywhere();
         plain.then(|| self.distances.parametric_level(&self.tolerance)).transpose()
     }
-
-    fn too_many(&self) -> MeshError {
-        let reason = format!(
-            "the tolerance needs more than {MAX_LEVEL} levels as a distance of sets, or is too near to call; \
-             take a greater one, or --distance parametric"
-        );
-        MeshError::TooMuch { reason }
-    }
 }
 
 /// Says where a point is.
@@ -423,15 +392,9 @@ impl Places<'_> {
         let lower = far_distance(whole, far, &(&self.tolerance / &self.scale));
         let Source::Surface { mesh, .. } = &model.source else { unreachable!("a surface") };
         let doo_sabin = self.scheme == MeshScheme::DooSabin;
-        let level_face = (self.level > 0 && !doo_sabin).then(|| {
-            let before: usize = match self.scheme {
-                MeshScheme::CatmullClark | MeshScheme::Bajaj => {
-                    mesh.faces()[..face].iter().map(Vec::len).sum()
-                }
-                _ => 4 * face,
-            };
-            ((before as u128) << (2 * (self.level - 1))) + number as u128
-        });
+        let first = (self.level > 0).then(|| model.source.first_part(face)).flatten();
+        let level_face =
+            first.map(|first| ((first as u128) << (2 * (self.level - 1))) + number as u128);
         let part = match self.level {
             0 => Some(scene.pieces.root(far.unit).part),
             _ if doo_sabin => None,
@@ -444,8 +407,8 @@ impl Places<'_> {
             vertex,
             level_face,
             from: far.from,
-            point: model.place(&far.point),
-            other: model.place(&far.other),
+            point: model.as_given(&far.point),
+            other: model.as_given(&far.other),
             distance: lower * scale,
         }
     }

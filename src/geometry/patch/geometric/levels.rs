@@ -1,23 +1,42 @@
 //! From one level to the next: the least level of all, and of each face.
 
-use super::place::{FaceDepth, GeometricDepth, GeometricPlace};
+use super::super::surface::{TooMuch, positive};
+use super::place::{FaceDepth, GeometricDepth, GeometricPlace, Nearness};
+use super::relative::relative_tolerance;
 use crate::exact::Rational;
 use crate::float::upper;
+use crate::mesh::Point;
 
 /// The highest level that is looked at as a set of points.
 pub(in crate::patch) const MAX_LEVEL: u32 = 14;
 
 /// What is known of a face at a level.
-#[derive(Clone, Debug)]
-pub(in crate::patch) enum Known {
-    Near,
-    Far(GeometricPlace),
-    Open,
+pub(in crate::patch) type Known = Nearness<GeometricPlace>;
+
+/// As a distance of sets, a tolerance is at least 2 to the power of minus this, times the diagonal of the box around a
+/// mesh, or the greatest width of a control polygon in a coordinate.
+pub const LEAST_SHARE: u32 = 20;
+
+/// Refuses a tolerance that is not positive, or too small for a distance of sets of a mesh or a net with these points.
+pub(in crate::patch) fn check<E: TooMuch>(
+    tolerance: &Rational,
+    points: &[Point<Rational>],
+    what: &str,
+) -> Result<(), E> {
+    positive::<E>(tolerance)?;
+    let least = relative_tolerance(points, &Rational::new(1, 1 << LEAST_SHARE));
+    if least.is_none_or(|least| *tolerance >= least) {
+        return Ok(());
+    }
+    Err(E::too_much(format!(
+        "as a distance of sets, a tolerance is at least 2^-{LEAST_SHARE} of the diagonal of the box around the \
+         {what}; take a greater one, or --distance parametric"
+    )))
 }
 
 /// A surface that can be looked at level by level.
 pub(in crate::patch) trait Levels {
-    type Error;
+    type Error: TooMuch;
 
     /// How many faces there are.
     fn count(&self) -> usize;
@@ -33,9 +52,6 @@ pub(in crate::patch) trait Levels {
 
     /// A level that is sufficient at equal parameters, where that bounds the distance of the sets.
     fn parametric(&self) -> Result<Option<u32>, Self::Error>;
-
-    /// That the levels are too many.
-    fn too_many(&self) -> Self::Error;
 
     /// The least level that is sufficient.
     fn depth(&mut self) -> Result<GeometricDepth, Self::Error> {
@@ -70,7 +86,7 @@ pub(in crate::patch) trait Levels {
         }
         match sure.map_or_else(|| self.parametric(), |sure| Ok(Some(sure)))? {
             Some(level) => Ok(GeometricDepth::new(level, places)),
-            None => Err(self.too_many()),
+            None => Err(too_many()),
         }
     }
 
@@ -105,7 +121,7 @@ pub(in crate::patch) trait Levels {
             }
             wanted = next;
         }
-        Err(self.too_many())
+        Err(too_many())
     }
 
     /// Which of the faces that are asked for are within the tolerance of this search, of which `upper` is an upper bound;
@@ -131,6 +147,14 @@ pub(in crate::patch) trait Levels {
         }
         Ok(near)
     }
+}
+
+/// That the levels are too many.
+fn too_many<E: TooMuch>() -> E {
+    E::too_much(format!(
+        "the tolerance needs more than {MAX_LEVEL} levels as a distance of sets, or is too near to call; take a \
+         greater one, or --distance parametric"
+    ))
 }
 
 /// For each face a lower and an upper bound of its distance: with upper bounds ε, ε/2, ε/4 or ε/8, or infinite where ε

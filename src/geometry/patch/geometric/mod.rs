@@ -12,7 +12,6 @@
 //! | `whole` | whether a point is far from a whole set: the lower side |
 //! | `sweep` | both sides for many units |
 //! | `units`, `sets` | polygon meshes as the search sees them |
-//! | `region` | which faces are looked at, and the parts of a mesh that they need |
 //! | `place` | answers: levels, and a point of one set that is far from the other |
 //! | `relative` | tolerances as a share of the size of a mesh |
 //! | `level` | one level of a polygon mesh; `levels`: from one to the next; `depth`: what a polygon mesh needs |
@@ -25,7 +24,6 @@ mod node;
 mod patch;
 mod pieces;
 mod place;
-mod region;
 mod relative;
 mod scene;
 mod sets;
@@ -34,15 +32,16 @@ mod sweep;
 mod units;
 mod whole;
 
-pub use level::LEAST_SHARE;
+pub use levels::LEAST_SHARE;
 pub use patch::FaceSurface;
 pub use place::{FaceDepth, GeometricDepth, GeometricPlace, SetKind};
 pub use relative::relative_tolerance;
 
-pub(in crate::patch) use cover::{FarPoint, Nearness};
-pub(in crate::patch) use levels::{Known, Levels, MAX_LEVEL, distances};
+pub(in crate::patch) use cover::FarPoint;
+pub(in crate::patch) use levels::{Known, Levels, MAX_LEVEL, check, distances};
 pub(in crate::patch) use patch::Patch;
 pub(in crate::patch) use pieces::{Hull, MeshPart, Pieces, Sets, Unit, Units};
+pub(in crate::patch) use place::Nearness;
 pub(in crate::patch) use scene::Scene;
 pub(in crate::patch) use sweep::{far_distance, first_far, sweep};
 pub(in crate::patch) use whole::Whole;

@@ -1,6 +1,6 @@
 //! Flat and bilinear parts of a mesh.
 
-use super::super::number::Vector as _;
+use super::super::number::{Vector as _, mean, squared};
 use crate::mesh::Point;
 
 /// What a face with more than three vertices is, where these are not in one plane.
@@ -48,15 +48,10 @@ pub(super) fn unit(p: &Point<f64>) -> Option<Point<f64>> {
     (length > 0.0).then(|| p.map(|x| x / length))
 }
 
-pub(super) fn mean(points: &[Point<f64>]) -> Point<f64> {
-    let count = f64::from(u32::try_from(points.len()).unwrap_or(u32::MAX));
-    [0, 1, 2].map(|i| points.iter().map(|point| point[i]).sum::<f64>() / count)
-}
-
 /// A ball around these points: their mean, and the greatest distance from it.
 pub(super) fn ball(points: &[Point<f64>]) -> (Point<f64>, f64) {
     let centre = mean(points);
-    let square = points.iter().map(|x| x.minus(&centre)).map(|x| dot(&x, &x)).fold(0.0, f64::max);
+    let square = points.iter().map(|x| squared(x, &centre)).fold(0.0, f64::max);
     (centre, square.sqrt())
 }
 
@@ -131,8 +126,7 @@ impl Patch {
             return first;
         }
         let second = nearest_of_triangle(point, [a, c, d]);
-        let squared = |x: &Point<f64>| dot(&x.minus(point), &x.minus(point));
-        if squared(&first) <= squared(&second) { first } else { second }
+        if squared(&first, point) <= squared(&second, point) { first } else { second }
     }
 }
 

@@ -23,6 +23,41 @@ impl SetKind {
     }
 }
 
+/// Whether a part of a set is near the other set.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::patch) enum Nearness<F> {
+    Near,
+    /// With a point that shows it.
+    Far(F),
+    Open,
+}
+
+impl<F> Nearness<F> {
+    /// That of all these parts together, up to the first that is far.
+    pub(in crate::patch) fn all(parts: impl IntoIterator<Item = Self>) -> Self {
+        let mut all = Nearness::Near;
+        for part in parts {
+            match part {
+                Nearness::Near => {}
+                Nearness::Open => all = Nearness::Open,
+                far @ Nearness::Far(_) => return far,
+            }
+        }
+        all
+    }
+
+    /// Adds what is known of one more part; `place` makes a point of this kind of one of the other.
+    pub(in crate::patch) fn add<G>(&mut self, part: &Nearness<G>, place: impl FnOnce(&G) -> F) {
+        match (part, &self) {
+            (Nearness::Far(far), Nearness::Near | Nearness::Open) => {
+                *self = Nearness::Far(place(far));
+            }
+            (Nearness::Open, Nearness::Near) => *self = Nearness::Open,
+            _ => {}
+        }
+    }
+}
+
 /// A point of one set that is far from all of the other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GeometricPlace {

@@ -3,8 +3,9 @@
 use super::super::cell::Cell;
 use super::super::judge::{Points as _, Rounded};
 use super::super::model::Model;
+use super::super::number::mean;
 use super::super::roots::Root;
-use super::patch::{FaceSurface, Patch, mean};
+use super::patch::{FaceSurface, Patch};
 use super::pieces::{Hull, MeshPart, Pieces, Sets};
 use super::units::hull;
 use crate::mesh::Point;

@@ -3,9 +3,10 @@
 use super::super::number::Vector as _;
 use super::super::threads::in_threads;
 use super::super::work::MeshWork;
-use super::cover::{Cover, FarPoint, Nearness};
+use super::cover::{Cover, FarPoint};
 use super::patch::length;
 use super::pieces::{Sets, Units};
+use super::place::Nearness;
 use super::scene::Scene;
 use super::whole::Whole;
 use crate::exact::Rational;
@@ -23,7 +24,7 @@ pub(in crate::patch) fn sweep<P: Units, S: Sets>(
     tolerance: f64,
     work: &MeshWork,
     all: bool,
-) -> Vec<Nearness> {
+) -> Vec<Nearness<FarPoint>> {
     let stop = AtomicBool::new(false);
     let is_far = |point: &_, from| whole.is_beyond(point, from, tolerance.next_up());
     in_threads(own, |&unit| {

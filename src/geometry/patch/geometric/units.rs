@@ -1,12 +1,13 @@
 //! The units of a polygon mesh.
 
 use super::super::cell::Cell;
-use super::super::judge::{Judge, Points as _, Rounded};
-use super::super::kind::Kind;
+use super::super::far::Verdict;
+use super::super::judge::{Judge as _, Points as _, Rounded};
 use super::super::number::combinations;
 use super::super::roots::{Root, Roots, corners};
-use super::super::search::{Search, Verdict};
+use super::super::search::Search;
 use super::super::shapes::Shapes;
+use super::super::surface::PieceSearch as _;
 use super::patch::{FaceSurface, Patch};
 use super::pieces::{Hull, Pieces, Unit, Units};
 use super::scene::Scene;
@@ -18,7 +19,6 @@ const UNIT_STEPS: u64 = 400;
 /// The pieces of a mesh, with the parts of its faces that have the same parameters.
 pub(super) struct MeshUnits<'a> {
     shapes: &'a Shapes,
-    kind: Kind,
     roots: Roots,
     refined: Vec<Point<f64>>,
     /// Whether the mesh on a unit is that of 91.
@@ -55,8 +55,7 @@ impl Stage {
         let Stage { mesh, refined, roots } = self;
         let connectivity = mesh.connectivity();
         let rows = corners::<f64>(scheme, connectivity);
-        let kind = Kind::Surface(scheme);
-        let triangles = kind.is_triangular();
+        let triangles = scheme.is_triangular();
         let of = |root: &Root| {
             let face = &mesh.faces()[root.face];
             let points: Vec<Point<f64>> = face.iter().map(|&v| mesh.points()[v]).collect();
@@ -69,7 +68,7 @@ impl Stage {
         let (units, plain) = roots.all.iter().map(of).unzip();
         // At the highest level of pieces that are made here.
         let slack = 4.0 * judge.slack(32);
-        Scene::new(MeshUnits { shapes, kind, roots, refined, plain, judge }, units, slack)
+        Scene::new(MeshUnits { shapes, roots, refined, plain, judge }, units, slack)
     }
 }
 
@@ -145,7 +144,7 @@ impl Units for MeshUnits<'_> {
     }
 
     fn tolerance(&self) -> f64 {
-        Judge::<Point<f64>>::tolerance(&self.judge)
+        self.judge.tolerance()
     }
 }
 
@@ -156,7 +155,7 @@ impl MeshUnits<'_> {
     }
 
     fn search(&self, later: u32) -> Search<'_, Point<f64>, Rounded> {
-        Search::new(self.shapes, self.kind, &self.judge, later, UNIT_STEPS)
+        Search::new(self.shapes, &self.judge, later, UNIT_STEPS)
     }
 
     /// The piece of the limit of a unit, with the mesh that it is compared with.

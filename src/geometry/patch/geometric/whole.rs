@@ -1,6 +1,6 @@
 //! Whether a point is far from the whole mesh of a level, or from the whole limit (`proofs/THEOREMS.md`, 163).
 
-use super::super::number::Vector as _;
+use super::super::number::{Vector as _, squared};
 use super::super::threads::in_threads;
 use super::cover::reach;
 use super::patch::{Patch, dot, unit};
@@ -50,9 +50,8 @@ impl<S: Sets> Whole<S> {
         let mut steps = STEPS;
         let of_mesh = from == SetKind::Limit;
         let near = |(centre, radius): &(Point<f64>, f64)| {
-            let way = point.minus(centre);
             let reach = enough + radius;
-            way[0] * way[0] + way[1] * way[1] + way[2] * way[2] <= reach * reach * (1.0 + 1e-9)
+            squared(point, centre) <= reach * reach * (1.0 + 1e-9)
         };
         let ball = |number: usize| &self.balls[number][usize::from(of_mesh)];
         (0..self.balls.len()).filter(|number| near(ball(*number))).all(|number| {

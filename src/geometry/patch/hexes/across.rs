@@ -3,7 +3,7 @@
 
 use super::grid::MASKS;
 use super::layers::Layers;
-use crate::patch::number::{Number, Row};
+use crate::patch::number::{Number, Row, index};
 use crate::patch::regular::number;
 use crate::solid::Complex;
 use std::collections::{BTreeMap, BTreeSet};
@@ -51,10 +51,6 @@ impl Places<'_> {
         let height: usize = around.iter().map(|&point| self.of[point].1).sum();
         (around.iter().map(|&point| self.of[point].0).collect(), 2 * height / around.len())
     }
-}
-
-fn index(point: usize) -> u32 {
-    u32::try_from(point).unwrap_or(u32::MAX)
 }
 
 /// The weights of a piece with these layers; `rows` are those of the points of its parts, in 3 dimensions.

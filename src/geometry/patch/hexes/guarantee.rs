@@ -6,9 +6,10 @@ use crate::float::lower;
 use crate::mesh::MeshError;
 use crate::patch::apriori::{APriori, UP, longest_edge, real};
 use crate::patch::around::Around;
-use crate::patch::depth::{MeshDistances, not_positive};
 use crate::patch::growth::LAST;
+use crate::patch::mesh::MeshDistances;
 use crate::patch::shape::Shape;
+use crate::patch::surface::{TooMuch as _, positive};
 use crate::solid::HexMesh;
 use std::collections::BTreeSet;
 
@@ -41,7 +42,7 @@ pub fn solid_a_priori(
     distances: &MeshDistances,
     tolerance: &Rational,
 ) -> Result<APriori, MeshError> {
-    not_positive(tolerance)?;
+    positive::<MeshError>(tolerance)?;
     let longest_edge = longest_edge(mesh.points(), mesh.edges().iter().copied());
     let model = &distances.model;
     let shapes: BTreeSet<usize> = model.roots.all.iter().map(|root| root.shape).collect();
@@ -67,11 +68,10 @@ pub fn solid_a_priori(
     let allowed = lower(tolerance) / (longest_edge * UP);
     let last = u32::try_from(LAST).unwrap_or(u32::MAX);
     let level = (0..=last).find(|level| bound(*level) * UP <= allowed).ok_or_else(|| {
-        let reason = format!(
+        MeshError::too_much(format!(
             "the longest edge guarantees nothing within {last} levels for this tolerance; take a \
              greater one"
-        );
-        MeshError::TooMuch { reason }
+        ))
     })?;
     let ratio = (bound(last) / bound(1)).powf(1.0 / f64::from(last - 1));
     Ok(APriori { level, longest_edge, ratio })

@@ -1,5 +1,6 @@
 //! Pieces that are the same in each layer: a surface times a line (`proofs/THEOREMS.md`, 102).
 
+use crate::patch::number::index;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How many layers of points a piece of this kind has.
@@ -68,8 +69,6 @@ fn along(axis: usize, points: usize, cells: &[[usize; 8]]) -> Option<Layers> {
         }
     }
     let same = sections.windows(2).all(|pair| pair[0] == pair[1]);
-    let layer = |layer: usize| {
-        columns.iter().map(|column| u32::try_from(column[layer]).unwrap_or(u32::MAX)).collect()
-    };
+    let layer = |layer: usize| columns.iter().map(|column| index(column[layer])).collect();
     same.then(|| [layer(0), layer(1), layer(2), layer(3)])
 }

@@ -5,10 +5,9 @@ use super::grid::Grid;
 use super::layers::{Layers, layers};
 use super::neighbourhood::{Parts, least};
 use crate::exact::{Rational, RealCyclotomic};
-use crate::mesh::Point;
 use crate::patch::neighbourhood::Neighbourhood;
-use crate::patch::number::{Number, Row};
-use crate::patch::rules::Rules;
+use crate::patch::number::{Number, Row, index};
+use crate::patch::rules::{Rules, mean_of, rows};
 use crate::solid::{Complex, limit_rows, part_corners, refined_points};
 
 /// A hexahedron, which comes first, with all that share a corner with it. Corners 0 to 7 are its own.
@@ -23,10 +22,6 @@ pub(in crate::patch) struct HexLocal {
 pub(in crate::patch) fn parts_of(complex: &Complex) -> Vec<Neighbourhood> {
     let mut parts = Parts::new(complex);
     (0..8).map(|part| least(&mut parts, part)).collect()
-}
-
-fn index(point: usize) -> u32 {
-    u32::try_from(point).unwrap_or(u32::MAX)
 }
 
 impl HexLocal {
@@ -55,7 +50,8 @@ impl HexLocal {
         };
         let limit = |row: Vec<(usize, Rational)>| row.into_iter().map(weight).collect();
         let limits = limit_rows(&self.complex, &(0..8).collect::<Vec<usize>>());
-        let refined = self.rows(wanted);
+        let refined =
+            rows(self.complex.points, wanted, |units| refined_points(&self.complex, &units));
         let across = self
             .layers
             .as_ref()
@@ -87,31 +83,4 @@ impl HexLocal {
         };
         corners.iter().map(row).collect()
     }
-
-    /// The rows of these points of the next level.
-    fn rows<W: Number>(&self, wanted: &[usize]) -> Vec<Row<W>> {
-        let count = self.complex.points;
-        let mut rows: Vec<Row<W>> = vec![Vec::new(); wanted.len()];
-        // Three unit vectors at a time, as the coordinates of points.
-        for first in (0..count).step_by(3) {
-            let unit = |point: usize| -> Point<W> {
-                [0, 1, 2].map(|i| W::from_rational(&Rational::from(i64::from(point == first + i))))
-            };
-            let refined = refined_points(&self.complex, &(0..count).map(unit).collect::<Vec<_>>());
-            for (row, &point) in rows.iter_mut().zip(wanted) {
-                for (i, weight) in (0..).zip(&refined[point]) {
-                    if !weight.vanishes() {
-                        row.push((index(first) + i, weight.clone()));
-                    }
-                }
-            }
-        }
-        rows
-    }
-}
-
-/// The mean of these corners.
-fn mean_of<W: Number>(corners: &[usize]) -> Row<W> {
-    let share = W::from_rational(&Rational::new(1, corners.len()));
-    corners.iter().map(|&corner| (index(corner), share.clone())).collect()
 }

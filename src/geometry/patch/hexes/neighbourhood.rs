@@ -4,7 +4,6 @@
 use super::grid::Grid;
 use crate::patch::neighbourhood::{Neighbourhood, Sharp};
 use crate::solid::{Complex, FACES, part_corners};
-use std::collections::HashMap;
 
 /// Corner j of a hexahedron of a list is its own corner `frame[j]`.
 type Frame = [usize; 8];
@@ -139,10 +138,4 @@ fn is_whole_grid(neighbourhood: &Neighbourhood) -> bool {
     let corners = |cell: &Vec<usize>| std::array::from_fn(|corner| cell[corner]);
     let cells: Vec<[usize; 8]> = neighbourhood.faces.iter().map(corners).collect();
     cells.len() == 27 && Grid::of(neighbourhood.points.len(), &cells).is_some()
-}
-
-/// Neighbourhoods that have been met, with their shapes and the orders of their points there.
-#[derive(Default)]
-pub(super) struct Orders {
-    pub(super) known: HashMap<Vec<u32>, (usize, Vec<u32>)>,
 }

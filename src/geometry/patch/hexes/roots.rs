@@ -1,10 +1,11 @@
 //! The pieces of level 1 of a solid.
 
-use super::neighbourhood::{Orders, Parts, frames, least};
+use super::neighbourhood::{Parts, frames, least};
 use crate::patch::neighbourhood::Neighbourhood;
 use crate::patch::roots::{Root, Roots};
 use crate::patch::shapes::Shapes;
 use crate::solid::{Complex, SolidError};
+use std::collections::HashMap;
 
 /// The most shapes of neighbourhoods that weights are computed for.
 const MAX_SHAPES: usize = 2_000;
@@ -18,12 +19,13 @@ pub(in crate::patch) fn hex_roots(
     shapes: &mut Shapes,
 ) -> Result<Roots, SolidError> {
     let mut parts = Parts::new(complex);
-    let mut orders = Orders::default();
+    // Neighbourhoods that have been met, with their shapes and the orders of their points there.
+    let mut orders: HashMap<Vec<u32>, (usize, Vec<u32>)> = HashMap::new();
     let mut roots = Roots { all: Vec::new(), points: Vec::new() };
     let frame = frames()[0];
     for part in 0..8 * complex.cells.len() {
         let raw = parts.around(part, &frame);
-        if !orders.known.contains_key(&raw.key) {
+        if !orders.contains_key(&raw.key) {
             let best = least(&mut parts, part);
             let shape = shapes.shape(&best);
             if shapes.count() > MAX_SHAPES {
@@ -33,9 +35,9 @@ pub(in crate::patch) fn hex_roots(
                 );
                 return Err(SolidError::TooMuch { reason });
             }
-            orders.known.insert(raw.key.clone(), (shape, order(&raw, &best)));
+            orders.insert(raw.key.clone(), (shape, order(&raw, &best)));
         }
-        let (shape, order) = &orders.known[&raw.key];
+        let (shape, order) = &orders[&raw.key];
         let first = roots.points.len();
         let number = |place: &u32| u32::try_from(raw.points[*place as usize]).unwrap_or(u32::MAX);
         roots.points.extend(order.iter().map(number));

@@ -1,7 +1,7 @@
 //! What the greatest differences of a net guarantee, wherever its points are.
 
+use super::super::surface::positive;
 use super::constants::UP;
-use super::depth::positive;
 use super::scaled::scaled;
 use crate::bound::{Budget, Constants, Operator, Order};
 use crate::exact::Rational;
@@ -55,7 +55,7 @@ pub fn net_a_priori(
     scheme: &NetScheme,
     tolerance: &Rational,
 ) -> Result<NetAPriori, NetError> {
-    positive(tolerance)?;
+    positive::<NetError>(tolerance)?;
     let edges = longest_edges(net)?;
     let longest_edges = edges.each_ref().map(upper);
     let [u, v] = scheme.masks().each_ref();

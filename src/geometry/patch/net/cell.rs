@@ -1,15 +1,16 @@
 //! A piece with its points: how far the net is from the limit on it.
 
 use super::super::judge::Judge;
+use super::super::number::{Row, Vector as _};
 use super::constants::UP;
 use super::direction::{Direction, Weights};
-use super::points::{across, along, minus, tensor};
-use super::rules::{Phase, Row, Rules};
+use super::points::{across, along, tensor};
+use super::rules::{Phase, Rules};
 use crate::mesh::Point;
 
 /// A cell of a level with the points of its window, row by row.
 #[derive(Clone)]
-pub(super) struct Cell<S> {
+pub(in crate::patch) struct Cell<S> {
     /// How often each direction is divided.
     pub(super) levels: [u32; 2],
     /// i and j, of the parameters from i to i + 1 and from j to j + 1 over n and m to the power of
@@ -169,7 +170,7 @@ impl<S: Weights> Cell<S> {
         let mut known: Option<Known<S>> = None;
         let mut upper = 0.0_f64;
         for (at, (limit, polygon)) in limits.into_iter().zip(&base.points).enumerate() {
-            let error = minus(&limit, polygon);
+            let error = limit.minus(polygon);
             let lower = judge.below(&error, self.level());
             let beyond = judge.within(&error, self.level()) == Some(false);
             upper = upper.max(judge.above(&error, self.level()));
@@ -232,7 +233,7 @@ impl<S: Weights> Cell<S> {
         let plain = tensor([&u.raised, &v.raised], &base.points, 2);
         let (mut upper, mut within) = (0.0_f64, true);
         for (limit, plain) in limit.iter().zip(&plain) {
-            let error = minus(limit, plain);
+            let error = limit.minus(plain);
             upper = upper.max(judge.above(&error, self.level()));
             within = within && judge.within(&error, self.level()) == Some(true);
         }

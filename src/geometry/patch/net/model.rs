@@ -1,22 +1,19 @@
 //! A net as the search sees it: its pieces, in f64 and exactly.
 
-use super::super::judge::Rounded;
+use super::super::surface::Surface as _;
 use super::super::threads::in_threads;
-use super::cell::{Cell, bound};
-use super::constants::MAX_LATER;
+use super::cell::Cell;
 use super::direction::Direction;
-use super::judge::Exactly;
+
 use super::rules::norm;
 use super::scaled::scaled;
+use super::spot::face;
 use crate::exact::Rational;
 use crate::mesh::Point;
 use crate::net::{Net, NetError, NetScheme};
 
-/// n^k is at most 2^this for all levels k.
-const MAX_BITS: f64 = 90.0;
-
 /// A net as pieces: the cells of level 0.
-pub(super) struct Model {
+pub struct Model {
     pub(super) net: Net,
     pub(super) directions: [Direction; 2],
     /// In f64: moved so that the first point is the origin, and divided by the scale.
@@ -24,9 +21,9 @@ pub(super) struct Model {
     /// A power of two.
     pub(super) scale: Rational,
     /// What a length is off by, for each level.
-    unit: f64,
+    pub(super) unit: f64,
     /// The greatest differences of the cells, in both directions.
-    sizes: Vec<[f64; 2]>,
+    pub(super) sizes: Vec<[f64; 2]>,
 }
 
 impl Model {
@@ -45,50 +42,31 @@ impl Model {
         let unit = unit(&directions) * size;
         let mut model = Model { net, directions, rounded, scale, unit, sizes: Vec::new() };
         let judge = model.rounded_judge(&Rational::one());
-        let roots: Vec<usize> = (0..model.roots()).collect();
+        let roots: Vec<usize> = (0..model.root_count()).collect();
         model.sizes =
             in_threads(&roots, |&root| model.rounded_cell(root).sizes(&model.directions, &judge));
         Ok(model)
     }
 
-    /// How many pieces there are.
-    pub(super) fn roots(&self) -> usize {
-        self.directions[0].cells() * self.directions[1].cells()
+    /// The greatest Σ|coefficients| of the points of the net so many levels after a cell, over the points of the cell.
+    pub(super) fn polygon_norm(&self, later: u32) -> f64 {
+        self.directions.iter().map(|direction| direction.constants.polygon_at(later)).product()
     }
 
-    /// The highest level at which nets are compared with their limit, and the highest one of pieces.
-    pub(super) fn most_levels(&self, most: u32) -> [u32; 2] {
-        let arity = self.directions.iter().map(|direction| direction.arity).max().unwrap_or(2);
-        let digits = f64::from(u32::try_from(arity).unwrap_or(u32::MAX)).log2();
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // From 15 to 90.
-        let all = (MAX_BITS / digits) as u32;
-        // Pieces have some levels more than nets.
-        let levels = most.min(all.saturating_sub(2).max(1)).min(MAX_LATER);
-        [levels, all.min(MAX_LATER)]
-    }
-
-    /// The pieces with a greater bound than this for a level, the greatest first.
-    pub(super) fn above(&self, level: u32, threshold: f64) -> Vec<(f64, usize)> {
-        let bounds = self.sizes.iter().map(|sizes| bound(&self.directions, *sizes, level));
-        let mut above: Vec<(f64, usize)> =
-            bounds.zip(0..).filter(|(bound, _)| *bound > threshold).collect();
-        above.sort_by(|left, right| right.0.total_cmp(&left.0));
-        above
-    }
-
-    /// Whether the bounds of all pieces for a level, and all later ones, are within a threshold.
-    pub(super) fn surely(&self, level: u32, threshold: f64) -> bool {
-        self.sizes.iter().all(|sizes| bound(&self.directions, *sizes, level) <= threshold)
-    }
-
-    /// Lengths in f64.
-    pub(super) fn rounded_judge(&self, tolerance: &Rational) -> Rounded {
-        Rounded::with_unit(&(tolerance / &self.scale), self.unit)
-    }
-
-    /// Exact lengths.
-    pub(super) fn exact_judge(&self, tolerance: &Rational) -> Exactly {
-        Exactly::new(&(tolerance / &self.scale))
+    /// The faces of the control net that a cell has parts of.
+    pub(super) fn faces_of(&self, cell: &Cell<f64>) -> Vec<usize> {
+        let range = |direction: &Direction, which: usize| -> Vec<usize> {
+            let unit = Rational::from(direction.arity).pow(cell.levels[which].cast_signed());
+            let at = |index: i128| Rational::from(index) / &unit - &direction.shift;
+            let index = cell.index[which];
+            let (first, last) = (at(index).floor(), at(index + 1).ceil());
+            let (first, last) = (first.to_i128().unwrap_or(0), last.to_i128().unwrap_or(0));
+            (first..last).filter_map(|index| face(direction, index)).collect()
+        };
+        let [u, v] = &self.directions;
+        let (up, along) = (range(u, 0), range(v, 1));
+        let columns = self.net.faces()[1];
+        up.iter().flat_map(|i| along.iter().map(move |j| i * columns + j)).collect()
     }
 
     fn cell<S: Clone>(&self, root: usize, point: impl Fn(i64, i64) -> Point<S>) -> Cell<S> {

@@ -1,14 +1,16 @@
 //! Nets for the distance of sets (`proofs/THEOREMS.md`, 166).
 
+use super::super::far::Verdict;
 use super::super::geometric::{Hull, MeshPart, Patch, Pieces, Sets, Unit, Units};
-use super::super::judge::{Judge, Rounded};
-use super::super::number::Vector as _;
+use super::super::judge::{Judge as _, Rounded};
+use super::super::number::squared;
+use super::super::surface::{PieceSearch as _, Surface as _};
 use super::cell::Cell;
 use super::constants::UP;
 use super::direction::{Direction, Weights};
 use super::model::Model;
 use super::points::tensor;
-use super::search::{Search, Verdict};
+use super::search::Search;
 use crate::mesh::Point;
 
 /// How many pieces are looked at for the distance of a unit at equal parameters.
@@ -127,13 +129,13 @@ impl Units for NetPieces<'_> {
     }
 
     fn tolerance(&self) -> f64 {
-        Judge::<Point<f64>>::tolerance(&self.judge)
+        self.judge.tolerance()
     }
 }
 
 impl Sets for NetPieces<'_> {
     fn count(&self) -> usize {
-        self.model.roots()
+        self.model.root_count()
     }
 
     fn root(&self, number: usize, _: bool) -> Cell<f64> {
@@ -148,17 +150,13 @@ impl Sets for NetPieces<'_> {
             return MeshPart::Patches(patches(&grid, columns));
         }
         // Combinations of the points, whose coefficients sum to 1 and their absolute values to at most this.
-        let norm = |direction: &Direction| direction.constants.polygon_at(later);
-        let norm: f64 = directions.iter().map(norm).product();
+        let norm = self.model.polygon_norm(later);
         if norm <= 1.0 {
             return MeshPart::Within(piece.points.clone(), 0.0);
         }
         let centre = piece.points[piece.points.len() / 2];
-        let lengths = piece.points.iter().map(|point| {
-            let way = point.minus(&centre);
-            (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt()
-        });
-        let radius = lengths.fold(0.0, f64::max) * norm * UP;
+        let square = piece.points.iter().map(|x| squared(x, &centre)).fold(0.0, f64::max);
+        let radius = square.sqrt() * norm * UP;
         MeshPart::Within(vec![centre], radius)
     }
 

@@ -1,20 +1,18 @@
 //! The linear maps of one direction: refinement, limits, the polygon.
 
+use super::super::number::{Row, index};
 use super::polynomial::{bezier, over};
 use crate::exact::{Rational, Scalar};
 use crate::limit::{Limit, LimitError};
 use crate::net::{NetError, Window};
 use crate::scheme::Mask;
 
-/// A combination of the points of a window: their places and the weights.
-pub(super) type Row<S> = Vec<(u32, S)>;
-
 /// The most phases: parts of a cell at which a node of the polygon can be.
 const MAX_PHASES: usize = 80;
 
 /// The maps of one direction, over the points of a window.
 #[derive(Clone, Debug)]
-pub(super) struct Rules<S> {
+pub(in crate::patch) struct Rules<S> {
     /// The points of the next level in the windows of all parts.
     pub(super) refined: Vec<Row<S>>,
     /// Phase 0 has no node of the polygon inside the cell.
@@ -88,16 +86,12 @@ impl Rules<Rational> {
         let raised = (0..=degree).map(raise).collect();
         let pattern: &[i64] = if order == 2 { &[1, -2, 1] } else { &[-1, 1] };
         let difference = |at: usize| {
-            (at..).zip(pattern).map(|(at, x)| (place(at), Rational::from(*x))).collect()
+            (at..).zip(pattern).map(|(at, x)| (index(at), Rational::from(*x))).collect()
         };
         let differences = (0..(window.size() + 1).saturating_sub(pattern.len())).map(difference);
         let differences = differences.collect();
         Ok(Rules { refined, phases, start, polygon, bezier, raised, differences })
     }
-}
-
-fn place(at: usize) -> u32 {
-    u32::try_from(at).unwrap_or(u32::MAX)
 }
 
 /// Without zeros.
@@ -113,11 +107,11 @@ fn refined_row(mask: &Mask, row: i64, window: Window) -> Row<Rational> {
 
 /// The value at index u of the polygon of the points.
 fn on_polygon(u: &Rational, window: Window) -> Row<Rational> {
-    let (index, part) = (u.floor(), u.fract());
-    let first = index.to_i64().unwrap_or(i64::MAX).saturating_sub(window.first);
+    let part = u.fract();
+    let first = u.floor().to_i64().unwrap_or(i64::MAX).saturating_sub(window.first);
     let first = usize::try_from(first).unwrap_or(usize::MAX);
     let pair = [(first, Rational::one() - &part), (first.saturating_add(1), part)];
-    pair.into_iter().filter(|(_, x)| !x.is_zero()).map(|(at, x)| (place(at), x)).collect()
+    pair.into_iter().filter(|(_, x)| !x.is_zero()).map(|(at, x)| (index(at), x)).collect()
 }
 
 /// All phases, and the one that cells of the level of the polygon have.
@@ -170,7 +164,7 @@ fn between(nodes: &[Rational], x: &Rational) -> Row<Rational> {
     let (from, to) = (&nodes[right - 1], &nodes[right]);
     let part = (x - from) / (to - from);
     let pair = [(right - 1, Rational::one() - &part), (right, part)];
-    pair.into_iter().filter(|(_, x)| !x.is_zero()).map(|(at, x)| (place(at), x)).collect()
+    pair.into_iter().filter(|(_, x)| !x.is_zero()).map(|(at, x)| (index(at), x)).collect()
 }
 
 /// The greatest Σ|weights| of these rows.

@@ -1,8 +1,7 @@
 //! Nets in f64.
 
-use super::super::model::scale;
+use super::super::model::{moved, scale};
 use crate::exact::Rational;
-use crate::float::nearest;
 use crate::net::{Net, NetError};
 
 /// Coordinates, and differences of them that are not 0, are between these powers of two.
@@ -21,11 +20,6 @@ pub(super) fn scaled(net: &Net) -> Result<(Net<f64>, Rational), NetError> {
                 .to_owned(),
         ));
     }
-    let origin = &net.points()[0];
-    let mut coordinates = [0, 1, 2].into_iter().cycle();
-    let rounded = net.map(|x| {
-        let origin = coordinates.next().map_or(x, |c| &origin[c]);
-        nearest(&((x - origin) / &scale))
-    });
+    let rounded = Net::new(moved(net.points(), &scale), net.columns(), net.closed())?;
     Ok((rounded, scale))
 }

@@ -1,27 +1,20 @@
 //! Whether the net of a level is within a tolerance of the limit on a piece, and how far it is.
 
+use super::super::far::{Place, Verdict};
 use super::super::judge::Judge;
+use super::super::surface::PieceSearch;
 use super::cell::{Cell, Known, bound};
 use super::direction::{Direction, Weights};
 use crate::mesh::Point;
 
-/// A place where the limit is far away: nodes of a cell.
+/// Node of a cell.
 #[derive(Clone, Debug)]
-pub(super) struct Place<S> {
+pub(in crate::patch) struct Node {
     pub(super) levels: [u32; 2],
     pub(super) index: [i128; 2],
     pub(super) phases: [usize; 2],
-    pub(super) nodes: [usize; 2],
-    pub(super) limit: Point<S>,
-    pub(super) polygon: Point<S>,
-}
-
-/// Whether a piece is within the tolerance.
-pub(super) enum Verdict<S> {
-    Within,
-    Beyond(Place<S>),
-    /// Too near to call, or too much work.
-    Open,
+    /// Which node of the phase it is in each direction.
+    pub(super) number: [usize; 2],
 }
 
 /// A cell with a bound of the distance on it, and what is known if the net to compare with is there.
@@ -38,17 +31,12 @@ impl<S: Weights> Bounded<S> {
     }
 
     /// The place with the greatest lower bound.
-    fn place(&self) -> Option<Place<S>> {
+    fn place(&self) -> Option<Place<Node, Point<S>>> {
         let (known, base) = (self.known.as_ref()?, self.cell.base.as_ref()?);
-        let Known { nodes, limit, polygon, .. } = known;
-        Some(Place {
-            levels: self.cell.levels,
-            index: self.cell.index,
-            phases: base.phases,
-            nodes: *nodes,
-            limit: limit.clone(),
-            polygon: polygon.clone(),
-        })
+        let Cell { levels, index, .. } = self.cell;
+        let at = Node { levels, index, phases: base.phases, number: known.nodes };
+        let (limit, polygon) = (known.limit.clone(), known.polygon.clone());
+        Some(Place { level: self.cell.level(), at, limit, polygon })
     }
 }
 
@@ -84,12 +72,14 @@ impl<J> Search<'_, J> {
         let bound = known.as_ref().map_or(least, |known| least.min(known.upper));
         Bounded { bound, cell, known }
     }
+}
 
-    /// Whether a piece is within the tolerance.
-    pub(super) fn examine<S: Weights>(&mut self, piece: Cell<S>) -> Verdict<S>
-    where
-        J: Judge<Point<S>>,
-    {
+impl<S: Weights, J: Judge<Point<S>>> PieceSearch<Cell<S>, Place<Node, Point<S>>> for Search<'_, J> {
+    fn left(&self) -> u64 {
+        self.steps
+    }
+
+    fn examine(&mut self, piece: Cell<S>) -> Verdict<Place<Node, Point<S>>> {
         let tolerance = self.judge.tolerance();
         if tolerance < self.judge.floor() {
             return Verdict::Open;
@@ -119,18 +109,13 @@ impl<J> Search<'_, J> {
         if open { Verdict::Open } else { Verdict::Within }
     }
 
-    /// The distance on a piece where it exceeds `best`, which is raised to the greatest lower bound
-    /// found; the result is an upper bound, at most `best`·(1 + `width`) where the steps allow.
-    pub(super) fn measure<S: Weights>(
+    fn measure(
         &mut self,
         piece: Cell<S>,
         width: f64,
         best: &mut f64,
-        place: &mut Option<Place<S>>,
-    ) -> f64
-    where
-        J: Judge<Point<S>>,
-    {
+        place: &mut Option<Place<Node, Point<S>>>,
+    ) -> f64 {
         let mut upper = 0.0_f64;
         let mut stack = Vec::new();
         let mut next = vec![(piece, f64::INFINITY)];

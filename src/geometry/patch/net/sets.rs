@@ -1,19 +1,19 @@
 //! The least level whose net is within a tolerance of the limit surface as a set of points.
 
-use super::super::far::FarPlace;
+use super::super::far::{FarPlace, Place};
 use super::super::geometric::{
-    FaceDepth, FarPoint, GeometricDepth, GeometricPlace, Known, LEAST_SHARE, Levels, MAX_LEVEL,
-    Nearness, Pieces as _, Scene, SetKind, Whole, distances, far_distance, first_far,
-    relative_tolerance, sweep,
+    FaceDepth, FarPoint, GeometricDepth, GeometricPlace, Known, Levels, MAX_LEVEL, Pieces as _,
+    Scene, SetKind, Whole, check, distances, far_distance, first_far, sweep,
 };
-use super::super::judge::Judge;
-use super::super::number::Vector as _;
+use super::super::judge::Judge as _;
+use super::super::number::squared;
+use super::super::surface::Surface as _;
 use super::super::threads::in_threads;
 use super::cell::{Cell, bound};
-use super::depth::{NetDistances, positive};
 use super::direction::Direction;
+use super::distances::NetDistances;
 use super::pieces::{NetPieces, unit};
-use super::search::Place;
+use super::search::Node;
 use crate::exact::Rational;
 use crate::float::nearest;
 use crate::mesh::Point;
@@ -150,15 +150,7 @@ impl NetDistances {
 
 impl<'a> NetLevels<'a> {
     fn new(distances: &'a NetDistances, tolerance: &Rational) -> Result<NetLevels<'a>, NetError> {
-        positive(tolerance)?;
-        let share = Rational::new(1, 1 << LEAST_SHARE);
-        let least = relative_tolerance(distances.model.net.points(), &share);
-        if least.is_some_and(|least| *tolerance < least) {
-            return Err(NetError::TooMuch(format!(
-                "as a distance of sets, a tolerance is at least 2^-{LEAST_SHARE} of the diagonal of the box around \
-                 the net; take a greater one, or --distance parametric"
-            )));
-        }
+        check::<NetError>(tolerance, distances.model.net.points(), "net")?;
         Ok(NetLevels { distances, tolerance: tolerance.clone() })
     }
 
@@ -174,7 +166,7 @@ impl<'a> NetLevels<'a> {
     /// The cells of a level in a root that simple bounds leave open, up to a cap.
     fn own(&self, root: usize, pieces: &NetPieces) -> Vec<Own> {
         let directions = self.directions();
-        let tolerance = Judge::<Point<f64>>::tolerance(&pieces.judge);
+        let tolerance = pieces.judge.tolerance();
         let mut own = Vec::new();
         let mut stack = vec![self.distances.model.rounded_cell(root)];
         while let Some(cell) = stack.pop() {
@@ -279,10 +271,6 @@ impl<'a> NetLevels<'a> {
     fn parameters(&self, cell: &Cell<f64>, point: &Point<f64>, from: SetKind) -> [Rational; 2] {
         let directions = self.directions();
         let pieces = self.pieces(cell.level(), Vec::new());
-        let squared = |x: &Point<f64>| {
-            let way = x.minus(point);
-            way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
-        };
         let at = |cell: &Cell<f64>, which: usize, share: &Rational| {
             let unit = Rational::from(directions[which].arity).pow(cell.level().cast_signed());
             (Rational::from(cell.index[which]) + share) / unit
@@ -303,7 +291,8 @@ impl<'a> NetLevels<'a> {
                         let corners = [[0, 0], [0, 1], [1, 1], [1, 0]];
                         let mut least = f64::INFINITY;
                         for (corner, limit) in corners.into_iter().zip(&pieces.hull(&part).limits) {
-                            let (square, shares) = (squared(limit), corner.map(Rational::from));
+                            let (square, shares) =
+                                (squared(limit, point), corner.map(Rational::from));
                             least = least.min(square);
                             offer(square, [0, 1].map(|which| at(&part, which, &shares[which])));
                         }
@@ -335,7 +324,7 @@ impl<'a> NetLevels<'a> {
                             let (low, high) = (&nodes[which][end - 1], &nodes[which][end]);
                             at(cell, which, &(low + &(part * &(high - low))))
                         };
-                        offer(squared(&x), [share(0, i, u), share(1, j, v)]);
+                        offer(squared(&x, point), [share(0, i, u), share(1, j, v)]);
                     }
                 }
             }
@@ -352,33 +341,24 @@ impl<'a> NetLevels<'a> {
         let model = &self.distances.model;
         let (level, cell) = (scene.pieces.level, &scene.pieces.cells[far.unit]);
         let distance = far_distance(whole, far, &(&self.tolerance / &model.scale));
-        let squared = |x: &Point<f64>| {
-            let way = x.minus(&far.point);
-            way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
-        };
         let (phases, grid) = match cell.clone().begun(self.directions()).base {
             Some(base) => (base.phases, base.points),
             None => ([0; 2], Vec::new()),
         };
-        let nearest_node = (0..grid.len())
-            .min_by(|i, j| squared(&grid[*i]).total_cmp(&squared(&grid[*j])))
-            .unwrap_or(0);
+        let square = |i: usize| squared(&grid[i], &far.point);
+        let nearest_node =
+            (0..grid.len()).min_by(|i, j| square(*i).total_cmp(&square(*j))).unwrap_or(0);
         let columns = self.directions()[1].rounded.phases[phases[1]].nodes.len();
         let parameters = self.parameters(cell, &far.point, far.from);
         let (polygon, limit) = match far.from {
             SetKind::Mesh => (far.point, far.other),
             SetKind::Limit => (far.other, far.point),
         };
-        let place = Place {
-            levels: cell.levels,
-            index: cell.index,
-            phases,
-            nodes: [nearest_node / columns, nearest_node % columns],
-            limit,
-            polygon,
-        };
+        let number = [nearest_node / columns, nearest_node % columns];
+        let at = Node { levels: cell.levels, index: cell.index, phases, number };
+        let place = Place { level: cell.level(), at, limit, polygon };
         let FarPlace { face, vertex, level_face, on_mesh, on_limit } =
-            model.rounded_place(level, &place);
+            model.far_place(0, level, &place);
         let (point, other) = match far.from {
             SetKind::Mesh => (on_mesh, on_limit),
             SetKind::Limit => (on_limit, on_mesh),
@@ -402,7 +382,7 @@ impl Levels for NetLevels<'_> {
     type Error = NetError;
 
     fn count(&self) -> usize {
-        self.distances.model.roots()
+        self.distances.model.root_count()
     }
 
     fn examine(
@@ -413,8 +393,8 @@ impl Levels for NetLevels<'_> {
     ) -> Result<Vec<(usize, Known)>, NetError> {
         let work = self.distances.work();
         let whole = Whole::new(self.pieces(level, Vec::new()));
-        let limit = Judge::<Point<f64>>::tolerance(&whole.sets.judge);
-        let [most, _] = self.distances.model.most_levels(MAX_LEVEL);
+        let limit = whole.sets.judge.tolerance();
+        let most = self.distances.model.most_levels()[0].min(MAX_LEVEL);
         let waiting = self.distances.model.above(level, limit);
         let mut roots: Vec<usize> =
             waiting.into_iter().map(|(_, root)| root).filter(|root| wanted[*root]).collect();
@@ -457,16 +437,10 @@ impl Levels for NetLevels<'_> {
             let units: Vec<usize> =
                 (0..owners.len()).filter(|unit| owners[*unit].is_some()).collect();
             let found = sweep(&scene, &units, &whole, tolerance, &work, all);
-            for (unit, nearness) in units.iter().zip(found) {
+            for (unit, nearness) in units.iter().zip(&found) {
                 let root = owners[*unit].map_or(0, |i| chunk[i].root);
                 let entry = known.entry(root).or_insert(Known::Near);
-                match (nearness, &entry) {
-                    (Nearness::Far(far), Known::Near | Known::Open) => {
-                        *entry = Known::Far(self.place(&scene, &whole, &far));
-                    }
-                    (Nearness::Open, Known::Near) => *entry = Known::Open,
-                    _ => {}
-                }
+                entry.add(nearness, |far| self.place(&scene, &whole, far));
             }
             for root in chunk.iter().map(|own| own.root) {
                 if last != Some(root) {
@@ -485,13 +459,6 @@ impl Levels for NetLevels<'_> {
 
     /// A net is bilinear at equal parameters too.
     fn parametric(&self) -> Result<Option<u32>, NetError> {
-        self.distances.level(&self.tolerance).map(Some)
-    }
-
-    fn too_many(&self) -> NetError {
-        NetError::TooMuch(format!(
-            "the tolerance needs more than {MAX_LEVEL} levels as a distance of sets, or is too near to call; take a \
-             greater one, or --distance parametric"
-        ))
+        self.distances.parametric_level(&self.tolerance).map(Some)
     }
 }

@@ -1,10 +1,14 @@
 //! Parts of a mesh.
 
-use crate::mesh::{Connectivity, MeshError, Point, PolygonMesh, Tags};
+use super::connectivity::Connectivity;
+use super::crease::Tags;
+use super::error::MeshError;
+use super::point::Point;
+use super::polygon::PolygonMesh;
 use std::collections::{HashMap, HashSet};
 
 /// These faces, and all that are up to so many steps from them, from vertex to vertex.
-pub(super) fn grown(connectivity: &Connectivity, faces: &[usize], steps: u32) -> Vec<usize> {
+pub(crate) fn grown(connectivity: &Connectivity, faces: &[usize], steps: u32) -> Vec<usize> {
     let mut all = faces.to_vec();
     let mut met: HashSet<usize> = faces.iter().copied().collect();
     let mut begin = 0;
@@ -25,7 +29,7 @@ pub(super) fn grown(connectivity: &Connectivity, faces: &[usize], steps: u32) ->
 }
 
 /// The faces in groups of at most `size` that hang together, as far as they do.
-pub(super) fn groups(connectivity: &Connectivity, faces: &[usize], size: usize) -> Vec<Vec<usize>> {
+pub(crate) fn groups(connectivity: &Connectivity, faces: &[usize], size: usize) -> Vec<Vec<usize>> {
     let mut left: HashSet<usize> = faces.iter().copied().collect();
     let mut groups = Vec::new();
     for &start in faces {
@@ -51,15 +55,15 @@ pub(super) fn groups(connectivity: &Connectivity, faces: &[usize], size: usize) 
 
 /// The mesh of these faces alone, in their order, and the numbers that its vertices had. A vertex at which they are
 /// several fans is several vertices.
-pub(super) fn cut(
-    mesh: &PolygonMesh<f64>,
+pub(crate) fn cut<S: Clone>(
+    mesh: &PolygonMesh<S>,
     faces: &[usize],
-) -> Result<(PolygonMesh<f64>, Vec<usize>), MeshError> {
+) -> Result<(PolygonMesh<S>, Vec<usize>), MeshError> {
     let connectivity = mesh.connectivity();
     let numbers: HashMap<usize, usize> = faces.iter().enumerate().map(|(i, &x)| (x, i)).collect();
     let mut new: Vec<Vec<usize>> =
         faces.iter().map(|&face| vec![usize::MAX; mesh.faces()[face].len()]).collect();
-    let (mut points, mut origins): (Vec<Point<f64>>, Vec<usize>) = (Vec::new(), Vec::new());
+    let (mut points, mut origins): (Vec<Point<S>>, Vec<usize>) = (Vec::new(), Vec::new());
     for (number, &face) in faces.iter().enumerate() {
         for corner in 0..new[number].len() {
             if new[number][corner] != usize::MAX {
@@ -84,7 +88,7 @@ pub(super) fn cut(
             for (face, corner) in all {
                 new[face][corner] = points.len();
             }
-            points.push(mesh.points()[vertex]);
+            points.push(mesh.points()[vertex].clone());
             origins.push(vertex);
         }
     }
@@ -95,9 +99,9 @@ pub(super) fn cut(
 
 /// What is sharp in a part of a mesh, and which of its faces are holes. The faces at its own boundary may differ from
 /// those of the mesh.
-fn tags(
-    mesh: &PolygonMesh<f64>,
-    part: &PolygonMesh<f64>,
+fn tags<S>(
+    mesh: &PolygonMesh<S>,
+    part: &PolygonMesh<S>,
     faces: &[usize],
     origins: &[usize],
 ) -> Result<Tags, MeshError> {
@@ -116,9 +120,8 @@ fn tags(
         let sharp = old.vertex(origin, &connectivity.star(origin)).cloned();
         tags.corner(part.connectivity(), vertex, sharp)?;
     }
-    let holes = old.holes(connectivity);
     for (face, before) in faces.iter().enumerate() {
-        if holes.contains(before) {
+        if old.is_hole(connectivity, *before) {
             tags.hole(part.connectivity(), face)?;
         }
     }
