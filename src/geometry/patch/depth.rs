@@ -41,8 +41,40 @@ pub struct Distances<S> {
     looks_apart: bool,
 }
 
-#[expect(private_bounds, reason = "all surfaces are here")]
-impl<S: Surface> Distances<S> {
+/// The methods of one surface whose work is generic. Generic ones would be compiled by each crate that calls them, with
+/// its own optimisation.
+macro_rules! distances_of {
+    ($model:ty, $error:ty) => {
+        impl Distances<$model> {
+            /// The depth for a tolerance.
+            ///
+            /// # Errors
+            /// When the tolerance is not positive, or may need more levels than are looked at.
+            pub fn depth(
+                &self,
+                tolerance: &$crate::exact::Rational,
+            ) -> Result<$crate::patch::MeshDepth, $error> {
+                self.depth_within(tolerance)
+            }
+
+            /// A lower and an upper bound of the distance at a level.
+            #[must_use]
+            pub fn distance(&self, level: u32) -> [f64; 2] {
+                self.measured(level).0
+            }
+
+            /// A lower and an upper bound of the distance at a level, for each face or cell of the control mesh: of its
+            /// piece of the mesh of that level from its piece of the limit. Both are 0 where there is no limit.
+            #[must_use]
+            pub fn faces(&self, level: u32) -> Vec<[f64; 2]> {
+                self.measured_faces(level)
+            }
+        }
+    };
+}
+pub(super) use distances_of;
+
+impl<S> Distances<S> {
     pub(super) fn of(model: S) -> Self {
         Distances { model, work: Arc::default(), looks_apart: true }
     }
@@ -64,13 +96,11 @@ impl<S: Surface> Distances<S> {
     pub fn without_apart(self) -> Self {
         Self { looks_apart: false, ..self }
     }
+}
 
-    /// The depth for a tolerance.
-    ///
-    /// # Errors
-    /// When the tolerance is not positive, or may need more than [`MAX_DEPTH_LEVEL`] levels, or than the numbers of the
-    /// faces of a net allow.
-    pub fn depth(&self, tolerance: &Rational) -> Result<MeshDepth, S::Error> {
+#[expect(private_bounds, reason = "all surfaces are here")]
+impl<S: Surface> Distances<S> {
+    pub(super) fn depth_within(&self, tolerance: &Rational) -> Result<MeshDepth, S::Error> {
         positive::<S::Error>(tolerance)?;
         let Descent { level, beyond, exact_pieces } = self.descended(tolerance)?;
         let (mut distance, worst) = self.measured(level);

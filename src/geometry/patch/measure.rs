@@ -23,10 +23,7 @@ const TRIED: usize = 64;
 
 #[expect(private_bounds, reason = "all surfaces are here")]
 impl<S: Surface> Distances<S> {
-    /// A lower and an upper bound of the distance at a level, for each face or cell of the control mesh: of its
-    /// piece of the mesh of that level from its piece of the limit. Both are 0 where there is no limit.
-    #[must_use]
-    pub fn faces(&self, level: u32) -> Vec<[f64; 2]> {
+    pub(super) fn measured_faces(&self, level: u32) -> Vec<[f64; 2]> {
         let model = &self.model;
         let judge = model.rounded_judge(&Rational::one());
         let mut faces = vec![[0.0_f64; 2]; model.face_count()];
@@ -53,12 +50,6 @@ impl<S: Surface> Distances<S> {
             }
         }
         faces
-    }
-
-    /// A lower and an upper bound of the distance at a level.
-    #[must_use]
-    pub fn distance(&self, level: u32) -> [f64; 2] {
-        self.measured(level).0
     }
 
     /// An enclosure of the distance at a level.

@@ -1,7 +1,7 @@
 //! The distances of meshes and solids.
 
 use super::cell::Cell;
-use super::depth::Distances;
+use super::depth::{Distances, distances_of};
 use super::far::{FarPlace, Place, Verdict};
 use super::judge::{Exactly, Judge as _, Rounded};
 use super::kind::Kind;
@@ -9,7 +9,7 @@ use super::model::Model;
 use super::number::{Vector as _, combinations, mean};
 use super::search::Search;
 use super::shape::UP;
-use super::surface::{Ball, PieceSearch, Refused, Surface};
+use super::surface::{Ball, PieceSearch, Surface};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::float::nearest;
 use crate::mesh::{MeshError, MeshScheme, Point, PolygonMesh};
@@ -124,12 +124,11 @@ impl Distances<Model> {
     }
 }
 
-impl Refused for Model {
-    type Error = MeshError;
-}
+distances_of!(Model, MeshError);
 
 /// The roots are the pieces of level 1.
 impl Surface for Model {
+    type Error = MeshError;
     type Cell = Cell<Point<f64>>;
     type At = u128;
     const FIRST: u32 = 1;

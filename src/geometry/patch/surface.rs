@@ -9,7 +9,8 @@ use crate::net::NetError;
 
 /// A surface, or a solid, as pieces that can be divided. In f64, points are moved so that the first one is the
 /// origin, and divided by a power of two.
-pub(super) trait Surface: Refused + Sync {
+pub(super) trait Surface: Sync {
+    type Error: TooMuch;
     /// A piece with its points in f64.
     type Cell;
     /// In what part of a piece a place is.
@@ -128,13 +129,8 @@ pub(super) struct Ball {
     pub(super) on_mesh: bool,
 }
 
-/// What has errors of its own.
-pub trait Refused {
-    type Error: TooMuch;
-}
-
 /// Errors that say what is beyond a cap.
-pub trait TooMuch {
+pub(super) trait TooMuch {
     fn too_much(reason: String) -> Self;
 }
 

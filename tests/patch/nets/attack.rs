@@ -144,7 +144,7 @@ fn no_limit_point_is_farther_away_than_certified() {
         // Open and closed nets in turn.
         let net = bumpy(10, 11, CLOSED[2 * (i % 2)]);
         for tolerance in [r(1, 1), r(1, 20)] {
-            attack(&net, name, &tolerance, 24);
+            attack(&net, name, &tolerance, 12);
         }
     }
 }

@@ -1,10 +1,10 @@
 //! The distances of nets.
 
-use super::super::depth::Distances;
+use super::super::depth::{Distances, distances_of};
 use super::super::far::{FarPlace, Place, Verdict};
 use super::super::judge::{Exactly, Judge as _, Rounded};
 use super::super::number::Vector as _;
-use super::super::surface::{Ball, PieceSearch, Refused, Surface};
+use super::super::surface::{Ball, PieceSearch, Surface};
 use super::cell::{Cell, bound};
 use super::constants::{MAX_LATER, UP};
 use super::direction::Direction;
@@ -68,12 +68,11 @@ impl Model {
     }
 }
 
-impl Refused for Model {
-    type Error = NetError;
-}
+distances_of!(Model, NetError);
 
 /// The roots are the cells of level 0.
 impl Surface for Model {
+    type Error = NetError;
     type Cell = Cell<f64>;
     type At = Node;
     const FIRST: u32 = 0;
