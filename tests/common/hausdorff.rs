@@ -308,8 +308,8 @@ impl Tree {
 
     fn box_distance(&self, p: P) -> f64 {
         let mut square = 0.0;
-        for i in 0..3 {
-            let out = if p[i] < self.low[i] { self.low[i] - p[i] } else { p[i] - self.high[i] };
+        for (x, (low, high)) in p.iter().zip(self.low.iter().zip(&self.high)) {
+            let out = if x < low { low - x } else { x - high };
             if out > 0.0 {
                 square += out * out;
             }
