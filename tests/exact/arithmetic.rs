@@ -53,6 +53,17 @@ proptest! {
         prop_assert_eq!(x.to_i64(), a.to_i64());
     }
 
+    /// Also where the product, or the sum alone, is beyond a word.
+    #[test]
+    fn added_products_are_products_added(a in integer(), b in integer(), c in integer()) {
+        let (half, word) = (BigInt::from(1_i64 << 31), BigInt::from(i64::MAX));
+        for [a, b, c] in [[&a, &b, &c], [&word, &half, &b], [&a, &word, &BigInt::from(1)], [&word, &half, &half]] {
+            let mut sum = ours(a);
+            sum.add_product(&ours(b), &ours(c));
+            prop_assert_eq!(sum, ours(&(a + b * c)));
+        }
+    }
+
     #[test]
     fn assigning_forms_agree_with_the_others(a in integer(), b in integer(), p in ratio(), q in ratio()) {
         let (x, y) = (ours(&a), ours(&b));
