@@ -51,7 +51,7 @@ pub(crate) use refine::{step_with, weighted_valences};
 pub(crate) use region::{cut, groups, grown};
 pub use scheme::MeshScheme;
 pub use star::Star;
-pub(crate) use stencil::Stencils;
+pub(crate) use stencil::{Stencils, ring};
 pub use texture::Texture;
 pub use write::{BeyondF64, to_json, to_obj, to_ply, to_usda};
 pub(crate) use write::{decimals, list, numbers, one_line};

@@ -111,10 +111,9 @@ fn tags<S>(
         return Ok(tags);
     }
     tags.creasing = old.creasing;
-    for edge in part.connectivity().edges() {
+    for (number, edge) in part.connectivity().edges().iter().enumerate() {
         let before = connectivity.face_edges(faces[edge.face.0])[edge.face.1];
-        let sharp = old.edges().get(&before).cloned();
-        tags.crease(part.connectivity(), edge.ends, sharp)?;
+        tags.set_edge(number, old.edges().get(&before).cloned());
     }
     for (vertex, &origin) in origins.iter().enumerate() {
         let sharp = old.vertex(origin, &connectivity.star(origin)).cloned();

@@ -60,9 +60,7 @@ fn row(scheme: MeshScheme, n: usize) -> Vec<RealCyclotomic> {
 }
 
 fn of_catalogue(scheme: MeshScheme, n: usize) -> Vec<RealCyclotomic> {
-    let parameter = if scheme == MeshScheme::DooSabin { "n" } else { "N" };
-    let ring: LocalRules = parse_local_rules(&format!("{}:{parameter}={n}", scheme.name()))
-        .expect("the catalogue has rules for every valence");
+    let ring = ring(scheme, n);
     let weights: Vec<RealCyclotomic> = ring.weights().row(0).cloned().collect();
     match scheme {
         MeshScheme::DooSabin => weights,
@@ -71,6 +69,16 @@ fn of_catalogue(scheme: MeshScheme, n: usize) -> Vec<RealCyclotomic> {
             of_face_points(n, &weights[0], &weights[1], &weights[1 + n])
         }
     }
+}
+
+/// The rules of the catalogue around a vertex of this valence, or on a face of so many vertices.
+///
+/// # Panics
+/// When the catalogue has no rules for it.
+pub(crate) fn ring(scheme: MeshScheme, n: usize) -> LocalRules {
+    let parameter = if scheme == MeshScheme::DooSabin { "n" } else { "N" };
+    parse_local_rules(&format!("{}:{parameter}={n}", scheme.name()))
+        .expect("the catalogue has rules for every valence")
 }
 
 /// The catalogue has weights of the opposite vertices f_i of quadrilaterals. The new point of such a

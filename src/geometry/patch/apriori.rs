@@ -7,9 +7,8 @@ use crate::exact::{Enclosed, Rational, RealCyclotomic};
 use crate::float::{lower, nearest, upper};
 use crate::mesh::{
     INFINITE_FROM, MeshError, MeshScheme, Point, PolygonMesh, Sharpness, Stencils, check_rules,
-    check_tags, weighted_valences,
+    check_tags, ring, weighted_valences,
 };
-use crate::scheme::{LocalRules, parse_local_rules};
 use std::collections::BTreeSet;
 
 /// What a mesh guarantees by its longest edge and its valences.
@@ -163,11 +162,6 @@ pub(super) fn longest_edge(
 /// An f64 that is at least this.
 pub(super) fn above(value: &RealCyclotomic) -> f64 {
     f64::from_bits(value.step(|x| upper(x).to_bits()))
-}
-
-fn ring(scheme: MeshScheme, n: usize) -> LocalRules {
-    let parameter = if scheme == MeshScheme::DooSabin { "n" } else { "N" };
-    parse_local_rules(&format!("{}:{parameter}={n}", scheme.name())).expect("a checked valence")
 }
 
 /// The greatest T_1 of these valences.

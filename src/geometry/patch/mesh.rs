@@ -9,7 +9,7 @@ use super::model::Model;
 use super::number::{Vector as _, combinations, mean};
 use super::search::Search;
 use super::shape::UP;
-use super::surface::{Ball, PieceSearch, Surface};
+use super::surface::{Ball, PieceSearch, Surface, WIDTH};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::float::nearest;
 use crate::mesh::{MeshError, MeshScheme, Point, PolygonMesh};
@@ -245,7 +245,7 @@ impl Surface for Model {
 
     /// Irregular edges of solids have many pieces.
     fn width(&self) -> f64 {
-        if self.shapes.kind == Kind::Solid { 0.02 } else { 1e-3 }
+        if self.shapes.kind == Kind::Solid { 0.02 } else { WIDTH }
     }
 }
 

@@ -7,6 +7,9 @@ use crate::float::nearest;
 use crate::mesh::{MeshError, Point};
 use crate::net::NetError;
 
+/// How wide the enclosure of the distance is for most surfaces, relative to it.
+pub(super) const WIDTH: f64 = 1e-3;
+
 /// A surface, or a solid, as pieces that can be divided. In f64, points are moved so that the first one is the
 /// origin, and divided by a power of two.
 pub(super) trait Surface: Sync {
@@ -83,7 +86,7 @@ pub(super) trait Surface: Sync {
 
     /// How wide the enclosure of the distance is, relative to it.
     fn width(&self) -> f64 {
-        1e-3
+        WIDTH
     }
 
     /// The roots with a greater bound than this for a level, the greatest first.

@@ -208,10 +208,7 @@ impl SchemeDefinition {
         parameters: &BTreeMap<String, V>,
         indices: &[(&str, i64)],
     ) -> Result<V, SchemeError> {
-        let mut scope = Scope::new(&self.definitions, &());
-        for (name, value) in parameters {
-            scope = scope.with(name, value.clone());
-        }
+        let mut scope = Scope::new(&self.definitions, &()).with_all(parameters);
         for (name, index) in indices {
             scope = scope.with(*name, V::from_rational(&Rational::from(*index)));
         }

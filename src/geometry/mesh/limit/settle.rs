@@ -47,5 +47,5 @@ fn two_rings(mesh: &Mesh, vertex: usize) -> Result<(Mesh, usize), MeshError> {
     faces.sort_unstable();
     let (part, origins) = cut(mesh, &faces)?;
     let at = origins.iter().position(|origin| *origin == vertex);
-    Ok((part, at.unwrap_or(0)))
+    Ok((part, at.expect("the vertex is one of its faces")))
 }
