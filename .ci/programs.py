@@ -64,31 +64,39 @@ def by_gcc(texts, folder):
     """The values; the text of a reason where there is none."""
     source = folder / "values.c"
 
-    def write(known):
-        lines = [f"if (show({i})) print({text});" if i in known else "" for i, text in enumerate(texts)]
-        head = "#include <stdio.h>\nstatic int at; static int show(int i) { at = i; return 1; }\n"
-        head += 'static void print(double x) { printf("%d %a\\n", at, x); }\nint main(void) {\n'
-        source.write_text(head + "\n".join(lines) + "\nreturn 0;}\n")
-        return head.count("\n") + 1
-
-    first = write(range(len(texts)))
-    said = subprocess.run(
-        ["gcc", "-fsyntax-only", "-Wall", "-Wextra", "-fmax-errors=0", str(source)], capture_output=True, text=True
-    ).stderr
+    source.write_text("\n".join(f"double f{i}(void) {{ return {text}; }}" for i, text in enumerate(texts)) + "\n")
+    command = ["gcc", "-fsyntax-only", "-fmax-errors=0", "-Wall", "-Wextra", str(source)]
+    said = subprocess.run(command, capture_output=True, text=True).stderr
     values = {}
-    wrong = r"values\.c:(\d+):\d+: (?:warning|error): (.*)"
-    for line, why in re.findall(wrong, said):
-        undefined = "integer overflow" in why or "division by zero" in why or "too large" in why or "is so large" in why
-        if undefined:
-            values[int(line) - first] = why
-    known = [i for i in range(len(texts)) if i not in values]
-    write(set(known))
+    for line, why in re.findall(r"values\.c:(\d+):\d+: (?:warning|error): (.*)", said):
+        if "integer overflow" in why or "too large" in why or "is so large" in why:
+            values[int(line) - 1] = why
+
+    # gcc warns of a division by zero for `1.0 / 0` too, which is infinite: only a quotient of integers raises the
+    # signal. As below for JavaScript, what is infinite on the way is left out.
+    head = """#include <math.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdio.h>
+static int infinite;
+static sigjmp_buf next;
+#define finite(x) ({ __typeof__(x) value = (x); infinite |= isinf((double)value); value; })
+#define print(at, x) infinite = 0; \\
+    if (sigsetjmp(next, 1)) puts(#at " division by zero"); \\
+    else { double value = (x); printf("%d %a\\n", at, infinite ? INFINITY : value); }
+static void raised(int signal) { siglongjmp(next, signal); }
+int main(void) {
+signal(SIGFPE, raised);
+"""
+    guarded = [re.sub(r"\((?!float\)|double\))", "finite(", text) for text in texts]
+    lines = [f"print({i}, {text})" for i, text in enumerate(guarded) if i not in values]
+    source.write_text(head + "\n".join(lines) + "\nreturn 0;}\n")
     program = folder / "values"
     subprocess.run(["gcc", "-w", "-O0", "-o", str(program), str(source)], check=True)
     said = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout
     for line in said.splitlines():
-        place, value = line.split()
-        values[int(place)] = float.fromhex(value)
+        place, value = line.split(maxsplit=1)
+        values[int(place)] = value if value == "division by zero" else float.fromhex(value)
     return [values[i] for i in range(len(texts))]
 
 
