@@ -207,10 +207,6 @@ fn read(source: &str, absolute: impl Fn(&[String]) -> Option<Vec<String>>) -> Sa
         } else if word(place + 1) == "::" && (place == 0 || word(place - 1) != "::") {
             let first = word(place);
             let imported = known.get(first);
-            if imported.is_none() && !["crate", "super", "self"].contains(&first) {
-                place += 1;
-                continue;
-            }
             let mut path = imported.cloned().unwrap_or_else(|| vec![first.to_owned()]);
             let from_root = imported.is_some();
             while word(place + 1) == "::" && is_name(word(place + 2)) {

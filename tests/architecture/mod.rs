@@ -127,6 +127,9 @@ fn circles_are_found_through_every_form_of_import() {
     assert_eq!(circles(&[&exported[..], &through].concat()), [["a::x", "b"]]);
     let inside = [top, ("a", "mod x; use x::g;"), ("a::x", "use super::f;"), ("b", "")];
     assert_eq!(circles(&inside), [["a", "a::x"]]);
+    // A folder that calls its file by its path alone.
+    let called = [top, ("a", "mod x; fn f() { x::g() }"), ("a::x", "use super::F;"), ("b", "")];
+    assert_eq!(circles(&called), [["a", "a::x"]]);
     // In a body, by the name of a folder above.
     let imported = [top, ("a", "use super::b; fn f() { b::g() }"), ("b", "pub use c::g; mod c;")];
     let below = [("b::c", "use super::super::a::A;")];

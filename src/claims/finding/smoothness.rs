@@ -39,6 +39,18 @@ pub enum SmoothnessVerdict {
 }
 
 impl SmoothnessVerdict {
+    /// The verdict of a claim that says all of these, each true, false or not decided.
+    #[must_use]
+    pub fn of_all(parts: &[Option<bool>]) -> SmoothnessVerdict {
+        if parts.contains(&Some(false)) {
+            SmoothnessVerdict::Refuted
+        } else if parts.contains(&None) {
+            SmoothnessVerdict::Open
+        } else {
+            SmoothnessVerdict::Confirmed
+        }
+    }
+
     /// The verdict's name.
     #[must_use]
     pub fn name(self) -> &'static str {

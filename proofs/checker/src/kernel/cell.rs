@@ -1,7 +1,7 @@
 //! Theorems about the cells of a table: constants, sound bounds and depths, and promises that are not kept.
 
 use super::read::{Argument, Theorem, Theorems};
-use super::{Given, comment, mask, parameters, placed, rational, stated};
+use super::stated::{comment, mask, parameters, placed, rational, stated};
 use crate::decimal::{Q, int};
 use crate::library::Constant;
 use crate::local_rules::LocalRules;
@@ -13,6 +13,16 @@ use crate::toml::Toml;
 use crate::value::Value;
 use crate::witness::Points;
 use num_traits::Signed;
+
+/// A value of a parameter that a valid certificate of a table recovers.
+pub struct Given {
+    /// The id of the table.
+    pub table: String,
+    /// The name of the parameter.
+    pub name: String,
+    /// The value.
+    pub value: Q,
+}
 
 /// Compares theorems with a table, and gives the values of its parameters that certificates recover.
 pub fn agree<'a>(
@@ -150,7 +160,7 @@ fn broken(table: &Table<'_>, at: Place, theorem: &Theorem) -> Checked<()> {
         (Some(ring), _) => {
             require(points == Points::Indexed, Reason::Malformed("masks"))?;
             let ring = LocalRules::new(table.paper.library, ring, &promised.scope)?;
-            ("exceeds_ring_distance", vec![super::ring(&ring, &ring.weights)?])
+            ("exceeds_ring_distance", vec![super::stated::ring(&ring, &ring.weights)?])
         }
         (None, [_]) => ("exceeds_distance", curve(&promised, points)?),
         (None, schemes) => {

@@ -1,7 +1,7 @@
 //! Theorems of a paper that data refute: one instance, and the bound there.
 
 use super::read::{Argument, Theorem, Theorems};
-use super::{comment, masks, parameters, placed, ring};
+use super::stated::{comment, masks, parameters, placed, ring};
 use crate::decimal::{Q, int, read_rational};
 use crate::paper::Paper;
 use crate::reject::{At, Checked, Reason, compare, require};
@@ -77,7 +77,7 @@ fn one<'a>(paper: &'a Paper<'a>, claim: &'a Toml, theorem: &Theorem) -> Checked<
     };
     expected.push(Argument::Level(level));
     expected.extend([int(1), bound].map(Argument::Number));
-    super::stated(theorem, &format!("exceeds_{form}{quantity}"), &expected)
+    super::stated::stated(theorem, &format!("exceeds_{form}{quantity}"), &expected)
 }
 
 /// Reads `Refuted for SCHEME, NAME = VALUE at level K; the bound is BY`, or for a depth

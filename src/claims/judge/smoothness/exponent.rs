@@ -1,6 +1,5 @@
 //! Judging printed Hölder exponents.
 
-use super::together;
 use crate::claim::{ExponentStatement, PrintedExponent};
 use crate::exact::{Decimal, Enclosed as _, Enclosure, LogSum, Rounding};
 use crate::finding::{Direction, SmoothnessVerdict};
@@ -26,9 +25,11 @@ pub(super) fn judge(
         printed.as_ref().map_or(Some(true), |printed| bounds(hoelder, &printed.value)[which])
     };
     match exponent {
-        ExponentStatement::Value(printed) => together(&[equals(hoelder, &printed.value), as_said]),
+        ExponentStatement::Value(printed) => {
+            SmoothnessVerdict::of_all(&[equals(hoelder, &printed.value), as_said])
+        }
         ExponentStatement::Bounds { at_least, at_most } => {
-            together(&[bound(at_least, 0), bound(at_most, 1), as_said])
+            SmoothnessVerdict::of_all(&[bound(at_least, 0), bound(at_most, 1), as_said])
         }
         ExponentStatement::Decimal { decimal, .. } => match (rounding(hoelder, decimal), as_said) {
             (Some(Rounding::Neither), _) | (_, Some(false)) => SmoothnessVerdict::Refuted,

@@ -1,7 +1,8 @@
 //! Judging the values of a parameter for which the limits are said to be C^m.
 
+use super::mask::{is_continuous, limits, no_valences};
 use super::trial::{Judged, Sides, Trial};
-use super::{is_continuous, limits, no_valences, vertex_range};
+use super::vertex_range;
 use crate::bound::{Order, norm_function};
 use crate::claim::SmoothRangeStatement;
 use crate::diagnostic::Diagnostic;

@@ -1,6 +1,5 @@
 //! Judging claims about surfaces at a vertex or on a face.
 
-use super::together;
 use crate::characteristic::{Vertex, smooth_for_all_valences};
 use crate::claim::{PrintedValences, SmoothnessStatement};
 use crate::diagnostic::Diagnostic;
@@ -24,7 +23,7 @@ pub(super) fn judge(
         ));
     };
     let says = |vertex: &Vertex| {
-        together(&[
+        SmoothnessVerdict::of_all(&[
             continuous.map_or(Some(true), |m| vertex.is_continuous(m)),
             not_continuous.map_or(Some(true), |m| vertex.is_continuous(m).map(|yes| !yes)),
         ])

@@ -1,35 +1,13 @@
 //! Catmull–Clark, and the rules that differ from it in the weights of vertices.
 
-use super::super::error::MeshError;
 use super::super::point::{Point, combination, sum};
 use super::super::polygon::PolygonMesh;
-use super::super::refine::refine_mesh;
-use super::super::scheme::MeshScheme;
 use super::super::star::Star;
 use super::super::stencil::Stencils;
+use super::circle::{circular, cosine};
+use super::normal::Normal;
 use super::weights::bicubic;
-use super::{LimitPoint, Normal, circular, cosine, of_first};
 use crate::exact::{RealCyclotomic, Scalar};
-
-pub(super) fn limits(
-    mesh: &PolygonMesh<RealCyclotomic>,
-    scheme: MeshScheme,
-) -> Result<Vec<Option<LimitPoint>>, MeshError> {
-    let count = mesh.points().len();
-    if mesh.faces().iter().all(|face| face.len() == 4) {
-        return of_first(mesh, count, scheme);
-    }
-    // A refinement has quadrilaterals only, moves no limit, and keeps the numbers of the vertices.
-    let mut limits = of_first(&refine_mesh(mesh, scheme, 1)?, count, scheme)?;
-    // Its faces are parts of those of the mesh.
-    let sizes = mesh.faces().iter().enumerate();
-    let parents: Vec<usize> =
-        sizes.flat_map(|(face, own)| std::iter::repeat_n(face, own.len())).collect();
-    for sector in limits.iter_mut().flatten().flat_map(|limit| &mut limit.sectors) {
-        sector.faces.iter_mut().for_each(|face| *face = parents[*face]);
-    }
-    Ok(limits)
-}
 
 /// The limit and the normal of a vertex between quadrilaterals without sharp edges.
 pub(super) fn smooth(

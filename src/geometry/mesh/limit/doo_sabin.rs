@@ -5,7 +5,9 @@ use super::super::point::sum;
 use super::super::polygon::PolygonMesh;
 use super::super::refine::refine_mesh;
 use super::super::scheme::MeshScheme;
-use super::{LimitPoint, Normal, circular};
+use super::circle::circular;
+use super::normal::Normal;
+use super::vertex::LimitPoint;
 use crate::exact::{Rational, RealCyclotomic, Scalar};
 
 /// After one refinement an inner vertex is a face. The centre of a face stays where it is, and

@@ -4,8 +4,9 @@ use super::super::point::{Point, combination, sum};
 use super::super::polygon::PolygonMesh;
 use super::super::star::Star;
 use super::super::stencil::Stencils;
+use super::circle::circular;
+use super::normal::Normal;
 use super::weights::triangular;
-use super::{Normal, circular};
 use crate::exact::RealCyclotomic;
 
 /// The limit and the normal of a vertex without sharp edges.

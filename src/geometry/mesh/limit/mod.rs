@@ -1,41 +1,28 @@
 //! Limit points of vertices, and the normals there.
 
 mod catmull_clark;
+mod circle;
 mod dart;
 mod doo_sabin;
 mod loops;
 mod normal;
 mod sector;
 mod settle;
+mod vertex;
 mod weights;
 
 pub use normal::{Normal, Tangents};
 pub use sector::Sector;
+pub use vertex::LimitPoint;
 pub(crate) use weights::limit_weights;
-use weights::{dart_edge, position, settled_weights, sharp_weights};
 
-use super::crease::VertexMask;
 use super::error::MeshError;
-use super::field::{check_field, check_rules, check_tags, inner_valences};
-use super::point::{Point, combination};
+use super::field::{check_field, check_rules, check_tags};
 use super::polygon::PolygonMesh;
+use super::refine::refine_mesh;
 use super::scheme::MeshScheme;
-use super::star::Star;
-use super::stencil::Stencils;
-use crate::exact::{Rational, RealCyclotomic};
-
-/// The limit of a vertex of a mesh.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LimitPoint {
-    /// The point that the vertex tends to.
-    pub position: Point<RealCyclotomic>,
-    /// The normal there. `None` at a vertex of several sectors or of none whose tangents are known, and
-    /// where the tangents that give the normal are parallel.
-    pub normal: Option<Normal>,
-    /// The sectors between sharp edges at a vertex on a crease, at a corner or at the boundary, with
-    /// their tangents; none where the surface is smooth.
-    pub sectors: Vec<Sector>,
-}
+use crate::exact::RealCyclotomic;
+use vertex::of_first;
 
 /// The limit point of every vertex of a mesh.
 ///
@@ -82,102 +69,29 @@ pub fn limit_points(
     check_tags(mesh, scheme)?;
     check_field(mesh.connectivity(), mesh.points(), scheme, true, mesh.points().len())?;
     match scheme {
-        MeshScheme::CatmullClark | MeshScheme::Bajaj => catmull_clark::limits(mesh, scheme),
+        MeshScheme::CatmullClark | MeshScheme::Bajaj => of_quadrilaterals(mesh, scheme),
         MeshScheme::DooSabin => doo_sabin::limits(mesh),
         MeshScheme::Loop | MeshScheme::LoopWarren => of_first(mesh, mesh.points().len(), scheme),
     }
 }
 
-/// The limits of the first vertices of a mesh of triangles or of quadrilaterals.
-fn of_first(
+/// The limits of the vertices by rules for quadrilaterals.
+fn of_quadrilaterals(
     mesh: &PolygonMesh<RealCyclotomic>,
-    count: usize,
     scheme: MeshScheme,
 ) -> Result<Vec<Option<LimitPoint>>, MeshError> {
-    let valences = inner_valences(mesh.connectivity()).filter(|(vertex, _)| *vertex < count);
-    let stencils = Stencils::new(scheme, valences.map(|(_, n)| n));
-    let limit = |vertex| at_vertex(mesh, vertex, scheme, &stencils).map(Some);
-    (0..count).map(limit).collect()
-}
-
-/// The limit of a vertex, after refinement around it where a sharpness falls there.
-fn at_vertex(
-    mesh: &PolygonMesh<RealCyclotomic>,
-    vertex: usize,
-    scheme: MeshScheme,
-    stencils: &Stencils,
-) -> Result<LimitPoint, MeshError> {
-    let star = mesh.connectivity().star(vertex);
-    if !settle::falls(mesh, vertex, &star) {
-        let mask = mesh.tags().vertex_mask(mesh.connectivity(), vertex, &star);
-        return Ok(settled_limit(mesh, vertex, &star, &mask, (scheme, stencils)));
+    let count = mesh.points().len();
+    if mesh.faces().iter().all(|face| face.len() == 4) {
+        return of_first(mesh, count, scheme);
     }
-    let (part, at) = settle::settled(mesh, vertex, scheme)?;
-    let own = part.connectivity().star(at);
-    let mask = part.tags().vertex_mask(part.connectivity(), at, &own);
-    let mut limit = settled_limit(&part, at, &own, &mask, (scheme, stencils));
-    // The faces of a part have other numbers. Its star begins at another face where all is smooth.
-    let ends: Vec<usize> = own.faces.clone();
-    for sector in &mut limit.sectors {
-        for face in &mut sector.faces {
-            let place = ends.iter().position(|end| end == face).unwrap_or(0);
-            *face = star.faces[place % star.faces.len()];
-        }
+    // A refinement has quadrilaterals only, moves no limit, and keeps the numbers of the vertices.
+    let mut limits = of_first(&refine_mesh(mesh, scheme, 1)?, count, scheme)?;
+    // Its faces are parts of those of the mesh.
+    let sizes = mesh.faces().iter().enumerate();
+    let parents: Vec<usize> =
+        sizes.flat_map(|(face, own)| std::iter::repeat_n(face, own.len())).collect();
+    for sector in limits.iter_mut().flatten().flat_map(|limit| &mut limit.sectors) {
+        sector.faces.iter_mut().for_each(|face| *face = parents[*face]);
     }
-    Ok(limit)
-}
-
-/// The limit of a vertex whose sharp edges are infinitely sharp.
-fn settled_limit(
-    mesh: &PolygonMesh<RealCyclotomic>,
-    vertex: usize,
-    star: &Star,
-    mask: &VertexMask,
-    (scheme, stencils): (MeshScheme, &Stencils),
-) -> LimitPoint {
-    if *mask != VertexMask::Smooth {
-        return sharp_limit(mesh, vertex, star, mask, !scheme.is_triangular());
-    }
-    let (position, normal) = if dart_edge(mesh, star).is_some() {
-        let weights = settled_weights(mesh, vertex, star, mask, scheme, stencils);
-        (position(mesh, &weights), None)
-    } else if scheme.is_triangular() {
-        loops::smooth(mesh, vertex, star, stencils)
-    } else {
-        catmull_clark::smooth(mesh, vertex, star, stencils)
-    };
-    LimitPoint { position, normal, sectors: Vec::new() }
-}
-
-/// The position and the sectors of a vertex that is not smooth.
-fn sharp_limit(
-    mesh: &PolygonMesh<RealCyclotomic>,
-    vertex: usize,
-    star: &Star,
-    mask: &VertexMask,
-    quadrilaterals: bool,
-) -> LimitPoint {
-    let position = position(mesh, &sharp_weights(vertex, mask));
-    let sectors = sector::sectors(mesh, vertex, star, mask, quadrilaterals);
-    let normal = match &sectors[..] {
-        [one] => one.tangents.as_ref().and_then(Tangents::normal),
-        _ => None,
-    };
-    LimitPoint { position, normal, sectors }
-}
-
-/// Σ cos(2πi/n) x_i and Σ cos(2π(i − 1)/n) x_i over n points around a vertex or a face.
-///
-/// Their cross product is sin(2π/n) times that of the sums with cosines and with sines.
-fn circular(points: &[&Point<RealCyclotomic>]) -> [Point<RealCyclotomic>; 2] {
-    let cosines: Vec<RealCyclotomic> = (0..points.len()).map(|i| cosine(i, points.len())).collect();
-    [0, 1].map(|start| {
-        let turned = (0..points.len()).map(|i| &cosines[(i + points.len() - start) % points.len()]);
-        combination(turned.zip(points.iter().copied()))
-    })
-}
-
-/// cos(2πi/n), for an n whose field has been checked.
-fn cosine(i: usize, n: usize) -> RealCyclotomic {
-    RealCyclotomic::cosine(&Rational::new(i, n)).expect("a valence within the cap")
+    Ok(limits)
 }

@@ -4,7 +4,7 @@ use super::super::crease::VertexMask;
 use super::super::point::{Point, combination, difference, sum};
 use super::super::polygon::PolygonMesh;
 use super::super::star::Star;
-use super::cosine;
+use super::circle::cosine;
 use super::normal::Tangents;
 use crate::exact::{Rational, Real, RealCyclotomic, Scalar, common_conductor};
 

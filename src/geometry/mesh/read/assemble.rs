@@ -7,7 +7,7 @@ use super::super::error::MeshError;
 use super::super::point::Point;
 use super::super::polygon::PolygonMesh;
 use super::super::texture::Texture;
-use super::{MeshFile, Places};
+use super::file::{MeshFile, Places};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Integer, Rational};
 use std::ops::Range;

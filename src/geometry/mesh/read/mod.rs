@@ -2,6 +2,7 @@
 
 mod assemble;
 mod binary;
+mod file;
 mod lines;
 mod obj;
 mod off;
@@ -13,16 +14,15 @@ mod usd_tokens;
 mod vtk;
 mod words;
 
+pub use file::MeshFile;
+
 pub(crate) use assemble::{Denominator, Parts};
+pub(crate) use file::{About, Places};
 pub(crate) use lines::{Word, parse_coordinate};
 pub(crate) use vtk::{Cell, vtk_header, vtk_lists, vtk_points};
 pub(crate) use words::Words;
 
-use super::error::MeshError;
-use super::polygon::PolygonMesh;
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::exact::Rational;
-use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -73,96 +73,6 @@ impl MeshFormat {
             Some("solid") => MeshFormat::Stl,
             Some(word) if word.ends_with("OFF") => MeshFormat::Off,
             _ => MeshFormat::Obj,
-        }
-    }
-}
-
-/// A mesh with the places of its points and faces in a file.
-#[derive(Clone, Debug)]
-pub struct MeshFile {
-    mesh: PolygonMesh<Rational>,
-    places: Places,
-    notes: Vec<String>,
-}
-
-/// Where points and faces stand; in a file of a solid, cells in place of faces.
-#[derive(Clone, Debug)]
-pub(crate) struct Places {
-    source: Arc<SourceText>,
-    points: Vec<Range<usize>>,
-    faces: Vec<Range<usize>>,
-    /// What the file calls the first point and the first face.
-    base: usize,
-}
-
-/// What an error is about: a point, a face, another face, and the remedy.
-pub(crate) struct About {
-    pub(crate) point: Option<usize>,
-    pub(crate) face: Option<usize>,
-    pub(crate) other: Option<usize>,
-    pub(crate) help: Option<&'static str>,
-}
-
-impl MeshFile {
-    /// The mesh.
-    #[must_use]
-    pub fn mesh(&self) -> &PolygonMesh<Rational> {
-        &self.mesh
-    }
-
-    /// The same file with another mesh on its faces, such as with other tags.
-    #[must_use]
-    pub fn with_mesh(self, mesh: PolygonMesh<Rational>) -> MeshFile {
-        MeshFile { mesh, ..self }
-    }
-
-    /// What was dropped or changed when the file was read, in sentences.
-    #[must_use]
-    pub fn notes(&self) -> &[String] {
-        &self.notes
-    }
-
-    /// An error about the mesh, at its place in the file.
-    #[must_use]
-    pub fn diagnostic(&self, error: &MeshError) -> Diagnostic {
-        self.places.diagnostic(error)
-    }
-}
-
-impl Places {
-    fn diagnostic(&self, error: &MeshError) -> Diagnostic {
-        let (point, face, other) = (error.point(), error.face(), error.other_face());
-        let about = About { point, face, other, help: error.help() };
-        self.place(&about, error.message(self.base))
-    }
-
-    /// The line in which a point stands.
-    fn line(&self, point: usize) -> usize {
-        let start = self.points.get(point).map_or(0, |place| place.start);
-        1 + self.source.text.get(..start).unwrap_or_default().matches('\n').count()
-    }
-
-    /// What the file calls the first point and the first face.
-    pub(crate) fn base(&self) -> usize {
-        self.base
-    }
-
-    /// An error at its place.
-    pub(crate) fn place(&self, about: &About, message: String) -> Diagnostic {
-        let point = about.point.and_then(|point| self.points.get(point));
-        let face = about.face.and_then(|face| self.faces.get(face));
-        let span = point.or(face).cloned().unwrap_or(0..0);
-        let mut diagnostic = Diagnostic::new(&self.source, span, message);
-        let other = match (point, face) {
-            (Some(_), Some(face)) => Some(face),
-            _ => about.other.and_then(|face| self.faces.get(face)),
-        };
-        if let Some(other) = other {
-            diagnostic = diagnostic.with_place(other.clone(), "the other place");
-        }
-        match about.help {
-            Some(help) => diagnostic.with_help(help),
-            None => diagnostic,
         }
     }
 }

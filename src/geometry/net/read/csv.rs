@@ -1,6 +1,6 @@
 //! A row of the net on each line.
 
-use super::Parts;
+use super::parts::Parts;
 use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
 use std::ops::Range;

@@ -1,6 +1,7 @@
 //! Arrays of rows of points.
 
-use super::{Closed, Parts};
+use super::super::grid::Closed;
+use super::parts::Parts;
 use crate::diagnostic::{Diagnostic, json_elements, json_fields, json_place};
 use crate::exact::Rational;
 use serde_json::value::RawValue;

@@ -1,0 +1,29 @@
+//! What is known of the limits of a mask.
+
+use crate::claim::PrintedValences;
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::limits::LimitScheme;
+use crate::finding::Limits;
+use crate::scheme::Mask;
+use crate::smoothness::Smoothness;
+
+/// A mask has no valences.
+pub(super) fn no_valences(scheme: &LimitScheme<'_>, valences: &PrintedValences) -> Diagnostic {
+    scheme
+        .error(format!("`valences = '{}'` of a mask", valences.text))
+        .with_help("valences are those of rules around a vertex or on a face, such as `loop`")
+}
+
+/// What is proved of the limits of a mask, or the cap that its rules are beyond.
+pub(super) fn limits(mask: Mask) -> Result<Limits, String> {
+    let smoothness = Smoothness::of(&mask).map_err(|error| error.to_string())?;
+    Ok(Limits { mask, smoothness })
+}
+
+/// Whether all limits are C^m, where that is decided.
+pub(super) fn is_continuous(smoothness: &Smoothness, m: usize) -> Option<bool> {
+    if smoothness.continuity.is_some_and(|proved| m <= proved) {
+        return Some(true);
+    }
+    smoothness.continuity_fails.is_some_and(|fails| fails <= m).then_some(false)
+}

@@ -1,0 +1,107 @@
+//! The limit of a vertex between triangles or quadrilaterals.
+
+use super::super::crease::VertexMask;
+use super::super::error::MeshError;
+use super::super::field::inner_valences;
+use super::super::point::Point;
+use super::super::polygon::PolygonMesh;
+use super::super::scheme::MeshScheme;
+use super::super::star::Star;
+use super::super::stencil::Stencils;
+use super::normal::{Normal, Tangents};
+use super::sector::{Sector, sectors};
+use super::settle::{falls, settled};
+use super::weights::{dart_edge, position, settled_weights, sharp_weights};
+use super::{catmull_clark, loops};
+use crate::exact::RealCyclotomic;
+
+/// The limit of a vertex of a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LimitPoint {
+    /// The point that the vertex tends to.
+    pub position: Point<RealCyclotomic>,
+    /// The normal there. `None` at a vertex of several sectors or of none whose tangents are known, and
+    /// where the tangents that give the normal are parallel.
+    pub normal: Option<Normal>,
+    /// The sectors between sharp edges at a vertex on a crease, at a corner or at the boundary, with
+    /// their tangents; none where the surface is smooth.
+    pub sectors: Vec<Sector>,
+}
+
+/// The limits of the first vertices of a mesh of triangles or of quadrilaterals.
+pub(super) fn of_first(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    count: usize,
+    scheme: MeshScheme,
+) -> Result<Vec<Option<LimitPoint>>, MeshError> {
+    let valences = inner_valences(mesh.connectivity()).filter(|(vertex, _)| *vertex < count);
+    let stencils = Stencils::new(scheme, valences.map(|(_, n)| n));
+    let limit = |vertex| at_vertex(mesh, vertex, scheme, &stencils).map(Some);
+    (0..count).map(limit).collect()
+}
+
+/// The limit of a vertex, after refinement around it where a sharpness falls there.
+fn at_vertex(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    vertex: usize,
+    scheme: MeshScheme,
+    stencils: &Stencils,
+) -> Result<LimitPoint, MeshError> {
+    let star = mesh.connectivity().star(vertex);
+    if !falls(mesh, vertex, &star) {
+        let mask = mesh.tags().vertex_mask(mesh.connectivity(), vertex, &star);
+        return Ok(settled_limit(mesh, vertex, &star, &mask, (scheme, stencils)));
+    }
+    let (part, at) = settled(mesh, vertex, scheme)?;
+    let own = part.connectivity().star(at);
+    let mask = part.tags().vertex_mask(part.connectivity(), at, &own);
+    let mut limit = settled_limit(&part, at, &own, &mask, (scheme, stencils));
+    // The faces of a part have other numbers. Its star begins at another face where all is smooth.
+    let ends: Vec<usize> = own.faces.clone();
+    for sector in &mut limit.sectors {
+        for face in &mut sector.faces {
+            let place = ends.iter().position(|end| end == face).unwrap_or(0);
+            *face = star.faces[place % star.faces.len()];
+        }
+    }
+    Ok(limit)
+}
+
+/// The limit of a vertex whose sharp edges are infinitely sharp.
+fn settled_limit(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    vertex: usize,
+    star: &Star,
+    mask: &VertexMask,
+    (scheme, stencils): (MeshScheme, &Stencils),
+) -> LimitPoint {
+    if *mask != VertexMask::Smooth {
+        return sharp_limit(mesh, vertex, star, mask, !scheme.is_triangular());
+    }
+    let (position, normal) = if dart_edge(mesh, star).is_some() {
+        let weights = settled_weights(mesh, vertex, star, mask, scheme, stencils);
+        (position(mesh, &weights), None)
+    } else if scheme.is_triangular() {
+        loops::smooth(mesh, vertex, star, stencils)
+    } else {
+        catmull_clark::smooth(mesh, vertex, star, stencils)
+    };
+    LimitPoint { position, normal, sectors: Vec::new() }
+}
+
+/// The position and the sectors of a vertex that is not smooth.
+fn sharp_limit(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    vertex: usize,
+    star: &Star,
+    mask: &VertexMask,
+    quadrilaterals: bool,
+) -> LimitPoint {
+    let position = position(mesh, &sharp_weights(vertex, mask));
+    let sectors = sectors(mesh, vertex, star, mask, quadrilaterals);
+    let normal = match &sectors[..] {
+        [one] => one.tangents.as_ref().and_then(Tangents::normal),
+        _ => None,
+    };
+    LimitPoint { position, normal, sectors }
+}
