@@ -32,7 +32,9 @@ def test_other_threads_run():
 
 
 def test_interrupts_end_the_work():
-    code = f"import subcert; print('ready', flush=True); {LONG}; print('finished')"
+    # Who is started in the background of a shell ignores interrupts, and so do those it starts.
+    heed = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+    code = f"{heed}; import subcert; print('ready', flush=True); {LONG}; print('finished')"
     process = subprocess.Popen(
         [sys.executable, "-c", textwrap.dedent(code)],
         stdout=subprocess.PIPE,
