@@ -50,6 +50,9 @@ ANSWERS = [
 
 def main():
     build = ["cargo", "build", "--locked", "--quiet", "--bin", "subcert", "--features", "schema"]
+    # What is compiled once more for the schemas need not be quick.
+    for crate in ("geometry", "claims", "check"):
+        build += ["--config", f"profile.dev.package.subcert-{crate}.opt-level=0"]
     subprocess.run(build, cwd=ROOT, check=True)
     program = Path(target()) / "debug/subcert"
     if sys.argv[1:] == ["--write"]:
