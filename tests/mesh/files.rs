@@ -231,6 +231,21 @@ fn errors_in_usd_files() {
     assert!(read(MeshFormat::Usda, &deep).expect_err("deep").to_string().contains("nested deeper"));
 }
 
+#[test]
+fn a_second_surface_in_a_file_is_refused() {
+    let named = ascii_stl().replace("endsolid", "endsolid a tetrahedron\r\n\n ");
+    assert!(read(MeshFormat::Stl, &named).is_ok());
+    let second = format!("{named}\nsolid b\nendsolid b\n");
+    let points = "POINTS 1 float\n9 9 9\nPOLYGONS";
+    for (format, text, part) in [
+        (MeshFormat::Stl, second, "more after the end of the solid"),
+        (MeshFormat::Vtk, vtk().replace("POLYGONS", points), "the points of the file stand twice"),
+    ] {
+        let error = read(format, &text).map(|_| ()).expect_err(part);
+        assert!(error.to_string().contains(part) && error.help.is_some(), "{error}");
+    }
+}
+
 /// Bytes of every form, as files.
 fn all() -> Vec<(MeshFormat, Vec<u8>)> {
     vec![

@@ -37,7 +37,7 @@ fn what_is_said_of_the_seams() {
 /// What is wrong, the line and the column, and a part of the message.
 #[test]
 fn errors_have_a_place_and_a_remedy() {
-    let cases: [(&str, usize, usize, &str); 14] = [
+    let cases: [(&str, usize, usize, &str); 15] = [
         ("", 1, 1, "no point"),
         ("0 0 0, 1 0 0\n0 1 0\n", 2, 1, "1 points, and the first row has 2"),
         ("0 0 0, 1 0\n", 1, 8, "2 numbers here"),
@@ -52,6 +52,7 @@ fn errors_have_a_place_and_a_remedy() {
         ("[[0,0,0],[1,0,0]]", 1, 3, "invalid type"),
         ("{\"points\": [], \"close\": \"u\"}", 1, 25, "no field `close`"),
         ("{\"points\": [[[0,0,null]]]}", 1, 19, "no number"),
+        ("{\"closed\": \"u\", \"closed\": \"v\"}", 1, 27, "`closed` stands twice"),
     ];
     for (text, line, column, part) in cases {
         let format = NetFormat::of_text(text);

@@ -109,7 +109,18 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
         let missing = || "`endsolid` is missing".to_owned();
         let word = words.expect(missing)?;
         if word.text.eq_ignore_ascii_case("endsolid") {
-            break;
+            // The name of the solid may follow in this line.
+            let text = &source.text;
+            let end = text[word.at..].find('\n').map_or(text.len(), |end| word.at + end);
+            let rest = text[end..].trim_start();
+            if rest.is_empty() {
+                break;
+            }
+            let at = text.len() - rest.len();
+            let length = rest.find(char::is_whitespace).unwrap_or(rest.len());
+            let message = "there is more after the end of the solid";
+            return Err(Diagnostic::new(source, at..at + length, message)
+                .with_help("write each solid into a file of its own, or all triangles into one"));
         }
         expected(&mut words, word.text, word.place(), "facet")?;
         word_is(&mut words, "normal")?;

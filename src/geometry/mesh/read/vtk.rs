@@ -47,7 +47,7 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     }
     while let Some(word) = words.next() {
         match word.text.to_ascii_uppercase().as_str() {
-            "POINTS" => vtk_points(&mut words, &mut parts)?,
+            "POINTS" => vtk_points(&mut words, word.place(), &mut parts)?,
             "POLYGONS" => {
                 for (corners, place) in vtk_lists(&mut words)? {
                     parts.face(corners, place)?;
@@ -108,8 +108,16 @@ pub(crate) fn vtk_header(source: &Arc<SourceText>) -> Result<usize, Diagnostic> 
     Err(Diagnostic::new(source, start..start + third.len(), message).with_help(help))
 }
 
-/// The points of a VTK file.
-pub(crate) fn vtk_points(words: &mut Words<'_>, parts: &mut Parts) -> Result<(), Diagnostic> {
+/// The points of a VTK file, whose word `POINTS` stands at a place.
+pub(crate) fn vtk_points(
+    words: &mut Words<'_>,
+    place: Range<usize>,
+    parts: &mut Parts,
+) -> Result<(), Diagnostic> {
+    if parts.point_count() > 0 {
+        let message = "the points of the file stand twice";
+        return Err(words.wrong(place, message).with_help("keep one list of points"));
+    }
     let count = words.count("the number of points")?;
     words.expect(|| "the type of the points is missing".to_owned())?;
     for found in 0..count {

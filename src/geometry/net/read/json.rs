@@ -19,8 +19,14 @@ pub(super) fn read(parts: &mut Parts<'_>) -> Result<Option<Closed>, Diagnostic> 
     let (mut points, mut closed) = (whole.clone(), None);
     if source.text[whole.clone()].trim_start().starts_with('{') {
         let mut found = None;
+        let mut met = Vec::new();
         for (name, value) in json_fields(source, whole.clone(), HELP)? {
             let place = json_place(source, value);
+            if met.contains(&name) {
+                let message = format!("the field `{name}` stands twice");
+                return Err(parts.wrong(place, message).with_help("remove one of them"));
+            }
+            met.push(name.clone());
             match name.as_str() {
                 "points" => found = Some(place),
                 "closed" => closed = Some(seams(parts, value, place)?),

@@ -45,7 +45,7 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     dataset(&mut words)?;
     while let Some(word) = words.next() {
         match word.text.to_ascii_uppercase().as_str() {
-            "POINTS" => vtk_points(&mut words, &mut parts)?,
+            "POINTS" => vtk_points(&mut words, word.place(), &mut parts)?,
             "CELLS" => cells = Some(vtk_lists(&mut words)?),
             "CELL_TYPES" => types = Some(cell_types(&mut words)?),
             // What belongs to points and cells comes after them.
