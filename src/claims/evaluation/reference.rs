@@ -10,6 +10,11 @@ use crate::scheme::{Reference, SchemeError};
 pub(crate) fn scheme_error(located: &LocatedReference, error: &SchemeError) -> Diagnostic {
     match error {
         SchemeError::File(inner) if inner.source == located.source => (**inner).clone(),
+        // The place is in the file of a scheme of the catalogue, which nobody has to mend.
+        SchemeError::File(inner) => Diagnostic {
+            help: inner.help.clone(),
+            ..Diagnostic::new(&located.source, located.span.clone(), inner.message.clone())
+        },
         other => Diagnostic::new(&located.source, located.span.clone(), other.to_string()),
     }
 }
