@@ -63,7 +63,6 @@ def expression(draw, language, depth):
 def by_gcc(texts, folder):
     """The values; the text of a reason where there is none."""
     source = folder / "values.c"
-
     source.write_text("\n".join(f"double f{i}(void) {{ return {text}; }}" for i, text in enumerate(texts)) + "\n")
     command = ["gcc", "-fsyntax-only", "-fmax-errors=0", "-Wall", "-Wextra", str(source)]
     said = subprocess.run(command, capture_output=True, text=True).stderr
