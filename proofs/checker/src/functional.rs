@@ -42,7 +42,7 @@ impl Functional {
 
     /// The functional with each weight f_i at the index i + `by`.
     fn moved(self, by: &BigInt) -> Result<Functional, Stop> {
-        let by = by.to_i64().filter(|by| by.abs() <= MAX_INDEX);
+        let by = by.to_i64().filter(|by| by.unsigned_abs() <= MAX_INDEX.unsigned_abs());
         let by = by.ok_or(Stop::Capped("the parameters of control data"))?;
         let weights = self.weights.into_iter().map(|(i, weight)| (i + by, weight)).collect();
         Ok(Functional { weights, ..self })

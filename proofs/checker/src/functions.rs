@@ -85,7 +85,7 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
             let (scheme, terms) = (call.scheme()?, call.choose("terms", &TERMS)?);
             let word = call.word("offset", "own");
             let offset = if word == "own" { Some(scheme.offset) } else { word.parse().ok() };
-            let offset = offset.filter(|o: &i64| o.abs() <= 10_000);
+            let offset = offset.filter(|o: &i64| o.unsigned_abs() <= 10_000);
             let Some(o) = offset else { return wrong(format!("`{word}` is no offset")) };
             Value::greatest(&moved(piece, &scheme, o, terms)?, piece)
         }

@@ -56,5 +56,5 @@ pub fn integers(text: &str) -> Option<Vec<BigInt>> {
 
 /// An index. It has a cap.
 pub fn index(value: &BigInt) -> Option<i64> {
-    value.to_i64().filter(|index| index.abs() <= 1_000_000)
+    value.to_i64().filter(|index| index.unsigned_abs() <= 1_000_000)
 }

@@ -49,7 +49,8 @@ fn sums(
     if let ("convolution_norm", [c, n, length, last]) = (call.function, call.arguments) {
         let how = call.convolution(c, n, 16)?;
         let joint = call.choose("suprema", &SUPREMA)? == 1;
-        let last = usize::try_from(last.integer(MAX_INTEGER)?).unwrap_or(0);
+        let last = usize::try_from(last.integer(MAX_INTEGER)?)
+            .map_err(|_| Stop::Wrong("the last index is below 0".to_owned()))?;
         if last > MAX_LENGTH {
             return Err(Stop::Capped("the length of a product of sequences"));
         }

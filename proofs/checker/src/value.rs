@@ -179,7 +179,7 @@ impl Value {
         let mut product = Value::int(0);
         for (a, x) in self.all() {
             for (b, y) in other.all() {
-                product.add_term(&joined(a, b), 1, &x.times(y)?)?;
+                product.add_term(&joined(a, b)?, 1, &x.times(y)?)?;
             }
         }
         Ok(product)
@@ -271,13 +271,13 @@ impl Value {
 }
 
 /// The product of two monomials.
-fn joined(left: &[(Rc<str>, u32)], right: &[(Rc<str>, u32)]) -> Monomial {
+fn joined(left: &[(Rc<str>, u32)], right: &[(Rc<str>, u32)]) -> Result<Monomial, Stop> {
     let mut product = left.to_vec();
     for (name, power) in right {
         match product.binary_search_by(|(known, _)| known.cmp(name)) {
-            Ok(at) => product[at].1 = product[at].1.saturating_add(*power),
+            Ok(at) => product[at].1 = product[at].1.checked_add(*power).ok_or(SIZE)?,
             Err(at) => product.insert(at, (Rc::clone(name), *power)),
         }
     }
-    product
+    Ok(product)
 }
