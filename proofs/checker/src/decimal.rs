@@ -64,7 +64,8 @@ impl Decimal {
         let (number, exponent) = text.split_once('e').unwrap_or((&text, "0"));
         let unsigned = exponent.strip_prefix('+');
         let exponent = digits(unsigned.unwrap_or(exponent), unsigned.is_none())?;
-        let exponent = i64::try_from(exponent).ok().filter(|e| e.abs() <= MAX_EXPONENT)?;
+        let exponent =
+            i64::try_from(exponent).ok().filter(|e| (-MAX_EXPONENT..=MAX_EXPONENT).contains(e))?;
         let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
         // Digits stand on both sides of the point.
         digits(whole, true).filter(|_| number.len() != whole.len() + 1)?;

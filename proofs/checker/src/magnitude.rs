@@ -16,9 +16,10 @@ const MAX_EXPONENT: u64 = 1 << 48;
 /// The most binary digits of powers that are computed exactly.
 const MAX_BITS: u64 = 1 << 20;
 
-/// m·2^e, m > 0.
+/// m·2^e, m > 0. Exponents of powers are at most 2^48 and numbers have fewer than 2^64 digits, so that e is far
+/// below 2^127.
 #[derive(Clone)]
-struct Float(BigInt, i64);
+struct Float(BigInt, i128);
 
 /// Two floats, between which a number is.
 #[derive(Clone)]
@@ -59,14 +60,14 @@ impl Magnitude {
             Q::new(x.numer().clone(), x.denom() << -places)
         };
         let ends = [scaled.floor(), scaled.ceil()];
-        Magnitude(ends.map(|end| Float(end.to_integer(), -places)))
+        Magnitude(ends.map(|end| Float(end.to_integer(), i128::from(-places))))
     }
 
     fn times(&self, other: &Magnitude) -> Magnitude {
         let end = |i: usize| {
             let Float(m, e) = &self.0[i];
             let Float(n, f) = &other.0[i];
-            let (product, exponent) = (m * n, e.saturating_add(*f));
+            let (product, exponent) = (m * n, e + f);
             let excess = i64::try_from(product.bits()).unwrap_or(i64::MAX) - DIGITS;
             if excess <= 0 {
                 return Float(product, exponent);
@@ -74,7 +75,7 @@ impl Magnitude {
             // The lower end is rounded down, the upper one up.
             let unit = BigInt::one() << excess;
             let cut = if i == 0 { product.div_floor(&unit) } else { product.div_ceil(&unit) };
-            Float(cut, exponent.saturating_add(excess))
+            Float(cut, exponent + i128::from(excess))
         };
         Magnitude([end(0), end(1)])
     }
@@ -96,7 +97,7 @@ impl Magnitude {
     /// How the number compares with 1, where both ends say the same.
     fn order(&self) -> Option<Ordering> {
         let [low, high] = self.0.each_ref().map(|Float(m, e)| {
-            let place = i64::try_from(m.bits()).unwrap_or(i64::MAX).saturating_add(*e);
+            let place = i128::from(m.bits()) + e;
             // m·2^e is from 2^(place − 1) to below 2^place.
             let one = place == 1 && *m == BigInt::one() << (m.bits() - 1);
             if one { Ordering::Equal } else { place.cmp(&1).then(Ordering::Greater) }

@@ -78,3 +78,62 @@ proptest! {
         }
     }
 }
+
+/// What the checker says of a theorem on Chaikin's scheme with a polygon that begins at an index.
+fn from_index(first: i64) -> Outcome {
+    let claims = "key = \"k\"\n[[theorem]]\nid = \"t\"\nlocus = \"1\"\ntitle = \"t\"\nscheme = \"chaikin\"\n\
+        bounds = \"difference\"\nby = \"beta*(1/2)^k\"\nfrom = '0'\n";
+    let certificate = format!(
+        "subcert-certificate 4\npaper k\ntheorem t\n  bounds difference\n  by beta*(1/2)^k\n  scheme chaikin\n  \
+         level 0\n  polygon {first} 0 1 2 3\n  at -1\n  sides 3 1\n  refuted\nend 1\n"
+    );
+    let report = check(claims, &[&certificate]).expect("a claim file");
+    report.claims.into_iter().next().expect("a claim").2
+}
+
+// The first index i64::MIN has no absolute value in an i64.
+#[test]
+fn an_index_at_the_ends_of_machine_integers_refutes_nothing() {
+    for first in [i64::MIN, i64::MIN + 1, i64::MAX, -1_000_001, 1_000_001, -1_000_000, -1, 0] {
+        let said = from_index(first);
+        assert!(matches!(said, Outcome::Invalid(..)), "{first}: {said:?}");
+    }
+}
+
+// x^(64^6) has an exponent beyond 32 bits: times x it is another one.
+#[test]
+fn powers_of_symbols_beyond_machine_integers_are_not_equal() {
+    let power = "((((((x^64)^64)^64)^64)^64)^64)";
+    let claims = format!(
+        "key = \"k\"\n[[equation]]\nid = \"e\"\nsymbols = [\"x\"]\nleft = '{power}'\nright = '{power}*x'"
+    );
+    let certificate = format!(
+        "subcert-certificate 4\npaper k\nequation e\n  left {power}\n  right {power}*x\n  holds 1\nend 1\n"
+    );
+    let report = check(&claims, &[&certificate]).expect("a claim file");
+    assert!(matches!(report.claims[0].2, Outcome::Incomplete(..)), "{:?}", report.claims[0].2);
+}
+
+/// What the checker says of a lower bound of the Hölder exponent of Chaikin's scheme, which is 2.
+fn exponent_at_least(bound: &str) -> Outcome {
+    let claims = format!(
+        "key = \"k\"\n[[exponent]]\nid = \"e\"\nlocus = \"1\"\nscheme = \"chaikin\"\nat_least = '{bound}'\n"
+    );
+    let certificate = format!(
+        "subcert-certificate 4\npaper k\nexponent e\n  scheme chaikin\n  at-least {bound}\n  order 3\n  product 1\n  \
+         eigenvalue positive 2\n  at-most 2\n  unit 1\n  image\n  image\n  continuous 1\n  not-continuous 2\n  end\n  \
+         confirmed\nend 1\n"
+    );
+    let report = check(&claims, &[&certificate]).expect("a claim file");
+    report.claims.into_iter().next().expect("a claim").2
+}
+
+// The powers 2^(2^47·400000) and 2^(2^47·300000) have exponents beyond 64 bits, of which the first is greater.
+#[test]
+fn powers_beyond_machine_integers_are_compared() {
+    assert_eq!(exponent_at_least("1"), Outcome::Valid);
+    let (more, less) = ("2^47*log_2(2^400000)", "2^47*log_2(2^300000)");
+    let above = exponent_at_least(&format!("1 + {more} - {less}"));
+    assert!(matches!(above, Outcome::Invalid(..)), "{above:?}");
+    assert_eq!(exponent_at_least(&format!("1 + {less} - {more}")), Outcome::Valid);
+}

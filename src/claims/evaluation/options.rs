@@ -80,9 +80,11 @@ impl<'a> Options<'a> {
         let printed = self.take("offset").unwrap_or_else(|| "own".to_owned());
         match self.word("offset", &printed) {
             "own" => Ok(own),
-            word => word.parse().ok().filter(|o: &i64| o.abs() <= 10_000).ok_or_else(|| {
-                CallError::Misuse(format!("`offset` is `own` or an integer, not `{word}`"))
-            }),
+            word => {
+                word.parse().ok().filter(|o: &i64| o.unsigned_abs() <= 10_000).ok_or_else(|| {
+                    CallError::Misuse(format!("`offset` is `own` or an integer, not `{word}`"))
+                })
+            }
         }
     }
 

@@ -108,7 +108,8 @@ impl LogSum {
         let powers = terms().map(|LogTerm { factor, base: own, of }| {
             let exponent = (factor * &scale).numerator().to_i64();
             let exponent = exponent.and_then(|e| i32::try_from(e).ok());
-            let exponent = exponent.filter(|e| e.abs() <= MAX_POWER && *own == base)?;
+            let exponent =
+                exponent.filter(|e| (-MAX_POWER..=MAX_POWER).contains(e) && *own == base)?;
             Some(of.pow(exponent))
         });
         let product = powers.reduce(|product, power| Some(product? * power?)).flatten();

@@ -5,7 +5,7 @@ use crate::decimal::{Q, int};
 use crate::meter::Meter;
 use crate::reject::{DepthChecked as Checked, Stop};
 use num_integer::{Integer as _, Roots as _};
-use num_traits::{Signed as _, ToPrimitive as _};
+use num_traits::ToPrimitive as _;
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -43,7 +43,7 @@ fn capped<T>(what: &'static str) -> Checked<T> {
 impl Ratio {
     pub fn of(x: &Q) -> Checked<Ratio> {
         match (x.numer().to_i64(), x.denom().to_i64()) {
-            (Some(top), Some(bottom)) if top.abs() < 1 << 48 && bottom < 1 << 24 => {
+            (Some(top), Some(bottom)) if top.unsigned_abs() < 1 << 48 && bottom < 1 << 24 => {
                 Ok(Ratio { top: top.into(), bottom: bottom.into() })
             }
             _ => capped("the size of parameters"),
@@ -65,7 +65,7 @@ impl Ratio {
         let common = top.gcd(&bottom).max(1);
         let (top, bottom) = (top / common, bottom / common);
         // So that comparisons have room.
-        if top.abs() < 1 << 62 && bottom < 1 << 46 {
+        if top.unsigned_abs() < 1 << 62 && bottom < 1 << 46 {
             Ok(Ratio { top, bottom })
         } else {
             capped("the size of parameters")
@@ -121,7 +121,7 @@ impl<'a> Net<'a> {
             let top = (top << (UNITS + 1)) * tolerance.denom();
             let over = x.denom() * origin.denom() * tolerance.numer();
             let units = (top + &over).div_floor(&(over << 1_u32)).to_i64();
-            let units = units.filter(|x| x.abs() < 1 << MAX_COORDINATE);
+            let units = units.filter(|x| x.unsigned_abs() < 1 << MAX_COORDINATE);
             units.map_or_else(|| capped(LARGE), |x| Ok(x.into()))
         };
         let control = points
@@ -191,7 +191,7 @@ impl<'a> Net<'a> {
         let coordinate = |c: usize| {
             let sum: i128 = terms.iter().map(|(factor, point)| factor * point[c]).sum();
             let x = (2 * sum + over).div_euclid(2 * over);
-            if x.abs() < 1 << MAX_COORDINATE { Ok(x) } else { capped(LARGE) }
+            if x.unsigned_abs() < 1 << MAX_COORDINATE { Ok(x) } else { capped(LARGE) }
         };
         (0..self.dimensions).map(coordinate).collect()
     }

@@ -184,7 +184,7 @@ impl Certificate {
 fn direction(line: usize, words: &[&str]) -> Checked<Given> {
     let shape = "direction OFFSET COUNT closed, or direction OFFSET COUNT FROM TO";
     let [offset, count, rest @ ..] = words else { return malformed(shape) };
-    let offset = offset.parse().ok().filter(|offset: &i64| offset.abs() <= 1_000);
+    let offset = offset.parse().ok().filter(|offset: &i64| offset.unsigned_abs() <= 1_000);
     let count = count.parse().ok().filter(|count| (1..=MAX_POINTS).contains(count));
     let (Some(offset), Some(count)) = (offset, count) else { return malformed(shape) };
     let range = match rest {

@@ -58,7 +58,7 @@ impl Interval {
 
     /// The interval from low·2^exponent to high·2^exponent, rounded outward to so many binary digits.
     pub fn new(low: BigInt, high: BigInt, exponent: i64, bits: u64) -> Result<Interval, Stop> {
-        if exponent.abs() > MAX_EXPONENT {
+        if !(-MAX_EXPONENT..=MAX_EXPONENT).contains(&exponent) {
             return Err(Stop::Capped("the exponent of a number"));
         }
         if low == high {

@@ -106,7 +106,11 @@ impl Reader<'_> {
     }
 
     fn offset(&self, text: &Spanned<String>) -> Result<i64, Diagnostic> {
-        let offset = text.get_ref().parse().ok().filter(|offset: &i64| offset.abs() <= MAX_OFFSET);
+        let offset = text
+            .get_ref()
+            .parse()
+            .ok()
+            .filter(|offset: &i64| (-MAX_OFFSET..=MAX_OFFSET).contains(offset));
         offset.ok_or_else(|| {
             self.error(text.span(), format!("`{}` is no offset", text.get_ref())).with_help(
                 "the index offset o of x_{ni+α} = Σ a x_{i+o+j} is an integer, 0 where a paper \

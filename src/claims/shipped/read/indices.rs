@@ -35,7 +35,7 @@ impl Reader<'_> {
         let (from, to) = range.split_once("..").ok_or_else(refuse)?;
         let end = |text: &str| {
             let end: Option<i64> = text.trim().parse().ok();
-            end.filter(|end| end.abs() <= MAX_INDEX).ok_or_else(refuse)
+            end.filter(|end| (-MAX_INDEX..=MAX_INDEX).contains(end)).ok_or_else(refuse)
         };
         let (from, to) = (end(from)?, end(to)?);
         if to < from {
