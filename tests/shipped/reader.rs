@@ -67,6 +67,17 @@ fn empty_files_and_ids_twice() {
     assert!(refused(&format!("{HEAD}{many}")).contains("more than 64 tables"));
 }
 
+/// The range of an index has ends within a million, also where an end has no absolute value in an i64.
+#[test]
+fn ends_of_indices_have_a_cap() {
+    let ends = ["-9223372036854775808..5", "0..9223372036854775807", "-1000001..5", "0..1000001"];
+    for range in ends {
+        let said =
+            refused(&format!("{HEAD}{}", table("f32", &format!("'n = {range}'"), "n", &["0"])));
+        assert!(said.contains("is no index with its range"), "{range}: {said}");
+    }
+}
+
 #[test]
 fn nested_cells_and_a_formula_for_each() {
     let text = "[[shipped]]\nid = 't'\nlocus = 'l'\ntitle = 't'\ntype = 'f32'\nindices = ['i = 0..1', 'j = 0..2']\n\
