@@ -2,9 +2,10 @@
 
 use crate::common::claims::{HEAD, judged, paper};
 use std::path::Path;
-use subcert::audit::audit;
+use subcert::audit::{Known, audit};
 use subcert::certificate::certificate;
 use subcert::claim::read_paper_file;
+use subcert::exact::Rational;
 use subcert_check::{Outcome, check};
 
 /// The papers with claims about smoothness, and the claims of each that no certificate carries.
@@ -91,6 +92,72 @@ fn what_the_radius_does_not_show_is_left_out() {
     assert_eq!(written.blocks, 0);
     let report = check(&format!("{HEAD}{claims}"), &[&written.text]).expect("a claim file");
     assert!(report.claims.iter().all(|(_, _, outcome)| *outcome == Outcome::Incomplete(None)));
+}
+
+/// An end of two digits stands for what is less than a unit away: the same value refutes it for the program and for the
+/// checker, and another value refutes it for neither.
+#[test]
+fn rounded_ends_of_ranges_have_one_rule() {
+    let claim = |ends: &str| {
+        format!(
+            "[[range]]\nid = 'c'\nlocus = ''\nscheme = 'four-point:w=w'\nvariable = 'w'\nsmoothness = '1'\n{ends}\n"
+        )
+    };
+    let refuted = |ends: &str| {
+        let own = paper(&claim(ends));
+        let audit = judged(&own);
+        let Known::Range(range) = &audit.smoothness[0].known else { panic!("a range") };
+        let at = range.witness.as_ref().expect("a value").at.clone();
+        (at, certificate(&audit).text)
+    };
+    // C^1 up to 0.19273, and these are a value beyond it, and one below it that the claim leaves out.
+    let (beyond, inside) =
+        (refuted("from = '0'\nto = '1/5'"), refuted("from = '0'\nto = '1/8'\nonly = true"));
+    let q = Rational::new;
+    for (ends, verdict, least) in [
+        ("to = '0.20'", "rounding", q(19, 100)),
+        ("to = '0.200'", "refuted", q(199, 1000)),
+        ("to = '0.21'", "refuted", q(1, 5)),
+        ("to = '0.2'", "refuted", q(1, 5)),
+        ("to = '0.193'", "rounding", q(192, 1000)),
+        ("to = '1'", "refuted", q(1, 1)),
+        ("to = '0.19'", "confirmed", q(18, 100)),
+    ] {
+        let claim = claim(&format!("from = '0'\n{ends}"));
+        assert_eq!(judged(&paper(&claim)).smoothness[0].verdict.name(), verdict, "{ends}");
+        let report = check(&format!("{HEAD}{claim}"), &[&beyond.1]).expect("a claim file");
+        assert_eq!(
+            report.claims[0].2 == Outcome::Valid,
+            beyond.0 <= least,
+            "{ends}: {:?}",
+            beyond.0
+        );
+    }
+    for (ends, verdict, most) in [
+        ("to = '0.18'", "refuted", q(19, 100)),
+        ("to = '0.193'", "rounding", q(194, 1000)),
+        ("to = '0.1'", "refuted", q(1, 10)),
+        ("to = '0.11'", "refuted", q(12, 100)),
+    ] {
+        let claim = claim(&format!("from = '0'\nonly = true\n{ends}"));
+        assert_eq!(judged(&paper(&claim)).smoothness[0].verdict.name(), verdict, "{ends}");
+        let report = check(&format!("{HEAD}{claim}"), &[&inside.1]).expect("a claim file");
+        assert_eq!(
+            report.claims[0].2 == Outcome::Valid,
+            inside.0 >= most,
+            "{ends}: {:?}",
+            inside.0
+        );
+    }
+    // Between ends that are less than two units apart nothing is certain; they are taken as they stand.
+    for (ends, valid) in
+        [("from = '0.19'\nto = '0.20'", true), ("from = '0.18'\nto = '0.21'", true)]
+    {
+        let claim = claim(ends);
+        assert_eq!(judged(&paper(&claim)).smoothness[0].verdict.name(), "refuted", "{ends}");
+        let report = check(&format!("{HEAD}{claim}"), &[&beyond.1]).expect("a claim file");
+        assert_eq!(report.claims[0].2 == Outcome::Valid, valid, "{ends}: {:?}", beyond.0);
+    }
 }
 
 #[test]

@@ -225,7 +225,7 @@ fn verdict(condition: &str, ends: &str) -> (&'static str, Vec<EndRelation>, bool
 
 #[test]
 fn a_printed_end_against_an_exact_one() {
-    use EndRelation::{Apart, Belonging, Equal, LastInside, Nearest, Rounded};
+    use EndRelation::{Apart, Belonging, Equal, FewDigits, LastInside, Nearest, Rounded};
     let (cut, away) = (Rounded(Direction::Cut), Rounded(Direction::Away));
     let open = "value = 'abs(x - third)'\nbelow = 'abs(-1/3)'"; // 0 < x < 2/3
     let closed = "value = 'abs(x - third)'\nat_most = '1/3'";
@@ -241,17 +241,20 @@ fn a_printed_end_against_an_exact_one() {
         (open, "from = '0'\nto = '0.66'\nclosed = true", ("inexact", vec![Belonging, cut], false)),
         (
             open,
-            "from = '0.00'\nto = '0.7'\nclosed = false",
+            "from = '0.00'\nto = '0.67'\nclosed = false",
             ("rounding", vec![Equal, Nearest], false),
         ),
-        (open, "from = '0'\nto = '0.6'", ("rounding", vec![Equal, cut], true)),
+        (open, "from = '0'\nto = '0.66'", ("rounding", vec![Equal, cut], true)),
+        // With one digit an end is none rounded.
+        (open, "from = '0'\nto = '0.7'", ("inexact", vec![Equal, FewDigits], false)),
+        (open, "from = '0.1'\nto = '0.6'", ("inexact", vec![LastInside, FewDigits], true)),
         (open, "from = '0'", ("inexact", vec![Equal], false)),
         (
             closed,
             "from = '0'\nto = '0.6667'\nclosed = true",
             ("rounding", vec![Equal, Nearest], false),
         ),
-        (closed, "from = '0'\nto = '1'\nclosed = true", ("rounding", vec![Equal, Nearest], false)),
+        (closed, "from = '0'\nto = '1'\nclosed = true", ("inexact", vec![Equal, FewDigits], false)),
         (closed, "from = '0.001'\nto = '0.666'", ("inexact", vec![Apart, cut], true)),
         (half, "to = '1'\nclosed = false", ("exact", vec![Equal], true)),
         (half, "to = '1.0'", ("exact", vec![Equal], true)),

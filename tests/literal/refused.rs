@@ -32,6 +32,8 @@ fn what_is_no_number() {
         (C, "f table[2] = { 1, 2", 1, "not closed"),
         (C, "/* f table[2] = { 1, 2 };", 1, "has no end"),
         (C, "x = \"f table[2] = { 1, 2 };", 1, "has no end"),
+        (C, "f table[2] = ivec2(1.5, 2.5);", 1, "`ivec2` makes other numbers"),
+        (Python, "table = np.int32([1.5, 2.5])", 1, "`int32` makes other numbers"),
         (JavaScript, "const table = [1, 2n]", 1, "the suffix `n`"),
         (JavaScript, "const table = [1, 2**3]", 1, "`**`"),
         (Python, "table = [1, 2j]", 1, "the suffix `j`"),

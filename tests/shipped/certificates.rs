@@ -23,6 +23,55 @@ fn checked(text: &str, certificate: &str) -> Outcome {
     }
 }
 
+/// Whether the program and the checker take a text for a number of a language. No number equals what is claimed.
+fn read_by_both(language: &str, literal: &str) -> [bool; 2] {
+    let text = format!(
+        "{HEAD}[[shipped]]\nid = 't'\nlocus = 'l'\ntype = 'f64'\nlanguage = '{language}'\nequals = 'sqrt(7)'\n\
+         cells = [\"{literal}\"]\n"
+    );
+    let certificate = format!(
+        "subcert-certificate 4\nproject k\nshipped t\n  bits 64\n  cell \"{literal}\" refuted 0\n  outcome refuted\nend 1\n"
+    );
+    let reason = match checked(&text, &certificate) {
+        Outcome::Invalid(_, rejection) | Outcome::Incomplete(Some(rejection)) => {
+            rejection.reason.to_string()
+        }
+        outcome => format!("{outcome:?}"),
+    };
+    let refused = reason.contains("is no number in the language") || reason.contains("long double");
+    let project = read_project(&SourceText::new("k.toml", text));
+    [project.is_ok(), !refused]
+}
+
+/// What the grammars of the languages say, and gcc, node, Python and rustc.
+#[test]
+fn literals_of_each_language() {
+    for (language, literals) in [
+        (
+            "c",
+            "1'000 0x1'f 1e1'0 0x1.8p1 0x1.8p1'0f 0.5L (float)0.5L 1uLL 1.5F | 1''5 15' '5' _10 1_0 0x'1f 1'.5 1.'5 \
+             0x1p'1 0.1L (float)0.1L 1lL 1lLu 1.5i 5j 0x1.8 1'f 1.5q 1.5_km",
+        ),
+        ("shader", "1.5 1.5LF 1.5lf 7u 0x1F | 1'0 1_0 0x1p3 1.5lF 1.5h 1.5L"),
+        (
+            "javascript",
+            "1_000 0x1_f 1.5e1_0 0X1F | 1__0 _10 10_ 1_.5 1._5 0x_1 0x1p3 1n (float)1 float(1) 1.5f 0b1",
+        ),
+        (
+            "python",
+            "1_000 0x_1f 1e1_0 float(1) (float(1)) | 0x__1 1__0 1_e5 1_ _1 (float)1 double(1) 1j 1L 0o17 1'0",
+        ),
+        ("rust", "1_000 1__0.5_ 1_.5 1_f32 1e_5 1e5_f64 | 1._5 1F32 _1 float(1.0) 1'0 1.5f 1e_"),
+    ] {
+        let (right, wrong) = literals.split_once('|').expect("two parts");
+        for (texts, read) in [(right, true), (wrong, false)] {
+            for literal in texts.split_whitespace() {
+                assert_eq!(read_by_both(language, literal), [read; 2], "{language}: {literal}");
+            }
+        }
+    }
+}
+
 /// Formulas in k of every kind, irrational but for the first two.
 const FORMULAS: [&str; 9] = [
     "k/7",
@@ -49,6 +98,16 @@ fn near(value: f64, digits: usize, change: Option<(usize, u8)>, suffix: &str) ->
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// No text is a number for one of the two alone.
+    #[test]
+    fn texts_are_numbers_for_both_or_for_none(
+        language in prop::sample::select(vec!["c", "shader", "javascript", "python", "rust"]),
+        text in "[0-9'_.xXeEpPfFlLuUjn]{1,7}([-+][0-9'_fFlL]{1,3})?",
+    ) {
+        let [program, checker] = read_by_both(language, &text);
+        prop_assert_eq!(program, checker, "{}: {}", language, text);
+    }
 
     /// Whatever the program says of numbers, the checker finds too.
     #[test]

@@ -6,7 +6,7 @@ use crate::polynomial::signum;
 use crate::reject::Stop;
 use crate::value::Value;
 use num_bigint::BigInt;
-use num_traits::{One, Pow, Signed};
+use num_traits::{One, Pow, Signed, Zero};
 
 /// The rounding that leads from `value` to `decimal`: `nearest`, otherwise `cut` towards zero or
 /// `away` from it, or `neither` if they differ by a unit of the last place or more.
@@ -42,6 +42,11 @@ pub fn gives(decimal: &Decimal, value: &Value, decimals: &str) -> Result<bool, S
         (_, "away") => beyond.is_ge(),
         (found, _) => found == "nearest",
     })
+}
+
+/// Whether the end of a range may be rounded: with two digits, counted from the first that is not 0.
+pub fn is_rounded(end: &Decimal) -> bool {
+    !end.digits.is_zero() && end.digits.abs().to_string().len() >= 2
 }
 
 /// The number of digits of a decimal without leading and trailing zeros.

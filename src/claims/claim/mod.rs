@@ -26,8 +26,9 @@ pub use paper::{Alternative, Bibliography, Paper, SchemeSource};
 pub use read::paper_schema;
 pub use read::{MAX_CLAIM_FILE_BYTES, is_id, read_paper, read_paper_file, read_whole_paper};
 pub use regularity::{RegularityCell, RegularityTable};
+pub(crate) use smoothness::is_rounded;
 pub use smoothness::{
-    ExponentStatement, PrintedExponent, PrintedValences, RangeEnd, SmoothRangeStatement,
+    Ends, ExponentStatement, PrintedExponent, PrintedValences, RangeEnd, SmoothRangeStatement,
     SmoothnessBody, SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
 };
 pub use table::{

@@ -84,6 +84,8 @@ pub enum EndRelation {
     /// The exact end does not belong to the set, and this is the last decimal of its
     /// length that does.
     LastInside,
+    /// Other numbers, and the printed one has one digit: it is taken as it stands, and not as a rounded one.
+    FewDigits,
     /// None of these.
     Apart,
 }
@@ -96,6 +98,9 @@ impl fmt::Display for EndRelation {
             EndRelation::Nearest => f.write_str("correctly rounded"),
             EndRelation::Rounded(direction) => direction.fmt(f),
             EndRelation::LastInside => f.write_str("the last decimal of its length in the set"),
+            EndRelation::FewDigits => {
+                f.write_str("another number, and of one digit is none rounded")
+            }
             EndRelation::Apart => f.write_str("not this end rounded"),
         }
     }

@@ -1,6 +1,6 @@
 //! Judging a range of a free parameter.
 
-use crate::claim::{Limit, Paper, Printed, RangeClaim};
+use crate::claim::{Limit, Paper, Printed, RangeClaim, is_rounded};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::evaluation::parametric::FreeParameter;
@@ -78,6 +78,9 @@ impl Comparison<'_> {
                     EndRelation::Equal
                 }
                 Rounding::Exact => EndRelation::Belonging,
+                Rounding::Nearest | Rounding::Truncated | Rounding::Up if !is_rounded(decimal) => {
+                    EndRelation::FewDigits
+                }
                 Rounding::Nearest => EndRelation::Nearest,
                 Rounding::Truncated => EndRelation::Rounded(Direction::Cut),
                 Rounding::Up => EndRelation::Rounded(Direction::Away),
@@ -124,7 +127,9 @@ impl Comparison<'_> {
             };
             match end.relation {
                 EndRelation::Equal => {}
-                EndRelation::Belonging | EndRelation::Apart => return RangeVerdict::Inexact,
+                EndRelation::Belonging | EndRelation::FewDigits | EndRelation::Apart => {
+                    return RangeVerdict::Inexact;
+                }
                 EndRelation::Nearest | EndRelation::Rounded(_) | EndRelation::LastInside => {
                     verdict = RangeVerdict::Rounding;
                 }

@@ -56,7 +56,7 @@ impl Reader<'_> {
             }
             Some(Kind::Sign('(')) => match (self.cast(self.at + 1), self.text(self.at + 2)) {
                 // `(float)x`
-                (Some(precision), ")") => {
+                (Some(precision), ")") if self.language.converts()[0] => {
                     self.at += 3;
                     Ok(Expression::Cast(precision, Box::new(self.factor(depth + 1)?)))
                 }
@@ -97,10 +97,11 @@ impl Reader<'_> {
 
     fn cast(&self, at: usize) -> Option<Precision> {
         match self.text(at) {
+            _ if !self.language.converts()[1] => None,
             // In Python, float is a double.
             "float" if self.language == Language::Python => Some(Precision::Double),
             "float" => Some(Precision::Single),
-            "double" => Some(Precision::Double),
+            "double" if self.language != Language::Python => Some(Precision::Double),
             _ => None,
         }
     }

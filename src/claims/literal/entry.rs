@@ -60,6 +60,12 @@ impl Entry {
         }
     }
 
+    /// Whether it has a `long double` that is no double: what a table of floating-point numbers gets depends on the machine.
+    #[must_use]
+    pub fn depends_on_machine(&self) -> bool {
+        self.expression.depends_on_machine()
+    }
+
     /// The number that the program holds in a table of this precision: each literal is rounded to
     /// its type (to nearest, half to even), each operation to its own, and the result to that of
     /// the table. An f32 is returned as the f64 of the same value. Not finite after an overflow or a division by zero.

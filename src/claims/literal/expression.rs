@@ -4,7 +4,7 @@ use super::language::{Language, Precision};
 use super::number::{Number, Type};
 use super::whole::Whole;
 use crate::exact::Rational;
-use crate::float::{nearest, nearest_f32};
+use crate::float::{exact, nearest, nearest_f32};
 
 /// A formula.
 #[derive(Clone, Debug)]
@@ -84,6 +84,20 @@ impl Expression {
             Expression::Number(number) => number.kind == Type::Long,
             Expression::Minus(inner) => inner.is_long(),
             _ => false,
+        }
+    }
+
+    /// Whether the number that a table of floating-point numbers gets depends on the machine: a `long double` is rounded to
+    /// 53, 64 or 113 binary digits before.
+    pub(super) fn depends_on_machine(&self) -> bool {
+        match self {
+            Expression::Number(number) => {
+                number.kind == Type::Long
+                    && exact(nearest(&number.value)).as_ref() != Some(&number.value)
+            }
+            Expression::Minus(inner) | Expression::Cast(_, inner) => inner.depends_on_machine(),
+            Expression::Operation { sides, .. } => sides.iter().any(Expression::depends_on_machine),
+            Expression::Whole(_) => false,
         }
     }
 

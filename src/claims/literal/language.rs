@@ -5,13 +5,13 @@ use std::path::Path;
 /// The language of a source file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Language {
-    /// C, C++ and CUDA: a literal without a suffix is a double, and `1/6` is 0.
+    /// C, C++, Objective-C and CUDA: a literal without a suffix is a double, and `1/6` is 0.
     C,
-    /// GLSL and HLSL: a literal without a suffix is a float.
+    /// GLSL: a literal without a suffix is a float.
     Shader,
     /// JavaScript and TypeScript: every number is a double.
     JavaScript,
-    /// Python: `1/6` is a double.
+    /// Python 3: `1/6` is a double.
     Python,
     /// Rust: a literal has the type of the table.
     Rust,
@@ -29,27 +29,68 @@ pub enum Precision {
 impl Language {
     /// The language that the ending of a file's name says.
     ///
+    /// # Errors
+    /// Why the ending says none: it belongs to no language that is read, to several, or to one in which a number
+    /// depends on more than its text.
+    ///
     /// ```
     /// use std::path::Path;
     /// use subcert::literal::Language;
     ///
-    /// assert_eq!(Language::of(Path::new("far/loopPatchBuilder.cpp")), Some(Language::C));
-    /// assert_eq!(Language::of(Path::new("notes.txt")), None);
+    /// assert_eq!(Language::of(Path::new("far/loopPatchBuilder.cpp")), Ok(Language::C));
+    /// assert!(Language::of(Path::new("weights.m")).is_err());
     /// ```
-    #[must_use]
-    pub fn of(path: &Path) -> Option<Language> {
-        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
-        Some(match ending.as_str() {
+    pub fn of(path: &Path) -> Result<Language, &'static str> {
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        Ok(match ending.to_ascii_lowercase().as_str() {
             "c" | "h" | "cc" | "cpp" | "cxx" | "hh" | "hpp" | "hxx" | "inl" | "ipp" | "cu"
-            | "cuh" | "cl" | "m" | "mm" | "metal" => Language::C,
-            "glsl" | "vert" | "frag" | "geom" | "comp" | "tesc" | "tese" | "hlsl" | "fx" => {
-                Language::Shader
-            }
+            | "cuh" | "mm" => Language::C,
+            "glsl" | "vert" | "frag" | "geom" | "comp" | "tesc" | "tese" => Language::Shader,
             "js" | "mjs" | "cjs" | "ts" | "jsx" | "tsx" => Language::JavaScript,
-            "py" | "pyx" | "pyi" => Language::Python,
+            "py" | "pyi" => Language::Python,
             "rs" => Language::Rust,
-            _ => return None,
+            "m" => {
+                return Err(
+                    "it is MATLAB, which is not read, or Objective-C, which is read as `c`",
+                );
+            }
+            "metal" | "hlsl" | "fx" => {
+                return Err(
+                    "it has no literals of doubles, and whether one without a suffix is rounded to a double \
+                            first depends on the compiler; `shader` rounds once",
+                );
+            }
+            "cl" => {
+                return Err(
+                    "whether a literal without a suffix is a double depends on the device; `c` says that it \
+                            is, `shader` that it is none",
+                );
+            }
+            "pyx" => {
+                return Err(
+                    "whether a quotient of integers is cut depends on directives; `python` says that it is not",
+                );
+            }
+            _ => return Err("the ending of its name belongs to no language that is read"),
         })
+    }
+
+    /// The sign that may stand between digits.
+    pub(super) fn separator(self) -> Option<char> {
+        match self {
+            Language::C => Some('\''),
+            Language::Shader => None,
+            Language::JavaScript | Language::Python | Language::Rust => Some('_'),
+        }
+    }
+
+    /// Whether `float` before a number, or its bracket, is a conversion: `(float)x` and `float(x)`.
+    pub(super) fn converts(self) -> [bool; 2] {
+        match self {
+            Language::C | Language::Shader => [true, true],
+            Language::Python => [false, true],
+            Language::JavaScript | Language::Rust => [false, false],
+        }
     }
 
     /// The language of a name in a claim file: `c`, `shader`, `javascript`, `python` or `rust`.

@@ -37,13 +37,29 @@ pub(super) fn number(text: &str, language: Language) -> Result<Number, String> {
     if text.len() > MAX_DIGITS {
         return Err(format!("a literal of more than {MAX_DIGITS} characters"));
     }
-    let plain: String = text.chars().filter(|&c| c != '_' && c != '\'').collect();
+    if !separators_are_right(text, language) {
+        return Err("a separator of digits stands where the language has none".to_owned());
+    }
+    let plain: String = text.chars().filter(|&c| Some(c) != language.separator()).collect();
     let lower = plain.to_ascii_lowercase();
     let (body, base) = match lower.strip_prefix("0x") {
         Some(body) => (body, 16),
         None => (lower.as_str(), 10),
     };
     let parts = Parts::read(body, base).ok_or_else(|| "this is no number".to_owned())?;
+    if base == 16 && language != Language::C && (parts.has_point || parts.has_exponent) {
+        return Err("in hexadecimal, the language has integers only".to_owned());
+    }
+    let suffix = &plain[plain.len() - parts.suffix.len()..];
+    let mixed = match language {
+        Language::C => suffix.contains("lL") || suffix.contains("Ll"),
+        Language::Shader => suffix == "lF" || suffix == "Lf",
+        // The prefix of hexadecimal too.
+        _ => suffix != parts.suffix || language == Language::Rust && plain.starts_with("0X"),
+    };
+    if mixed {
+        return Err(format!("`{suffix}` is not written so in the language"));
+    }
     if base == 16 && parts.has_point && !parts.has_exponent {
         return Err(
             "a number in hexadecimal with a point needs an exponent, as in 0x1.8p0".to_owned()
@@ -65,6 +81,26 @@ pub(super) fn number(text: &str, language: Language) -> Result<Number, String> {
         kind,
         digits: (base == 10).then(|| parts.significant()),
         places: parts.places().filter(|_| base == 10),
+    })
+}
+
+/// Whether each separator stands where the language allows it: between two digits; in Python also after `0x`; in Rust
+/// anywhere behind the first digit or `0x`, but not right after the point.
+fn separators_are_right(text: &str, language: Language) -> bool {
+    let Some(separator) = language.separator() else { return true };
+    let bytes = text.as_bytes();
+    let hexadecimal = text.starts_with("0x") || text.starts_with("0X");
+    let power = text.find(['p', 'P']).filter(|_| hexadecimal).unwrap_or(text.len());
+    let base = |at: usize| if hexadecimal && at < power { 16 } else { 10 };
+    let digit = |at: Option<usize>| {
+        let Some(at) = at else { return false };
+        // The x of 0x is no digit.
+        bytes.get(at).is_some_and(|&byte| char::from(byte).is_digit(base(at)))
+    };
+    text.match_indices(separator).all(|(at, _)| match language {
+        Language::Rust => at > 0 && bytes[at - 1] != b'.',
+        Language::Python if hexadecimal && at == 2 => digit(Some(3)),
+        _ => digit(at.checked_sub(1)) && digit(at.checked_add(1)),
     })
 }
 
@@ -131,10 +167,13 @@ impl Parts<'_> {
         let too_large = || format!("an exponent beyond {MAX_EXPONENT}");
         let after = i64::try_from(self.after).map_err(|_| too_large())?;
         let per_digit = if base == 16 { 4 } else { 1 };
-        let exponent = self.exponent.checked_sub(after * per_digit).ok_or_else(too_large)?;
-        let size = u32::try_from(exponent.unsigned_abs()).ok().filter(|&e| e <= 4 * MAX_EXPONENT);
+        if self.exponent.unsigned_abs() > MAX_EXPONENT.into() {
+            return Err(too_large());
+        }
+        let exponent = self.exponent - after * per_digit;
+        let size = u32::try_from(exponent.unsigned_abs()).map_err(|_| too_large())?;
         let radix = Integer::from(if base == 16 { 2_i64 } else { 10 });
-        let power = Rational::from(radix.pow(size.ok_or_else(too_large)?));
+        let power = Rational::from(radix.pow(size));
         let mantissa = if base == 16 {
             let digit = |c: char| Integer::from(i64::from(c.to_digit(16).unwrap_or(0)));
             let sixteen = Integer::from(16_i64);

@@ -13,6 +13,12 @@ pub const MAX_ENTRIES: usize = 100_000;
 /// How deep brackets and signs may be nested.
 pub(super) const MAX_DEPTH: usize = 64;
 
+/// Constructors of integers and of numbers of 16 bits, up to a number behind the name.
+const OTHER_NUMBERS: [&str; 13] = [
+    "int", "uint", "ivec", "uvec", "bvec", "bool", "half", "long", "short", "char", "float16",
+    "bfloat", "f16vec",
+];
+
 /// The line of a place, for places that come in order.
 struct Lines<'a> {
     text: &'a str,
@@ -90,6 +96,7 @@ impl<'a> Reader<'a> {
                 Some(Kind::Sign('{' | '[')) => self.group(entries, depth)?,
                 Some(Kind::Sign('(')) if !self.is_formula() => self.group(entries, depth)?,
                 Some(Kind::Name) if self.constructor().is_some() => {
+                    self.keeps_numbers()?;
                     self.at = self.constructor().unwrap_or(self.at);
                     self.group(entries, depth)?;
                 }
@@ -143,6 +150,26 @@ impl<'a> Reader<'a> {
                 _ => return None,
             }
         }
+    }
+
+    /// Refuses a constructor that makes other numbers: `ivec3(1.5, 2, 3)` has integers.
+    fn keeps_numbers(&self) -> Result<(), Diagnostic> {
+        let words =
+            (self.at..).take_while(|&at| match self.tokens.get(at).map(|token| token.kind) {
+                Some(Kind::Name) => true,
+                Some(Kind::Sign(sign)) => matches!(sign, '.' | ':' | '!'),
+                _ => false,
+            });
+        let name = words.last().map_or("", |at| self.text(at)).to_ascii_lowercase();
+        let converts = OTHER_NUMBERS.iter().any(|begin| {
+            // Not `interpolate` or `intensities`.
+            name.strip_prefix(begin)
+                .is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphabetic()))
+        });
+        if converts {
+            return Err(self.wrong(format!("`{name}` makes other numbers of what stands in it")));
+        }
+        Ok(())
     }
 
     /// Whether the bracket holds a comma or another bracket for lists.

@@ -120,6 +120,6 @@ fn relation(end: &EndFinding) -> impl Display {
         EndRelation::Rounded(Direction::Cut | Direction::DepthDown) => "cut",
         EndRelation::Rounded(Direction::Away | Direction::DepthNearest) => "away",
         EndRelation::LastInside => "last-inside",
-        EndRelation::Apart => "apart",
+        EndRelation::FewDigits | EndRelation::Apart => "apart",
     }
 }

@@ -9,7 +9,7 @@ use crate::paper::{Paper, printed};
 use crate::piece::Piece;
 use crate::reject::{Checked, Reason, Stop, Text, agree, compare, require};
 use crate::root::Root;
-use crate::rounding::rounding_on;
+use crate::rounding::{is_rounded, rounding_on};
 use crate::toml::Toml;
 use crate::value::Value;
 
@@ -126,7 +126,7 @@ fn relation(
     let piece = Piece::new("x", [Some(end.clone()), Some(end.clone())], meter);
     let found = rounding_on(printed, &Value::symbol("x"), Some(&piece))?;
     if found != "neither" {
-        return Ok(found);
+        return Ok(if is_rounded(printed) { found } else { "apart" });
     }
     let next = Root::from(&printed.value + &printed.unit * int(outwards));
     if belongs || closed == Some(false) || !next.compare(end, meter)?.is_eq() {

@@ -5,13 +5,14 @@ use super::pieces::Free;
 use super::smoothness::{order, scope, valences, vertex};
 use crate::certificate::Block;
 use crate::convolution::{Convolution, MAX_LENGTH, Sequence};
-use crate::decimal::{Decimal, read_rational};
+use crate::decimal::{Decimal, Q, int, read_rational};
 use crate::definitions::formula;
 use crate::evaluate::Scope;
 use crate::meter::Meter;
 use crate::paper::{Paper, printed};
 use crate::reject::{Checked, Reason, Stop, Text, require};
 use crate::root::Root;
+use crate::rounding::is_rounded;
 use crate::toml::Toml;
 use crate::value::Value;
 use crate::vertex::Found;
@@ -33,7 +34,8 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     block.restates("smoothness", claim.text("smoothness"))?;
     let m = order(claim.text("smoothness").unwrap_or_default())?;
     let [closed, only] = ["closed", "only"].map(|key| claim.is_set(key));
-    let ends = [end(paper, claim, "from")?, end(paper, claim, "to")?];
+    let printed = [end(paper, claim, "from")?, end(paper, claim, "to")?];
+    let ends = printed.each_ref().map(|end| end.as_ref().map(|end| end.value.clone()));
     require(ends.iter().any(Option::is_some), Reason::Malformed("an end"))?;
     if let [Some(from), Some(to)] = &ends {
         // In an empty range everything holds.
@@ -73,26 +75,52 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         let shown = Shown::read(paper, mask(paper, claim, &scope)?, block)?;
         (shown.not_continuous(m), shown.continuous(m))
     };
-    // −1 outside, 0 at an end, 1 inside.
-    let mut side = 1;
-    for (end, outwards) in ends.iter().zip([Ordering::Less, Ordering::Greater]) {
-        let Some(end) = end else { continue };
-        let order = Value::from(at.clone()).compare(end)?;
-        side = side.min(if order == outwards { -1 } else { i32::from(order.is_ne()) });
-    }
-    let inside = side > 0 || side == 0 && closed;
-    let refutes = if inside { fails } else { only && holds };
+    let [inside, outside] = sides(&at, &printed, closed)?;
+    let refutes = inside && fails || outside && only && holds;
     require(refutes, Reason::NoRefutation(Text(said.to_string())))?;
     block.verdict("refuted")
 }
 
-/// An end of the printed range.
-fn end(paper: &Paper<'_>, claim: &Toml, key: &str) -> Checked<Option<Value>> {
+/// An end of the printed range, and the unit of its last place if it may be rounded.
+struct End {
+    value: Value,
+    unit: Option<Q>,
+}
+
+fn end(paper: &Paper<'_>, claim: &Toml, key: &str) -> Checked<Option<End>> {
     let Some((_, read)) = claim.get(key).and_then(printed) else { return Ok(None) };
     Ok(Some(match Decimal::read(read) {
-        Some(decimal) => decimal.value.into(),
-        None => paper.library.closed().value(&formula(read)?)?,
+        Some(decimal) => {
+            let unit = is_rounded(&decimal).then_some(decimal.unit);
+            End { value: decimal.value.into(), unit }
+        }
+        None => End { value: paper.library.closed().value(&formula(read)?)?, unit: None },
     }))
+}
+
+/// Whether a number is inside the range, and whether it is outside, whatever its rounded ends stand for.
+fn sides(at: &Q, ends: &[Option<End>; 2], closed: bool) -> Result<[bool; 2], Stop> {
+    let moved = |side: usize, units: i64| {
+        let Some(End { value, unit }) = &ends[side] else { return Ok(None) };
+        let by = unit.as_ref().map_or_else(|| int(0), |unit| unit * int(units));
+        value.plus(if side == 0 { 1 } else { -1 }, &Value::from(by)).map(Some)
+    };
+    let room = match (moved(0, 1)?, moved(1, 1)?) {
+        (Some(from), Some(to)) => from.compare(&to)?.is_lt(),
+        _ => true,
+    };
+    let (mut inside, mut outside) = (true, false);
+    for (side, beyond) in [(0, Ordering::Less), (1, Ordering::Greater)] {
+        let rounded = room && ends[side].as_ref().is_some_and(|end| end.unit.is_some());
+        let order = |units: i64| {
+            let end = moved(side, if rounded { units } else { 0 })?;
+            end.map(|end| Value::from(at.clone()).compare(&end)).transpose()
+        };
+        let (Some(least), Some(most)) = (order(1)?, order(-1)?) else { continue };
+        inside &= least != beyond && (rounded || closed || least.is_ne());
+        outside |= most == beyond || most.is_eq() && (rounded || !closed);
+    }
+    Ok([inside, outside])
 }
 
 /// Whether the signs are negative in the whole range.

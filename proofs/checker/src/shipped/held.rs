@@ -71,6 +71,12 @@ impl Held {
         Held { value: rounded(value, kind), kind }
     }
 
+    /// Whether this is a `long double` that is no double: what becomes of it depends on the machine.
+    pub fn depends_on_machine(&self) -> bool {
+        let double = |value: &Q| DOUBLE.round(value).as_ref() == Some(value);
+        self.kind == Kind::Long && !self.value.as_ref().is_some_and(double)
+    }
+
     /// −x.
     pub fn negated(self) -> Result<Held, Stop> {
         let value = self.value.map(|value| match self.kind {

@@ -3,13 +3,13 @@
 /// A language, or a family of languages with the same rules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Language {
-    /// C, C++ and CUDA.
+    /// C, C++, Objective-C and CUDA.
     C,
-    /// GLSL and HLSL.
+    /// GLSL.
     Shader,
     /// JavaScript and TypeScript.
     JavaScript,
-    /// Python.
+    /// Python 3.
     Python,
     /// Rust.
     Rust,
@@ -17,10 +17,10 @@ pub enum Language {
 
 /// The endings of file names, by language.
 const ENDINGS: [(Language, &str); 5] = [
-    (Language::C, "c h cc cpp cxx hh hpp hxx inl ipp cu cuh cl m mm metal"),
-    (Language::Shader, "glsl vert frag geom comp tesc tese hlsl fx"),
+    (Language::C, "c h cc cpp cxx hh hpp hxx inl ipp cu cuh mm"),
+    (Language::Shader, "glsl vert frag geom comp tesc tese"),
     (Language::JavaScript, "js mjs cjs ts jsx tsx"),
-    (Language::Python, "py pyx pyi"),
+    (Language::Python, "py pyi"),
     (Language::Rust, "rs"),
 ];
 
@@ -50,12 +50,38 @@ impl Language {
         matches!(self, Language::C | Language::Shader)
     }
 
-    /// The sign that may stand between digits.
-    pub fn separator(self) -> Option<char> {
-        match self {
-            Language::C => Some('\''),
-            Language::Shader => None,
-            _ => Some('_'),
+    /// The text of a literal without the separators of its digits; `None` if one stands where the language has none.
+    pub fn joined(self, text: &str) -> Option<String> {
+        let sign = match self {
+            Language::C => '\'',
+            Language::Shader => return Some(text.to_owned()),
+            _ => '_',
+        };
+        let mut kept = String::new();
+        // Digits of 16 stand between 0x and p.
+        let prefix = text.get(..2).filter(|start| start.eq_ignore_ascii_case("0x"));
+        let mut base = if prefix.is_some() { 16 } else { 10 };
+        let mut rest =
+            text.strip_prefix(prefix.unwrap_or_default()).unwrap_or(text).chars().peekable();
+        let mut before = None;
+        while let Some(next) = rest.next() {
+            if next == sign {
+                let digit = |c: Option<char>| c.is_some_and(|c| c.is_digit(base));
+                let first = before.is_none() && prefix.is_some();
+                let allowed = match self {
+                    Language::Rust => first || before.is_some_and(|c| c != '.'),
+                    Language::Python if first => digit(rest.peek().copied()),
+                    _ => digit(before) && digit(rest.peek().copied()),
+                };
+                if !allowed {
+                    return None;
+                }
+            } else {
+                kept.push(next);
+                base = if matches!(next, 'p' | 'P') { 10 } else { base };
+            }
+            before = Some(next);
         }
+        Some(format!("{}{kept}", prefix.unwrap_or_default()))
     }
 }

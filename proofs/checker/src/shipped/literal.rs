@@ -107,7 +107,9 @@ impl Parser {
         if self.text.token("(") {
             // `(float)x`
             let start = self.text.at();
-            if let Some(kind) = self.conversion() {
+            let converts = matches!(self.language, Language::C | Language::Shader);
+            let kind = if converts { self.conversion() } else { None };
+            if let Some(kind) = kind {
                 if self.text.token(")") {
                     return self.cast(kind, Self::factor);
                 }
@@ -143,7 +145,7 @@ impl Parser {
             ("float", Language::Python) | ("double", Language::C | Language::Shader) => {
                 Some(Kind::Double)
             }
-            ("float", _) => Some(Kind::Single),
+            ("float", Language::C | Language::Shader) => Some(Kind::Single),
             _ => None,
         };
         if kind.is_some() {
@@ -173,7 +175,13 @@ impl Parser {
             self.text.back(start);
         }
         self.text.space();
-        Ok(read?)
+        let read = read?;
+        if read.1.depends_on_machine() {
+            return Err(Wrong::Stop(Stop::Capped(
+                "a long double, whose format depends on the machine",
+            )));
+        }
+        Ok(read)
     }
 }
 

@@ -27,8 +27,20 @@ pub type Literal = (Option<Written>, Held);
 
 /// Reads a literal without a sign. The error says what is wrong.
 pub fn literal(text: &str, language: Language, target: Target) -> Result<Literal, &'static str> {
-    let plain: String = text.chars().filter(|c| Some(*c) != language.separator()).collect();
-    let plain = plain.to_ascii_lowercase();
+    let joined =
+        language.joined(text).ok_or("a separator of digits where the language has none")?;
+    let mixed: &[&str] = match language {
+        Language::C => &["lL", "Ll"],
+        Language::Shader => &["lF", "Lf"],
+        _ => &[],
+    };
+    // In the other languages suffixes are in lower case, and in Rust prefixes.
+    let rust =
+        language == Language::Rust && joined.contains(['F', 'X']) && !joined.starts_with("0x");
+    if rust || mixed.iter().any(|mixed| joined.contains(mixed)) {
+        return Err("a letter in the other case");
+    }
+    let plain = joined.to_ascii_lowercase();
     match plain.strip_prefix("0x") {
         Some(digits) => hexadecimal(digits, language, target),
         None => decimal(&plain, language, target),

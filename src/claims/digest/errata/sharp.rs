@@ -1,6 +1,6 @@
 //! Claims about smoothness that are true where more is true.
 
-use crate::claim::{ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
+use crate::claim::{Ends, ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
 use crate::exact::{Enclosed as _, Interval, IntervalSet, LogSum};
 use crate::finding::{
     Known, Limits, PaperAudit, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
@@ -72,7 +72,7 @@ fn beyond(finding: &SmoothnessFinding<'_>) -> Option<Beyond> {
         }
         (SmoothnessStatement::Range(range), Known::Range(known)) => {
             let RangeOfLimits { sets, .. } = &**known;
-            let more = sets.as_ref()?.inside.without(&range.interval(1));
+            let more = sets.as_ref()?.inside.without(&range.interval(Ends::Most));
             // An end that belongs to the range or does not is no single value more.
             let wide = more.intervals().iter().any(|part| !is_one_number(part));
             (!range.only && wide).then_some(Beyond::Range(more))

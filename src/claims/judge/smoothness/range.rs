@@ -4,7 +4,7 @@ use super::mask::{is_continuous, limits, no_valences};
 use super::trial::{Judged, Sides, Trial};
 use super::vertex_range;
 use crate::bound::{Order, norm_function};
-use crate::claim::SmoothRangeStatement;
+use crate::claim::{Ends, SmoothRangeStatement};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::limits::LimitScheme;
 use crate::exact::{IntervalSet, Parametric, PiecewisePolynomial, Rational, RationalPolynomial};
@@ -45,7 +45,7 @@ pub(super) fn judge(
         outside: sets.outside.clone(),
         but_finitely_many: sets.but_finitely_many,
     };
-    let printed = statement.interval(0);
+    let printed = statement.interval(Ends::Printed);
     let mut trial = Trial { statement, sides: sets.as_ref().map(sides), at: &at };
     let mut sets = sets;
     if let Some(sets) = &mut sets

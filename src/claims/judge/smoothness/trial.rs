@@ -1,6 +1,6 @@
 //! Comparing a printed range with the sets where limits are C^m, and where not.
 
-use crate::claim::SmoothRangeStatement;
+use crate::claim::{Ends, SmoothRangeStatement};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Interval, IntervalSet, Rational};
 use crate::finding::SmoothnessVerdict;
@@ -53,14 +53,13 @@ fn simple(interval: &Interval) -> Option<Rational> {
 impl<W> Trial<'_, W> {
     /// Judges the range.
     pub(super) fn judged(&self) -> Result<Judged<W>, Diagnostic> {
-        let whole = self.statement.interval(0);
+        let whole = self.statement.interval(Ends::Printed);
         let undecided = self.undecided(&whole, &whole);
         let right = self.witness(&whole, &whole)?.is_none() && !self.excludes(&whole);
         let (witness, verdict) = if right && undecided.is_empty() {
             (None, SmoothnessVerdict::Confirmed)
         } else {
-            // The range without the last unit of its rounded ends, and with one unit more.
-            let (less, more) = (self.statement.interval(-1), self.statement.interval(1));
+            let [less, more] = [Ends::Least, Ends::Most].map(|ends| self.statement.interval(ends));
             match self.witness(&less, &more)? {
                 Some(witness) => (Some(witness), SmoothnessVerdict::Refuted),
                 None if self.excludes(&less) => (None, SmoothnessVerdict::Refuted),

@@ -4,7 +4,6 @@ use super::file::CellsFrom;
 use super::nested::{Nested, flattened};
 use super::reader::{MAX_DESCRIBED, Reader};
 use crate::diagnostic::{Diagnostic, SourceText, read_text};
-use crate::exact::Rational;
 use crate::float::exact;
 use crate::literal::{Entry, Language, Precision, Written, read_literals};
 use crate::scheme::Spanned;
@@ -58,9 +57,8 @@ impl Reader<'_> {
         let source = SourceText::new(NAME, format!("{NAME} = {}\n", text.get_ref()));
         let table = read_literals(&source, language, NAME, &[])
             .map_err(|error| refuse(format!("`{}`: {}", text.get_ref(), error.message)))?;
-        number(&table.entries[0], &source, kind).ok_or_else(|| {
-            refuse(format!("`{}` has no finite value in the type of the table", text.get_ref()))
-        })
+        number(&table.entries[0], &source, kind)
+            .map_err(|why| refuse(format!("`{}` {why}", text.get_ref())))
     }
 
     /// The numbers of a table in a source file.
@@ -73,9 +71,10 @@ impl Reader<'_> {
     ) -> Result<Vec<ShippedNumber>, Diagnostic> {
         let CellsFrom { file, after, shape, skip } = from.get_ref();
         let source = self.source_file(file)?;
-        let language = language.or_else(|| Language::of(Path::new(file.get_ref())));
-        let language = language.ok_or_else(|| {
-            self.error(file.span(), format!("the language of `{}` is not known", file.get_ref()))
+        let language = language.map_or_else(|| Language::of(Path::new(file.get_ref())), Ok);
+        let language = language.map_err(|why| {
+            let message = format!("the language of `{}` is not known: {why}", file.get_ref());
+            self.error(file.span(), message)
                 .with_help("language = \"c\", or shader, javascript, python, rust")
         })?;
         let skipped = skip.as_ref().map_or(Ok(0), |skip| self.count(skip))?;
@@ -104,10 +103,8 @@ impl Reader<'_> {
                 .with_help("let the indices run over numbers that the table has")
         })?;
         let read = |entry: &Entry| {
-            number(entry, &source, kind).ok_or_else(|| {
-                let message = "this has no finite value in the type of the table";
-                Diagnostic::new(&source, entry.span(), message)
-            })
+            number(entry, &source, kind)
+                .map_err(|why| Diagnostic::new(&source, entry.span(), format!("this {why}")))
         };
         let numbers = entries
             .iter()
@@ -135,8 +132,12 @@ impl Reader<'_> {
     }
 }
 
-/// The number of an entry; `None` if its value is not finite.
-fn number(entry: &Entry, source: &SourceText, kind: NumberType) -> Option<ShippedNumber> {
+/// The number of an entry. The error says why it has none.
+fn number(
+    entry: &Entry,
+    source: &SourceText,
+    kind: NumberType,
+) -> Result<ShippedNumber, &'static str> {
     let text = source.text[entry.span()].split_whitespace().collect::<Vec<_>>().join(" ");
     let (value, written) = match entry.written() {
         Written::Literal { value, digits, places } => {
@@ -145,10 +146,18 @@ fn number(entry: &Entry, source: &SourceText, kind: NumberType) -> Option<Shippe
         }
         Written::Expression { value } => (value, None),
     };
-    let held: Rational = match kind {
-        NumberType::Single => exact(entry.held(Precision::Single))?,
-        NumberType::Double => exact(entry.held(Precision::Double))?,
-        NumberType::Decimal(_) => value?,
+    let precision = match kind {
+        NumberType::Single => Some(Precision::Single),
+        NumberType::Double => Some(Precision::Double),
+        NumberType::Decimal(_) => None,
     };
-    Some(ShippedNumber { text, written, held, line: None })
+    if precision.is_some() && entry.depends_on_machine() {
+        return Err(
+            "has a long double, which is rounded to a format of the machine first: the number that the \
+                    program holds is not known",
+        );
+    }
+    let held = precision.map_or(value, |precision| exact(entry.held(precision)));
+    let held = held.ok_or("has no finite value in the type of the table")?;
+    Ok(ShippedNumber { text, written, held, line: None })
 }
