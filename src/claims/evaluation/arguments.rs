@@ -27,8 +27,7 @@ pub(crate) fn index<V: Value>(what: &'static str, value: &V) -> Result<i64, Call
     let integer = value.as_rational().filter(Rational::is_integer).ok_or_else(|| {
         CallError::Inner(FormulaErrorKind::NotAnInteger { what, value: value.to_string() })
     })?;
-    let index =
-        integer.numerator().to_i64().filter(|index| (-MAX_INDEX..=MAX_INDEX).contains(index));
+    let index = integer.numerator().within(MAX_INDEX);
     let cap = MAX_INDEX.unsigned_abs();
     index.ok_or(CallError::Inner(FormulaErrorKind::TooLarge { what, cap }))
 }

@@ -2,6 +2,7 @@
 
 use crate::bound::{Order, Recursion, Rounded, Suprema, Terms};
 use crate::evaluation::settings::Settings;
+use crate::exact::within;
 use crate::formula::{Call, CallError, OptionWord};
 
 /// What the exponent of a constant of c levels counts: levels, or blocks of c levels.
@@ -80,11 +81,10 @@ impl<'a> Options<'a> {
         let printed = self.take("offset").unwrap_or_else(|| "own".to_owned());
         match self.word("offset", &printed) {
             "own" => Ok(own),
-            word => {
-                word.parse().ok().filter(|o: &i64| o.unsigned_abs() <= 10_000).ok_or_else(|| {
-                    CallError::Misuse(format!("`offset` is `own` or an integer, not `{word}`"))
-                })
-            }
+            word => word.parse().ok().and_then(|o| within(o, 10_000)).ok_or_else(|| {
+                let range = "an integer from -10000 to 10000";
+                CallError::Misuse(format!("`offset` is `own` or {range}, not `{word}`"))
+            }),
         }
     }
 

@@ -145,15 +145,15 @@ pub(crate) fn shape<V: Value, R: Borrow<Rules<V>>>(
         ("difference", [rule, column]) => coefficient(difference().borrow(), rule, column),
         ("convolution", [c, l, f]) => {
             let (order, recursion) = (options.order()?, options.recursion()?);
-            let c = u32::try_from(index("a number of convolutions", c)?).unwrap_or(0);
+            let c = index("a number of convolutions", c)?;
             let most = match recursion {
                 Recursion::Derived => MAX_CONVOLUTIONS,
                 Recursion::Printed => MAX_PRINTED_CONVOLUTIONS,
             };
-            if !(1..=most).contains(&c) {
-                let message = format!("from 1 to {most} convolutions here, and not {c}");
-                return Err(CallError::Misuse(message));
-            }
+            let number = u32::try_from(c).ok().filter(|c| (1..=most).contains(c));
+            let c = number.ok_or_else(|| {
+                CallError::Misuse(format!("from 1 to {most} convolutions here, and not {c}"))
+            })?;
             let (l, f) = (place("the index l", l)?, index("the index f", f)?);
             let t = sequence(difference().borrow(), order);
             Ok(convolution_coefficient(&t, mask.arity(), c, l, f, recursion))

@@ -160,7 +160,5 @@ pub(crate) fn integer(
     at: At<'_>,
 ) -> Result<Option<i64>, Diagnostic> {
     let value = number(judge, formula, at)?.filter(Rational::is_integer);
-    Ok(value
-        .and_then(|value| value.numerator().to_i64())
-        .filter(|value| value.unsigned_abs() <= 10_000))
+    Ok(value.and_then(|value| value.numerator().within(10_000)))
 }

@@ -107,7 +107,7 @@ fn bound(formula: &LocatedFormula, case: &Case) -> Result<i64, Diagnostic> {
     let values: BTreeMap<String, Rational> = case.values.iter().cloned().collect();
     let value =
         evaluate(&formula.expr, &Parameters(values)).map_err(|error| formula.diagnostic(&error))?;
-    let integer = value.numerator().to_i64().filter(|value| value.unsigned_abs() <= 1_000_000);
+    let integer = value.numerator().within(1_000_000);
     integer.filter(|_| value.is_integer()).ok_or_else(|| {
         let message = format!("an index runs over integers up to 10^6, and this is {value}");
         Diagnostic::new(&formula.source, formula.span.clone(), message)

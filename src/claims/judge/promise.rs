@@ -238,7 +238,7 @@ impl Evaluator<'_> {
 
     fn integer(&self, formula: &LocatedFormula, at: At<'_>) -> Result<i64, NoSound> {
         let value = self.number(formula, at)?;
-        let integer = value.numerator().to_i64().filter(|value| value.unsigned_abs() <= 10_000);
+        let integer = value.numerator().within(10_000);
         integer.filter(|_| value.is_integer()).ok_or_else(|| {
             let message = format!("an integer from -10000 to 10000 is needed, and this is {value}");
             NoSound::Wrong(Diagnostic::new(&formula.source, formula.span.clone(), message))

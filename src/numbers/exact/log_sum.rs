@@ -63,7 +63,7 @@ impl LogSum {
 const MAX_LEVEL: u32 = 3;
 
 /// The greatest exponent of a power that is computed exactly.
-const MAX_POWER: i32 = 4_096;
+const MAX_POWER: i64 = 4_096;
 
 impl LogSum {
     /// How this number compares with another one: by enclosures, and exactly where all logarithms have one
@@ -106,11 +106,8 @@ impl LogSum {
         let common = terms().fold(Integer::one(), |lcm, term| lcm.lcm(&term.factor.denominator()));
         let scale = Rational::from(common);
         let powers = terms().map(|LogTerm { factor, base: own, of }| {
-            let exponent = (factor * &scale).numerator().to_i64();
-            let exponent = exponent.and_then(|e| i32::try_from(e).ok());
-            let exponent =
-                exponent.filter(|e| (-MAX_POWER..=MAX_POWER).contains(e) && *own == base)?;
-            Some(of.pow(exponent))
+            let exponent = (factor * &scale).numerator().within(MAX_POWER)?;
+            (*own == base).then_some(of.pow(i32::try_from(exponent).ok()?))
         });
         let product = powers.reduce(|product, power| Some(product? * power?)).flatten();
         product == Some(Rational::one())

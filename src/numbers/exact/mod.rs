@@ -99,6 +99,7 @@ pub use read::{MAX_DIGITS, MAX_EXPONENT, NumberError, parse_decimal, parse_ratio
 pub use scalar::{Real, Scalar};
 pub use sturm::SturmSequence;
 pub use univariate::IntegerPolynomial;
+pub use word::within;
 
 /// Items for the tests of this crate; not part of its interface.
 #[doc(hidden)]

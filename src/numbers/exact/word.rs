@@ -1,5 +1,19 @@
 //! Arithmetic of machine words: fractions p/q in lowest terms, q > 0.
 
+/// The word, if its absolute value is at most `cap`. −2^63 has no absolute value in an `i64`, and so no cap of a number that
+/// is read is compared with one.
+///
+/// ```
+/// use subcert::exact::within;
+///
+/// assert_eq!(within(-7, 7), Some(-7));
+/// assert_eq!(within(i64::MIN, i64::MAX), None);
+/// ```
+#[must_use]
+pub fn within(value: i64, cap: i64) -> Option<i64> {
+    (value.unsigned_abs() <= cap.unsigned_abs()).then_some(value)
+}
+
 /// The greatest common divisor, by the binary algorithm.
 pub(super) fn gcd(mut a: u64, mut b: u64) -> u64 {
     if a == 0 || b == 0 {

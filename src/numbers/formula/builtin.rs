@@ -177,8 +177,7 @@ pub(super) fn integer<V: Value>(what: &'static str, value: &V) -> Result<i64, Fo
         .ok_or_else(|| FormulaErrorKind::NotAnInteger { what, value: value.to_string() })?;
     integer
         .numerator()
-        .to_i64()
-        .filter(|value| value.unsigned_abs() < 1 << 40)
+        .within((1 << 40) - 1)
         .ok_or(FormulaErrorKind::TooLarge { what, cap: 1 << 40 })
 }
 

@@ -1,7 +1,7 @@
 //! f64 as hexadecimal text, without any rounding.
 
 use super::convert::{binary, nearest, parts};
-use crate::exact::{Integer, Rational};
+use crate::exact::{Integer, Rational, within};
 
 /// The greatest number of hexadecimal digits.
 const MAX_HEX_DIGITS: usize = 2_000;
@@ -105,14 +105,12 @@ fn magnitude(body: &str) -> Result<Option<Rational>, HexadecimalError> {
         Some(None) => return Ok(None),
         Some(Some(power)) => power,
     };
-    if power.abs() > MAX_BINARY_EXPONENT {
-        return Err(HexadecimalError::TooLong);
-    }
+    let power = within(power, MAX_BINARY_EXPONENT).ok_or(HexadecimalError::TooLong)?;
     let places = i64::try_from(fraction.len()).expect("capped");
     Ok((count > 0).then(|| binary(mantissa, power - 4 * places)))
 }
 
-/// A signed decimal integer. One beyond `i64` is replaced by ±`i64::MAX`.
+/// A signed decimal integer. One beyond `i64` is replaced by ±`i64::MAX`, which is beyond the cap.
 fn exponent(text: &str) -> Option<i64> {
     let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
     if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {

@@ -6,7 +6,7 @@ use crate::exact::{Enclosure, Rational, format};
 pub const MAX_WINDOW: usize = 128;
 
 /// The largest absolute value of the offset o of a mask.
-pub const MAX_OFFSET: u64 = 10_000;
+pub const MAX_OFFSET: i64 = 10_000;
 
 /// The highest level k at which a polygon is compared with its limit.
 pub const MAX_LEVEL: u32 = 128;

@@ -4,7 +4,7 @@ use super::convergence::{contraction_constants, limit_at_repeating, limit_at_zer
 use super::error::{LimitError, MAX_LEVEL, MAX_OFFSET};
 use super::functional::Functional;
 use super::parameter::Parameter;
-use crate::exact::{Rational, format};
+use crate::exact::{Rational, format, within};
 use crate::scheme::{Mask, Rules};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -57,7 +57,7 @@ impl Limit {
     /// When 1 is a multiple eigenvalue, so that there is no continuous limit; when no
     /// computed T_c is below 1; when the invariant window or the offset is too large.
     pub fn new(mask: &Mask) -> Result<Limit, LimitError> {
-        if mask.offset().unsigned_abs() > MAX_OFFSET {
+        if within(mask.offset(), MAX_OFFSET).is_none() {
             return Err(LimitError::Offset(mask.offset()));
         }
         let at_zero = limit_at_zero(mask)?;

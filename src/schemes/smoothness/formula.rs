@@ -75,10 +75,10 @@ impl ExponentFormula {
 }
 
 /// The greatest common denominator of the exponents of powers that are compared.
-const MAX_ROOT: u32 = 64;
+const MAX_ROOT: i64 = 64;
 
 /// The greatest exponent of these powers.
-const MAX_POWER: i32 = 4_096;
+const MAX_POWER: i64 = 4_096;
 
 impl ExponentFormula {
     /// Whether the exponent is this number; `None` where a logarithm is to a base that is no power of a
@@ -98,18 +98,14 @@ impl ExponentFormula {
             let base = rational_logarithm(&Rational::from(*base), self.arity)?;
             powers.push((of.clone(), -(factor * &degree / base)));
         }
-        let small = |x: &Integer| x.to_i64().and_then(|x| i32::try_from(x).ok());
+        let small = |x: &Integer, cap: i64| x.within(cap).and_then(|x| i32::try_from(x).ok());
         let one = Integer::one();
         let denominator = powers.iter().fold(one, |lcm, (_, e)| lcm.lcm(&e.denominator()));
-        let root = small(&denominator).and_then(|l| u32::try_from(l).ok());
-        let root = root.filter(|root| *root <= MAX_ROOT)?;
+        let root = u32::try_from(small(&denominator, MAX_ROOT)?).ok()?;
         let scale = Rational::from(denominator);
         let mut power = Rational::one();
         for (of, exponent) in powers {
-            let exponent = small(&(exponent * &scale).numerator())?;
-            if exponent.abs() > MAX_POWER {
-                return None;
-            }
+            let exponent = small(&(exponent * &scale).numerator(), MAX_POWER)?;
             power *= &of.pow(exponent);
         }
         // The positive root of q·x^L − p.

@@ -3,7 +3,7 @@
 use super::reader::Reader;
 use crate::claim::{Rewriting, Trial};
 use crate::diagnostic::Diagnostic;
-use crate::exact::{Rational, parse_rational};
+use crate::exact::{Rational, parse_rational, within};
 use crate::scheme::{Spanned, formula, identifier};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -106,11 +106,7 @@ impl Reader<'_> {
     }
 
     fn offset(&self, text: &Spanned<String>) -> Result<i64, Diagnostic> {
-        let offset = text
-            .get_ref()
-            .parse()
-            .ok()
-            .filter(|offset: &i64| (-MAX_OFFSET..=MAX_OFFSET).contains(offset));
+        let offset = text.get_ref().parse().ok().and_then(|offset| within(offset, MAX_OFFSET));
         offset.ok_or_else(|| {
             self.error(text.span(), format!("`{}` is no offset", text.get_ref())).with_help(
                 "the index offset o of x_{ni+α} = Σ a x_{i+o+j} is an integer, 0 where a paper \

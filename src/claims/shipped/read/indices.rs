@@ -2,6 +2,7 @@
 
 use super::reader::Reader;
 use crate::diagnostic::Diagnostic;
+use crate::exact::within;
 use crate::scheme::{Spanned, identifier};
 use crate::shipped::claim::TableIndex;
 
@@ -34,8 +35,7 @@ impl Reader<'_> {
         let (name, range) = text.get_ref().split_once('=').ok_or_else(refuse)?;
         let (from, to) = range.split_once("..").ok_or_else(refuse)?;
         let end = |text: &str| {
-            let end: Option<i64> = text.trim().parse().ok();
-            end.filter(|end| (-MAX_INDEX..=MAX_INDEX).contains(end)).ok_or_else(refuse)
+            text.trim().parse().ok().and_then(|end| within(end, MAX_INDEX)).ok_or_else(refuse)
         };
         let (from, to) = (end(from)?, end(to)?);
         if to < from {

@@ -254,6 +254,12 @@ impl Integer {
         if let Word(value) = self.0 { Some(value) } else { None }
     }
 
+    /// This as an `i64`, if its absolute value is at most `cap`.
+    #[must_use]
+    pub fn within(&self, cap: i64) -> Option<i64> {
+        word::within(self.to_i64()?, cap)
+    }
+
     /// How often 2 divides this; `None` for 0.
     pub(super) fn trailing_zeros(&self) -> Option<u32> {
         match &self.0 {

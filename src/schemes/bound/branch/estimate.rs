@@ -3,7 +3,7 @@
 use super::number::Number;
 use super::scaled::PLACES;
 use super::tree::Tree;
-use crate::exact::Integer;
+use crate::exact::{Integer, within};
 
 /// The bound on the absolute values of the factors in `coarse` and `factor`.
 const LARGEST_FACTOR: i64 = 1 << 40;
@@ -78,11 +78,11 @@ impl Place<Integer> {
         total: Integer,
         unit: Integer,
     ) -> Option<Place<Integer>> {
-        let fits = |factor: &i64| factor.abs() < LARGEST_FACTOR;
+        let fits = |factor: i64| within(factor, LARGEST_FACTOR - 1);
         let factor = -(-total.shifted_left(PLACES)).div_floor(&unit);
-        let factor = factor.to_i64().filter(fits);
+        let factor = factor.to_i64().and_then(fits);
         let entries = Vec::new();
-        coarse.iter().all(fits).then_some(Place {
+        coarse.iter().all(|factor| fits(*factor).is_some()).then_some(Place {
             base,
             coarse,
             fine,

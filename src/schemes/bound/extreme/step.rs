@@ -56,7 +56,7 @@ impl Steps {
     /// `None` if a coefficient is above 2^53.
     pub(super) fn new(matrices: &Transitions<Integer>) -> Option<Steps> {
         let exact = |edge: &Edge<Integer>| {
-            let x = edge.coefficient.to_i64().filter(|x| x.abs() <= LARGEST)?;
+            let x = edge.coefficient.within(LARGEST)?;
             Some((edge.from, edge.to, exact_float(x)))
         };
         let of_digit = |edges: &Vec<_>| edges.iter().map(exact).collect::<Option<Vec<_>>>();
