@@ -172,3 +172,44 @@ fn random_cases_have_a_seed() {
         "PROPTEST_RNG_SEED is not set"
     );
 }
+
+/// The folders that read numbers of files and of the command line.
+const READERS: [&str; 12] = [
+    "src/numbers/machine",
+    "src/numbers/formula",
+    "src/schemes/scheme",
+    "src/geometry/mesh/read",
+    "src/geometry/net/read",
+    "src/geometry/solid/read",
+    "src/claims/claim",
+    "src/claims/shipped",
+    "src/claims/literal",
+    "src/claims/evaluation",
+    "src/claims/judge",
+    "src/cli",
+];
+
+/// What an integer of a file must not go through: −2^63 has no absolute value, and a number beyond a cap is an error and
+/// no other number. `exact::within` is for caps.
+const NOT_IN_READERS: [&str; 6] =
+    [".abs() <", ".abs() >", ".wrapping_", ".overflowing_", "parse().unwrap_or", ".parse().map_or"];
+
+#[test]
+fn readers_do_not_wrap_integers() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (mut folders, mut wrong) = (READERS.map(|folder| root.join(folder)).to_vec(), Vec::new());
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).expect("a folder") {
+            let path = entry.expect("a file").path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).unwrap_or_default();
+            let found =
+                text.lines().filter(|line| NOT_IN_READERS.iter().any(|what| line.contains(what)));
+            wrong.extend(found.map(|line| format!("{}: {}", path.display(), line.trim())));
+        }
+    }
+    assert!(wrong.is_empty(), "integers that may wrap:\n{}", wrong.join("\n"));
+}

@@ -58,6 +58,16 @@ fn files_that_cannot_be_read() {
     }
 }
 
+/// An error in a file that another message names is one line, and no second drawing.
+#[test]
+fn an_error_in_a_file_within_another_message() {
+    let diagnostic = refusal("name = 's'\nmask = [['1/0', '1'], ['1/2', '1/2']]\n");
+    let error = SchemeError::File(Box::new(diagnostic));
+    let said = error.to_string();
+    assert!(said.contains("division by zero") && said.contains("(my.toml:2:"), "{said}");
+    assert!(!said.contains("error:") && !said.contains('\n'), "{said}");
+}
+
 fn read(text: &str) -> Result<SchemeDefinition, Diagnostic> {
     read_scheme(&SourceText::new("my.toml", text))
 }

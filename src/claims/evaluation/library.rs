@@ -161,9 +161,8 @@ impl<'a> Library<'a> {
                 Some(SchemeSource::Alias(other)) => {
                     self.check_handed_on(&instance, other).map_err(Unresolved::Scheme)?;
                     if depth >= MAX_ALIAS_DEPTH {
-                        let known = Vec::new();
-                        let name = instance.name;
-                        return Err(Unresolved::Scheme(SchemeError::Unknown { name, known }));
+                        let (name, cap) = (instance.name, MAX_ALIAS_DEPTH);
+                        return Err(Unresolved::Scheme(SchemeError::TooManyNames { name, cap }));
                     }
                     let inner = instance.parameters.into_iter().chain(values.iter().cloned());
                     let inner: Vec<(String, V)> = inner.collect();

@@ -6,7 +6,7 @@ use crate::evaluation::context::{At, Known, Outcome, TableContext};
 use crate::evaluation::quantity::Quantities;
 use crate::evaluation::settings::{Depends, Restricted, Settings};
 use crate::exact::{Rational, RealCyclotomic};
-use crate::formula::FreeNames;
+use crate::formula::{FreeNames, LocatedFormula};
 use crate::scheme::{Instance, Reference};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -52,9 +52,30 @@ impl RowDefinitions {
                     || given.contains_key(name)
                     || assumed.contains_key(name))
         };
+        let aliases = paper.schemes.values().filter_map(|source| match source {
+            SchemeSource::Alias(other) => Some(other),
+            SchemeSource::Own(_) => None,
+        });
+        let named = paper.tables.iter().flat_map(Table::schemes).map(|own| &own.reference);
+        let parameters: BTreeSet<String> =
+            named.chain(aliases).flat_map(Reference::parameters).collect();
+        // What the value and these parameters lead to, whichever alternative stands for a definition.
+        let mut reached: BTreeSet<&str> = BTreeSet::new();
+        let mut waiting = table.value.expr.names();
+        waiting.extend(parameters.iter().map(String::as_str));
+        while let Some(name) = waiting.pop_first() {
+            if reached.insert(name) {
+                let others = paper.alternatives.iter().filter(|other| other.of == name);
+                let formulas = others.map(|other| &other.value).chain(paper.definitions.get(name));
+                waiting.extend(formulas.flat_map(|formula| formula.expr.names()));
+            }
+        }
         let mut varying = BTreeSet::new();
-        let mut definitions = paper.definitions.clone();
-        let others = paper.alternatives.iter().map(Some);
+        let own = reached.iter().filter_map(|name| paper.definitions.get_key_value(*name));
+        let mut definitions: BTreeMap<String, LocatedFormula> =
+            own.map(|(name, formula)| (name.clone(), formula.clone())).collect();
+        let others = paper.alternatives.iter().filter(|other| reached.contains(&other.of[..]));
+        let others = others.map(Some);
         for alternative in std::iter::once(None).chain(others) {
             if let Some(other) = alternative {
                 definitions.insert(other.of.clone(), other.value.clone());
@@ -63,13 +84,6 @@ impl RowDefinitions {
             let varies = |name: &&String| !free.of_name(name).iter().all(fixed);
             varying.extend(definitions.keys().filter(varies).cloned().collect::<Vec<_>>());
         }
-        let aliases = paper.schemes.values().filter_map(|source| match source {
-            SchemeSource::Alias(other) => Some(other),
-            SchemeSource::Own(_) => None,
-        });
-        let named = paper.tables.iter().flat_map(Table::schemes).map(|own| &own.reference);
-        let parameters: BTreeSet<String> =
-            named.chain(aliases).flat_map(Reference::parameters).collect();
         let column = table.columns.name();
         let schemes_vary =
             parameters.iter().any(|name| varying.contains(name) || column == Some(&name[..]));

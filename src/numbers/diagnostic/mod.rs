@@ -94,6 +94,13 @@ impl Diagnostic {
         (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
     }
 
+    /// The message and the place in a few words, for another message that says more of it.
+    #[must_use]
+    pub fn in_words(&self) -> String {
+        let (line, column) = self.line_and_column();
+        format!("{} ({}:{line}:{column})", self.message, self.source.name)
+    }
+
     /// The drawing, coloured when `colour`.
     #[must_use]
     pub fn render(&self, colour: bool) -> String {

@@ -100,22 +100,18 @@ fn magnitude(body: &str) -> Result<Option<Rational>, HexadecimalError> {
         let Some(digit) = digit.to_digit(16) else { return Ok(None) };
         mantissa = mantissa * Integer::from(16) + Integer::from(digit);
     }
-    let power = match power.map(exponent) {
-        None => 0,
-        Some(None) => return Ok(None),
-        Some(Some(power)) => power,
-    };
-    let power = within(power, MAX_BINARY_EXPONENT).ok_or(HexadecimalError::TooLong)?;
+    let Some(power) = power.map_or(Ok(Some(0)), exponent)? else { return Ok(None) };
     let places = i64::try_from(fraction.len()).expect("capped");
     Ok((count > 0).then(|| binary(mantissa, power - 4 * places)))
 }
 
-/// A signed decimal integer. One beyond `i64` is replaced by ±`i64::MAX`, which is beyond the cap.
-fn exponent(text: &str) -> Option<i64> {
+/// A signed decimal integer; `Ok(None)` when the text has another form.
+fn exponent(text: &str) -> Result<Option<i64>, HexadecimalError> {
     let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
     if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
-        return None;
+        return Ok(None);
     }
-    let size = digits.parse().unwrap_or(i64::MAX);
-    Some(if text.starts_with('-') { -size } else { size })
+    let size = digits.parse().ok().and_then(|size| within(size, MAX_BINARY_EXPONENT));
+    let size = size.ok_or(HexadecimalError::TooLong)?;
+    Ok(Some(if text.starts_with('-') { -size } else { size }))
 }

@@ -101,6 +101,16 @@ pub enum SchemeError {
         /// The scheme.
         scheme: String,
     },
+    /// A name that stands for a name, and so on, beyond a cap.
+    #[error(
+        "`{name}` stands at the end of {cap} names of schemes, of which each stands for the next; at most {cap} are followed"
+    )]
+    TooManyNames {
+        /// The last name.
+        name: String,
+        /// The cap.
+        cap: usize,
+    },
     /// A mask, where a ring is needed.
     #[error("`{scheme}` is no ring of points; `doo-sabin:n=5` and `catmull-clark:N=5` are")]
     NotRing {
@@ -168,7 +178,7 @@ pub enum SchemeError {
         reason: String,
     },
     /// An error in the scheme's file.
-    #[error("{0}")]
+    #[error("{}", .0.in_words())]
     File(Box<Diagnostic>),
 }
 

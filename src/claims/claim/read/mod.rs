@@ -3,6 +3,8 @@
 //! `reader` holds what all parts share. Each kind of claim has a file. `file` is a claim file as
 //! TOML gives it, `roles` and `indices` check its names, and `paper` reads the whole file.
 
+#![deny(clippy::arithmetic_side_effects)]
+
 mod axis;
 mod contents;
 mod equation;

@@ -193,6 +193,7 @@ impl Reader<'_> {
 
 impl Cells {
     /// Adds the claim of a cell.
+    #[expect(clippy::arithmetic_side_effects, reason = "the number of a row that the file has")]
     fn add(
         &mut self,
         file: &RegularityFile,

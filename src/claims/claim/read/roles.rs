@@ -8,6 +8,7 @@ use crate::scheme::Spanned;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
+use std::rc::Rc;
 
 /// The role of a name in a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,8 +59,25 @@ pub(super) struct Named {
     pub(super) span: Range<usize>,
 }
 
-/// The roles of names.
-pub(super) type Roles<'f> = BTreeMap<&'f str, Named>;
+/// The roles of names: those of a claim's own, and those that it shares with the others.
+#[derive(Clone, Default)]
+pub(super) struct Roles<'f> {
+    own: BTreeMap<&'f str, Named>,
+    shared: Rc<BTreeMap<&'f str, Named>>,
+}
+
+impl<'f> Roles<'f> {
+    pub(super) fn get(&self, name: &str) -> Option<&Named> {
+        self.own.get(name).or_else(|| self.shared.get(name))
+    }
+
+    /// The same roles, shared by all who get a copy.
+    fn sharing(self) -> Roles<'f> {
+        let mut all = Rc::unwrap_or_clone(self.shared);
+        all.extend(self.own);
+        Roles { own: BTreeMap::new(), shared: Rc::new(all) }
+    }
+}
 
 /// The roles of names in the file, and in each claim by its id.
 pub(super) struct AllRoles<'f> {
@@ -82,14 +100,16 @@ impl Reader<'_> {
     /// When a name has two roles; the error has both places. Only a value of `[given]` may share
     /// its name with an own name of a claim, which hides it there.
     pub(super) fn roles<'f>(&self, file: &'f PaperFile) -> Result<AllRoles<'f>, Diagnostic> {
-        let mut definitions = Roles::new();
+        let mut definitions = Roles::default();
         for name in file.define.keys() {
             self.add(&mut definitions, name, Role::Definition)?;
         }
+        let definitions = definitions.sharing();
         let mut common = definitions.clone();
         for name in file.given.keys() {
             self.add(&mut common, name, Role::Stated)?;
         }
+        let common = common.sharing();
         let mut claims = BTreeMap::new();
         for table in &file.table {
             let mut roles = common.clone();
@@ -162,7 +182,9 @@ impl Reader<'_> {
         named: Named,
     ) -> Result<(), Diagnostic> {
         let (role, span) = (named.role, named.span.clone());
-        match roles.insert(name, named) {
+        let other = roles.get(name).cloned();
+        roles.own.insert(name, named);
+        match other {
             Some(other) if other.role != Role::Stated || role == Role::Stated => {
                 let message = format!("`{name}` has two meanings here");
                 Err(self

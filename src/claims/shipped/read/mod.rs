@@ -1,5 +1,7 @@
 //! Reading claim files about constants of programs.
 
+#![deny(clippy::arithmetic_side_effects)]
+
 mod exact;
 mod file;
 mod indices;

@@ -1,5 +1,7 @@
 //! Files of solids. Numbers are read from their text, exactly.
 
+#![deny(clippy::arithmetic_side_effects)]
+
 mod medit;
 mod vtk;
 
