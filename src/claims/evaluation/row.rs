@@ -14,6 +14,10 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The word of the choice [`HEADER`] for headers as printed.
 const AS_PRINTED: &str = "exact";
 
+/// The most definitions of a table whose values are kept: what they lead to takes the square of their number. The values
+/// of more are computed where they are used.
+const MAX_DEFINITIONS: usize = 500;
+
 /// What a value depends on: the place of its definition, the parameter of the row, the scheme, the
 /// part of the reading that matters, and the parameters that are assumed.
 type Key = (usize, Option<Rational>, Vec<Instance>, Restricted, BTreeSet<String>);
@@ -89,6 +93,9 @@ impl RowDefinitions {
             parameters.iter().any(|name| varying.contains(name) || column == Some(&name[..]));
         let used = paper.definitions_in(&table.value).into_keys().map(str::to_owned);
         let names: Vec<String> = used.filter(|name| !varying.contains(name)).collect();
+        if names.len() > MAX_DEFINITIONS {
+            return RowDefinitions::default();
+        }
         let header = table.rows.as_ref().is_some_and(|axis| context.tolerance(axis));
         let depends: Vec<_> = names.iter().map(|name| Depends::of(paper, name, header)).collect();
         // Two definitions lead to each other if different alternatives stand for them.
