@@ -194,7 +194,7 @@ reasons! {
     Rule "a rule does not sum to 1"
     NoLines "the scheme does not take lines to lines, so that points have no natural parameters"
     NotConvergent "the differences are not shown to fall"
-    Range "the given points do not determine the sets in this range"
+    Range "the given points determine the sets in another range"
     Outside "the parameters are not in the range"
     Twice "this level is said to be too few twice"
     NotFar "the point is not shown to be farther than the tolerance from the other set"

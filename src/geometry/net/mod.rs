@@ -19,7 +19,6 @@ mod limit;
 mod read;
 mod refine;
 mod scheme;
-mod window;
 mod write;
 
 pub use error::NetError;
@@ -28,5 +27,4 @@ pub use limit::{limit_net, net_limits};
 pub use read::{NetFormat, read_net};
 pub use refine::{MAX_NET_LEVEL, refine_net};
 pub use scheme::NetScheme;
-pub(crate) use window::Window;
 pub use write::to_csv;

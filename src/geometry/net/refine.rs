@@ -3,8 +3,8 @@
 use super::error::NetError;
 use super::grid::Net;
 use super::scheme::NetScheme;
-use super::window::{Window, rule_at};
 use crate::exact::{CommonDenominator, Integer, Rational};
+use crate::limit::{Window, natural_shift, rule_at};
 use crate::mesh::MAX_POINTS;
 use crate::scheme::{Mask, Rules};
 
@@ -93,7 +93,7 @@ struct Line {
 
 impl Line {
     fn new(mask: &Mask, direction: usize, count: usize, closed: bool) -> Result<Line, NetError> {
-        let window = Window::of(mask)?;
+        let window = Window::of(mask, &natural_shift(mask).shift)?;
         if window.cells(count, closed) == 0 {
             return Err(NetError::TooFew { direction, found: count, needed: window.size() });
         }

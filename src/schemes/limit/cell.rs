@@ -8,6 +8,7 @@ use super::row::magnitude;
 use super::value::Limit;
 use crate::exact::{Integer, Rational, common_denominator};
 use crate::scheme::Rules;
+use std::ops::Range;
 
 /// The cost of a product of short numbers, in products of words.
 const OVERHEAD: u64 = 8;
@@ -185,6 +186,31 @@ impl Splitting {
         let points = Integer::from(self.arity).pow(cell.level);
         let at = Rational::from(&cell.index + Integer::from(end)) + &self.phases[cell.phase].part;
         at / Rational::from(points)
+    }
+
+    /// Whether φ is not 0 for the cells of level k and before.
+    pub(super) fn is_shifted(&self) -> bool {
+        !self.phases[0].part.is_zero()
+    }
+
+    /// Whether a part of a cell is between these parameters.
+    pub(super) fn meets(&self, cell: &Cell, range: &Range<i64>) -> bool {
+        let [start, end] = self.in_units(cell, range);
+        let shifted = Integer::from(u32::from(!self.phases[cell.phase].part.is_zero()));
+        &cell.index + shifted >= start && cell.index < end
+    }
+
+    /// Whether the left (`end` = 0) or right (`end` = 1) end of a cell is between these parameters.
+    pub(super) fn has_end(&self, cell: &Cell, end: i64, range: &Range<i64>) -> bool {
+        let [start, last] = self.in_units(cell, range);
+        let at = &cell.index + Integer::from(end);
+        at >= start && (at < last || at == last && self.phases[cell.phase].part.is_zero())
+    }
+
+    /// The ends of the range in units of the level of a cell.
+    fn in_units(&self, cell: &Cell, range: &Range<i64>) -> [Integer; 2] {
+        let unit = Integer::from(self.arity).pow(cell.level);
+        [range.start, range.end].map(|end| &Integer::from(end) * &unit)
     }
 
     /// The factor from the denominators of [`sizes`](Splitting::sizes) to those of

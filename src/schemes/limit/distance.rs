@@ -8,8 +8,10 @@ use super::polygon::ControlPolygon;
 use super::remainder::Remainders;
 use super::search::{Best, Goal, Search};
 use super::value::Limit;
+use super::window::Window;
 use crate::bound::{Budget, Share};
 use crate::exact::{Enclosure, Integer, Rational};
+use std::ops::Range;
 
 /// The greatest number of cells that the computation of one distance splits.
 pub const MAX_CELLS: u32 = 1 << 18;
@@ -140,24 +142,9 @@ impl Distances {
         self.splitting.size
     }
 
-    /// The numbers i for which `count` points of an open polygon, from x_0 on, determine P^∞ and all P^k from (i + s)/n^0 to
-    /// (i + 1 + s)/n^0.
-    ///
-    /// # Errors
-    /// When the points determine none.
-    ///
-    /// # Panics
-    /// Never: shifts and windows are capped.
-    pub fn determined(&self, count: usize) -> Result<std::ops::Range<i64>, LimitError> {
-        let Splitting { first, size, .. } = self.splitting;
-        let cells = count.saturating_sub(size);
-        if cells == 0 {
-            return Err(LimitError::TooFew { needed: size + 1 });
-        }
-        // Cells of a splitting begin at i + {s}.
-        let moved = self.shift.floor().to_i64().expect("shifts are capped with the offsets");
-        let start = -first - moved;
-        Ok(start..start + i64::try_from(cells).expect("a polygon fits in memory"))
+    /// The parameters between which so many points of an open polygon determine P^∞ and all P^k.
+    fn determined(&self, count: usize) -> Result<Range<i64>, LimitError> {
+        Window::of(self.limit.mask(), &self.shift)?.determined(count)
     }
 
     /// A text that states the caps of a search.
@@ -258,18 +245,26 @@ impl Distances {
         if level > MAX_LEVEL {
             return Err(LimitError::Level(level));
         }
-        // The first point of level k in the first cell.
+        // The first point of level k in the first cell, or both ends of what an open polygon determines.
         let points = Rational::from(self.limit.mask().arity()).pow(level.cast_signed());
         let node = self.shift.fract() / points;
-        let parameter = Rational::from(among.roots[0].index.clone()) + node;
-        let error = self.error(level, &parameter)?;
-        let value = match among.only {
-            Some(polygon) => error.apply(|i| polygon.difference(i)).abs(),
-            None => error.norm(),
-        };
+        let first = Rational::from(among.roots[0].index.clone()) + node;
+        let ends = among.range.iter().flat_map(|range| [range.start, range.end]);
+        let tried = ends.map(Rational::from).chain(among.range.is_none().then_some(first));
+        let mut best = Best { value: Rational::from(-1), parameter: Rational::zero() };
+        for parameter in tried {
+            let error = self.error(level, &parameter)?;
+            let value = match among.only {
+                Some(polygon) => error.apply(|i| polygon.difference(i)).abs(),
+                None => error.norm(),
+            };
+            if value > best.value {
+                best = Best { value, parameter };
+            }
+        }
         let (splitting, remainders) = (&self.splitting, &self.remainders);
-        let search = Search::new(splitting, remainders, &among.roots, level, self.cells, share);
-        Ok((search, Best { value, parameter }))
+        let search = Search::new(splitting, remainders, among, level, self.cells, share);
+        Ok((search, best))
     }
 
     /// Takes the steps for bounding the cells of level 0; `false` if they do not remain.
@@ -295,7 +290,8 @@ impl Distances {
         let size = self.splitting.size;
         let unit = |at: usize| (0..size).map(|i| Integer::from(u32::from(i == at))).collect();
         let rows = (0..size).map(unit).collect();
-        Polygons { roots: vec![Cell::root(Integer::zero(), rows, Integer::one())], only: None }
+        let roots = vec![Cell::root(Integer::zero(), rows, Integer::one())];
+        Polygons { roots, range: None, only: None }
     }
 
     /// This polygon only.
@@ -303,15 +299,30 @@ impl Distances {
         &self,
         polygon: &'a ControlPolygon,
     ) -> Result<Polygons<'a>, LimitError> {
-        let roots = polygon.cells(self.splitting.first, self.splitting.size)?;
-        Ok(Polygons { roots, only: Some(polygon) })
+        let Splitting { first, size, .. } = self.splitting;
+        let (numbers, range) = if polygon.is_closed() {
+            let count = i64::try_from(polygon.count()).unwrap_or(i64::MAX);
+            if count == 0 {
+                return Err(LimitError::TooFew { needed: 1 });
+            }
+            (-first..count - first, None)
+        } else {
+            let range = self.determined(polygon.count())?;
+            // Cells begin at i + {s}/n^k. One more has the first part of the range.
+            let before = i64::from(!self.shift.is_integer());
+            (range.start - before..range.end, Some(range))
+        };
+        let roots = polygon.cells(numbers, first, size);
+        Ok(Polygons { roots, range, only: Some(polygon) })
     }
 }
 
 /// The control polygons over which the supremum of the distance is taken.
 pub(super) struct Polygons<'a> {
     /// The cells of level 0.
-    roots: Vec<Cell>,
+    pub(super) roots: Vec<Cell>,
+    /// For an open polygon the parameters between which it determines the limit.
+    pub(super) range: Option<Range<i64>>,
     /// The polygon, if it is a single one.
     pub(super) only: Option<&'a ControlPolygon>,
 }

@@ -145,7 +145,10 @@ pub struct ExtremalPolygon {
 }
 
 /// Row i of the operator of these rules: the pairs (m, r) with y_i = Σ r x_m.
-pub(super) fn rule_at(rules: &Rules, i: i64) -> impl Iterator<Item = (i64, &Rational)> {
+///
+/// # Panics
+/// Never: the arity is capped.
+pub fn rule_at(rules: &Rules, i: i64) -> impl Iterator<Item = (i64, &Rational)> {
     let arity = i64::try_from(rules.arity()).expect("the arity is capped");
     let rule = usize::try_from(i.rem_euclid(arity)).expect("a residue is not negative");
     (i.div_euclid(arity) + rules.offset()..).zip(&rules.rows()[rule])

@@ -1,8 +1,8 @@
 //! Control polygons, stored as their differences.
 
 use super::cell::Cell;
-use super::error::LimitError;
 use crate::exact::{CommonDenominator, Integer, Rational};
+use std::ops::Range;
 
 /// A control polygon of numbers x_0, …, x_{m−1}. A polygon of points has one such polygon
 /// for each coordinate.
@@ -22,8 +22,8 @@ impl ControlPolygon {
         ControlPolygon { differences, closed: true }
     }
 
-    /// The open polygon, without further points. The limit is taken between those x_i and
-    /// x_{i+1} between which the given points determine it.
+    /// The open polygon, without further points. All levels are compared with the limit between
+    /// the parameters of [`Window::determined`](super::Window::determined).
     #[must_use]
     pub fn open(points: &[Rational]) -> ControlPolygon {
         let differences = points.windows(2).map(|pair| &pair[1] - &pair[0]).collect();
@@ -36,31 +36,37 @@ impl ControlPolygon {
         self.differences.iter().map(Rational::abs).max().unwrap_or_else(Rational::zero)
     }
 
-    /// Δ_i, with i mod m for a closed polygon; 0 where there is no such difference.
+    /// Δ_i, with i mod m for a closed polygon. An open one goes on in a line beyond its ends.
     pub(super) fn difference(&self, i: i64) -> Rational {
         let count = i64::try_from(self.differences.len()).unwrap_or(i64::MAX).max(1);
-        let at = if self.closed { i.rem_euclid(count) } else { i };
+        let at = if self.closed { i.rem_euclid(count) } else { i.clamp(0, count - 1) };
         let difference = usize::try_from(at).ok().and_then(|at| self.differences.get(at));
         difference.cloned().unwrap_or_else(Rational::zero)
     }
 
-    /// The cells i for which the differences Δ_{i+first}, …, Δ_{i+first+size−1} exist, where
-    /// first ≤ 0.
-    pub(super) fn cells(&self, first: i64, size: usize) -> Result<Vec<Cell>, LimitError> {
+    /// How many points there are.
+    pub(super) fn count(&self) -> usize {
+        self.differences.len() + usize::from(!self.closed)
+    }
+
+    /// Whether the last point is followed by the first.
+    pub(super) fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// The cells with these numbers i and the differences Δ_{i+first}, …, Δ_{i+first+size−1}; i mod m
+    /// for a closed polygon.
+    pub(super) fn cells(&self, numbers: Range<i64>, first: i64, size: usize) -> Vec<Cell> {
         let common = CommonDenominator::of(std::slice::from_ref(&self.differences));
-        let column: Vec<Vec<Integer>> =
-            common.numerators.concat().into_iter().map(|value| vec![value]).collect();
-        let count = column.len();
-        let starts = if self.closed { count } else { (count + 1).saturating_sub(size) };
-        if starts == 0 {
-            return Err(LimitError::TooFew { needed: if self.closed { 1 } else { size + 1 } });
-        }
-        let back = usize::try_from(-first).expect("the window holds Δ_0");
-        let cell = |start: usize| {
-            let rows = (start..start + size).map(|i| column[i % count].clone()).collect();
-            let index = if self.closed { (start + back) % count } else { start + back };
+        let column = common.numerators.concat();
+        let count = i64::try_from(column.len()).unwrap_or(i64::MAX);
+        let at = |i: i64| if self.closed { i.rem_euclid(count) } else { i.clamp(0, count - 1) };
+        let row = |i: i64| vec![column[usize::try_from(at(i)).expect("not negative")].clone()];
+        let cell = |i: i64| {
+            let rows = (i + first..).take(size).map(row).collect();
+            let index = if self.closed { i.rem_euclid(count) } else { i };
             Cell::root(Integer::from(index), rows, common.denominator.clone())
         };
-        Ok((0..starts).map(cell).collect())
+        numbers.map(cell).collect()
     }
 }

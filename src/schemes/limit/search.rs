@@ -2,10 +2,12 @@
 //! bound.
 
 use super::cell::{Cell, Splitting};
+use super::distance::Polygons;
 use super::fraction::Fraction;
 use super::remainder::{LevelBound, Remainders};
 use crate::bound::Share;
 use crate::exact::Rational;
+use std::ops::Range;
 
 /// Cells are split down to this number of levels beyond k.
 const MAX_DEEPER: u32 = 96;
@@ -39,13 +41,16 @@ impl Goal {
 
 /// A search for the supremum of |P^∞ − P^k| over some cells. It goes depth first, and
 /// takes the part with the greatest bound first. A cell whose bound meets the goal is not
-/// split.
+/// split. Of an open polygon, parts without a parameter of its range are left out, and values at
+/// the ends of cells count in the range alone.
 ///
 /// Source: `proofs/THEOREMS.md`, 8 and 88.
 pub(super) struct Search<'a> {
     splitting: &'a Splitting,
     remainders: &'a Remainders,
     roots: &'a [Cell],
+    /// The parameters that are searched, if cells go beyond them.
+    range: Option<&'a Range<i64>>,
     level: u32,
     /// The bounds of |P^∞ − P^j|, j = 0, …, k.
     bounds: Vec<LevelBound>,
@@ -59,13 +64,14 @@ impl<'a> Search<'a> {
     pub(super) fn new(
         splitting: &'a Splitting,
         remainders: &'a Remainders,
-        roots: &'a [Cell],
+        among: &'a Polygons<'a>,
         level: u32,
         cells: u32,
         share: &'a Share<'a>,
     ) -> Search<'a> {
         let bounds = remainders.levels(level);
-        Search { splitting, remainders, roots, level, bounds, cells, share }
+        let range = among.range.as_ref().filter(|_| splitting.is_shifted());
+        Search { splitting, remainders, roots: &among.roots, range, level, bounds, cells, share }
     }
 
     /// Whether more cells may be split.
@@ -95,8 +101,10 @@ impl<'a> Search<'a> {
                 upper = upper.max(bound);
                 continue;
             }
-            let parts = self.splitting.split(&cell, self.level);
-            stack.extend(self.bounded(parts.into_iter(), Some(&bound), best));
+            let parts = self.splitting.split(&cell, self.level).into_iter();
+            let inside =
+                |part: &Cell| self.range.is_none_or(|range| self.splitting.meets(part, range));
+            stack.extend(self.bounded(parts.filter(inside), Some(&bound), best));
         }
         upper.reduced()
     }
@@ -145,7 +153,9 @@ impl<'a> Search<'a> {
         let by_level = remaining.map(|j| self.bounds[j as usize].over(&sizes));
         let by_ends = self.splitting.distances(cell).map(|ends| {
             for (end, value) in (0..).zip(&ends) {
-                if *value > Fraction::from(&best.value) {
+                let inside =
+                    || self.range.is_none_or(|range| self.splitting.has_end(cell, end, range));
+                if *value > Fraction::from(&best.value) && inside() {
                     let parameter = self.splitting.parameter(cell, end);
                     *best = Best { value: value.clone().reduced(), parameter };
                 }

@@ -86,27 +86,11 @@ impl Direction {
         direction.check_range().map(|()| direction)
     }
 
-    /// The given points have to determine the limit and all polygons in the range.
+    /// An open direction is compared on all the parameters from i to i + 1 whose window has given points alone.
     fn check_range(&self) -> Checked<()> {
         let Some([from, to]) = &self.range else { return Ok(()) };
-        let n = int(self.arity);
-        let places = self.rules.iter().zip(0_i64..);
-        let moved = places.flat_map(|(rule, alpha)| rule.iter().map(move |(j, _)| (*j, alpha)));
-        let moved: Vec<Q> = moved.map(|(j, alpha)| int(j) - int(alpha) / &n).collect();
-        let whole = &n / (&n - int(1));
-        let low = moved.iter().min().map_or_else(Q::zero, |x| x * &whole);
-        let high = moved.iter().max().map_or_else(Q::zero, |x| x * &whole);
-        // Of level k, q = n^-k, points j with |j − (tn^k − s)| < 1 are used, which depend on x_i with
-        // t − (s + 1)q + (1 − q)low < i < t + (1 − s)q + (1 − q)high; these are linear in q. For q = 0 it is the limit: the
-        // function of each point is continuous, and so 0 at the ends of its support.
-        let (q, rest) = (int(1) / &n, int(1) - int(1) / &n);
-        let later = from - (&self.shift + int(1)) * &q + &low * &rest;
-        let first =
-            [(from - &self.shift).floor(), (from + low).floor() + int(1), later.floor() + int(1)];
-        let later = to + (int(1) - &self.shift) * q + &high * rest;
-        let last = [(to - &self.shift).ceil(), (to + high).ceil() - int(1), later.ceil() - int(1)];
-        let inside = |x: &Q| !x.is_negative() && *x < int(self.count);
-        require(first.iter().chain(&last).all(inside), DepthReason::Range)
+        let [first, last] = self.window;
+        require(*from == int(-first) && *to == int(self.count - last), DepthReason::Range)
     }
 }
 

@@ -3,8 +3,9 @@
 use super::points::{Number, RefinedPoints};
 use crate::exact::Rational;
 use crate::float::{nearest, upper};
-use crate::limit::{Distances, Limit, LimitError, natural_shift};
+use crate::limit::{Distances, Limit, LimitError, Window, natural_shift};
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// How many cells are split for the distance constant C_0; an upper bound of it is enough.
 const CONSTANT_CELLS: u32 = 4_096;
@@ -31,8 +32,10 @@ pub(super) struct Shape {
     parts: (i64, i64),
     /// ⌊s⌋ and ⌈s⌉.
     pub(super) shift_between: [i64; 2],
+    /// For an open polygon the parameters between which it determines the limit.
+    pub(super) range: Option<Range<i64>>,
     /// The cells of level 0.
-    pub(super) roots: std::ops::Range<i64>,
+    pub(super) roots: Range<i64>,
     /// The whole numbers from i + s to i + 1 + s are i + `whole.0`, …, i + `whole.1`.
     whole: (i64, i64),
 }
@@ -50,10 +53,13 @@ impl Shape {
         }
         let (n, s) = (Rational::from(mask.arity()), natural.shift);
         let distances = Distances::shifted(limit, &s)?.with_cells(CONSTANT_CELLS);
-        let roots = if closed {
-            0..i64::try_from(count).unwrap_or(i64::MAX)
-        } else {
-            distances.determined(count)?
+        let range = if closed { None } else { Some(Window::of(mask, &s)?.determined(count)?) };
+        let roots = match &range {
+            None => 0..i64::try_from(count).unwrap_or(i64::MAX),
+            Some(range) => {
+                let [start, end] = [range.start, range.end].map(|end| Rational::from(end) - &s);
+                index(&start)..-index(&-end)
+            }
         };
         let constant = match distances.constant(0, &Rational::new(1, 1_000)) {
             Ok(distance) => distance.enclosure.upper().clone(),
@@ -95,6 +101,7 @@ impl Shape {
             first: -index(&-least),
             last: index(&most),
             parts,
+            range,
             roots,
             shift_between: [index(&s), -index(&-&s)],
             whole: (-index(&-&s), index(&(&one + &s))),
@@ -156,8 +163,7 @@ pub(super) struct Cells {
 impl Cells {
     /// `size` bounds the absolute coordinates of the control points.
     pub(super) fn new(shape: Shape, points: RefinedPoints, size: f64) -> Cells {
-        let ends = [shape.roots.start, shape.roots.end];
-        let range = (!points.closed).then(|| ends.map(|i| Rational::from(i) + &shape.shift));
+        let range = shape.range.clone().map(|range| [range.start, range.end].map(Rational::from));
         let dimensions = f64::from(u32::try_from(points.dimensions).unwrap_or(u32::MAX));
         let rounding = 1e-13 * size * dimensions.sqrt();
         let known = HashMap::new();

@@ -42,8 +42,8 @@ pub struct CurveSets {
 
 impl CurveSets {
     /// The sets of the polygon whose points have these coordinates: all x, then all y, and so on. An open polygon, and its
-    /// limit, are compared where the given points determine the limit: from the natural parameter of one point to that
-    /// of another.
+    /// limit, are compared where the given points determine the limit, at all levels between the same natural parameters:
+    /// those of [`Window::determined`](crate::limit::Window::determined).
     ///
     /// # Errors
     /// When the scheme is not shown to converge, does not take lines to lines, or the points are too few.

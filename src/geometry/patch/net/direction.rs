@@ -4,8 +4,8 @@ use super::constants::Constants;
 use super::rules::Rules;
 use crate::exact::Rational;
 use crate::float::nearest;
-use crate::limit::{Limit, natural_shift};
-use crate::net::{NetError, Window};
+use crate::limit::{Limit, Window, natural_shift};
+use crate::net::NetError;
 use crate::scheme::Mask;
 
 /// What is known of one direction.
@@ -31,11 +31,11 @@ impl Direction {
         count: usize,
         closed: bool,
     ) -> Result<Direction, NetError> {
-        let window = Window::of(mask)?;
+        let shift = natural_shift(mask).shift;
+        let window = Window::of(mask, &shift)?;
         if window.cells(count, closed) == 0 {
             return Err(NetError::TooFew { direction, found: count, needed: window.size() });
         }
-        let shift = natural_shift(mask).shift;
         let limit = Limit::new(mask)?;
         let constants = Constants::of(&limit, &shift)?;
         let exact = Rules::of(&limit, &shift, window, constants.order)?;

@@ -1,8 +1,7 @@
 //! Schemes whose limits are polynomials on each cell.
 
 use crate::exact::{Rational, solve};
-use crate::limit::{Functional, Limit, LimitError};
-use crate::net::Window;
+use crate::limit::{Functional, Limit, LimitError, Window};
 
 /// The greatest degree that is looked for.
 const MAX_DEGREE: usize = 8;

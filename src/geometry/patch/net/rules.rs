@@ -3,8 +3,8 @@
 use super::super::number::{Row, index};
 use super::polynomial::{bezier, over};
 use crate::exact::{Rational, Scalar};
-use crate::limit::{Limit, LimitError};
-use crate::net::{NetError, Window};
+use crate::limit::{Limit, LimitError, Window};
+use crate::net::NetError;
 use crate::scheme::Mask;
 
 /// The most phases: parts of a cell at which a node of the polygon can be.

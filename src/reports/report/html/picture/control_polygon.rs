@@ -8,6 +8,7 @@ use super::scale::Scale;
 use super::space::{Scene, Views};
 use crate::exact::{Rational, format::short};
 use crate::float::nearest;
+use crate::limit::Window as Points;
 use crate::scheme::Mask;
 use maud::{Markup, html};
 
@@ -71,20 +72,14 @@ impl FarPolygon<'_> {
         Some(Level::control(line, nearest(self.shift)))
     }
 
-    /// The parameters between which the points determine the limit; `None` of a closed polygon.
-    fn determined(&self, levels: u32) -> Option<(f64, f64)> {
+    /// The parameters between which the limit is drawn, if the points determine any of it.
+    fn range(&self) -> Option<(f64, f64)> {
+        let count = self.coordinates.first().map_or(0, Vec::len);
         if self.closed {
-            return None;
+            return Some((0.0, float(self.count())));
         }
-        let rules = self.mask.rules();
-        let [arity, width] = [rules.arity(), rules.width()].map(|n| i64::try_from(n).unwrap_or(1));
-        let step = |(from, to): (i64, i64)| {
-            (arity * (from - rules.offset()), arity * (to - rules.offset() - width + 1) + arity - 1)
-        };
-        let (from, to) = (0..levels).fold((0, self.count() - 1), |range, _| step(range));
-        let scale = nearest(&Rational::from(rules.arity()).pow(levels.cast_signed()));
-        let at = |i: i64| (float(i) + nearest(self.shift)) / scale;
-        Some((at(from), at(to)))
+        let range = Points::of(self.mask, self.shift).ok()?.determined(count).ok()?;
+        Some((float(range.start), float(range.end)))
     }
 }
 
@@ -133,12 +128,7 @@ fn whole(polygon: &FarPolygon<'_>) -> Option<Markup> {
         let found = levels(polygon.mask, polygon.control(coordinate, window)?, (0, finer), window)?;
         let last = found.last()?;
         level = last.k;
-        let (from, to) = match polygon.determined(level) {
-            Some(ends) if ends.0 < ends.1 => ends,
-            Some(_) => return None,
-            None => (0.0, float(count)),
-        };
-        limit.push(last.between((from, to)));
+        limit.push(last.between(polygon.range()?));
         let exact = polygon.coordinates[coordinate].iter().map(nearest);
         let first = polygon.closed.then(|| nearest(&polygon.coordinates[coordinate][0]));
         control.push(exact.chain(first).collect::<Vec<f64>>());
