@@ -186,6 +186,8 @@ fn nothing_else_is_accepted() {
         replaced(&closed, "point 0 0", "point 0 zero"),
         replaced(&closed, "point 5 1", "point 50000000 1"),
         replaced(&open, "direction -1 7 2 4", "direction -1 7 1 4"),
+        replaced(&open, "direction -1 7 2 4", "direction -1 7 5/2 4"),
+        replaced(&open, "direction -1 7 2 4", "direction -1 7 2 3"),
         replaced(&open, "direction -1 7 2 4", "direction -1 7 2 5"),
         replaced(&open, "direction -1 7 2 4", "direction -1 7 4 2"),
         replaced(&open, "direction -1 7 2 4", "direction 0 7 2 4"),
@@ -194,6 +196,18 @@ fn nothing_else_is_accepted() {
     for (i, text) in wrong.iter().enumerate() {
         assert!(check_depth(text).is_err(), "{i}: {:?}\n{text}", check_depth(text));
     }
+}
+
+/// Without half a piece at each end, a level less would do.
+#[test]
+fn an_open_polygon_is_looked_at_wherever_it_determines_the_limit() {
+    let bend = points(&[[0, 0], [1, 0], [1, 8], [1, 16]]);
+    let (text, level) = of_polygon("chaikin", &bend, false, &r(1, 100));
+    assert_eq!((level, check_depth(&text)), (4, Ok(least(4))));
+    let less = text.replace("direction 0 4 0 2", "direction 0 4 1/2 3/2");
+    let less = less.split("enough").next().expect("the data").to_owned() + "enough 3\nend\n";
+    let why = check_depth(&less).expect_err("another range").reason.to_string();
+    assert!(why.contains("in another range"), "{why}");
 }
 
 proptest! {

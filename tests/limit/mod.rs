@@ -6,6 +6,7 @@ mod distances;
 mod far;
 mod local_rules;
 mod natural;
+mod open;
 mod polygons;
 mod refused;
 mod surfaces;

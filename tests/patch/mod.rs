@@ -7,6 +7,7 @@ mod geometric;
 mod laws;
 mod naive;
 mod nets;
+mod open;
 mod solids;
 mod stopped;
 mod tensor;

@@ -1,9 +1,9 @@
 //! Comparison of the distance of polygons from their limits with a threshold.
 
-use super::distance::{Distances, Polygons};
+use super::distance::Distances;
 use super::error::LimitError;
 use super::functional::ExtremalPolygon;
-use super::polygon::ControlPolygon;
+use super::polygon::{ControlPolygon, Polygons};
 use super::search::Goal;
 use crate::bound::Share;
 use crate::exact::{Enclosure, Rational};

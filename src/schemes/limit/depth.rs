@@ -1,9 +1,9 @@
 //! Subdivision depths, bounded from above and below.
 
 use super::comparison::Comparison;
-use super::distance::{Distances, Polygons};
+use super::distance::Distances;
 use super::error::{LimitError, MAX_LEVEL, positive};
-use super::polygon::ControlPolygon;
+use super::polygon::{ControlPolygon, Polygons};
 use crate::exact::Rational;
 
 /// A subdivision depth: the least level k such that the distance from the limit meets the

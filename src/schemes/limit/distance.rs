@@ -4,7 +4,7 @@ use super::cell::{Cell, Splitting, middles};
 use super::error::{LimitError, MAX_LEVEL, positive};
 use super::functional::Functional;
 use super::natural::Parametrisation;
-use super::polygon::ControlPolygon;
+use super::polygon::{ControlPolygon, Polygons};
 use super::remainder::Remainders;
 use super::search::{Best, Goal, Search};
 use super::value::Limit;
@@ -315,14 +315,4 @@ impl Distances {
         let roots = polygon.cells(numbers, first, size);
         Ok(Polygons { roots, range, only: Some(polygon) })
     }
-}
-
-/// The control polygons over which the supremum of the distance is taken.
-pub(super) struct Polygons<'a> {
-    /// The cells of level 0.
-    pub(super) roots: Vec<Cell>,
-    /// For an open polygon the parameters between which it determines the limit.
-    pub(super) range: Option<Range<i64>>,
-    /// The polygon, if it is a single one.
-    pub(super) only: Option<&'a ControlPolygon>,
 }

@@ -70,3 +70,13 @@ impl ControlPolygon {
         numbers.map(cell).collect()
     }
 }
+
+/// The control polygons over which the supremum of the distance is taken.
+pub(super) struct Polygons<'a> {
+    /// The cells of level 0.
+    pub(super) roots: Vec<Cell>,
+    /// For an open polygon the parameters between which it determines the limit.
+    pub(super) range: Option<Range<i64>>,
+    /// The polygon, if it is a single one.
+    pub(super) only: Option<&'a ControlPolygon>,
+}

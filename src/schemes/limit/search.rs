@@ -2,8 +2,8 @@
 //! bound.
 
 use super::cell::{Cell, Splitting};
-use super::distance::Polygons;
 use super::fraction::Fraction;
+use super::polygon::Polygons;
 use super::remainder::{LevelBound, Remainders};
 use crate::bound::Share;
 use crate::exact::Rational;

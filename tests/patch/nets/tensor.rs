@@ -10,8 +10,7 @@ use subcert::limit::{
     Comparison, ControlPolygon, Distances, Limit, Parametrisation, Spreads, SurfaceDistances,
 };
 
-/// A polygon that is straight at its ends.
-const HEIGHTS: [i64; 20] = [0, 0, 0, 0, 0, 0, 0, 0, 3, -1, 4, 1, -5, 0, 0, 0, 0, 0, 0, 0];
+const HEIGHTS: [i64; 20] = [0, 5, 0, 2, 0, 0, 0, 0, 3, -1, 4, 1, -5, 0, 0, 0, 0, 1, 7, 0];
 
 /// A cylinder over a polygon is as far from its limit as the polygon is.
 #[test]
@@ -21,6 +20,8 @@ fn a_cylinder_is_as_far_away_as_its_curve() {
         "chaikin",
         "b-spline:degree=4",
         "four-point:w=1/16",
+        "dual-four-point",
+        "ternary-b-spline:degree=2",
         "ternary-three-point:a=7/27",
         "ternary-four-point-approximating",
         "newton:j=1,n=3",
