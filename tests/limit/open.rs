@@ -1,14 +1,158 @@
-//! Open polygons at equal parameters: one domain for all levels.
+//! Open polygons at equal parameters: one domain for all levels, by the definitions of limit and polygon.
 
-use crate::common::{mask, r};
+use crate::common::{int, r};
 use subcert::exact::Rational;
-use subcert::limit::{ControlPolygon, Distances, Limit};
+use subcert::limit::{ControlPolygon, Distances, Limit, LimitError, Parametrisation};
+use subcert::scheme::{AnyScheme, Mask, Scheme, catalogue, parse_any_scheme};
+
+/// Every curve of the catalogue that is shown to converge.
+fn curves() -> impl Iterator<Item = (String, Limit)> {
+    let entries = catalogue().iter().filter(|entry| !entry.is_ring());
+    entries.filter_map(|entry| {
+        let name = entry.references().remove(0);
+        let Ok(AnyScheme::Uniform(Scheme::Curve(mask))) = parse_any_scheme(&name) else {
+            return None;
+        };
+        Some((name, Limit::new(&mask).ok()?))
+    })
+}
+
+/// The polygon of level k at t, from the rules; `None` where a point that is not given has a weight.
+fn polygon(
+    mask: &Mask,
+    points: &[Rational],
+    k: u32,
+    t: &Rational,
+    s: &Rational,
+) -> Option<Rational> {
+    fn point(mask: &Mask, points: &[Rational], k: u32, i: i64) -> Option<Rational> {
+        if k == 0 {
+            return points.get(usize::try_from(i).ok()?).cloned();
+        }
+        let n = int(mask.arity());
+        let row = &mask.rules().rows()[usize::try_from(i.rem_euclid(n)).expect("a residue")];
+        (i.div_euclid(n) + mask.offset()..)
+            .zip(row)
+            .filter(|(_, a)| !a.is_zero())
+            .try_fold(Rational::zero(), |sum, (j, a)| {
+                Some(sum + a * point(mask, points, k - 1, j)?)
+            })
+    }
+    let u = t * Rational::from(mask.arity()).pow(k.cast_signed()) - s;
+    let (i, part) = (u.floor().to_i64().expect("small"), u.fract());
+    let first = (Rational::one() - &part) * point(mask, points, k, i)?;
+    let second = if part.is_zero() { part } else { part * point(mask, points, k, i + 1)? };
+    Some(first + second)
+}
+
+/// P^∞(t), if the points determine it.
+fn value(limit: &Limit, points: &[Rational], t: &Rational) -> Option<Rational> {
+    let weights = limit.at(t).expect("its digits repeat");
+    let (first, last) = weights.support()?;
+    (first >= 0 && last < int(points.len()))
+        .then(|| weights.apply(|i| points[usize::try_from(i).expect("it is not negative")].clone()))
+}
+
+/// |P^∞ − P^k| at t.
+fn error(
+    limit: &Limit,
+    points: &[Rational],
+    k: u32,
+    t: &Rational,
+    s: &Rational,
+) -> Option<Rational> {
+    let level = polygon(limit.mask(), points, k, t, s)?;
+    Some((value(limit, points, t)? - level).abs())
+}
+
+/// The cells from i to i + 1 on which limit and polygons are determined, at some parameters.
+fn cells(limit: &Limit, points: &[Rational], s: &Rational) -> Vec<i64> {
+    let known = |i: &i64| {
+        (0..=7).all(|j| {
+            let t = Rational::from(*i) + r(j, 7);
+            (0..2).all(|k| error(limit, points, k, &t, s).is_some())
+        })
+    };
+    (-20..20).filter(known).collect()
+}
+
+/// Whether the mask is the same from both sides.
+fn is_symmetric(mask: &Mask) -> bool {
+    let n = int(mask.arity());
+    let rows = (0_i64..).zip(mask.rules().rows());
+    let all = rows.flat_map(|(alpha, row)| {
+        (mask.offset()..)
+            .zip(row)
+            .map(move |(j, a)| (alpha - n * j, a))
+            .filter(|(_, a)| !a.is_zero())
+    });
+    let mut all: Vec<(i64, &Rational)> = all.collect();
+    all.sort_by_key(|(j, _)| *j);
+    let sum = all[0].0 + all[all.len() - 1].0;
+    all.iter().zip(all.iter().rev()).all(|(x, y)| x.0 + y.0 == sum && x.1 == y.1)
+}
+
+/// For every curve of the catalogue: as many points are needed as determine a cell; the distance is attained in the
+/// domain, no sample of it is farther, and the reversed points are as far where the scheme is symmetric and the turned
+/// cells are cells.
+#[test]
+fn all_curves_of_the_catalogue() {
+    let all = [3, -1, 4, 1, -5, 9, 2, -6, 5, 3, 5, -8, 9, 7, 9, 3].map(Rational::from);
+    let (width, mut seen, mut shifted, mut turned) = (r(1, 50), 0, 0, 0);
+    for (name, limit) in curves() {
+        for parametrisation in [Parametrisation::Indexed, Parametrisation::Natural] {
+            let s = parametrisation.shift(limit.mask());
+            if parametrisation == Parametrisation::Natural && s.is_zero() {
+                continue;
+            }
+            let turns = s == Parametrisation::Natural.shift(limit.mask())
+                && (&s * &Rational::from(2)).is_integer()
+                && is_symmetric(limit.mask());
+            let Ok(distances) = Distances::placed(&limit, parametrisation) else { continue };
+            let least = (2..all.len()).find(|m| !cells(&limit, &all[..*m], &s).is_empty());
+            let Some(least) = least else { continue };
+            let few = distances.of_polygon(&ControlPolygon::open(&all[..least - 1]), 0, &width);
+            assert_eq!(few, Err(LimitError::TooFew { needed: least }), "{name}");
+            let points = &all[..least + 1];
+            let own = cells(&limit, points, &s);
+            let [from, to] = [own[0], own[own.len() - 1] + 1].map(Rational::from);
+            let open = ControlPolygon::open(points);
+            for k in [0, 2] {
+                let found = match distances.of_polygon(&open, k, &width) {
+                    Ok(found) => found,
+                    Err(LimitError::TooFine { .. }) => continue,
+                    Err(error) => panic!("{name}: {error}"),
+                };
+                let t = &found.parameter;
+                assert!(from <= *t && *t <= to, "{name}, {k}: {t}");
+                let there = error(&limit, points, k, t, &s).expect("it is determined there");
+                assert_eq!(there, *found.enclosure.lower(), "{name}, {k}");
+                for j in 0..=24 {
+                    let t = &from + (&to - &from) * r(j, 24);
+                    let sample = error(&limit, points, k, &t, &s).expect("determined");
+                    assert!(sample <= *found.enclosure.upper(), "{name}, {k}: {sample} at {t}");
+                }
+                if turns {
+                    let back: Vec<Rational> = points.iter().rev().cloned().collect();
+                    let back = distances.of_polygon(&ControlPolygon::open(&back), k, &width);
+                    let back = back.expect("as the other").enclosure;
+                    let (x, y) = (&found.enclosure, &back);
+                    assert!(x.lower() <= y.upper() && y.lower() <= x.upper(), "{name}, {k}");
+                    turned += 1;
+                }
+                shifted += u32::from(!s.is_integer());
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 60 && shifted > 20 && turned > 20, "{seen} {shifted} {turned}");
+}
 
 /// A dual scheme far from its limit at an end: the points 1000, 0, …, 0. The distances are those of dense samples of
 /// refined polygons between the parameters 2 and 12.
 #[test]
 fn far_at_an_end() {
-    let limit = Limit::new(&mask("dual-four-point:w=1/128")).expect("a limit");
+    let limit = Limit::new(&crate::common::mask("dual-four-point:w=1/128")).expect("a limit");
     let distances = Distances::natural(&limit).expect("distances");
     let mut points = vec![Rational::zero(); 16];
     points[0] = Rational::from(1000);
