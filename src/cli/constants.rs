@@ -5,7 +5,7 @@ use super::columns::{Columns, Wanted, columns};
 use super::csv;
 use super::json::{SCHEMA, constants as form};
 use super::local_constants::local_constants;
-use super::offset::BetterOffset;
+use super::offset::OfFile;
 use super::output::{Failure, Outcome, show_table, with_decimal};
 use subcert::bound::{
     ClassCap, Constants, DeltaCondition, Terms, best_offset, displacement, surface_factor,
@@ -31,7 +31,7 @@ pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
     };
     let mut report = Report::of(&scheme, &wanted).map_err(|e| Failure::Input(e.to_string()))?;
     let name = &arguments.scheme;
-    report.better_offsets = BetterOffset::all_of(name, &scheme)?;
+    report.better_offsets = OfFile::all_of(name, &scheme)?;
     show_table(
         &arguments.output,
         || report.sheet(name),
@@ -44,7 +44,7 @@ pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
 struct Report {
     directions: Vec<Direction>,
     surface: Option<Surface>,
-    better_offsets: Vec<BetterOffset>,
+    better_offsets: Vec<OfFile>,
 }
 
 /// A tensor product: the factor, δ, and C_c for each c.
@@ -155,7 +155,7 @@ impl Report {
             scheme: name,
             directions: self.directions.iter().map(Direction::form).collect(),
             surface: self.surface.as_ref().map(surface),
-            better_offsets: self.better_offsets.iter().map(BetterOffset::form).collect(),
+            better_offsets: self.better_offsets.iter().map(OfFile::form).collect(),
         }
     }
 }

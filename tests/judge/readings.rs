@@ -4,14 +4,17 @@ use crate::common::papers::audit_of;
 use crate::common::r;
 use proptest::prelude::*;
 use subcert::audit::{
-    CellFinding, FAMILY, PaperAudit, Recovered, RecoveredFrom, Search, Slip, Verdict, audit,
+    CellFinding, FAMILY, PaperAudit, Recovered, RecoveredFrom, Search, Slip, UnstatedOffset, Verdict, audit,
 };
 use subcert::bound::{Constants, Suprema};
 use subcert::bound::{Operator, Order, Rounded, Terms, displacement, log_level};
 use subcert::claim::{Paper, read_paper};
 use subcert::diagnostic::SourceText;
+use subcert::exact::format::fixed;
 use subcert::exact::{Integer, Rational};
-use subcert::scheme::Mask;
+use subcert::certificate::certificate;
+use subcert::scheme::{Mask, parse_scheme};
+use subcert_check::{Outcome, check};
 
 /// A paper with a scheme `s` of this mask and one table with a row of cells.
 fn paper(mask: &Mask, value: &str, rest: &str, columns: &str, cells: &[String]) -> Paper {
@@ -499,4 +502,32 @@ fn the_family_is_told_apart() {
         assert_eq!(list.len(), count);
     }
     assert!(FAMILY.iter().all(|choice| choice.ways.len() > 1 && !choice.source.is_empty()));
+}
+
+/// A right table of the 4-point scheme, whose offset -1 is forgotten.
+#[test]
+fn a_forgotten_offset_is_said_and_comes_before_another_scale() {
+    let scheme = parse_scheme("four-point").unwrap();
+    let own = scheme.masks()[0];
+    let (sigma, mask) = (displacement(own, Terms::Each), own.with_offset(0));
+    let delta = Constants::new(own.clone()).norm(Operator::Difference, 1, Order::Adjoint).unwrap();
+    let bound = |k: i32| &sigma * r(1, 10) * delta.pow(k) / (Rational::one() - &delta);
+    let cells: Vec<String> = (1..6).map(|k| fixed(&bound(k), 6)).collect();
+    let value = "displacement()*beta*contraction(1)^c/(1 - contraction(1))";
+    let rest = "given = { beta = '1/10' }\npromise = { level = 'c', spread = 'beta' }";
+    let paper = paper(&mask, value, rest, "'1', '2', '3', '4', '5'", &cells);
+    let audit = judged(&paper);
+    let [UnstatedOffset { better, .. }] = &audit.unstated_offsets[..] else { panic!("one scheme") };
+    assert_eq!((better.offset, &better.least, &better.at_zero), (-1, &r(1, 8), &r(9, 8)));
+    let search = audit.tables[0].search.as_ref().unwrap();
+    // β = 1/90 explains as much.
+    assert_eq!(says(search), [["displacement at the scheme's best offset"]]);
+    let text = certificate(&audit).text;
+    let report = check(&paper.source.text, &[&text]).unwrap();
+    assert!(report.claims.iter().all(|(_, _, outcome)| *outcome == Outcome::Valid), "{text}");
+    // With the offset nothing is to be said.
+    let stated = paper.source.text.replace("name = 's'\n", "name = 's'\noffset = '-1'\n");
+    let stated = read_paper(&SourceText::new("k.toml", stated)).unwrap();
+    let audit = judged(&stated);
+    assert!(audit.unstated_offsets.is_empty() && audit.tables[0].search.is_none());
 }

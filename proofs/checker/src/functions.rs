@@ -4,7 +4,7 @@ use crate::call::{Call, TERMS, entry, number, within, wrong};
 use crate::convolution::Product;
 use crate::decimal::Q;
 use crate::depth::depth;
-use crate::displacement::{moved, surface};
+use crate::displacement::{best_offset, moved, surface};
 use crate::evaluate::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::library::Library;
 use crate::meter::Meter;
@@ -84,7 +84,11 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         ("displacement", []) => {
             let (scheme, terms) = (call.scheme()?, call.choose("terms", &TERMS)?);
             let word = call.word("offset", "own");
-            let offset = if word == "own" { Some(scheme.offset) } else { word.parse().ok() };
+            let offset = match &word[..] {
+                "own" => Some(scheme.offset),
+                "best" if piece.is_none() => Some(best_offset(&scheme)?),
+                number => number.parse().ok(),
+            };
             let offset = offset.filter(|o: &i64| o.unsigned_abs() <= 10_000);
             let Some(o) = offset else { return wrong(format!("`{word}` is no offset")) };
             Value::greatest(&moved(piece, &scheme, o, terms)?, piece)

@@ -248,6 +248,11 @@ impl<'a> Library<'a> {
     }
 }
 
+/// The names of the factors of a reference.
+pub fn names(reference: &str) -> impl Iterator<Item = &str> {
+    reference.split(" x ").map(|factor| split(factor).0)
+}
+
 /// The name and the parameters of a reference.
 fn split(reference: &str) -> (&str, &str) {
     reference.trim().split_once(':').unwrap_or((reference.trim(), ""))

@@ -22,7 +22,7 @@ pub const CHOICES: [Choice; 10] = [
     Choice { name: "suprema", option: "suprema", functions: &["tensor", "convolution_norm"], ways: &["independent", "joint"] },
     Choice { name: "contraction-terms", option: "terms", functions: &["contraction"], ways: &["each", "total"] },
     Choice { name: "displacement-terms", option: "terms", functions: &["displacement", "surface_displacement"], ways: &["each", "total"] },
-    Choice { name: "offset", option: "offset", functions: &["displacement"], ways: &["own", "0"] },
+    Choice { name: "offset", option: "offset", functions: &["displacement"], ways: &["own", "0", "best"] },
     Choice { name: "recursion", option: "recursion", functions: &["convolution", "convolved", "convolution_norm"], ways: &["derived", "printed"] },
     Choice { name: "exponent", option: "exponent", functions: &["levels"], ways: &["level", "block"] },
     Choice { name: "rounded", option: "rounded", functions: &["levels"], ways: &["up", "nearest", "down"] },

@@ -6,6 +6,7 @@ use crate::definitions::{Definitions, formula_of};
 use crate::evaluate::{Memory, Scope};
 use crate::formula::Expr;
 use crate::headers::Headers;
+use crate::library::names;
 use crate::paper::{Paper, printed};
 use crate::reading::Reading;
 use crate::reject::{Checked, Reason, Stop};
@@ -206,6 +207,19 @@ impl<'a> Table<'a> {
     pub fn schemes(&self) -> Vec<&'a str> {
         let headers = self.axes.iter().flatten().flat_map(|axis| axis.schemes().iter().copied());
         self.claim.text("scheme").into_iter().chain(headers).collect()
+    }
+
+    /// Whether the table, or a `use` of the file, names a scheme whose mask is in the file without an offset.
+    pub fn leaves_offset_out(&self) -> bool {
+        let schemes = self.paper.file.list("scheme");
+        let uses = schemes.iter().filter_map(|scheme| scheme.text("use"));
+        let named: BTreeSet<&str> =
+            self.schemes().into_iter().chain(uses).flat_map(names).collect();
+        schemes.iter().any(|scheme| {
+            let has = |key: &str| scheme.get(key).is_some();
+            let mask = (has("mask") || has("entry")) && !has("offset");
+            mask && scheme.text("name").is_some_and(|name| named.contains(name))
+        })
     }
 
     /// The scope of a cell under some assumed parameters, and the factors of its scheme.

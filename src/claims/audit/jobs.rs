@@ -3,7 +3,7 @@
 use crate::audit::chosen::Chosen;
 use crate::claim::Paper;
 use crate::diagnostic::{Collected, Diagnostic, Errors};
-use crate::digest::{consistency, kernel, premises};
+use crate::digest::{consistency, kernel, offset, premises};
 use crate::evaluation::library::Library;
 use crate::finding::{
     EquationFinding, FunctionFinding, PaperAudit, RangeFinding, SmoothnessFinding, TableFinding,
@@ -151,6 +151,7 @@ fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a
         smoothness: Vec::new(),
         theorems: Vec::new(),
         contradictions: Vec::new(),
+        unstated_offsets: Vec::new(),
     };
     let (mut tables, mut smooth, mut errors) = (Vec::new(), Vec::new(), Collected::default());
     for part in parts {
@@ -171,6 +172,7 @@ fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a
     audit.smoothness = smooth.into_iter().map(|(_, finding)| finding).collect();
     related::borrow(paper, &mut audit.tables)?;
     audit.contradictions = consistency::judge(paper, &audit.tables, &Library::new(paper))?;
+    audit.unstated_offsets = offset::unstated(paper, &audit.tables)?;
     premises::premises(&mut audit);
     kernel::kernel(&mut audit);
     Ok(audit)

@@ -24,8 +24,8 @@ pub use crate::finding::{
     PaperAudit, Place, PromiseCounts, RangeAtValence, RangeFinding, RangeOfLimits, RangeVerdict,
     Recovered, RecoveredFrom, Refiner, Refutation, Repair, RingExcess, Search, Side, Slip,
     SmoothnessFinding, SmoothnessVerdict, Solved, Sound, Supremum, TableFinding, TablePart,
-    TheoremFinding, TheoremVerdict, Unshiftable, Verdict, VertexWitness, Vertices, Violation,
-    Witness, Working,
+    TheoremFinding, TheoremVerdict, Unshiftable, UnstatedOffset, Verdict, VertexWitness, Vertices,
+    Violation, Witness, Working,
 };
 pub use crate::judge::MAX_CASES;
 pub use crate::judge::parallel::map as on_all_cores;

@@ -66,6 +66,21 @@ impl Paper {
     }
 }
 
+impl Paper {
+    /// The schemes with a mask in the claim file, and without an offset, that a table or a `use` of the file names.
+    pub(crate) fn without_offset<'p>(&'p self, table: &'p Table) -> impl Iterator<Item = &'p str> {
+        let uses = self.schemes.values().filter_map(|source| match source {
+            SchemeSource::Alias(reference) => Some(reference),
+            SchemeSource::Own(_) => None,
+        });
+        let references = table.schemes().map(|one| &one.reference).chain(uses);
+        references.flat_map(Reference::names).filter(|name| match self.schemes.get(*name) {
+            Some(SchemeSource::Own(definition)) => definition.leaves_offset_out(),
+            Some(SchemeSource::Alias(_)) | None => false,
+        })
+    }
+}
+
 /// Another formula for a definition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Alternative {

@@ -8,6 +8,7 @@ mod coverage;
 mod errata;
 pub(crate) mod kernel;
 mod luck;
+pub(crate) mod offset;
 pub(crate) mod premises;
 mod summary;
 

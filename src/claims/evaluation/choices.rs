@@ -97,7 +97,11 @@ pub const FAMILY: [&Choice; 10] = [
     &HEADER,
 ];
 
-/// The index offset of a displacement: 0, as the papers print it, or the scheme's own.
+/// The word of the offset at which σ is least.
+pub(crate) const BEST_OFFSET: &str = "best";
+
+/// The index offset of a displacement: 0, as the papers print it, or the scheme's own; and, of schemes whose offset the
+/// claim file does not state, the best one.
 pub(crate) const OFFSET: Choice = Choice {
     key: "offset",
     name: "offset",
@@ -105,6 +109,7 @@ pub(crate) const OFFSET: Choice = Choice {
     ways: &[
         Way { word: "0", says: "displacement at offset 0" },
         Way { word: "own", says: "displacement at the scheme's own offset" },
+        Way { word: BEST_OFFSET, says: "displacement at the scheme's best offset" },
     ],
     source: "the papers print their masks from index 0, whatever the scheme's own offset is",
 };

@@ -7,7 +7,7 @@ pub const QUANTITIES: [(&str, &str); 13] = [
     ("contraction(c, order = adjoint|forward)", "T_c; with `terms = total` and c = 1, max |Σ b|"),
     ("norm(c, order = adjoint|forward)", "Λ_c, the norm of the scheme"),
     ("tensor(c, order = …, suprema = independent|joint)", "T_c·Λ_c of the tensor product"),
-    ("displacement(terms = each|total, offset = own|0|-1|…)", "σ"),
+    ("displacement(terms = each|total, offset = own|best|0|-1|…)", "σ"),
     ("surface_displacement(x1, x2, x3, terms = each|total)", "ν for the spreads x1, x2, x3"),
     (
         "levels(ratio, x, c, rounded = up|nearest|down, exponent = level|block)",

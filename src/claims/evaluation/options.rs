@@ -1,6 +1,7 @@
 //! The options of a function call in a claim.
 
 use crate::bound::{Order, Recursion, Rounded, Suprema, Terms};
+use crate::evaluation::choices::BEST_OFFSET;
 use crate::evaluation::settings::Settings;
 use crate::exact::within;
 use crate::formula::{Call, CallError, OptionWord};
@@ -77,13 +78,21 @@ impl<'a> Options<'a> {
         self.choose("rounded", &choices)
     }
 
-    pub(crate) fn offset(&mut self, own: i64) -> Result<i64, CallError> {
+    /// `best` gives the offset at which σ is least, where that is computed.
+    pub(crate) fn offset(
+        &mut self,
+        own: i64,
+        best: impl Fn() -> Option<i64>,
+    ) -> Result<i64, CallError> {
         let printed = self.take("offset").unwrap_or_else(|| "own".to_owned());
         match self.word("offset", &printed) {
             "own" => Ok(own),
+            BEST_OFFSET => best().ok_or_else(|| {
+                CallError::Misuse("the best offset is not that of one mask here".to_owned())
+            }),
             word => word.parse().ok().and_then(|o| within(o, 10_000)).ok_or_else(|| {
                 let range = "an integer from -10000 to 10000";
-                CallError::Misuse(format!("`offset` is `own` or {range}, not `{word}`"))
+                CallError::Misuse(format!("`offset` is `own`, `best` or {range}, not `{word}`"))
             }),
         }
     }

@@ -185,7 +185,7 @@ impl Functions<Parametric> for Constants<'_> {
                 let order = options.order()?;
                 self.norm(mask.rules(), level(c)?, order)?
             }
-            ("displacement", []) => moved(mask, &mut options)?,
+            ("displacement", []) => moved(mask, &mut options, || None)?,
             ("tensor", [c]) => {
                 let (order, suprema, c) = (options.order()?, options.suprema()?, level(c)?);
                 match suprema {

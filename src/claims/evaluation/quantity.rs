@@ -1,7 +1,8 @@
 //! The functions that claims can use: constants of the scheme they are about.
 
 use crate::bound::{
-    ClassCap, Constants, DepthError, Operator, Order, Suprema, Terms, surface_displacement,
+    ClassCap, Constants, DepthError, Operator, Order, Suprema, Terms, best_offset,
+    surface_displacement,
 };
 use crate::evaluation::arguments::level;
 use crate::evaluation::constants::{moved, total_contraction};
@@ -123,7 +124,10 @@ impl Quantities<'_> {
                 }
                 self.capped(in_order(order).tensor(c, order, suprema))
             }
-            ("displacement", []) => moved(constants.mask(), options),
+            ("displacement", []) => {
+                let mask = constants.mask();
+                moved(mask, options, || Some(best_offset(mask).0))
+            }
             ("surface_displacement", [x1, x2, x3]) => {
                 let spreads = [rational(x1)?, rational(x2)?, rational(x3)?];
                 let terms = options.terms()?;

@@ -25,7 +25,7 @@ pub use equation::{EquationFinding, EquationVerdict, Failure};
 pub use function::{Example, FunctionFinding, FunctionVerdict};
 pub use kernel::{Excess, KernelFinding, KernelProof, KernelStatement, RingExcess};
 pub use levels::{Later, LevelEvidence, Levels};
-pub use paper::PaperAudit;
+pub use paper::{PaperAudit, UnstatedOffset};
 pub use promise::{Broken, Kept, PromiseCounts};
 pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
 pub(crate) use reading::{COPIED, Values};

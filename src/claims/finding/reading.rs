@@ -214,10 +214,11 @@ impl Explanation {
         differs(&self.differences, &self.solved)
     }
 
-    /// The rank of a reading: by the number of cells that it explains, then by the fewest
-    /// differences.
-    pub(crate) fn rank(&self) -> (usize, Reverse<usize>) {
-        (self.count(), Reverse(self.differences.len()))
+    /// The rank of a reading: by the number of cells that it explains, then those that keep every number that the
+    /// paper states, then by the fewest differences.
+    pub(crate) fn rank(&self) -> (usize, bool, Reverse<usize>) {
+        let stated = self.differences.iter().all(|difference| difference.value().is_none());
+        (self.count(), stated, Reverse(self.differences.len()))
     }
 }
 

@@ -29,7 +29,7 @@ use super::finding::{Destination, command};
 use super::geometry::Geometry;
 use super::json::{SCHEMA, depth as form};
 use super::net::NetInput;
-use super::offset::BetterOffset;
+use super::offset::OfFile;
 use super::output::{Failure, Outcome, positive};
 use super::polygon::{Caps, read_polygon};
 use super::progress::Progress;
@@ -140,7 +140,7 @@ struct Report {
     answers: Vec<Answer>,
     points: Option<Points>,
     sets: Option<OfSets>,
-    better_offsets: Vec<BetterOffset>,
+    better_offsets: Vec<OfFile>,
 }
 
 impl Report {
@@ -188,7 +188,7 @@ impl Report {
         let answers = wanted.iter().zip(budgets.chunks(count / wanted.len())).map(answer);
         let answers = answers.collect::<Result<Vec<Answer>, Failure>>()?;
         drop(progress);
-        let better_offsets = BetterOffset::all_of(&arguments.scheme, scheme)?;
+        let better_offsets = OfFile::all_of(&arguments.scheme, scheme)?;
         Ok(Report { tolerance, spread, bounds, answers, points, sets, better_offsets })
     }
 
@@ -316,7 +316,7 @@ impl Report {
             indexed: exact(self.indexed()),
             sound: self.bounds.sound_form(),
             printed_formula: self.bounds.printed_forms(),
-            better_offsets: self.better_offsets.iter().map(BetterOffset::form).collect(),
+            better_offsets: self.better_offsets.iter().map(OfFile::form).collect(),
         }
     }
 }

@@ -1,6 +1,9 @@
 //! The findings of an audit, in a few sentences for each paper.
 
-use crate::audit::{CellFinding, PaperAudit, PromiseCounts, Verdict};
+use crate::audit::{CellFinding, PaperAudit, PromiseCounts, UnstatedOffset, Verdict};
+use crate::bound::BetterOffset;
+use crate::exact::format::short;
+use crate::report::reading::capital;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most places that the first sentence names.
@@ -19,8 +22,24 @@ pub(super) fn headline(audit: &PaperAudit<'_>) -> String {
     let promises = if about == About::Promises { open_promises(audit) } else { promises(audit) };
     let claims = claims(audit, about);
     let rest = cells(audit).into_iter().chain(promises).chain(claims);
-    let sentences: Vec<String> = std::iter::once(first).chain(rest).collect();
+    let mut sentences: Vec<String> = unstated_offsets(audit).collect();
+    sentences.push(if sentences.is_empty() { first } else { capital(&first) });
+    sentences.extend(rest);
     format!("{}: {}", audit.paper.key, sentences.join(" "))
+}
+
+/// For each scheme whose offset the claim file does not state, that another one is better.
+pub(super) fn unstated_offsets(audit: &PaperAudit<'_>) -> impl Iterator<Item = String> {
+    audit.unstated_offsets.iter().map(|UnstatedOffset { scheme, better }| {
+        let BetterOffset { offset, least, at_zero } = better;
+        format!(
+            "the mask of `{scheme}` stands in the claim file without an offset, so it is 0, where σ = {}; at {offset} σ is \
+             {}. If the paper counts its points so, write beside the mask: offset = '{offset}'. Until then its bounds and \
+             promises are judged at 0.",
+            short(at_zero, 9),
+            short(least, 9)
+        )
+    })
 }
 
 /// What the first sentence is about.

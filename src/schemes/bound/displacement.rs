@@ -93,6 +93,37 @@ pub fn best_offset(mask: &Mask) -> (i64, Rational) {
         .expect("there is at least one offset")
 }
 
+/// An offset with a smaller σ than that of offset 0, which is taken where a file states none.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BetterOffset {
+    /// The offset, as [`best_offset`] gives it.
+    pub offset: i64,
+    /// σ at that offset.
+    pub least: Rational,
+    /// σ at offset 0.
+    pub at_zero: Rational,
+}
+
+impl BetterOffset {
+    /// That of the coefficients of a mask, if 0 is not as good.
+    ///
+    /// ```
+    /// use subcert::bound::BetterOffset;
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// let of = |name: &str| Ok(BetterOffset::of(parse_scheme(name)?.masks()[0]));
+    /// assert_eq!(of("four-point")?.map(|better| better.offset), Some(-1));
+    /// assert_eq!(of("chaikin")?, None);
+    /// # Ok::<(), subcert::scheme::SchemeError>(())
+    /// ```
+    #[must_use]
+    pub fn of(mask: &Mask) -> Option<BetterOffset> {
+        let at_zero = displacement(&mask.with_offset(0), Terms::Each);
+        let (offset, least) = best_offset(mask);
+        (least < at_zero).then_some(BetterOffset { offset, least, at_zero })
+    }
+}
+
 /// The sums that give Σ_m |ã_{α,m}| at any offset −N ≤ o ≤ 1. With c = m + 1 − o, ã_{α,m} is
 /// Σ_{h≥c} a_{α,h} for m > 0, minus Σ_{h<c} a_{α,h} for m < 0, and Σ_{h≥c} a_{α,h} − α/n for
 /// m = 0.

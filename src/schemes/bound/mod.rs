@@ -32,7 +32,7 @@ pub use constants::{Constants, Operator, Suprema};
 pub use convolution::{Recursion, convolution_coefficient, convolution_window, sequence};
 pub use delta::DeltaCondition;
 pub use depth::{DepthError, MAX_DEPTH, Rounded, least_level, log_level};
-pub use displacement::{Terms, best_offset, displacement};
+pub use displacement::{BetterOffset, Terms, best_offset, displacement};
 pub use local_power::{LocalWork, MAX_LOCAL_WORK};
 pub(crate) use local_power::{displaced_rows, power_rows};
 pub use local_rules::{LocalConstants, LocalLevel};

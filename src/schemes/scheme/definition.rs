@@ -123,7 +123,8 @@ impl SchemeDefinition {
     }
 
     /// Whether this is a mask whose offset is not stated, and therefore 0.
-    pub(super) fn leaves_offset_out(&self) -> bool {
+    #[must_use]
+    pub fn leaves_offset_out(&self) -> bool {
         self.offset.is_none() && !matches!(self.coefficients, Coefficients::LocalRules(_))
     }
 

@@ -141,7 +141,7 @@ fn scaled_matrices(
     let whole = ParametricSymbol::of(rules);
     let orders = std::iter::successors(Some(whole.clone()), ParametricSymbol::over_sigma);
     let (found, last) = orders.enumerate().last().expect("the symbol itself");
-    if found < m + 1 {
+    if found <= m {
         return Err(SmoothRangeError::SumRules { m, needed: m + 1, found });
     }
     let n = Rational::from(whole.arity());

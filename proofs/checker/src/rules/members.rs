@@ -31,7 +31,8 @@ pub fn members(table: &Table<'_>, cells: &Cells) -> Result<Members, Stop> {
             (None, "tolerance") if tolerance => "exact",
             _ => continue,
         };
-        let ways = choice.ways.iter().filter(|way| **way != printed);
+        let known = |way: &&&str| **way != "best" || table.leaves_offset_out();
+        let ways = choice.ways.iter().filter(|way| **way != printed).filter(known);
         changes.push(ways.map(|way| format!("{}={way}", choice.name)).collect());
     }
     let mut others: BTreeMap<&str, Vec<String>> = BTreeMap::new();

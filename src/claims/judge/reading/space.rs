@@ -1,7 +1,7 @@
 //! The readings of one table, and the choices in which they may differ.
 
 use crate::claim::{Cell, Printed};
-use crate::evaluation::choices::{DECIMAL_ROUNDING, FAMILY, FORWARD, ORDER};
+use crate::evaluation::choices::{BEST_OFFSET, DECIMAL_ROUNDING, FAMILY, FORWARD, OFFSET, ORDER};
 use crate::evaluation::context::At;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
@@ -140,6 +140,8 @@ impl<'s> Space<'s> {
         let mut consulted = settings.consulted();
         consulted.extend(judge.rows.choices.clone());
         space.order = consulted.get(ORDER.key).cloned();
+        // The best offset is a reading of masks that stand in the file without one.
+        let unstated = judge.paper.without_offset(judge.table).next().is_some();
         for choice in FAMILY {
             let ways = choice.ways.iter();
             let ways: Vec<Change> = match choice.effect {
@@ -147,6 +149,9 @@ impl<'s> Space<'s> {
                     None => continue,
                     Some(printed) => ways
                         .filter(|way| way.word != printed)
+                        .filter(|way| {
+                            choice.key != OFFSET.key || way.word != BEST_OFFSET || unstated
+                        })
                         .map(|way| Change::Way(choice, way))
                         .collect(),
                 },

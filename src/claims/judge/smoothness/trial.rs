@@ -32,7 +32,7 @@ pub(super) struct Trial<'t, W> {
 /// The verdict on a range.
 pub(super) struct Judged<W> {
     pub(super) verdict: SmoothnessVerdict,
-    /// The values that decide nothing.
+    /// The values that decide nothing, at which nothing is proved either.
     pub(super) undecided: IntervalSet,
     /// A value that refutes the range, whether it is in it, and what is known of the limits there.
     pub(super) witness: Option<(Rational, bool, W)>,
@@ -69,7 +69,16 @@ impl<W> Trial<'_, W> {
                 None => (None, SmoothnessVerdict::Open),
             }
         };
-        Ok(Judged { verdict, undecided, witness })
+        Ok(Judged { verdict, undecided: undecided.without(&self.known()), witness })
+    }
+
+    /// The values at which it is proved that limits are C^m, or that not all are.
+    fn known(&self) -> IntervalSet {
+        match &self.sides {
+            None => IntervalSet::default(),
+            Some(sets) if sets.but_finitely_many => sets.inside.clone(),
+            Some(sets) => sets.inside.union(&sets.outside),
+        }
     }
 
     /// The values that decide nothing: those of `inner` at which C^m is not proved; and, if the paper says
@@ -122,7 +131,9 @@ impl<W> Trial<'_, W> {
         set: &IntervalSet,
         inside: bool,
     ) -> Result<Option<(Rational, bool, W)>, Diagnostic> {
-        for at in set.intervals().iter().filter_map(simple) {
+        // At an end, where something changes, a proof takes longest.
+        let tried = set.intervals().iter().flat_map(|one| [simple(&one.interior()), simple(one)]);
+        for at in tried.flatten() {
             if let Some((smooth, known)) = (self.at)(&at)?
                 && smooth != inside
             {

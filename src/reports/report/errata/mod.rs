@@ -6,7 +6,9 @@ mod differences;
 
 pub use differences::differences_sheet;
 
+use super::headline::unstated_offsets;
 use super::parts::mark;
+use super::reading::capital;
 use super::sheet::{Block, Grid, Sheet};
 use super::{consistency, summary, theorem};
 use crate::audit::{Consequences, Errata, Erratum, PaperAudit, Subject};
@@ -32,6 +34,9 @@ fn paper(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
         sheet.text(format!(
             "{note} A wrong digit may be the transcription's: compare with the printed page."
         ));
+    }
+    for said in unstated_offsets(audit) {
+        sheet.text(capital(&said));
     }
     if errata.errata.is_empty() {
         sheet.text("Nothing wrong was found.");
