@@ -4,15 +4,16 @@ use crate::common::papers::audit_of;
 use crate::common::r;
 use proptest::prelude::*;
 use subcert::audit::{
-    CellFinding, FAMILY, PaperAudit, Recovered, RecoveredFrom, Search, Slip, UnstatedOffset, Verdict, audit,
+    CellFinding, FAMILY, PaperAudit, Recovered, RecoveredFrom, Search, Slip, UnstatedOffset,
+    Verdict, audit,
 };
 use subcert::bound::{Constants, Suprema};
 use subcert::bound::{Operator, Order, Rounded, Terms, displacement, log_level};
+use subcert::certificate::certificate;
 use subcert::claim::{Paper, read_paper};
 use subcert::diagnostic::SourceText;
 use subcert::exact::format::fixed;
 use subcert::exact::{Integer, Rational};
-use subcert::certificate::certificate;
 use subcert::scheme::{Mask, parse_scheme};
 use subcert_check::{Outcome, check};
 

@@ -4,7 +4,7 @@ use super::known::of;
 use subcert::bound::polynomial_rules;
 use subcert::exact::{Rational, RationalPolynomial, parse_rational};
 use subcert::scheme::{Rules, parse_parametric};
-use subcert::smoothness::{SmoothRange, smooth_range};
+use subcert::smoothness::{SmoothRange, SmoothRangeError, smooth_range};
 
 fn rules(scheme: &str, parameter: &str) -> Rules<RationalPolynomial> {
     let mask = parse_parametric(scheme, parameter).expect("a mask");
@@ -42,4 +42,17 @@ fn both_sets_of_the_six_point_scheme_meet() {
             assert!(!smooth || !range.outside.contains(w), "C^{m} at {w}");
         }
     }
+}
+
+/// C^1 exactly for −1 < a < 1: the symbol is (1 + z)(1 + z²)((1 − a) + (1 + a)z)/4. Sum rules alone deny nothing here.
+#[test]
+fn sum_rules_deny_nothing_where_shifts_are_dependent() {
+    let text = "[(1-a)/4, 1/2, 1/2, 1/2, (1+a)/4]";
+    let found = smooth_range(&rules(text, "a"), 1, 2).unwrap_err();
+    assert_eq!(found, SmoothRangeError::Dependent { m: 1, found: 1 });
+    let limits = of(&text.replace('a', "1/3"));
+    assert_eq!(limits.deciding().is_below(1), Some(true));
+    // Where they are independent, sum rules decide.
+    let found = smooth_range(&rules("[a, 1/2, 1-a, 1/2]", "a"), 1, 2).unwrap_err();
+    assert_eq!(found, SmoothRangeError::SumRules { m: 1, needed: 2, found: 1 });
 }

@@ -27,6 +27,19 @@ pub struct Interval {
 }
 
 impl Interval {
+    /// Without its ends; a single number as it is.
+    #[must_use]
+    pub fn interior(&self) -> Interval {
+        let open = |end: &Bound<RealAlgebraic>| match end {
+            Bound::Included(end) | Bound::Excluded(end) => Bound::Excluded(end.clone()),
+            Bound::Unbounded => Bound::Unbounded,
+        };
+        if self.low != Bound::Unbounded && self.low == self.high {
+            return self.clone();
+        }
+        Interval { low: open(&self.low), high: open(&self.high) }
+    }
+
     /// Whether `x` is in the interval.
     #[must_use]
     pub fn contains(&self, x: &Rational) -> bool {

@@ -72,8 +72,9 @@ pub fn smooth_map(
     let orders = std::iter::successors(Some(whole.clone()), ParametricSymbol::over_sigma);
     let orders: Vec<ParametricSymbol<BivariatePolynomial>> = orders.collect();
     let found = orders.len() - 1;
-    if found < m + 1 {
-        return Err(SmoothRangeError::SumRules { m, needed: m + 1, found });
+    let independent = || whole.is_independent(BivariatePolynomial::value_at);
+    if found <= m {
+        return Err(SmoothRangeError::without_rules(m, found, independent()));
     }
     let n = Rational::from(whole.arity());
     let factor = (0..m).fold(Rational::one(), |power, _| power * &n);
@@ -93,7 +94,7 @@ pub fn smooth_map(
         }
     }
     let sure = m == 0 || whole.is_interpolating();
-    if !sure && !whole.is_independent(BivariatePolynomial::value_at) {
+    if !sure && !independent() {
         for found in boxes.iter_mut().filter(|found| found.certain != Certain::Inside) {
             found.certain = Certain::Open;
         }

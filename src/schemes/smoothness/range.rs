@@ -25,12 +25,34 @@ pub enum SmoothRangeError {
         /// The order that holds.
         found: usize,
     },
+    /// As [`SmoothRangeError::SumRules`], where sum rules do not decide.
+    #[error(
+        "sum rules of order {found} hold for all parameters, but no more; integer shifts of the basic limit function may \
+         be linearly dependent, so that limits may be C^{m} all the same, and masks with a parameter are not reduced"
+    )]
+    Dependent {
+        /// m.
+        m: usize,
+        /// The order that holds.
+        found: usize,
+    },
     /// The rules are too long.
     #[error("the rules are too long for a proof of smoothness: {0}")]
     TooLong(#[from] MatrixSetError),
     /// The contraction is beyond a cap.
     #[error(transparent)]
     Range(#[from] RangeError),
+}
+
+impl SmoothRangeError {
+    /// What it means that C^m needs sum rules of a higher order than `found`.
+    pub(super) fn without_rules(m: usize, found: usize, independent: bool) -> SmoothRangeError {
+        if independent {
+            SmoothRangeError::SumRules { m, needed: m.saturating_add(1), found }
+        } else {
+            SmoothRangeError::Dependent { m, found }
+        }
+    }
 }
 
 /// Where the limits are C^m.
@@ -142,7 +164,7 @@ fn scaled_matrices(
     let orders = std::iter::successors(Some(whole.clone()), ParametricSymbol::over_sigma);
     let (found, last) = orders.enumerate().last().expect("the symbol itself");
     if found <= m {
-        return Err(SmoothRangeError::SumRules { m, needed: m + 1, found });
+        return Err(SmoothRangeError::without_rules(m, found, is_independent(&whole)));
     }
     let n = Rational::from(whole.arity());
     let factor = (0..m).fold(Rational::one(), |power, _| power * &n);

@@ -51,7 +51,7 @@ fn malformed_claims() {
         ),
         (
             function("left = 'x'\nright = 'displacement(offset = x)'\n"),
-            "`own` or an integer",
+            "`own`, `best` or an integer",
             "displacement(offset = x)",
         ),
         (
