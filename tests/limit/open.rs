@@ -113,7 +113,7 @@ fn all_curves_of_the_catalogue() {
             let Some(least) = least else { continue };
             let few = distances.of_polygon(&ControlPolygon::open(&all[..least - 1]), 0, &width);
             assert_eq!(few, Err(LimitError::TooFew { needed: least }), "{name}");
-            let points = &all[..least + 1];
+            let points = &all[..=least];
             let own = cells(&limit, points, &s);
             let [from, to] = [own[0], own[own.len() - 1] + 1].map(Rational::from);
             let open = ControlPolygon::open(points);
