@@ -1,5 +1,7 @@
 //! A call of a function, with its options.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use crate::convolution::{Convolution, Sequence};
 use crate::decimal::count;
 use crate::evaluate::{Asked, Indices, MAX_INTEGER, Scope};

@@ -181,9 +181,11 @@ fn spread(
 ) -> Result<Vec<Value>, Stop> {
     let whole = left.len().saturating_sub(1).saturating_mul(step).saturating_add(right.len());
     let count = whole.min(length).min(MAX_LENGTH + 1);
-    if let Some(product) = spread_small(left, right, step, count) {
+    if let (Some(left), Some(right)) = (integers(left), integers(right)) {
         meter.spend((left.len() * right.len()) as u64)?;
-        return Ok(product);
+        if let Some(product) = spread_small(&left, &right, step, count) {
+            return Ok(product);
+        }
     }
     let mut product = vec![Value::int(0); count];
     for (i, a) in left.iter().enumerate() {
@@ -196,14 +198,17 @@ fn spread(
     Ok(product)
 }
 
+/// Values as machine integers, if they are.
+fn integers(values: &[Value]) -> Option<Vec<i128>> {
+    values.iter().map(|value| value.number().ok()?.integer()).collect()
+}
+
 /// The same product in machine integers; `None` if they do not suffice.
-fn spread_small(left: &[Value], right: &[Value], step: usize, count: usize) -> Option<Vec<Value>> {
-    let integer = |value: &Value| value.number().ok()?.integer();
-    let right: Vec<i128> = right.iter().map(integer).collect::<Option<_>>()?;
+fn spread_small(left: &[i128], right: &[i128], step: usize, count: usize) -> Option<Vec<Value>> {
     let mut product = vec![0_i128; count];
     for (i, a) in left.iter().enumerate() {
-        let (from, a) = (i.saturating_mul(step).min(count), integer(a)?);
-        for (sum, b) in product[from..].iter_mut().zip(&right) {
+        let from = i.saturating_mul(step).min(count);
+        for (sum, b) in product[from..].iter_mut().zip(right) {
             *sum = sum.checked_add(a.checked_mul(*b)?)?;
         }
     }

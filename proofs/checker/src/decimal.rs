@@ -1,5 +1,7 @@
 //! Rational numbers and decimals as text.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use crate::reject::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -28,9 +30,14 @@ pub fn count(value: usize) -> Q {
     Q::from_integer(value.into())
 }
 
+/// An integer from −cap to cap.
+pub fn capped(integer: impl TryInto<i64>, cap: i64) -> Option<i64> {
+    integer.try_into().ok().filter(|integer: &i64| integer.unsigned_abs() <= cap.unsigned_abs())
+}
+
 /// The binary digits of the numerator and the denominator.
 pub fn bits(value: &Q) -> u64 {
-    value.numer().bits() + value.denom().bits()
+    [value.numer(), value.denom()].into_iter().map(BigInt::bits).sum()
 }
 
 /// A decimal as printed.
@@ -64,12 +71,11 @@ impl Decimal {
         let (number, exponent) = text.split_once('e').unwrap_or((&text, "0"));
         let unsigned = exponent.strip_prefix('+');
         let exponent = digits(unsigned.unwrap_or(exponent), unsigned.is_none())?;
-        let exponent =
-            i64::try_from(exponent).ok().filter(|e| (-MAX_EXPONENT..=MAX_EXPONENT).contains(e))?;
+        let exponent = capped(exponent, MAX_EXPONENT)?;
         let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
         // Digits stand on both sides of the point.
-        digits(whole, true).filter(|_| number.len() != whole.len() + 1)?;
-        let place = exponent - i64::try_from(fraction.len()).ok()?;
+        digits(whole, true).filter(|_| !number.ends_with('.'))?;
+        let place = exponent.checked_sub(i64::try_from(fraction.len()).ok()?)?;
         let unit = int(10).pow(i32::try_from(place).ok()?);
         let digits = digits(&format!("{whole}{fraction}"), true)?;
         Some(Decimal { value: &unit * &digits, digits, unit })

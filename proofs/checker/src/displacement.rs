@@ -1,6 +1,7 @@
 //! The displacement of a refined polygon from the polygon before.
 
 use crate::decimal::Q;
+use crate::meter::Meter;
 use crate::piece::Piece;
 use crate::reject::Stop;
 use crate::scheme::Scheme;
@@ -20,15 +21,21 @@ pub fn gather(piece: Option<&Piece<'_>>, values: &[Value], terms: usize) -> Resu
 fn displaced(scheme: &Scheme, alpha: usize, offset: i64) -> Result<Vec<Value>, Stop> {
     let row = &scheme.mask[alpha];
     let width = i64::try_from(row.len()).unwrap_or(0);
+    // The sums of the weights from each place on.
+    let mut after = vec![Value::int(0)];
+    for weight in row.iter().rev() {
+        after.push(weight.plus(1, &after[after.len() - 1])?);
+    }
+    after.reverse();
     let coefficient = |m: i64| {
         // x_{i+s} − x_i is the sum of the Δ_{i+m} over 0 ≤ m < s, or, for s < 0, minus their sum
         // over s ≤ m < 0. Hence Δ_{i+m} has the sum of the weights with s > m if m ≥ 0, and minus
         // the sum of those with s ≤ m if m < 0.
         let cut = usize::try_from((m + 1 - offset).clamp(0, width)).unwrap_or(0);
         match m {
-            ..0 => Value::total(&row[..cut])?.negated(),
-            0 => Value::total(&row[cut..])?.minus(&fraction(alpha, scheme.arity())),
-            _ => Value::total(&row[cut..]),
+            ..0 => after[cut].minus(&after[0]),
+            0 => after[cut].minus(&fraction(alpha, scheme.arity())),
+            _ => Ok(after[cut].clone()),
         }
     };
     (offset.min(0)..=(offset + width - 2).max(0)).map(coefficient).collect()
@@ -36,12 +43,16 @@ fn displaced(scheme: &Scheme, alpha: usize, offset: i64) -> Result<Vec<Value>, S
 
 /// The terms of every rule, gathered.
 pub fn moved(
+    meter: &Meter,
     piece: Option<&Piece<'_>>,
-    scheme: &Scheme,
-    offset: i64,
+    (scheme, offset): (&Scheme, i64),
     terms: usize,
 ) -> Result<Vec<Value>, Stop> {
-    let of = |alpha| gather(piece, &displaced(scheme, alpha, offset)?, terms);
+    let of = |alpha| {
+        let displaced = displaced(scheme, alpha, offset)?;
+        meter.spend(displaced.len() as u64)?;
+        gather(piece, &displaced, terms)
+    };
     (0..scheme.arity()).map(of).collect()
 }
 
@@ -81,6 +92,7 @@ fn fraction(top: usize, bottom: usize) -> Value {
 
 /// The sums x1·η¹ + x2·η² + x3·η³ of FORMAT.md, one for each α and β.
 pub fn surface(
+    meter: &Meter,
     piece: Option<&Piece<'_>>,
     scheme: &Scheme,
     spreads: [&Value; 3],
@@ -88,21 +100,26 @@ pub fn surface(
 ) -> Result<Vec<Value>, Stop> {
     let n = scheme.arity();
     // A_α = Σ_{h≥1} a_{α,h}, and s_α the sum of the ã_{α,m} with m ≥ 1.
-    let tail = |rule: usize| Value::total(&scheme.mask[rule][1..]);
-    let later = |rule: usize| gather(piece, &displaced(scheme, rule, 0)?[1..], terms);
+    let of_rule = |rule: usize| -> Result<[Value; 3], Stop> {
+        let row = &scheme.mask[rule];
+        meter.spend(row.len() as u64)?;
+        let later = gather(piece, &displaced(scheme, rule, 0)?[1..], terms)?;
+        Ok([Value::total(&row[1..])?, later, gather(piece, row, terms)?])
+    };
+    let rules = (0..n).map(of_rule).collect::<Result<Vec<_>, Stop>>()?;
     // |x − top/bottom| + factor·s
     let eta = |x: &Value, top: usize, bottom: usize, factor: &Value, s: &Value| {
         x.minus(&fraction(top, bottom))?.abs(piece)?.plus(1, &factor.times(s)?)
     };
     let mut sums = Vec::new();
-    for alpha in 0..n {
-        for beta in 0..n {
-            let (a, b, s) = (tail(alpha)?, tail(beta)?, later(alpha)?);
-            let (first, norm) = (&scheme.mask[beta][0], gather(piece, &scheme.mask[alpha], terms)?);
+    for (alpha, [a, s, norm]) in rules.iter().enumerate() {
+        for (beta, [b, later, _]) in rules.iter().enumerate() {
+            meter.spend(1)?;
+            let first = &scheme.mask[beta][0];
             let eta = [
-                eta(&first.times(&a)?, alpha * (n - beta), n * n, &first.abs(piece)?, &s)?,
-                eta(&b, beta, n, &norm, &later(beta)?)?,
-                eta(&a.times(&b)?, alpha * beta, n * n, &b.abs(piece)?, &s)?,
+                eta(&first.times(a)?, alpha * (n - beta), n * n, &first.abs(piece)?, s)?,
+                eta(b, beta, n, norm, later)?,
+                eta(&a.times(b)?, alpha * beta, n * n, &b.abs(piece)?, s)?,
             ];
             let terms = eta.iter().zip(spreads).map(|(eta, spread)| eta.times(spread));
             sums.push(Value::total(&terms.collect::<Result<Vec<Value>, Stop>>()?)?);

@@ -67,7 +67,7 @@ impl Element {
     pub fn floor(self) -> Result<BigInt, Stop> {
         // The floor is found by bisection between −bound and bound.
         let Element { n, mut top, bottom } = self;
-        let bound: BigInt = top.iter().enumerate().map(|(i, c)| c.abs() << i).sum();
+        let bound: BigInt = top.iter().enumerate().map(|(i, c)| BigInt::from(c.magnitude() << i)).sum();
         let bound = bound / &bottom + 1;
         let (mut low, mut high) = (-&bound, bound + 1);
         let constant = top[0].clone();
@@ -93,7 +93,7 @@ pub fn sign(n: u32, top: &[BigInt]) -> Result<i8, Stop> {
     let mut p = 64;
     while p <= MAX_PRECISION {
         let value = scaled(top, &field(n).enclose(p), p);
-        if value.abs() > (&slope << (p * (degree - 1))) {
+        if (&slope << (p * (degree - 1))) < value.abs() {
             return Ok(signum(&value));
         }
         p *= 2;

@@ -1,6 +1,6 @@
 //! Points of refined control data and of their limits, as functionals of the data.
 
-use crate::decimal::{Q, int, over_one_denominator};
+use crate::decimal::{Q, capped, int, over_one_denominator};
 use crate::linear::solve;
 use crate::meter::Meter;
 use crate::polygon::Polygon;
@@ -9,7 +9,7 @@ use crate::scheme::Scheme;
 use crate::value::Value;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed, ToPrimitive, Zero as _};
+use num_traits::{One, Signed, Zero as _};
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
@@ -42,8 +42,7 @@ impl Functional {
 
     /// The functional with each weight f_i at the index i + `by`.
     fn moved(self, by: &BigInt) -> Result<Functional, Stop> {
-        let by = by.to_i64().filter(|by| by.unsigned_abs() <= MAX_INDEX.unsigned_abs());
-        let by = by.ok_or(Stop::Capped("the parameters of control data"))?;
+        let by = capped(by, MAX_INDEX).ok_or(Stop::Capped("the parameters of control data"))?;
         let weights = self.weights.into_iter().map(|(i, weight)| (i + by, weight)).collect();
         Ok(Functional { weights, ..self })
     }

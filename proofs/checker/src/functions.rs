@@ -1,8 +1,10 @@
 //! The functions of formulas. FORMAT.md defines them.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use crate::call::{Call, TERMS, entry, number, within, wrong};
 use crate::convolution::Product;
-use crate::decimal::Q;
+use crate::decimal::{Q, capped};
 use crate::depth::depth;
 use crate::displacement::{best_offset, moved, surface};
 use crate::evaluate::{Asked, Functions, Indices, MAX_INTEGER, Scope};
@@ -10,8 +12,11 @@ use crate::library::Library;
 use crate::meter::Meter;
 use crate::number::Number;
 use crate::reject::Stop;
+use crate::scheme::MAX_OFFSET;
 use crate::sums::greatest;
 use crate::value::Value;
+use num_bigint::BigInt;
+use num_traits::ToPrimitive as _;
 
 impl Functions for Library<'_> {
     fn call(&self, scope: &Scope<'_>, of: Asked<'_>, indices: &mut Indices) -> Result<Value, Stop> {
@@ -33,8 +38,8 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
             Some(multiple) => {
                 let turns = multiple / Q::from_integer(2.into());
                 // The fields end at a denominator of 1000.
-                let n = u64::try_from(turns.denom()).unwrap_or(0).min(1_000);
-                library.meter.spend(n * n / 16)?;
+                let n = turns.denom().to_u64().map_or(1_000, |n| n.min(1_000));
+                library.meter.spend(n.saturating_mul(n) / 16)?;
                 Ok(Number::cosine(&turns)?.into())
             }
             None => wrong("`cos` takes one rational multiple of pi"),
@@ -77,25 +82,25 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         ("convolved", [c, n, length, l, f]) => {
             let how = call.convolution(c, n, 3)?;
             let (sequences, f) = (call.sequences(length, indices)?, f.integer(MAX_INTEGER)?);
-            let length = usize::try_from(f + 1).unwrap_or(0);
+            // There are no coefficients of a negative f.
+            let length = usize::try_from(f).map_or(0, |f| f.saturating_add(1));
             let product = library.products.of(how, &sequences[0], length)?;
             coefficient(&product, l, f)
         }
         ("displacement", []) => {
             let (scheme, terms) = (call.scheme()?, call.choose("terms", &TERMS)?);
             let word = call.word("offset", "own");
-            let offset = match &word[..] {
-                "own" => Some(scheme.offset),
-                "best" if piece.is_none() => Some(best_offset(&scheme)?),
-                number => number.parse().ok(),
+            let o = match word.parse::<BigInt>() {
+                _ if word == "own" => scheme.offset,
+                _ if word == "best" && piece.is_none() => best_offset(&scheme)?,
+                Ok(o) => capped(&o, MAX_OFFSET).ok_or(Stop::Capped("the size of an offset"))?,
+                Err(_) => return wrong(format!("`{word}` is no offset")),
             };
-            let offset = offset.filter(|o: &i64| o.unsigned_abs() <= 10_000);
-            let Some(o) = offset else { return wrong(format!("`{word}` is no offset")) };
-            Value::greatest(&moved(piece, &scheme, o, terms)?, piece)
+            Value::greatest(&moved(library.meter, piece, (&scheme, o), terms)?, piece)
         }
         ("surface_displacement", [x1, x2, x3]) => {
             let (scheme, terms) = (call.scheme()?, call.choose("terms", &TERMS)?);
-            let sums = surface(piece, &scheme, [x1, x2, x3], terms)?;
+            let sums = surface(library.meter, piece, &scheme, [x1, x2, x3], terms)?;
             sums[1..].iter().try_fold(sums[0].clone(), |best, sum| best.max(sum, piece))
         }
         (_, arguments) => {
@@ -118,9 +123,9 @@ fn coefficient(product: &Product, l: &Value, f: i64) -> Result<Value, Stop> {
 
 /// top(top − 1)…(top − bottom + 1)/bottom!, and 0 for bottom < 0.
 fn binomial(scope: &Scope<'_>, top: &Value, bottom: i64) -> Result<Value, Stop> {
-    (0..bottom).try_fold(Value::int((bottom >= 0).into()), |product, i| {
+    (0..bottom).zip(1..).try_fold(Value::int((bottom >= 0).into()), |product, (i, next)| {
         // A product of fractions needs their common divisors.
         scope.spend(product.cost(&product))?;
-        product.times(&top.minus(&Value::int(i))?)?.over(&Value::int(i + 1))
+        product.times(&top.minus(&Value::int(i))?)?.over(&Value::int(next))
     })
 }

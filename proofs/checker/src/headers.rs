@@ -1,5 +1,7 @@
 //! The headers of tables, and indices with listed values.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use crate::decimal::{Q, read_rational};
 use crate::formula::is_name;
 use crate::paper::printed;

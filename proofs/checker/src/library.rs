@@ -6,7 +6,7 @@ use crate::meter::Meter;
 use crate::products::Products;
 use crate::reading::Reading;
 use crate::reject::Stop;
-use crate::scheme::{MAX_ARITY, MAX_WIDTH, Scheme};
+use crate::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Scheme};
 use crate::toml::Toml;
 use crate::value::Value;
 use std::cell::RefCell;
@@ -223,17 +223,18 @@ impl<'a> Library<'a> {
         let definitions = formulas(table.entries("let"))?;
         let mut scope = self.scope(&definitions);
         scope.values = parameters;
-        let integer = |key: &str, most: usize| match table.text(key) {
-            Some(text) => scope.value(&formula(text)?)?.integer(i64::try_from(most).unwrap_or(0)),
+        let integer = |key: &str, most: i64| match table.text(key) {
+            Some(text) => scope.value(&formula(text)?)?.integer(most),
             None => wrong(name, "`mask` or `entry` is missing"),
         };
-        let offset = if table.get("offset").is_some() { integer("offset", 10_000)? } else { 0 };
+        let offset = if table.get("offset").is_some() { integer("offset", MAX_OFFSET)? } else { 0 };
         let mask: Result<Vec<Vec<Value>>, Stop> = if table.get("mask").is_some() {
             let entry = |entry: &Toml| scope.value(&formula(entry.as_text().unwrap_or(""))?);
             let rows = table.list("mask").iter();
             rows.map(|row| row.as_list().iter().map(entry).collect()).collect()
         } else {
-            let (arity, width) = (integer("arity", MAX_ARITY)?, integer("width", MAX_WIDTH)?);
+            let (arity, width) =
+                (integer("arity", MAX_ARITY.into())?, integer("width", MAX_WIDTH.into())?);
             let entry = formula(table.text("entry").unwrap_or(""))?;
             let at = |alpha, r| {
                 let indices = [("alpha", alpha), ("r", r)];

@@ -44,7 +44,7 @@ pub fn compare(powers: &[(Q, BigInt)]) -> Result<Ordering, Stop> {
     }
     let powers = powers.iter().map(|(x, exponent)| {
         let base = if exponent.is_negative() { x.recip() } else { x.clone() };
-        let size = u32::try_from(exponent.magnitude()).unwrap_or(u32::MAX);
+        let size = exponent.magnitude();
         Q::new(Pow::pow(base.numer(), size), Pow::pow(base.denom(), size))
     });
     Ok(powers.fold(Q::one(), |product, power| product * power).cmp(&Q::one()))

@@ -1,5 +1,7 @@
 //! A claim file and the scopes of its formulas.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use crate::certificate::MAX_LINE;
 use crate::decimal::read_rational;
 use crate::definitions::{Definitions, formulas};

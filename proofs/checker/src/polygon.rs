@@ -1,9 +1,14 @@
 //! Control polygons.
 
-use crate::decimal::{Q, read_rational};
+#![warn(clippy::arithmetic_side_effects)]
+
+use crate::decimal::{Q, capped, read_rational};
 use crate::reject::{Checked, Reason};
 use num_bigint::BigInt;
-use num_traits::{Signed, ToPrimitive};
+use num_traits::Signed;
+
+/// The greatest index that a certificate names.
+const MAX_INDEX: i64 = 1_000_000;
 
 /// The points x_i, i = first, first + 1, …, which are constant beyond both ends.
 #[derive(Clone)]
@@ -40,7 +45,7 @@ impl Polygon {
 
 /// The position of an index, or of the nearest one, in a list that begins with the index `first`.
 pub fn place(i: i64, first: i64, count: usize) -> usize {
-    usize::try_from(i - first).unwrap_or(0).min(count - 1)
+    usize::try_from(i.saturating_sub(first)).unwrap_or(0).min(count.saturating_sub(1))
 }
 
 /// The largest difference of the pairs.
@@ -56,5 +61,5 @@ pub fn integers(text: &str) -> Option<Vec<BigInt>> {
 
 /// An index. It has a cap.
 pub fn index(value: &BigInt) -> Option<i64> {
-    value.to_i64().filter(|index| index.unsigned_abs() <= 1_000_000)
+    capped(value, MAX_INDEX)
 }

@@ -1,6 +1,8 @@
 //! Tables of orders of smoothness and of Hölder exponents: every cell is a claim of kind `smoothness` or `exponent`
 //! (FORMAT.md, Tables of orders and exponents).
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use crate::paper::printed;
 use crate::shape::misfit;
 use crate::toml::Toml;
@@ -50,7 +52,7 @@ fn cells(table: &Toml) -> Result<Vec<(&'static str, Toml)>, String> {
         return Err("one row of cells for each header".to_owned());
     }
     let mut claims = Vec::new();
-    for (at, (line, (scheme, value))) in lines.iter().zip(rows).enumerate() {
+    for (row, (line, (scheme, value))) in (1_usize..).zip(lines.iter().zip(rows)) {
         let line = line.as_list();
         if line.len() != columns.len() {
             return Err("one cell for each column".to_owned());
@@ -63,7 +65,7 @@ fn cells(table: &Toml) -> Result<Vec<(&'static str, Toml)>, String> {
                 }
                 continue;
             }
-            let mut claim = vec![("id", Toml::Text(format!("{id}.{}.{column}", at + 1)))];
+            let mut claim = vec![("id", Toml::Text(format!("{id}.{row}.{column}")))];
             claim.push(("locus", Toml::Text(locus.unwrap_or_default().to_owned())));
             claim.push(("scheme", Toml::Text(scheme.to_owned())));
             if let Some((name, value)) = value {
@@ -87,9 +89,10 @@ fn states(
 ) -> Result<&'static str, String> {
     let text = |text: &str| Toml::Text(text.to_owned());
     if column == "order" {
-        let m: usize = said.parse().map_err(|_| format!("`{said}` is no order"))?;
+        let next = said.parse().ok().and_then(|m: usize| m.checked_add(1));
+        let next = next.ok_or_else(|| format!("`{said}` is no order"))?;
         claim.push(("continuous", text(said)));
-        claim.push(("not_continuous", text(&m.saturating_add(1).to_string())));
+        claim.push(("not_continuous", text(&next.to_string())));
         return Ok("smoothness");
     }
     if column == "exponent" {

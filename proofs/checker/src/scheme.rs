@@ -7,10 +7,13 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The most rules of a scheme.
-pub const MAX_ARITY: usize = 64;
+pub const MAX_ARITY: u16 = 64;
 
 /// The most points of a rule.
-pub const MAX_WIDTH: usize = 256;
+pub const MAX_WIDTH: u16 = 256;
+
+/// The greatest offset.
+pub const MAX_OFFSET: i64 = 10_000;
 
 /// A mask with its difference mask.
 pub struct Scheme {
@@ -30,7 +33,10 @@ impl Scheme {
     pub fn new(mask: Vec<Vec<Value>>, offset: i64) -> Result<Scheme, Stop> {
         let width = mask.first().map_or(0, Vec::len);
         let even = mask.iter().all(|row| row.len() == width);
-        if !(2..=MAX_ARITY).contains(&mask.len()) || !(1..=MAX_WIDTH).contains(&width) || !even {
+        if mask.len() > MAX_ARITY.into() || width > MAX_WIDTH.into() {
+            return Err(Stop::Capped("the number or the lengths of the rules of a mask"));
+        }
+        if mask.len() < 2 || width < 1 || !even {
             return Err(wrong("the number or the lengths of its rules are wrong"));
         }
         for row in &mask {

@@ -1,6 +1,8 @@
 //! The functions whose value is the greatest of some sums: `contraction`, `norm`, `tensor` and
 //! `convolution_norm`.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use crate::call::{Call, SUPREMA, TERMS, wrong};
 use crate::convolution::{MAX_LENGTH, Sequence, Sums};
 use crate::displacement::gather;
@@ -54,15 +56,17 @@ fn sums(
         if last > MAX_LENGTH {
             return Err(Stop::Capped("the length of a product of sequences"));
         }
-        let first = (last + 1).saturating_sub(how.classes());
+        let end = last.saturating_add(1);
+        let first = end.saturating_sub(how.classes());
         let sums = call.sequences(length, indices)?.into_iter().map(|sequence| {
-            let product = library.products.of(how, &sequence, last + 1)?;
+            let product = library.products.of(how, &sequence, end)?;
             product.sums(library.meter, (first, last), piece)
         });
         return Ok((sums.collect::<Result<_, Stop>>()?, joint));
     }
     let (function, scheme) = (call.function, call.scheme()?);
-    let (forward, first) = (call.is_forward()?, call.scope.first % scheme.arity());
+    let (forward, first) =
+        (call.is_forward()?, call.scope.first.checked_rem(scheme.arity()).unwrap_or(0));
     // The norms of powers depend on the numbers of the points only if masks are read forwards.
     let scheme = if forward { scheme.numbered_from(first)? } else { scheme };
     let (a, b) = (&scheme.mask[..], &scheme.difference[..]);

@@ -1,6 +1,6 @@
 //! Values of formulas: polynomials in symbols. Most of them are numbers.
 
-use crate::decimal::{Q, common_multiple};
+use crate::decimal::{Q, capped, common_multiple};
 use crate::number::Number;
 use crate::reject::Stop;
 use num_bigint::BigInt;
@@ -256,12 +256,11 @@ impl Value {
         Ok(self.minus(other)?.is_zero())
     }
 
-    /// An integer from −limit to limit.
+    /// An integer from −limit to limit, which is a cap.
     pub fn integer(&self, limit: i64) -> Result<i64, Stop> {
-        let integer = self.number().ok().and_then(Number::integer);
-        let integer = integer.and_then(|value| i64::try_from(value).ok());
-        let integer = integer.filter(|value| value.unsigned_abs() <= limit.unsigned_abs());
-        integer.ok_or_else(|| Stop::Wrong(format!("an integer up to {limit} is needed")))
+        let integer = self.rational().filter(Q::is_integer);
+        let integer = integer.ok_or_else(|| Stop::Wrong("an integer is needed".to_owned()))?;
+        capped(integer.numer(), limit).ok_or(Stop::Capped("the size of an integer"))
     }
 
     /// ⌊self⌋.

@@ -6,7 +6,7 @@ use crate::functional::{Functional, Rules, product};
 use crate::local_rules::LocalRules;
 use crate::paper::Paper;
 use crate::polygon::{Polygon, index, integers, place, spread};
-use crate::reject::{Checked, Reason, compare, require};
+use crate::reject::{Checked, Reason, Stop, compare, require};
 use crate::setting::Setting;
 use crate::value::Value;
 use num_bigint::BigInt;
@@ -152,10 +152,12 @@ impl<'l> Witness<'l> {
         let whole = quantity == "distance" || numbers.iter().all(Q::is_integer);
         // For a difference of a net, the last number names the index along which it is taken.
         let along = quantity == "difference" && rules.len() == 2;
-        if !whole || numbers.len() != rules.len() + usize::from(along) {
+        let (places, axis) = numbers.split_at(rules.len().min(numbers.len()));
+        if !whole || places.len() != rules.len() || axis.len() != usize::from(along) {
             return malformed("a place");
         }
-        let axis = if along { &numbers[2] } else { &int(1) };
+        let one = int(1);
+        let axis = axis.first().unwrap_or(&one);
         require([int(1), int(2)].contains(axis), Reason::Malformed("1 or 2, for an index"))?;
         let [mut new, mut old] = [Vec::new(), Vec::new()];
         for (rules, (place, at)) in rules.iter().zip([int(1), int(2)].iter().zip(&numbers)) {
@@ -171,7 +173,8 @@ impl<'l> Witness<'l> {
                 "difference" => (rules.at(level, at)?, rules.at(level, at)?),
                 "step" => {
                     let before = (at + &shift) / arity - &shift;
-                    (rules.at(level + 1, at)?, rules.at(level, &before)?)
+                    let next = level.checked_add(1).ok_or(Stop::Capped("the level"))?;
+                    (rules.at(next, at)?, rules.at(level, &before)?)
                 }
                 "distance" => {
                     let limit = rules.limit(at)?.ok_or(Reason::Malformed("an n-adic number"))?;

@@ -40,10 +40,15 @@ fn formula() -> impl Strategy<Value = Formula> {
 fn outcome(left: &str, right: &str, verdict: &str) -> Outcome {
     let claims =
         format!("key = \"k\"\n[[equation]]\nid = \"e\"\nleft = '{left}'\nright = '{right}'");
-    let certificate = format!(
-        "subcert-certificate 4\npaper k\nequation e\n  left {left}\n  right {right}\n  {verdict}\nend 1\n"
-    );
-    let report = check(&claims, &[&certificate]).expect("a claim file");
+    let block = format!("equation e\n  left {left}\n  right {right}\n  {verdict}");
+    of_block(&claims, &block)
+}
+
+/// What the checker says of the first claim of a file and a certificate of one block.
+fn of_block(claims: &str, block: &str) -> Outcome {
+    let kind = if claims.contains("[project]") { "project" } else { "paper" };
+    let certificate = format!("subcert-certificate 4\n{kind} k\n{block}\nend 1\n");
+    let report = check(claims, &[&certificate]).expect("a claim file");
     report.claims.into_iter().next().expect("a claim").2
 }
 
@@ -79,24 +84,27 @@ proptest! {
     }
 }
 
-/// What the checker says of a theorem on Chaikin's scheme with a polygon that begins at an index.
+/// What the checker says of a theorem on Chaikin's scheme with a polygon that begins at an index, and a place 2 more.
 fn from_index(first: i64) -> Outcome {
     let claims = "key = \"k\"\n[[theorem]]\nid = \"t\"\nlocus = \"1\"\ntitle = \"t\"\nscheme = \"chaikin\"\n\
-        bounds = \"difference\"\nby = \"beta*(1/2)^k\"\nfrom = '0'\n";
-    let certificate = format!(
-        "subcert-certificate 4\npaper k\ntheorem t\n  bounds difference\n  by beta*(1/2)^k\n  scheme chaikin\n  \
-         level 0\n  polygon {first} 0 1 2 3\n  at -1\n  sides 3 1\n  refuted\nend 1\n"
+        bounds = \"difference\"\nby = \"beta/2\"\nfrom = '0'\n";
+    let block = format!(
+        "theorem t\n  bounds difference\n  by beta/2\n  scheme chaikin\n  level 0\n  \
+         polygon {first} 0 1 2 3\n  at {}\n  sides 1 1/2\n  refuted",
+        i128::from(first) + 2
     );
-    let report = check(claims, &[&certificate]).expect("a claim file");
-    report.claims.into_iter().next().expect("a claim").2
+    of_block(claims, &block)
 }
 
 // The first index i64::MIN has no absolute value in an i64.
 #[test]
 fn an_index_at_the_ends_of_machine_integers_refutes_nothing() {
-    for first in [i64::MIN, i64::MIN + 1, i64::MAX, -1_000_001, 1_000_001, -1_000_000, -1, 0] {
+    for first in [i64::MIN, i64::MIN + 1, i64::MAX, -1_000_001, 1_000_001] {
         let said = from_index(first);
         assert!(matches!(said, Outcome::Invalid(..)), "{first}: {said:?}");
+    }
+    for first in [-1_000_000, -1, 0, 1_000_000] {
+        assert_eq!(from_index(first), Outcome::Valid, "{first}");
     }
 }
 
@@ -107,11 +115,87 @@ fn powers_of_symbols_beyond_machine_integers_are_not_equal() {
     let claims = format!(
         "key = \"k\"\n[[equation]]\nid = \"e\"\nsymbols = [\"x\"]\nleft = '{power}'\nright = '{power}*x'"
     );
-    let certificate = format!(
-        "subcert-certificate 4\npaper k\nequation e\n  left {power}\n  right {power}*x\n  holds 1\nend 1\n"
-    );
-    let report = check(&claims, &[&certificate]).expect("a claim file");
-    assert!(matches!(report.claims[0].2, Outcome::Incomplete(..)), "{:?}", report.claims[0].2);
+    let block = format!("equation e\n  left {power}\n  right {power}*x\n  holds 1");
+    let said = of_block(&claims, &block);
+    assert!(matches!(said, Outcome::Incomplete(..)), "{said:?}");
+}
+
+// True equations with numbers at the caps of integers, and beyond them.
+#[test]
+fn integers_beyond_a_cap_are_left_open() {
+    assert_eq!(outcome("binomial(3, 0 - 10000)", "0", "holds 1"), Outcome::Valid);
+    assert_eq!(outcome("mod(7, 2^64)", "7", "holds 1"), Outcome::Valid);
+    let ends = ["10001", "2^63", "2^64", "2^127", "2^128"];
+    for end in ends {
+        for formula in ["binomial(3, 0 - END)", "sum(i = END*100..0, i)", "0^(END*100)"] {
+            let left = formula.replace("END", end);
+            let said = outcome(&left, "0", "holds 1");
+            assert!(matches!(said, Outcome::Incomplete(Some(_))), "{left}: {said:?}");
+        }
+    }
+    let wrong = outcome("binomial(3, 1/2)", "0", "holds 1");
+    assert!(matches!(wrong, Outcome::Invalid(..)), "{wrong:?}");
+}
+
+// With the offset −2^63 the program asked for 13 GB.
+#[test]
+fn offsets_beyond_a_cap_are_left_open() {
+    let said = |offset: &str, own: &str| {
+        let claims = format!(
+            "key = 'k'\n[[table]]\nid = 't'\nscheme = 's'\nvalue = 'displacement({offset})'\n\
+             columns = {{ name = 'x', values = ['1'] }}\ncells = [['1']]\n[[scheme]]\nname = 's'\noffset = '{own}'\n\
+             mask = [['1', '0'], ['1/2', '1/2']]"
+        );
+        let block = format!(
+            "table t\n  scheme s\n  value displacement({offset})\n  cell 1 1 \"1\" 1 confirmed"
+        );
+        of_block(&claims, &block)
+    };
+    for offset in [10_001, -10_001, i64::MIN, i64::MAX] {
+        for (option, own) in
+            [(format!("offset = {offset}"), "0".to_owned()), (String::new(), offset.to_string())]
+        {
+            let said = said(&option, &own);
+            assert!(matches!(said, Outcome::Incomplete(Some(_))), "{option} {own}: {said:?}");
+        }
+    }
+    assert_eq!(said("offset = 1", "0"), Outcome::Valid);
+    assert_eq!(said("", "1"), Outcome::Valid);
+}
+
+// The double of 2^63 is 0 in 64 bits, and so less than every valence.
+#[test]
+fn a_block_beyond_the_valence_is_none() {
+    let claims = "key = 'k'\n[[smoothness]]\nid = 's'\nscheme = 'loop'\nvalences = '5'\nnot_continuous = '1'";
+    for (k, what) in [
+        (1_u64 << 63, "diverges K +"),
+        ((1 << 63) + 1, "eigenvalue K 1/2 3/4"),
+        (u64::MAX, "diverges K -"),
+    ] {
+        let block = format!(
+            "smoothness s\n  scheme loop\n  states-not-continuous 1\n  valences 5\n  vertex 5\n  part box-spline\n  {}\n  \
+             below 1/2\n  outer\n  confirmed",
+            what.replace('K', &k.to_string())
+        );
+        let said = of_block(claims, &block);
+        let Outcome::Invalid(_, rejection) = &said else { panic!("{said:?}") };
+        assert!(rejection.reason.to_string().contains("n/2"), "{said:?}");
+    }
+}
+
+// The integer −2^63 passed the cap, since it has no absolute value in an i64.
+#[test]
+fn integers_of_programs_have_a_cap() {
+    for power in ["-10000", "-10001", "0 - 2^63", "2^127"] {
+        let claims = format!(
+            "key = 'k'\n[project]\nname = 'p'\n[[shipped]]\nid = 't'\nlocus = 'l'\ntitle = 't'\ntype = 'f64'\n\
+             language = 'c'\nequals = 'binomial(3, {power})'\ncells = ['0.0']"
+        );
+        let said =
+            of_block(&claims, "shipped t\n  bits 64\n  cell \"0.0\" nearest\n  outcome nearest");
+        let open = matches!(said, Outcome::Incomplete(Some(_)));
+        assert!(open == (power != "-10000"), "{power}: {said:?}");
+    }
 }
 
 /// What the checker says of a lower bound of the Hölder exponent of Chaikin's scheme, which is 2.
@@ -119,13 +203,12 @@ fn exponent_at_least(bound: &str) -> Outcome {
     let claims = format!(
         "key = \"k\"\n[[exponent]]\nid = \"e\"\nlocus = \"1\"\nscheme = \"chaikin\"\nat_least = '{bound}'\n"
     );
-    let certificate = format!(
-        "subcert-certificate 4\npaper k\nexponent e\n  scheme chaikin\n  at-least {bound}\n  order 3\n  product 1\n  \
+    let block = format!(
+        "exponent e\n  scheme chaikin\n  at-least {bound}\n  order 3\n  product 1\n  \
          eigenvalue positive 2\n  at-most 2\n  unit 1\n  image\n  image\n  continuous 1\n  not-continuous 2\n  end\n  \
-         confirmed\nend 1\n"
+         confirmed"
     );
-    let report = check(&claims, &[&certificate]).expect("a claim file");
-    report.claims.into_iter().next().expect("a claim").2
+    of_block(&claims, &block)
 }
 
 // The powers 2^(2^47·400000) and 2^(2^47·300000) have exponents beyond 64 bits, of which the first is greater.

@@ -1,6 +1,8 @@
 //! The form of a file of theorems of Coq. A text that differs from it in one character is rejected, so
 //! that no line of such a file can change what another one means.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use crate::cursor::{Cursor, Parsed};
 use crate::decimal::Q;
 use crate::reject::{Checked, Reason, Rejection, require};
@@ -153,8 +155,7 @@ fn file(c: &mut Cursor) -> Parsed<Theorems> {
                 return Err("a name that is not defined yet");
             }
         } else {
-            let theorem = theorem(c, &objects, theorems.len() + 1)?;
-            theorems.push(theorem);
+            theorems.push(theorem(c, &objects, theorems.len())?);
         }
     }
     if theorems.is_empty() {
@@ -207,11 +208,11 @@ fn rows(c: &mut Cursor, over: &BigInt) -> Parsed<Vec<Vec<Q>>> {
 }
 
 /// Two comments, the statement, and its proof, which is one lemma and one computation.
-fn theorem(c: &mut Cursor, objects: &BTreeMap<String, Object>, number: usize) -> Parsed<Theorem> {
+fn theorem(c: &mut Cursor, objects: &BTreeMap<String, Object>, before: usize) -> Parsed<Theorem> {
     let line = c.line();
     let (place, about) = (comment(c)?, comment(c)?);
     c.expect("Theorem finding_")?;
-    if natural(c)? != BigInt::from(number) {
+    if natural(c)? != BigInt::from(before) + 1 {
         return Err("the next number");
     }
     c.expect(" :\n  ")?;

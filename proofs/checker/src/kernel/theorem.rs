@@ -1,5 +1,7 @@
 //! Theorems of a paper that data refute: one instance, and the bound there.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use super::read::{Argument, Theorem, Theorems};
 use super::stated::{comment, masks, parameters, placed, ring};
 use crate::decimal::{Q, int, read_rational};

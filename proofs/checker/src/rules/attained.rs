@@ -1,5 +1,7 @@
 //! The rule `attained`: a constant and the residue class that attains it.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use crate::certificate::MAX_LINE;
 use crate::formula::parse;
 use crate::reject::{Checked, Reason, Text, compare, require};

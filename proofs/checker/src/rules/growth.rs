@@ -36,7 +36,10 @@ pub fn growth(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Known<Growth> {
         Expr::Of(Head::Power, parts) => {
             let base = steady(scope, &parts[0])?.ok_or(None)?;
             let (period, step) = slope(scope, &parts[1], depth + 1)?;
-            let ratio = base.power(step.integer(MAX_STEP).map_err(|_| None)?)?;
+            // A slope that is no integer gives no growth.
+            let capped = |stop: &Stop| matches!(stop, Stop::Capped(_));
+            let whole = step.integer(MAX_STEP).map_err(|stop| Some(stop).filter(capped))?;
+            let ratio = base.power(whole)?;
             scope.spend(ratio.cost(&ratio))?;
             Ok((period, ratio, 0))
         }
@@ -49,8 +52,8 @@ pub fn growth(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Known<Growth> {
                 let other = next.1.power((period / next.0).into())?;
                 scope.spend(own.cost(&other))?;
                 whole = match operator {
-                    '*' => (period, own.times(&other)?, whole.2 + next.2),
-                    '/' => (period, own.over(&other)?, whole.2 - next.2),
+                    '*' => (period, own.times(&other)?, degree(whole.2.checked_add(next.2))?),
+                    '/' => (period, own.over(&other)?, degree(whole.2.checked_sub(next.2))?),
                     _ => {
                         let same = own.equals(&other)? && whole.2 == next.2;
                         (period, Some(own).filter(|_| same).ok_or(None)?, whole.2)
@@ -74,7 +77,7 @@ fn slope(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Known<(u32, Value)> {
         Expr::Name(name) => slope(scope, definition(scope, name)?, depth + 1),
         Expr::Of(Head::Call(floor, _), parts) if floor == "floor" && parts.len() == 1 => {
             let (period, step) = slope(scope, &parts[0], depth + 1)?;
-            let times = step.rational().and_then(|step| step.denom().to_u32()).unwrap_or(0);
+            let times = step.rational().and_then(|step| step.denom().to_u32()).ok_or(None)?;
             let period = within(period * within(times)?)?;
             Ok((period, step.times(&Value::int(times.into()))?))
         }
@@ -127,6 +130,10 @@ fn definition<'s>(scope: &'s Scope<'_>, name: &str) -> Known<&'s Expr> {
 
 fn within(period: u32) -> Known<u32> {
     Some(period).filter(|period| (1..=MAX_PERIOD).contains(period)).ok_or(None)
+}
+
+fn degree(degree: Option<i64>) -> Result<i64, Stop> {
+    degree.ok_or(Stop::Capped("the power of the spread"))
 }
 
 fn nested(depth: usize) -> Result<(), Stop> {

@@ -1,5 +1,7 @@
 //! An instance of a theorem: one scheme and one value of each parameter.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use crate::certificate::Block;
 use crate::definitions::{formula, formula_of};
 use crate::evaluate::Scope;
@@ -7,7 +9,7 @@ use crate::local_rules::LocalRules;
 use crate::names::OF_THEOREMS;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, compare, require};
-use crate::scheme::Scheme;
+use crate::scheme::{MAX_OFFSET, Scheme};
 use crate::setting::Setting;
 use crate::toml::Toml;
 use crate::value::Value;
@@ -90,7 +92,7 @@ impl<'a> Instance<'a> {
             require(plain, Reason::Malformed("no interpolant of masks"))?;
             schemes = paper.library.resolve(reference, &scope)?;
             let said = claim.text("offset").map(|text| scope.value(&formula(text)?)).transpose()?;
-            offset = said.map(|offset| offset.integer(10_000)).transpose()?;
+            offset = said.map(|offset| offset.integer(MAX_OFFSET)).transpose()?;
             scope.scheme = schemes.first().map(Rc::clone);
             Setting::masks(paper.library, &schemes, offset)?
         };

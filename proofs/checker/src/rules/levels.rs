@@ -42,7 +42,7 @@ pub fn check<'a>(
     let said = block.after("grows")?.split_once(' ').unwrap_or_default();
     let same = said.0 == period.to_string() && paper.number(said.1)?.equals(&ratio)?;
     require(same, other(&format!("{period} {ratio}")))?;
-    let times: u32 = block.after("times")?.parse().unwrap_or(0);
+    let times: u32 = block.after("times")?.parse().map_err(|_| Reason::Malformed("times J"))?;
     let from = first_level(claim)?;
     let levels = period.checked_mul(times).filter(|levels| (1..=MAX_PERIOD).contains(levels));
     let levels = levels.filter(|_| from <= MAX_PERIOD).ok_or(Reason::Level)?;

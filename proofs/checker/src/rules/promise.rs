@@ -1,6 +1,8 @@
 //! The rule `promise`: whether the promise of a table about its printed numbers is kept for all
 //! control data, cell by cell.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use super::sound::{self, MAX_LEVEL, Promised};
 use crate::certificate::Block;
 use crate::decimal::Q;

@@ -122,7 +122,7 @@ fn nearness(library: &Library<'_>, scheme: &Scheme, offset: i64) -> Checked<Q> {
         }
         (sum, c) = (sum + norm, c + 1);
     };
-    let moved = Value::greatest(&moved(None, scheme, offset, 0)?, None)?;
+    let moved = Value::greatest(&moved(library.meter, None, (scheme, offset), 0)?, None)?;
     let moved = moved.rational().ok_or(Reason::NoContraction)?;
     Ok(moved * sum / (int(1) - last))
 }

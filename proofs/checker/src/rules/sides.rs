@@ -1,5 +1,7 @@
 //! The two sides of a refuted theorem: a quantity of control data, and the bound.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use super::instance::first_level;
 use crate::certificate::Block;
 use crate::decimal::{Q, read_rational};

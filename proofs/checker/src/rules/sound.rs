@@ -1,11 +1,12 @@
 //! The rule `sound`: a sound bound, beside the one that a table promises.
 
+use crate::certificate::words;
 use crate::definitions::formula;
 use crate::displacement::{gather, moved};
 use crate::evaluate::Scope;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, compare, require};
-use crate::scheme::Scheme;
+use crate::scheme::{MAX_OFFSET, Scheme};
 use crate::table::{Bounds, Place, Table};
 use crate::value::Value;
 use std::cell::RefCell;
@@ -13,9 +14,6 @@ use std::rc::Rc;
 
 /// The greatest level of a bound.
 pub const MAX_LEVEL: u32 = 10_000;
-
-/// The greatest offset.
-const MAX_OFFSET: i64 = 10_000;
 
 /// The most levels whose constants are computed.
 const MAX_BLOCK: i64 = 12;
@@ -88,13 +86,11 @@ impl<'t> Promised<'t> {
 
     /// The bound at a level that the constants `M c` give.
     pub fn bound(&self, level: i64, constants: &str) -> Checked<Value> {
-        let number = |text: &str| Ok(self.paper.number(text)?.integer(MAX_LEVEL.into())?);
-        let numbers = constants.split_whitespace().map(number).collect::<Checked<Vec<i64>>>()?;
-        let [most, block] = numbers[..] else {
-            return Err(Reason::Malformed("M c").into());
-        };
-        let proper = 1 <= block && block <= most && most <= MAX_BLOCK;
-        require(proper, Reason::Malformed("1 ≤ c ≤ M ≤ 12"))?;
+        let [most, block] = words(constants, "M c")?.map(|word| word.parse::<i64>().ok());
+        let proper =
+            |(most, block): &(i64, i64)| 1 <= *block && block <= most && *most <= MAX_BLOCK;
+        let numbers = most.zip(block).filter(proper);
+        let (most, block) = numbers.ok_or(Reason::Malformed("1 ≤ c ≤ M ≤ 12"))?;
         let level = i64::from(self::level(level)?);
         require(!self.schemes.is_empty(), Reason::NoPromise)?;
         let bound = self.of_block(level, most, block)?.ok_or(Reason::NoContraction)?;
@@ -120,7 +116,8 @@ impl<'t> Promised<'t> {
         if rest.sign(None)? <= 0 {
             return Ok(None);
         }
-        while upper.len() < place(level + block) {
+        let end = level.checked_add(block).ok_or(Stop::Capped("the level of a promise"))?;
+        while upper.len() < place(end) {
             let product = |j: usize| {
                 let next = upper[j].times(&upper[upper.len() - j])?;
                 self.scope.spend(next.cost(&next))?;
@@ -133,7 +130,7 @@ impl<'t> Promised<'t> {
             }
             upper.push(least);
         }
-        let later = &upper[place(level)..place(level + block)];
+        let later = &upper[place(level)..place(end)];
         let sum = later.iter().try_fold(Value::int(0), |sum, u| sum.times(&d)?.plus(1, u))?;
         // The sum is Σ_m U_m·d^(level + block − 1).
         let sum = sum.times(&d)?.over(&d.power(level)?)?;
@@ -154,7 +151,10 @@ impl<'t> Promised<'t> {
 
     /// σ, or for two factors the greatest ς_αλ_β + ς_β.
     pub fn factor(&self) -> Result<Value, Stop> {
-        let moved = |scheme: &Scheme| moved(None, scheme, self.offset.unwrap_or(scheme.offset), 0);
+        let moved = |scheme: &Scheme| {
+            let offset = self.offset.unwrap_or(scheme.offset);
+            moved(self.paper.library.meter, None, (scheme, offset), 0)
+        };
         let [first, second, ..] = &self.schemes[..] else {
             return Value::greatest(&moved(&self.schemes[0])?, None);
         };

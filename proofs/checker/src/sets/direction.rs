@@ -1,7 +1,7 @@
 //! What is certain of one direction, whatever the points are (THEOREMS.md, 167).
 
 use super::read::Given;
-use crate::decimal::{Q, int};
+use crate::decimal::{Q, capped, int};
 use crate::functional::Rules;
 use crate::meter::Meter;
 use crate::reject::{DepthChecked as Checked, DepthReason, Stop, require};
@@ -13,7 +13,7 @@ use num_traits::{One as _, Signed, ToPrimitive as _, Zero};
 const MAX_WINDOW: i64 = 64;
 
 /// Coefficients over their common denominator, and that, are less than this.
-const MAX_COEFFICIENT: i128 = 1 << 40;
+const MAX_COEFFICIENT: i64 = 1 << 40;
 
 /// The steps of one product of integers.
 const PRODUCT: u64 = 64;
@@ -96,7 +96,7 @@ impl Direction {
 
 /// The coefficients that are not 0 with the places of their points, and their common denominator.
 fn integers(given: &Given) -> Checked<(Vec<Rule>, i128)> {
-    let small = |x: i128| Some(x).filter(|x| x.abs() < MAX_COEFFICIENT);
+    let small = |x: i128| capped(x, MAX_COEFFICIENT - 1).map(i128::from);
     let of = |x: &BigInt| x.to_i128().and_then(small);
     let common = |over: i128, x: &Q| small(over.lcm(&of(x.denom())?));
     let over = given.rules.iter().flatten().try_fold(1, common);

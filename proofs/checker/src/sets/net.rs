@@ -1,7 +1,7 @@
 //! The refined points of a control polygon or net, in whole multiples of a small unit with bounds of their errors.
 
 use super::direction::Direction;
-use crate::decimal::{Q, int};
+use crate::decimal::{Q, capped as within, int};
 use crate::meter::Meter;
 use crate::reject::{DepthChecked as Checked, Stop};
 use num_integer::{Integer as _, Roots as _};
@@ -12,8 +12,8 @@ use std::rc::Rc;
 /// The tolerance is two to the power of this units.
 const UNITS: u32 = 36;
 
-/// Coordinates are less than two to the power of this units.
-const MAX_COORDINATE: u32 = 58;
+/// The greatest coordinate in units.
+const MAX_COORDINATE: i64 = (1 << 58) - 1;
 
 /// The most points that are kept; the others are computed anew.
 const MAX_KEPT: usize = 1 << 20;
@@ -42,10 +42,8 @@ fn capped<T>(what: &'static str) -> Checked<T> {
 
 impl Ratio {
     pub fn of(x: &Q) -> Checked<Ratio> {
-        match (x.numer().to_i64(), x.denom().to_i64()) {
-            (Some(top), Some(bottom)) if top.unsigned_abs() < 1 << 48 && bottom < 1 << 24 => {
-                Ok(Ratio { top: top.into(), bottom: bottom.into() })
-            }
+        match (within(x.numer(), (1 << 48) - 1), within(x.denom(), (1 << 24) - 1)) {
+            (Some(top), Some(bottom)) => Ok(Ratio { top: top.into(), bottom: bottom.into() }),
             _ => capped("the size of parameters"),
         }
     }
@@ -65,7 +63,7 @@ impl Ratio {
         let common = top.gcd(&bottom).max(1);
         let (top, bottom) = (top / common, bottom / common);
         // So that comparisons have room.
-        if top.unsigned_abs() < 1 << 62 && bottom < 1 << 46 {
+        if within(top, (1 << 62) - 1).is_some() && bottom < 1 << 46 {
             Ok(Ratio { top, bottom })
         } else {
             capped("the size of parameters")
@@ -120,9 +118,8 @@ impl<'a> Net<'a> {
             let top = x.numer() * origin.denom() - origin.numer() * x.denom();
             let top = (top << (UNITS + 1)) * tolerance.denom();
             let over = x.denom() * origin.denom() * tolerance.numer();
-            let units = (top + &over).div_floor(&(over << 1_u32)).to_i64();
-            let units = units.filter(|x| x.unsigned_abs() < 1 << MAX_COORDINATE);
-            units.map_or_else(|| capped(LARGE), |x| Ok(x.into()))
+            let units = (top + &over).div_floor(&(over << 1_u32));
+            within(&units, MAX_COORDINATE).map_or_else(|| capped(LARGE), |x| Ok(x.into()))
         };
         let control = points
             .iter()
@@ -191,7 +188,7 @@ impl<'a> Net<'a> {
         let coordinate = |c: usize| {
             let sum: i128 = terms.iter().map(|(factor, point)| factor * point[c]).sum();
             let x = (2 * sum + over).div_euclid(2 * over);
-            if x.unsigned_abs() < 1 << MAX_COORDINATE { Ok(x) } else { capped(LARGE) }
+            within(x, MAX_COORDINATE).map_or_else(|| capped(LARGE), |x| Ok(x.into()))
         };
         (0..self.dimensions).map(coordinate).collect()
     }

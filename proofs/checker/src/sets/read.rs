@@ -1,7 +1,9 @@
 //! The lines of a certificate of a depth.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use crate::certificate::{Line, alone};
-use crate::decimal::{Q, bits, read_rational};
+use crate::decimal::{Q, bits, capped as within, read_rational};
 use crate::reject::{At, DepthChecked as Checked, DepthReason, DepthRejection, Stop, require};
 use num_traits::{Signed, Zero};
 
@@ -184,7 +186,7 @@ impl Certificate {
 fn direction(line: usize, words: &[&str]) -> Checked<Given> {
     let shape = "direction OFFSET COUNT closed, or direction OFFSET COUNT FROM TO";
     let [offset, count, rest @ ..] = words else { return malformed(shape) };
-    let offset = offset.parse().ok().filter(|offset: &i64| offset.unsigned_abs() <= 1_000);
+    let offset = offset.parse().ok().and_then(|offset: i64| within(offset, 1_000));
     let count = count.parse().ok().filter(|count| (1..=MAX_POINTS).contains(count));
     let (Some(offset), Some(count)) = (offset, count) else { return malformed(shape) };
     let range = match rest {

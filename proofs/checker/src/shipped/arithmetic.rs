@@ -1,7 +1,7 @@
 //! Arithmetic of intervals: the result encloses the results for all numbers in them.
 
 use super::interval::Interval;
-use crate::decimal::Q;
+use crate::decimal::{Q, capped};
 use crate::reject::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -149,7 +149,8 @@ impl Interval {
         // √(n·2^(2h)) = √n·2^h; n gets twice the digits of the root.
         let (mut low, mut high, mut exponent) = self.cover(2 * bits + 2);
         let places = (2 * bits + 2).saturating_sub(low.bits());
-        let places = places + places.wrapping_add_signed(exponent) % 2;
+        // The exponent becomes even.
+        let places = places + (places ^ exponent.cast_unsigned()) % 2;
         (low, high) = (low << places, high << places);
         exponent -= i64::try_from(places).unwrap_or(0);
         let (least, most) = (low.sqrt(), high.sqrt());
@@ -176,7 +177,6 @@ impl Interval {
         if !value.is_integer() {
             return Err(Stop::Wrong(format!("{value} is no integer")));
         }
-        let integer = i64::try_from(value.numer()).ok().filter(|value| value.abs() <= limit);
-        integer.ok_or(Stop::Capped("the size of an integer"))
+        capped(value.numer(), limit).ok_or(Stop::Capped("the size of an integer"))
     }
 }

@@ -1,6 +1,6 @@
 //! Intervals with rational ends, which enclose real numbers.
 
-use crate::decimal::{Q, bits};
+use crate::decimal::{Q, bits, capped};
 use crate::polynomial::signum;
 use crate::reject::Stop;
 use num_bigint::BigInt;
@@ -58,9 +58,8 @@ impl Interval {
 
     /// The interval from low·2^exponent to high·2^exponent, rounded outward to so many binary digits.
     pub fn new(low: BigInt, high: BigInt, exponent: i64, bits: u64) -> Result<Interval, Stop> {
-        if !(-MAX_EXPONENT..=MAX_EXPONENT).contains(&exponent) {
-            return Err(Stop::Capped("the exponent of a number"));
-        }
+        let exponent =
+            capped(exponent, MAX_EXPONENT).ok_or(Stop::Capped("the exponent of a number"))?;
         if low == high {
             return Interval::point(scaled(&low, exponent));
         }

@@ -1,5 +1,7 @@
 //! How a table came about that is not what it is said to be.
 
+#![warn(clippy::arithmetic_side_effects)]
+
 use super::interval::Interval;
 use super::rounding::{SINGLE, rounded, ten};
 use super::table::{Exact, Table};

@@ -229,7 +229,7 @@ impl<'m> Sturm<'m> {
         };
         let over = common_multiple(known.iter().map(|c| c.denom()))?;
         let leading = known[known.len() - 1] * Q::from_integer(over);
-        if (high - low) * leading.abs() >= int(1) {
+        if int(1) <= (high - low) * leading.abs() {
             return Ok(None);
         }
         let candidate = (high * leading.abs()).floor() / leading.abs();

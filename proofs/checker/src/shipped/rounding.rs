@@ -92,7 +92,8 @@ impl Type {
 
 /// 10^exponent.
 pub fn ten(exponent: i64) -> Q {
-    Pow::pow(int(10), i32::try_from(exponent).unwrap_or(0))
+    let power = Pow::pow(BigInt::from(10), exponent.unsigned_abs());
+    if exponent < 0 { Q::new_raw(BigInt::one(), power) } else { Q::from_integer(power) }
 }
 
 /// x rounded to so many digits after the point, half to even.
@@ -153,7 +154,7 @@ impl Format {
     /// The number nearest to x, half to even. `None` if that is infinite.
     pub fn round(self, x: &Q) -> Option<Q> {
         let count = self.nearest(x);
-        (count.abs() < self.infinite()).then(|| self.value(count))
+        (count.unsigned_abs() < self.infinite().unsigned_abs()).then(|| self.value(count))
     }
 }
 

@@ -26,7 +26,7 @@ fn turned(cosine: &Ball, [p, q]: &Point, turns: i32) -> Point {
     let twice = cosine.plus(cosine);
     let zero = Ball::from(0);
     let mut point = [p.clone(), q.clone()];
-    for _ in 0..turns.abs() {
+    for _ in 0..turns.unsigned_abs() {
         let [p, q] = &point;
         point = if turns > 0 {
             [zero.minus(q), p.plus(&twice.times(q))]

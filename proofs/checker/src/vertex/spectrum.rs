@@ -79,7 +79,7 @@ pub fn check(inner: &Inner, k: usize, [low, high]: [&Q; 2], r: &Q) -> Checked<()
     let size = low.clone().max(-high.clone());
     require(*r >= Q::zero() && *r <= size && size > Q::zero(), Reason::Vertex("0 ≤ r ≤ |λ|"))?;
     require(low < high && high.clone().max(-low.clone()) < int(1), Reason::Vertex("|λ| < 1"))?;
-    require(2 * k < inner.order, Reason::Vertex("k < n/2"))?;
+    require(k < inner.order.div_ceil(2), Reason::Vertex("k < n/2"))?;
     let between = Ball::between(low, high);
     for block in 0..=inner.order / 2 {
         let mut p = characteristic(&inner.block(block)?);
@@ -104,7 +104,7 @@ pub fn check(inner: &Inner, k: usize, [low, high]: [&Q; 2], r: &Q) -> Checked<()
 /// Checks that block k has an eigenvalue above 1, or below −1: its characteristic polynomial, for k = 0 divided by x − 1,
 /// is negative at 1, or has at −1 another sign than far to the left.
 pub fn diverges(inner: &Inner, k: usize, side: i64) -> Checked<()> {
-    require(2 * k <= inner.order, Reason::Vertex("k ≤ n/2"))?;
+    require(k <= inner.order / 2, Reason::Vertex("k ≤ n/2"))?;
     let mut p = characteristic(&inner.block(k)?);
     if k == 0 {
         p = without(&p, &Ball::from(1));
