@@ -67,7 +67,8 @@ impl Element {
     pub fn floor(self) -> Result<BigInt, Stop> {
         // The floor is found by bisection between −bound and bound.
         let Element { n, mut top, bottom } = self;
-        let bound: BigInt = top.iter().enumerate().map(|(i, c)| BigInt::from(c.magnitude() << i)).sum();
+        let bound: BigInt =
+            top.iter().enumerate().map(|(i, c)| BigInt::from(c.magnitude() << i)).sum();
         let bound = bound / &bottom + 1;
         let (mut low, mut high) = (-&bound, bound + 1);
         let constant = top[0].clone();

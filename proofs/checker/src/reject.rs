@@ -152,6 +152,7 @@ reasons! {
     TwiceStated(line: usize) "the theorem in line {line} says the same of the same place; a finding is stated once"
     OtherFile "another file of these has the theorems about this claim; each claim has one file"
     NotAsked "the value of the cell does not use this constant"
+    NotLeast(level: i64) "the depth {level} is not the least that the constants of the proof give"
     NoValueGiven(name: String) "no valid certificate gives a value of {name}"
     NotViolated(value: Text, bound: Text) "the value is {value}, which does not violate the bound {bound}"
 }

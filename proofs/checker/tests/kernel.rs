@@ -86,7 +86,7 @@ const FORMS: [Change; 17] = [
 ];
 
 /// Differences from the claim file. All are well-formed, and Coq accepts many of them.
-const NEWTON: [Change; 16] = [
+const NEWTON: [Change; 18] = [
     ("khan2019-newton, table", "khan2019-other, table", STATED),
     ("table table-1 (", "table table-2 (", STATED),
     ("table table-1 (", "table table-9 (", "the claim file has no such claim"),
@@ -99,6 +99,13 @@ const NEWTON: [Change; 16] = [
     ("Scheme 4 0 [[3; 1]; [1; 3]]", "Scheme 4 1 [[3; 1]; [1; 3]]", STATED),
     ("Scheme 4 0 [[3; 1]; [1; 3]]", "Scheme 5 0 [[3; 1]; [1; 3]]", STATED),
     ("bounds_distance scheme_1 0 1 (1 # 4)", "bounds_distance scheme_1 0 2 (1 # 4)", STATED),
+    // Coq proves any greater number.
+    ("bounds_distance scheme_1 0 1 (1 # 4)", "bounds_distance scheme_1 0 1 (1000 # 1)", STATED),
+    (
+        "bounds_distance_by scheme_1 0 1 1",
+        "bounds_distance_by scheme_1 0 13 1",
+        "the line does not have",
+    ),
     ("scheme_1 0 4 1 (39 # 1250)", "scheme_1 0 4 1 (38 # 1250)", STATED),
     ("scheme_1 0 4 1 (39 # 1250)", "scheme_1 (-1 # 2) 4 1 (39 # 1250)", STATED),
     ("Broken at level 4", "Broken at natural parameters at level 4", STATED),
@@ -202,6 +209,35 @@ fn a_finding_is_stated_once() {
     }
 }
 
+/// A certificate with the table of a number alone.
+fn certificate_of(number: usize) -> String {
+    let certificate = text("certificates/mustafa2020-nary.cert");
+    let start = |number: usize| certificate.find(&format!("table table-{number}\n"));
+    let block =
+        &certificate[start(number).expect("the table")..start(number + 1).expect("the next")];
+    format!("subcert-certificate 4\npaper mustafa2020-nary\n{block}end 1\n")
+}
+
+/// A depth that suffices is that of the finding: Coq proves any greater one, too.
+#[test]
+fn a_depth_is_the_least_one() {
+    let claims = text("claims/mustafa2020-nary.toml");
+    let original = text("coq/papers/mustafa2020_nary/table_6.v");
+    let line = original.lines().find(|line| line.starts_with("  sufficient_depth "));
+    let (start, level) =
+        line.and_then(|line| line.trim_end_matches('.').rsplit_once(' ')).expect("a depth");
+    let level: i64 = level.parse().expect("a number");
+    let others = [level + 1, level - 1, 1_000];
+    let changed = others.map(|other| {
+        original.replacen(&format!("{start} {level}."), &format!("{start} {other}."), 1)
+    });
+    let texts: Vec<&str> = [&original].into_iter().chain(&changed).map(String::as_str).collect();
+    let outcomes = check_theorems(&claims, &[&certificate_of(6)], &texts).expect("claims");
+    let reasons: Vec<_> = outcomes.into_iter().map(|it| it.err().map(|it| it.reason)).collect();
+    assert_eq!(reasons[0], None);
+    assert_eq!(reasons[1..], others.map(|other| Some(Reason::NotLeast(other))));
+}
+
 /// T_c has an order and a number of levels, which the cell has to use.
 #[test]
 fn constants_are_those_of_the_cell() {
@@ -225,13 +261,7 @@ fn constants_are_those_of_the_cell() {
 fn recovered_values_come_from_a_certificate() {
     let claims = text("claims/mustafa2020-nary.toml");
     let theorems = text("coq/papers/mustafa2020_nary/table_1.v");
-    let certificate = text("certificates/mustafa2020-nary.cert");
-    let (start, end) = ("table table-1\n", "table table-2\n");
-    let from = certificate.find(start).expect("the table");
-    let to = certificate.find(end).expect("the next one");
-    let block = &certificate[from..to];
-    let head = "subcert-certificate 4\npaper mustafa2020-nary\n";
-    let one = format!("{head}{block}end 1\n");
+    let one = certificate_of(1);
     let other = one.replacen("recovered w 39/2000", "recovered w 39/2001", 1);
     let reason = |certificates: &[&str], theorems: &str| {
         let outcomes = check_theorems(&claims, certificates, &[theorems]).expect("claims");

@@ -7,7 +7,7 @@ use crate::library::Constant;
 use crate::local_rules::LocalRules;
 use crate::paper::{Paper, printed};
 use crate::reject::{At, Checked, Reason, compare, require};
-use crate::rules::Promised;
+use crate::rules::{Promised, promised_level};
 use crate::table::{Place, Read, Table};
 use crate::toml::Toml;
 use crate::value::Value;
@@ -64,8 +64,10 @@ fn one(table: &Table<'_>, theorem: &Theorem) -> Checked<()> {
             let promised = Promised::new(table, at)?;
             let level = promised.level.ok_or(Reason::NoPromise)?;
             let mut expected = curve(&promised, Points::Indexed)?;
-            let level = u32::try_from(level).map_err(|_| Reason::Malformed("a level"))?;
-            expected.push(Argument::Level(level));
+            expected.push(Argument::Level(promised_level(level)?));
+            // The sound bound by the constants that prove it.
+            let bound = promised.for_unit(level, theorem.evidence)?;
+            expected.push(Argument::Number(rational(&bound)?));
             stated(theorem, "bounds_distance", &expected)
         }
         ("sufficient_depth", "This depth suffices.") => {
@@ -74,7 +76,18 @@ fn one(table: &Table<'_>, theorem: &Theorem) -> Checked<()> {
             let mut expected = curve(&promised, Points::Indexed)?;
             expected.push(Argument::Number(rational(&promised.spread)?));
             expected.push(Argument::Number(rational(tolerance)?));
-            stated(theorem, "sufficient_depth", &expected)
+            stated(theorem, "sufficient_depth", &expected)?;
+            // It is the least level whose sound bound, by the constants that prove it, is at most the tolerance.
+            let level = match theorem.arguments.last() {
+                Some(Argument::Level(level)) => i64::from(*level),
+                _ => return Err(Reason::Malformed("a level").into()),
+            };
+            let suffices = |level: i64| -> Checked<bool> {
+                let bound = promised.for_unit(level, theorem.evidence)?.times(&promised.spread)?;
+                Ok(bound.compare(tolerance)?.is_le())
+            };
+            let least = suffices(level)? && (level == 0 || !suffices(level - 1)?);
+            require(least, Reason::NotLeast(level))
         }
         _ => broken(table, at, theorem),
     }

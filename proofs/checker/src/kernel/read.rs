@@ -109,6 +109,8 @@ pub struct Theorem {
     pub statement: String,
     /// Its arguments.
     pub arguments: Vec<Argument>,
+    /// The last two arguments of its lemma, if these are natural numbers.
+    pub evidence: [Option<i64>; 2],
 }
 
 /// Reads a file.
@@ -228,16 +230,17 @@ fn theorem(c: &mut Cursor, objects: &BTreeMap<String, Object>, before: usize) ->
     let several = c.eat("(");
     c.expect_text(statement, "the lemma of the statement")?;
     c.expect("_by")?;
+    let mut last = [None; 2];
     if several {
         while !c.eat(")") {
             if !c.eat("\n  ") {
                 c.expect(" ")?;
             }
-            evidence(c)?;
+            last = [last[1], evidence(c)?];
         }
     }
     c.expect(". vm_cast_no_check (eq_refl true). Qed.\n")?;
-    Ok(Theorem { line, place, about, statement: said, arguments })
+    Ok(Theorem { line, place, about, statement: said, arguments, evidence: last })
 }
 
 fn argument(c: &mut Cursor, objects: &BTreeMap<String, Object>, kind: &str) -> Parsed<Argument> {
@@ -263,23 +266,25 @@ fn argument(c: &mut Cursor, objects: &BTreeMap<String, Object>, kind: &str) -> P
     })
 }
 
-/// An argument of a lemma, which cannot change the statement: numbers, lists of numbers, and names.
-fn evidence(c: &mut Cursor) -> Parsed<()> {
+/// An argument of a lemma, which cannot change the statement: numbers, lists of numbers, and names. Gives a natural
+/// number.
+fn evidence(c: &mut Cursor) -> Parsed<Option<i64>> {
     if c.is_at("[") {
         list(c, integer)?;
-        c.expect("%Z")
+        c.expect("%Z")?;
     } else if c.is_at("(") {
         c.expect("(")?;
         integer(c)?;
         if c.eat(" # ") {
             positive(c)?;
         }
-        c.expect(")")
+        c.expect(")")?;
     } else if c.peek().is_some_and(|next| next.is_ascii_digit()) {
-        natural(c).map(|_| ())
+        return Ok(i64::try_from(&natural(c)?).ok());
     } else {
-        word(c).map(|_| ())
+        word(c)?;
     }
+    Ok(None)
 }
 
 /// `(* TEXT *)` in one line. What would open or close a comment or a string is not in the text.

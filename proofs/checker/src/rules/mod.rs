@@ -38,7 +38,7 @@ use crate::toml::Toml;
 pub use instance::{Instance, first_level};
 pub use recovered::{Given, Recovered};
 pub use sides::Stated;
-pub use sound::Promised;
+pub use sound::{Promised, level as promised_level};
 use theorem::Citation;
 
 /// The verdict that a valid certificate proves.

@@ -86,15 +86,19 @@ impl<'t> Promised<'t> {
 
     /// The bound at a level that the constants `M c` give.
     pub fn bound(&self, level: i64, constants: &str) -> Checked<Value> {
-        let [most, block] = words(constants, "M c")?.map(|word| word.parse::<i64>().ok());
+        let constants = words(constants, "M c")?.map(|word| word.parse().ok());
+        Ok(self.for_unit(level, constants)?.times(&self.spread)?)
+    }
+
+    /// The same for β = 1, by M and c.
+    pub fn for_unit(&self, level: i64, [most, block]: [Option<i64>; 2]) -> Checked<Value> {
         let proper =
             |(most, block): &(i64, i64)| 1 <= *block && block <= most && *most <= MAX_BLOCK;
         let numbers = most.zip(block).filter(proper);
         let (most, block) = numbers.ok_or(Reason::Malformed("1 ≤ c ≤ M ≤ 12"))?;
         let level = i64::from(self::level(level)?);
         require(!self.schemes.is_empty(), Reason::NoPromise)?;
-        let bound = self.of_block(level, most, block)?.ok_or(Reason::NoContraction)?;
-        Ok(bound.times(&self.spread)?)
+        Ok(self.of_block(level, most, block)?.ok_or(Reason::NoContraction)?)
     }
 
     /// The bound at a level for β = 1; `None` if the block does not contract.
