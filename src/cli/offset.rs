@@ -4,7 +4,7 @@ use super::json::offset as form;
 use super::output::Failure;
 use subcert::bound::BetterOffset;
 use subcert::exact::format::short;
-use subcert::report::{Sheet, json::Exact};
+use subcert::report::{Sheet, json};
 use subcert::scheme::{Scheme, files_without_offset};
 
 /// A better offset of a file that states none.
@@ -40,11 +40,6 @@ impl OfFile {
     }
 
     pub(super) fn form(&self) -> form::BetterOffset<'_> {
-        form::BetterOffset {
-            file: &self.file,
-            offset: self.better.offset,
-            displacement: Exact::of(&self.better.least),
-            displacement_at_zero: Exact::of(&self.better.at_zero),
-        }
+        form::BetterOffset { file: &self.file, better: json::BetterOffset::of(&self.better) }
     }
 }

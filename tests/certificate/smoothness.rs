@@ -113,6 +113,13 @@ fn rounded_ends_of_ranges_have_one_rule() {
     // C^1 up to 0.19273, and these are a value beyond it, and one below it that the claim leaves out.
     let (beyond, inside) =
         (refuted("from = '0'\nto = '1/5'"), refuted("from = '0'\nto = '1/8'\nonly = true"));
+    // The verdict of the program, and whether the checker takes the certificate with this value.
+    let says = |ends: &str, verdict: &str, (at, certificate): &(Rational, String), valid: bool| {
+        let claim = claim(ends);
+        assert_eq!(judged(&paper(&claim)).smoothness[0].verdict.name(), verdict, "{ends}");
+        let report = check(&format!("{HEAD}{claim}"), &[certificate]).expect("a claim file");
+        assert_eq!(report.claims[0].2 == Outcome::Valid, valid, "{ends}: {at:?}");
+    };
     let q = Rational::new;
     for (ends, verdict, least) in [
         ("to = '0.20'", "rounding", q(19, 100)),
@@ -123,15 +130,7 @@ fn rounded_ends_of_ranges_have_one_rule() {
         ("to = '1'", "refuted", q(1, 1)),
         ("to = '0.19'", "confirmed", q(18, 100)),
     ] {
-        let claim = claim(&format!("from = '0'\n{ends}"));
-        assert_eq!(judged(&paper(&claim)).smoothness[0].verdict.name(), verdict, "{ends}");
-        let report = check(&format!("{HEAD}{claim}"), &[&beyond.1]).expect("a claim file");
-        assert_eq!(
-            report.claims[0].2 == Outcome::Valid,
-            beyond.0 <= least,
-            "{ends}: {:?}",
-            beyond.0
-        );
+        says(&format!("from = '0'\n{ends}"), verdict, &beyond, beyond.0 <= least);
     }
     for (ends, verdict, most) in [
         ("to = '0.18'", "refuted", q(19, 100)),
@@ -139,24 +138,13 @@ fn rounded_ends_of_ranges_have_one_rule() {
         ("to = '0.1'", "refuted", q(1, 10)),
         ("to = '0.11'", "refuted", q(12, 100)),
     ] {
-        let claim = claim(&format!("from = '0'\nonly = true\n{ends}"));
-        assert_eq!(judged(&paper(&claim)).smoothness[0].verdict.name(), verdict, "{ends}");
-        let report = check(&format!("{HEAD}{claim}"), &[&inside.1]).expect("a claim file");
-        assert_eq!(
-            report.claims[0].2 == Outcome::Valid,
-            inside.0 >= most,
-            "{ends}: {:?}",
-            inside.0
-        );
+        says(&format!("from = '0'\nonly = true\n{ends}"), verdict, &inside, inside.0 >= most);
     }
     // Between ends that are less than two units apart nothing is certain; they are taken as they stand.
     for (ends, valid) in
         [("from = '0.19'\nto = '0.20'", true), ("from = '0.18'\nto = '0.21'", true)]
     {
-        let claim = claim(ends);
-        assert_eq!(judged(&paper(&claim)).smoothness[0].verdict.name(), "refuted", "{ends}");
-        let report = check(&format!("{HEAD}{claim}"), &[&beyond.1]).expect("a claim file");
-        assert_eq!(report.claims[0].2 == Outcome::Valid, valid, "{ends}: {:?}", beyond.0);
+        says(ends, "refuted", &beyond, valid);
     }
 }
 

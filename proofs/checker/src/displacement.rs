@@ -6,7 +6,6 @@ use crate::piece::Piece;
 use crate::reject::Stop;
 use crate::scheme::Scheme;
 use crate::value::Value;
-use num_traits::{Signed, Zero};
 
 /// The sum of the absolute values (terms = 0), or the absolute value of the sum (terms = 1).
 pub fn gather(piece: Option<&Piece<'_>>, values: &[Value], terms: usize) -> Result<Value, Stop> {
@@ -57,33 +56,22 @@ pub fn moved(
 }
 
 /// The offset from −N to 1 at which max_α Σ_m |ã_{α,m}| is least; of several the one nearest to 0, −1 before 1.
-pub fn best_offset(scheme: &Scheme) -> Result<i64, Stop> {
-    let rows = Value::rationals(&scheme.mask);
-    let rows = rows.ok_or(Stop::Capped("the best offset of a mask that is not rational"))?;
-    // With a coefficient 0 before its first, a rule at the offset o is one at o − 1 = −b, and b ≥ 0. For each rule the sums
-    // Σ_{h<c} a_h, c = 0, 1, …
-    let heads = |row: &Vec<Q>| {
-        let mut sums = vec![Q::zero(), Q::zero()];
-        for (a, place) in row.iter().zip(1..) {
-            sums.push(&sums[place] + a);
+pub fn best_offset(meter: &Meter, scheme: &Scheme) -> Result<i64, Stop> {
+    let width = scheme.mask.first().map_or(0, Vec::len);
+    let width = i64::try_from(width).map_err(|_| Stop::Capped("the width of a mask"))?;
+    let mut offsets: Vec<i64> = (-width..=1).collect();
+    offsets.sort_by_key(|offset| offset.unsigned_abs());
+    let mut best: Option<(Q, i64)> = None;
+    for offset in offsets {
+        let greatest = Value::greatest(&moved(meter, None, (scheme, offset), 0)?, None)?;
+        let greatest = greatest.rational();
+        let greatest =
+            greatest.ok_or(Stop::Capped("the best offset of a mask that is not rational"))?;
+        if best.as_ref().is_none_or(|(least, _)| greatest < *least) {
+            best = Some((greatest, offset));
         }
-        sums
-    };
-    let heads: Vec<Vec<Q>> = rows.iter().map(heads).collect();
-    let width = heads.first().map_or(0, |sums| sums.len() - 1);
-    // ã_{α,m} is Σ_{h≥c} a_h for m > 0, less α/n for m = 0, and −Σ_{h<c} a_h for m < 0, with c = m + 1 + b.
-    let moved = |b: usize, sums: &Vec<Q>, alpha: usize| {
-        let above = (b + 2..=width).map(|c| (&sums[width] - &sums[c]).abs());
-        let below = sums[..=b].iter().map(Q::abs);
-        let middle = &sums[width] - &sums[(b + 1).min(width)];
-        above.chain(below).sum::<Q>() + (middle - Q::new(alpha.into(), rows.len().into())).abs()
-    };
-    let greatest =
-        |b: usize| heads.iter().enumerate().map(|(alpha, sums)| moved(b, sums, alpha)).max();
-    let order = [1, 2, 0].into_iter().chain(3..=width);
-    let best = order.filter(|b| *b <= width).min_by_key(|b| greatest(*b));
-    let best = best.and_then(|b| i64::try_from(b).ok());
-    best.map(|b| 1 - b).ok_or(Stop::Capped("the width of a mask"))
+    }
+    Ok(best.map_or(0, |(_, offset)| offset))
 }
 
 fn fraction(top: usize, bottom: usize) -> Value {

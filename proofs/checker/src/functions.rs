@@ -92,7 +92,7 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
             let word = call.word("offset", "own");
             let o = match word.parse::<BigInt>() {
                 _ if word == "own" => scheme.offset,
-                _ if word == "best" && piece.is_none() => best_offset(&scheme)?,
+                _ if word == "best" && piece.is_none() => best_offset(library.meter, &scheme)?,
                 Ok(o) => capped(&o, MAX_OFFSET).ok_or(Stop::Capped("the size of an offset"))?,
                 Err(_) => return wrong(format!("`{word}` is no offset")),
             };

@@ -64,9 +64,7 @@ impl Paper {
         }
         used
     }
-}
 
-impl Paper {
     /// The schemes with a mask in the claim file, and without an offset, that a table or a `use` of the file names.
     pub(crate) fn without_offset<'p>(&'p self, table: &'p Table) -> impl Iterator<Item = &'p str> {
         let uses = self.schemes.values().filter_map(|source| match source {

@@ -225,6 +225,7 @@ impl SmoothRangeStatement {
         if ordered { IntervalSet::from(Interval { low, high }) } else { IntervalSet::default() }
     }
 }
+
 /// An end of a printed interval.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RangeEnd {

@@ -6,6 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::choices::OFFSET;
 use crate::evaluation::context::At;
 use crate::evaluation::library::Library;
+use crate::evaluation::quantity::Quantities;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
 use crate::finding::{TableFinding, UnstatedOffset};
@@ -35,27 +36,35 @@ pub(crate) fn unstated(
             None => false,
         };
         let (assume, settings) = (BTreeSet::new(), Settings::default());
-        for (row, cells) in table.cells.iter().enumerate() {
-            for column in 0..cells.len() {
-                let at = At { row, column, assume: &assume, settings: &settings };
-                let Ok(quantities) = judge.quantities(at)? else { continue };
-                let own = || {
-                    let asked = judge.evaluate(&table.value, at).is_ok();
-                    let consulted = judge.rows.choices.get(OFFSET.key).cloned();
-                    let consulted = consulted.or_else(|| settings.consulted().remove(OFFSET.key));
-                    asked && consulted.is_some_and(|word| word == "own")
-                };
-                let Some(scheme) = &quantities.scheme else { continue };
-                for (instance, constants) in scheme.instances.iter().zip(&scheme.constants) {
-                    let better = left.contains(&instance.name[..]).then(|| constants.mask());
-                    let better = better.and_then(BetterOffset::of);
-                    if let Some(better) = better.filter(|_| promised || own()) {
-                        left.remove(&instance.name[..]);
-                        found.push(UnstatedOffset { scheme: instance.clone(), better });
-                    }
+        let rows = table.cells.iter().enumerate();
+        for (row, column) in rows.flat_map(|(row, cells)| (0..cells.len()).map(move |c| (row, c))) {
+            if left.is_empty() {
+                break;
+            }
+            let at = At { row, column, assume: &assume, settings: &settings };
+            let Ok(Quantities { scheme: Some(scheme), .. }) = judge.quantities(at)? else {
+                continue;
+            };
+            if !promised && !takes_own_offset(&judge, at) {
+                continue;
+            }
+            for (instance, constants) in scheme.instances.iter().zip(&scheme.constants) {
+                if left.contains(&instance.name[..])
+                    && let Some(better) = BetterOffset::of(constants.mask())
+                {
+                    left.remove(&instance.name[..]);
+                    found.push(UnstatedOffset { scheme: instance.clone(), better });
                 }
             }
         }
     }
     Ok(found)
+}
+
+/// Whether the value of a cell as printed has σ at the scheme's own offset.
+fn takes_own_offset(judge: &Evaluator<'_>, at: At<'_>) -> bool {
+    let has_value = judge.evaluate(&judge.table.value, at).is_ok();
+    let word = judge.rows.choices.get(OFFSET.key).cloned();
+    let word = word.or_else(|| at.settings.consulted().remove(OFFSET.key));
+    has_value && word.is_some_and(|word| word == "own")
 }

@@ -2,7 +2,7 @@
 //! file states no offset.
 
 use serde::Serialize;
-use subcert::report::json::Exact;
+use subcert::report::json;
 
 /// An offset that is better than 0, which is taken where a file states none.
 #[derive(Serialize)]
@@ -10,10 +10,7 @@ use subcert::report::json::Exact;
 pub struct BetterOffset<'a> {
     /// The file.
     pub file: &'a str,
-    /// The offset with the least σ.
-    pub offset: i64,
-    /// σ at that offset.
-    pub displacement: Exact,
-    /// σ at offset 0.
-    pub displacement_at_zero: Exact,
+    /// The better offset.
+    #[serde(flatten)]
+    pub better: json::BetterOffset,
 }

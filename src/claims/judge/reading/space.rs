@@ -1,7 +1,7 @@
 //! The readings of one table, and the choices in which they may differ.
 
 use crate::claim::{Cell, Printed};
-use crate::evaluation::choices::{BEST_OFFSET, DECIMAL_ROUNDING, FAMILY, FORWARD, OFFSET, ORDER};
+use crate::evaluation::choices::{BEST_OFFSET, DECIMAL_ROUNDING, FAMILY, FORWARD, ORDER};
 use crate::evaluation::context::At;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
@@ -149,9 +149,7 @@ impl<'s> Space<'s> {
                     None => continue,
                     Some(printed) => ways
                         .filter(|way| way.word != printed)
-                        .filter(|way| {
-                            choice.key != OFFSET.key || way.word != BEST_OFFSET || unstated
-                        })
+                        .filter(|way| way.word != BEST_OFFSET || unstated)
                         .map(|way| Change::Way(choice, way))
                         .collect(),
                 },

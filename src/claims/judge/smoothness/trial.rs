@@ -132,8 +132,8 @@ impl<W> Trial<'_, W> {
         inside: bool,
     ) -> Result<Option<(Rational, bool, W)>, Diagnostic> {
         // At an end, where something changes, a proof takes longest.
-        let tried = set.intervals().iter().flat_map(|one| [simple(&one.interior()), simple(one)]);
-        for at in tried.flatten() {
+        let tried = set.intervals().iter().flat_map(|one| [one.interior(), one.clone()]);
+        for at in tried.filter_map(|one| simple(&one)) {
             if let Some((smooth, known)) = (self.at)(&at)?
                 && smooth != inside
             {

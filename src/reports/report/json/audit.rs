@@ -3,11 +3,11 @@
 use super::SCHEMA;
 use super::claim::Claim;
 use super::consistency::Contradiction;
-use super::exact::Exact;
+use super::offset::BetterOffset;
 use super::reading::Search;
 use super::recovered::{Fitting, Recovered};
 use super::summary::Summary;
-use crate::audit::{PaperAudit, PromiseCounts, TableFinding, UnstatedOffset, Verdict};
+use crate::audit::{self, PaperAudit, PromiseCounts, TableFinding, Verdict};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -36,7 +36,7 @@ pub struct Paper<'a> {
     pub contradictions: Vec<Contradiction<'a>>,
     /// The better offsets of schemes whose offset the claim file does not state; missing where there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub better_offsets: Vec<BetterOffset>,
+    pub better_offsets: Vec<UnstatedOffset>,
     /// Its tables.
     pub tables: Vec<Table<'a>>,
     /// How many cells are in each standing.
@@ -48,25 +48,18 @@ pub struct Paper<'a> {
 /// A scheme whose offset the claim file does not state, with a better one than 0.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct BetterOffset {
+pub struct UnstatedOffset {
     /// The scheme, with the parameters of the first cell whose scheme it is.
     pub scheme: String,
-    /// The offset with the least σ.
-    pub offset: i64,
-    /// σ at that offset.
-    pub displacement: Exact,
-    /// σ at offset 0.
-    pub displacement_at_zero: Exact,
+    /// The better offset of its mask.
+    #[serde(flatten)]
+    pub better: BetterOffset,
 }
 
-impl BetterOffset {
-    fn of(UnstatedOffset { scheme, better }: &UnstatedOffset) -> BetterOffset {
-        BetterOffset {
-            scheme: scheme.to_string(),
-            offset: better.offset,
-            displacement: Exact::of(&better.least),
-            displacement_at_zero: Exact::of(&better.at_zero),
-        }
+impl UnstatedOffset {
+    fn of(found: &audit::UnstatedOffset) -> UnstatedOffset {
+        let better = BetterOffset::of(&found.better);
+        UnstatedOffset { scheme: found.scheme.to_string(), better }
     }
 }
 
@@ -138,7 +131,7 @@ impl<'a> Paper<'a> {
             claims,
             summary,
             contradictions: Contradiction::all(audit),
-            better_offsets: audit.unstated_offsets.iter().map(BetterOffset::of).collect(),
+            better_offsets: audit.unstated_offsets.iter().map(UnstatedOffset::of).collect(),
             tables: audit.tables.iter().map(Table::of).collect(),
             cells: Summary::of(&audit.cell_summary()),
             promises: PromiseTally { kept, broken, open },

@@ -13,6 +13,7 @@ mod errata;
 mod exact;
 mod explain;
 mod facts;
+mod offset;
 mod promise;
 mod reading;
 mod recovered;
@@ -27,7 +28,7 @@ mod vertex;
 mod witness;
 mod working;
 
-pub use audit::{AuditReport, Paper, PromiseTally, Table};
+pub use audit::{AuditReport, Paper, PromiseTally, Table, UnstatedOffset};
 pub use by_hand::{ByHand, Constant, HandMask, Level, Point, Side as HandSide, Weights};
 pub use cell::{AsRead, CellSound, SoundValue};
 pub use claim::{Certificate, Claim, Details, End, Failure, Sound};
@@ -42,6 +43,7 @@ pub use facts::{
     CurveForm, DepthForm, Facts, FactsForm, OffsetForm, OpenForm, Order, Ranges, StencilForm,
     ValenceForm, WeightForm,
 };
+pub use offset::BetterOffset;
 pub use promise::{Broken, ControlData, Natural as NaturalPromise, Promise};
 pub use reading::{Explanation, Line, Reading, ReadingOfCell, Search, Shift, Solved};
 pub use recovered::{Fitting, Recovered};
