@@ -33,9 +33,9 @@ pub(super) fn unstated_offsets(audit: &PaperAudit<'_>) -> impl Iterator<Item = S
     audit.unstated_offsets.iter().map(|UnstatedOffset { scheme, better }| {
         let BetterOffset { offset, least, at_zero } = better;
         format!(
-            "the mask of `{scheme}` stands in the claim file without an offset, so it is 0, where σ = {}; at {offset} σ is \
-             {}. If the paper counts its points so, write beside the mask: offset = '{offset}'. Until then its bounds and \
-             promises are judged at 0.",
+            "the claim file states no offset for the mask of `{scheme}`, and offset 0 is taken: there the displacement σ is \
+             {}, and at offset {offset} it is {}. If the paper numbers its points so, write beside the mask: offset = \
+             '{offset}'. Until then bounds and promises are judged at offset 0.",
             short(at_zero, 9),
             short(least, 9)
         )

@@ -111,9 +111,10 @@ impl BetterOffset {
     /// use subcert::bound::BetterOffset;
     /// use subcert::scheme::parse_scheme;
     ///
-    /// let of = |name: &str| Ok(BetterOffset::of(parse_scheme(name)?.masks()[0]));
-    /// assert_eq!(of("four-point")?.map(|better| better.offset), Some(-1));
-    /// assert_eq!(of("chaikin")?, None);
+    /// let (four_point, chaikin) = (parse_scheme("four-point")?, parse_scheme("chaikin")?);
+    /// let better = BetterOffset::of(four_point.masks()[0]);
+    /// assert_eq!(better.map(|better| better.offset), Some(-1));
+    /// assert_eq!(BetterOffset::of(chaikin.masks()[0]), None);
     /// # Ok::<(), subcert::scheme::SchemeError>(())
     /// ```
     #[must_use]
