@@ -167,7 +167,7 @@ impl Parts<'_> {
         let too_large = || format!("an exponent beyond {MAX_EXPONENT}");
         let after = i64::try_from(self.after).map_err(|_| too_large())?;
         let per_digit = if base == 16 { 4 } else { 1 };
-        if self.exponent.unsigned_abs() > MAX_EXPONENT.into() {
+        if self.exponent.unsigned_abs() > u64::from(MAX_EXPONENT) {
             return Err(too_large());
         }
         let exponent = self.exponent - after * per_digit;
