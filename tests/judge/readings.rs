@@ -4,8 +4,8 @@ use crate::common::papers::audit_of;
 use crate::common::r;
 use proptest::prelude::*;
 use subcert::audit::{
-    CellFinding, FAMILY, PaperAudit, Recovered, RecoveredFrom, Search, Slip, UnstatedOffset,
-    Verdict, audit,
+    CellFinding, FAMILY, Missing, PaperAudit, Recovered, RecoveredFrom, Search, Slip,
+    UnstatedOffset, Verdict, audit,
 };
 use subcert::bound::{Constants, Suprema};
 use subcert::bound::{Operator, Order, Rounded, Terms, displacement, log_level};
@@ -334,15 +334,20 @@ fn multiples(alternative: &str, cells: &[String]) -> Search {
     multiples_at("0.12345", alternative, cells)
 }
 
-/// The same for any w.
-fn multiples_at(w: &str, alternative: &str, cells: &[String]) -> Search {
-    let text = format!(
+/// The text of the paper with that table.
+fn with_alternative(w: &str, alternative: &str, cells: &[String]) -> String {
+    format!(
         "key = 'k'\n[paper]\nauthors = []\ntitle = ''\nvenue = ''\nyear = ''\n[define]\n\
          y = 'a*w'\n[[alternative]]\nof = 'y'\nlabel = 'b'\nvalue = '{alternative}'\n[[table]]\n\
          id = 't'\nlocus = ''\nvalue = 'y'\ngiven = {{ w = '{w}' }}\n\
          columns = {{ name = 'a', values = ['0', '1', '2', '3'] }}\ncells = [['{}']]\n",
         cells.join("', '")
-    );
+    )
+}
+
+/// The same for any w.
+fn multiples_at(w: &str, alternative: &str, cells: &[String]) -> Search {
+    let text = with_alternative(w, alternative, cells);
     let paper = read_paper(&SourceText::new("k.toml", text)).expect("a claim file");
     judged(&paper).tables[0].search.clone().expect("a search")
 }
@@ -531,4 +536,37 @@ fn a_forgotten_offset_is_said_and_comes_before_another_scale() {
     let stated = read_paper(&SourceText::new("k.toml", stated)).unwrap();
     let audit = judged(&stated);
     assert!(audit.unstated_offsets.is_empty() && audit.tables[0].search.is_none());
+}
+
+/// A reading whose values are beyond a cap leaves a number open that no other reading gives, but not a number where it
+/// has a value while it cannot explain more than the printed text.
+#[test]
+fn a_reading_beyond_a_cap_leaves_numbers_open() {
+    let cells = |cells: [&str; 4]| cells.map(str::to_owned);
+    let verdicts = |alternative: &str, cells: [String; 4]| {
+        let text = with_alternative("0.12345", alternative, &cells);
+        let paper = read_paper(&SourceText::new("k.toml", text)).expect("a claim file");
+        let audit = judged(&paper);
+        let row = audit.tables[0].cells[0].iter().map(|cell| cell.verdict.clone());
+        let certified = certificate(&audit).text.contains("\ntable t");
+        (row.collect::<Vec<_>>(), certified)
+    };
+    let open = |verdict: &Verdict| matches!(verdict, Verdict::NotCheckable(Missing::Capacity(_)));
+    let (all, certified) = verdicts("2^(10^9*(a + 1))", cells(["1", "2", "3", "4"]));
+    assert!(all.iter().all(open) && !certified, "{all:?}");
+    // Three cells are as printed, and the alternative may explain one.
+    let (row, _) = verdicts("2^(10^9*(3 - a))*0", cells(["0", "0.12345", "0.2469", "0.9"]));
+    assert_eq!(row[3], Verdict::Refuted);
+    let (row, _) = verdicts("2^(10^9*a)*0", cells(["0", "0.12345", "0.2469", "0.9"]));
+    assert!(open(&row[3]), "{row:?}");
+}
+
+/// An alternative that is wrong is an error at its place, and no reading without values.
+#[test]
+fn a_wrong_alternative_is_an_error() {
+    let cells = ["1", "2", "3", "4"].map(str::to_owned);
+    let text = with_alternative("0.12345", "twice(a)", &cells);
+    let paper = read_paper(&SourceText::new("k.toml", text)).expect("a claim file");
+    let error = audit(&paper).expect_err("an unknown function").to_string();
+    assert!(error.contains("unknown function `twice`"), "{error}");
 }

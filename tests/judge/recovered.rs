@@ -160,6 +160,45 @@ proptest! {
     }
 }
 
+/// τ = 9/91 gives ten of ten cells of the first table, 1/10 gives eight and all of the second. Two cells of two
+/// digits are no evidence among the numbers as plain as 9/91; three of six digits are.
+#[test]
+fn tables_share_a_value_unless_one_has_evidence_of_its_own() {
+    let rough = [
+        ("11", "1.1"),
+        ("12", "1.2"),
+        ("13", "1.3"),
+        ("21", "2.1"),
+        ("22", "2.2"),
+        ("31", "3.1"),
+        ("32", "3.2"),
+        ("41", "4.1"),
+        ("66", "6.5"),
+        ("77", "7.6"),
+    ];
+    let (x, cells): (Vec<&str>, Vec<&str>) = rough.into_iter().unzip();
+    let fine = ["1.23456", "2.34567", "3.45678"];
+    let tenth = ["0.123456", "0.234567", "0.345678"];
+    let other = ["0.112233", "0.213243", "0.314253"];
+    let rough = table("rough", "x*tau", "['tau']", &x, &cells);
+    let sure = table("sure", "x*tau", "['tau']", &fine, &tenth);
+    let else_ = table("else", "x*tau", "['tau']", &fine, &other);
+    let lent = table("lent", "floor(x + tau)", "['tau']", &["1", "2"], &["1", "2"]);
+    let found = |tables: &[&String]| {
+        let text: String = tables.iter().map(|table| table.as_str()).collect();
+        let paper = paper(&text);
+        let audit = judged(&paper);
+        let value = |table: &subcert::audit::TableFinding<'_>| table.recovered["tau"].value.clone();
+        audit.tables.iter().map(value).collect::<Vec<_>>()
+    };
+    let (of_rough, of_sure) = (Rational::new(9, 91), Rational::new(1, 10));
+    assert_eq!(found(&[&rough]), [of_rough]);
+    let all = [of_sure.clone(), of_sure.clone(), of_sure.clone()];
+    assert_eq!(found(&[&rough, &sure, &lent]), all);
+    assert_eq!(found(&[&sure, &lent, &rough]), all);
+    assert_eq!(found(&[&else_, &sure]), [Rational::new(1, 11), of_sure]);
+}
+
 /// Two of three cells fit an interval of k, which may be luck: nothing is recovered, and the values that fit are said.
 #[test]
 fn what_fits_and_may_be_luck_is_said_and_certifies_nothing() {

@@ -46,10 +46,8 @@ fn shifts_derived_by_hand() {
     assert_eq!(shift(&third()), (r(1, 3), true));
     assert_eq!(shift(&two_fifths()), (r(2, 5), true));
     // s_0 = −4/5 and s_1 = −2/5: lines are not kept.
-    // Their mean is rounded.
-    assert_eq!(shift(&of_rows(&[&[6, 4], &[3, 7]], 10, 0)), (r(-1229, 2048), false));
-    // s_0 = −3/5 and s_1 = −1/5: −2/5 is rounded upwards.
-    assert_eq!(shift(&of_rows(&[&[7, 3], &[4, 6]], 10, 0)), (r(-819, 2048), false));
+    // The digits of their mean repeat after four.
+    assert_eq!(shift(&of_rows(&[&[6, 4], &[3, 7]], 10, 0)), (r(-3, 5), false));
 }
 
 /// Limits at parameters whose digits repeat, from a program that solves other systems.
@@ -149,6 +147,23 @@ fn seen(mask: &Mask, points: &[Rational], k: u32, m: u32, s: &Rational) -> Ratio
         at(&fine, int(i)).clone() - (near * (Rational::one() - &part) + next * part)
     };
     largest(&(0..fine.len()).map(distance).collect::<Vec<_>>())
+}
+
+/// The mean 1/6 = 0.0010101…₂ is not rounded; 1/59 is, as the powers of 2 repeat modulo 59 after 58 steps only.
+#[test]
+fn a_mean_is_rounded_only_where_its_digits_repeat_late() {
+    let mask = |a: Rational| {
+        let rows = vec![
+            vec![(r(1, 1) + &a) / r(4, 1), r(1, 2), (r(1, 1) - &a) / r(4, 1)],
+            vec![r(0, 1), r(1, 2), r(1, 2)],
+        ];
+        subcert::scheme::Mask::new(rows, -1).unwrap()
+    };
+    let found = |a: Rational| natural_shift(&mask(a));
+    let third = found(r(1, 3));
+    assert_eq!((third.shift, third.keeps_lines, third.rounded), (r(1, 6), false, false));
+    let late = found(r(2, 59));
+    assert!(late.rounded && (late.shift - r(1, 59)).abs() < r(1, 2000));
 }
 
 proptest! {

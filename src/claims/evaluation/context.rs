@@ -186,7 +186,6 @@ impl<'a> TableContext<'a> {
             library: self.library,
             scheme: None,
             settings: at.settings,
-            beyond_caps: std::cell::Cell::new(false),
             noted: None,
             last_levels: std::cell::RefCell::new(None),
         };
@@ -238,8 +237,11 @@ impl<'a> TableContext<'a> {
 
     /// Whether the error of a formula is an outcome of the cell.
     pub(crate) fn is_outcome(error: &FormulaError) -> bool {
-        use FormulaErrorKind::{DivisionByZero, Undefined, Unstated};
-        matches!(error.kind, Unstated(_) | Undefined(_) | DivisionByZero)
+        use FormulaErrorKind::{BeyondCaps, DivisionByZero, TooLarge, Undefined, Unstated};
+        matches!(
+            error.kind,
+            Unstated(_) | Undefined(_) | DivisionByZero | BeyondCaps(_) | TooLarge { .. }
+        )
     }
 
     /// What the error of a formula means: an outcome of the cell, or (as `Err`) an error of the
@@ -248,6 +250,8 @@ impl<'a> TableContext<'a> {
         match error.kind {
             FormulaErrorKind::Unstated(name) => Ok(Outcome::Unstated(name)),
             FormulaErrorKind::Undefined(why) => Ok(Outcome::Undefined(why)),
+            FormulaErrorKind::BeyondCaps(why) => Ok(Outcome::BeyondCaps(why)),
+            FormulaErrorKind::TooLarge { .. } => Ok(Outcome::BeyondCaps(error.kind.to_string())),
             FormulaErrorKind::DivisionByZero => {
                 Ok(Outcome::Undefined("the definition divides by zero".to_owned()))
             }
@@ -263,16 +267,9 @@ impl<'a> TableContext<'a> {
         quantities: &Quantities<'_>,
         known: &Known,
     ) -> Result<Outcome, Diagnostic> {
-        // The flag may be left from another formula.
-        quantities.beyond_caps.set(false);
         match evaluate(&formula.expr, &self.scope(at, quantities, known)) {
             Ok(value) => Ok(Outcome::Value(value)),
-            Err(error) => match Self::sort(error).map_err(|error| formula.diagnostic(&error))? {
-                Outcome::Undefined(why) if quantities.beyond_caps.get() => {
-                    Ok(Outcome::BeyondCaps(why))
-                }
-                outcome => Ok(outcome),
-            },
+            Err(error) => Self::sort(error).map_err(|error| formula.diagnostic(&error)),
         }
     }
 }

@@ -238,7 +238,7 @@ impl Constants<'_> {
         }
         match c {
             0 | 1 => power_norm_generic(rules, c, order)
-                .map_err(|error| CallError::Undefined(error.to_string())),
+                .map_err(|error| CallError::BeyondCaps(error.to_string())),
             c => Err(CallError::Misuse(format!(
                 "the norm of {c} levels needs a mask that is polynomial in the free parameter"
             ))),

@@ -17,7 +17,7 @@ use crate::evaluation::trace::{LevelCall, Noted, NotedConstant};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{Call, CallError, Context, Functions, Parameters};
 use crate::scheme::Rules;
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::rc::Rc;
 
 /// The quantities of one scheme, in exact numbers.
@@ -26,8 +26,6 @@ pub(crate) struct Quantities<'a> {
     pub(crate) scheme: Option<Resolved>,
     /// How the formula is read.
     pub(crate) settings: &'a Settings,
-    /// Whether a value was given up because it is beyond the caps of the program, though it exists.
-    pub(crate) beyond_caps: Cell<bool>,
     /// The constants that formulas have used so far, if they are noted.
     pub(crate) noted: Option<RefCell<Noted>>,
     /// The last call of `levels`.
@@ -102,7 +100,7 @@ impl Quantities<'_> {
                 match options.terms()? {
                     Terms::Each => {
                         note(Operator::Difference, c, order);
-                        self.capped(in_order(order).norm(Operator::Difference, c, order))
+                        capped(in_order(order).norm(Operator::Difference, c, order))
                     }
                     Terms::Total if c == 1 => Ok(total_contraction(constants.difference())),
                     Terms::Total => {
@@ -114,7 +112,7 @@ impl Quantities<'_> {
             ("norm", [c]) => {
                 let (c, order) = (level(c)?, options.order()?);
                 note(Operator::Scheme, c, order);
-                self.capped(in_order(order).norm(Operator::Scheme, c, order))
+                capped(in_order(order).norm(Operator::Scheme, c, order))
             }
             ("tensor", [c]) => {
                 let (c, order, suprema) = (level(c)?, options.order()?, options.suprema()?);
@@ -122,7 +120,7 @@ impl Quantities<'_> {
                     note(Operator::Difference, c, order);
                     note(Operator::Scheme, c, order);
                 }
-                self.capped(in_order(order).tensor(c, order, suprema))
+                capped(in_order(order).tensor(c, order, suprema))
             }
             ("displacement", []) => {
                 let mask = constants.mask();
@@ -165,11 +163,9 @@ impl Quantities<'_> {
         let (ratio, x) = (ratio.clone(), x.clone());
         let call = LevelCall { ratio, x, rounded, level: level.clone().ok() };
         self.last_levels.replace(Some(call));
-        level.map(RealCyclotomic::from).map_err(|error| {
-            if error == DepthError::TooDeep {
-                self.beyond_caps.set(true);
-            }
-            CallError::Undefined(error.to_string())
+        level.map(RealCyclotomic::from).map_err(|error| match error {
+            DepthError::TooDeep => CallError::BeyondCaps(error.to_string()),
+            _ => CallError::Undefined(error.to_string()),
         })
     }
 
@@ -178,13 +174,10 @@ impl Quantities<'_> {
         let resolved = self.library.resolve(&reference, &Parameters::<RealCyclotomic>::default());
         resolved.map_err(|error| unresolved(name, error))
     }
+}
 
-    fn capped(&self, value: Result<Rational, ClassCap>) -> Result<Rational, CallError> {
-        value.map_err(|error| {
-            self.beyond_caps.set(true);
-            CallError::Undefined(error.to_string())
-        })
-    }
+fn capped(value: Result<Rational, ClassCap>) -> Result<Rational, CallError> {
+    value.map_err(|error| CallError::BeyondCaps(error.to_string()))
 }
 
 /// The value as a rational number; an error if it is irrational.

@@ -149,7 +149,7 @@ impl<V: Value + PartialEq> Window<V> {
             let message = format!(
                 "the last index times the length of the sequences is at most {MAX_PRODUCTS} here"
             );
-            return Err(CallError::Misuse(message));
+            return Err(CallError::BeyondCaps(message));
         }
         let Window { terms, arity, c, last, recursion } = &self;
         let rows = convolution_window(terms, *arity, *c, *last, *recursion);

@@ -135,7 +135,7 @@ impl<'a> Evaluator<'a> {
     /// The call of `levels` whose result is the value of a cell; `None` where the value is no such
     /// result.
     pub(crate) fn level_call(&self, at: At<'_>) -> Option<LevelCall> {
-        self.value_and_levels(at)?.1
+        self.value_and_levels(at).ok()?.1
     }
 
     /// The last call of `levels` in the evaluation of a cell's value.
@@ -148,20 +148,22 @@ impl<'a> Evaluator<'a> {
         evaluated.ok()?.ok()?
     }
 
-    /// A cell's value, and the call of `levels` whose result it is, if there is one.
+    /// The outcome of a cell, and the call of `levels` whose result its value is, if there is one.
     pub(crate) fn value_and_levels(
         &self,
         at: At<'_>,
-    ) -> Option<(RealCyclotomic, Option<LevelCall>)> {
+    ) -> Result<(Outcome, Option<LevelCall>), Diagnostic> {
         let evaluated = self.within(at, |at, quantities, known| {
             quantities.last_levels.take();
             let value = self.evaluate_with(&self.table.value, at, quantities, known)?;
             Ok((value, quantities.last_levels.take()))
         });
-        let Ok(Ok((Outcome::Value(value), call))) = evaluated else { return None };
-        let is_value =
-            |call: &LevelCall| call.level.is_some_and(|level| value == RealCyclotomic::from(level));
+        let (outcome, call) = evaluated?.unwrap_or_else(|outcome| (outcome, None));
+        let is_value = |call: &LevelCall| {
+            let level = call.level.map(RealCyclotomic::from);
+            matches!((&outcome, level), (Outcome::Value(value), Some(level)) if *value == level)
+        };
         let call = call.filter(is_value);
-        Some((value, call))
+        Ok((outcome, call))
     }
 }

@@ -30,7 +30,7 @@ pub use promise::{Broken, Kept, PromiseCounts};
 pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
 pub(crate) use reading::{COPIED, Values};
 pub use reading::{
-    Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Solved,
+    Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Solved, Uncomputed,
 };
 pub(crate) use recovered::values;
 pub use recovered::{Fitting, Recovered, RecoveredFrom};

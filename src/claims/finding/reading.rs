@@ -3,7 +3,7 @@
 use crate::evaluation::{Choice, Copied, Way};
 use crate::exact::{Rational, RealCyclotomic};
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 /// The exact values of the cells of a table, by row.
@@ -261,6 +261,27 @@ pub struct Search {
     pub chance: Rational,
     /// The readings of rows and columns for the cells that `best` leaves.
     pub lines: Vec<LineReading>,
+    /// The values that were not computed; `None` where all were.
+    pub uncomputed: Option<Uncomputed>,
+}
+
+/// The values of cells under readings that were not computed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Uncomputed {
+    /// Why the first was not; the text names the cap.
+    pub why: String,
+    /// The rows and columns of the cells, counted from 0.
+    pub cells: BTreeSet<(usize, usize)>,
+    /// Whether a reading with such values may explain more cells than the one that was taken.
+    pub overtakes: bool,
+}
+
+impl Uncomputed {
+    /// Whether they leave open that a cell is refuted.
+    #[must_use]
+    pub fn leaves_open(&self, cell: (usize, usize)) -> bool {
+        self.overtakes || self.cells.contains(&cell)
+    }
 }
 
 /// How a reading differs from the printed text, in words.

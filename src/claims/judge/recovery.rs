@@ -118,7 +118,7 @@ fn judged<'a>(
 ) -> Result<Option<(Values, TableFinding<'a>)>, Diagnostic> {
     let (library, mut all, mut family) = (Library::new(paper), others.clone(), Family::Plain);
     if let Some(name) = name {
-        let Some((value, by)) = solved(paper, table, &library, &values(others), name) else {
+        let Some((value, by)) = solved(paper, table, &library, &values(others), name)? else {
             return Ok(None);
         };
         all.insert((*name).clone(), value);

@@ -3,8 +3,12 @@
 use crate::claim::{Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
-use crate::finding::{Recovered, RecoveredFrom, TableFinding};
+use crate::finding::{
+    CellKind, Difference, Explanation, Recovered, RecoveredFrom, TableFinding, Verdict,
+};
 use crate::judge::parallel;
+use crate::judge::reading::chance::{chance, is_small, of_decimal, of_depth};
+use crate::judge::reading::plain::{as_plain, height};
 use crate::judge::reading::space::Family;
 use crate::judge::recovery::{self, Given, Values, combinations, reproduced};
 use crate::judge::table::{judge, judge_promises};
@@ -106,9 +110,9 @@ fn widen<'a>(paper: &'a Paper, finding: &mut TableFinding<'a>) -> Result<(), Dia
 }
 
 /// Uses recovered values in other tables. A table whose own numbers do not give a parameter gets
-/// the value that another table of the paper gives for the same name. If most tables have another
-/// value than a table's own, and it suits this table as well, the table gets that value. Tables
-/// that get a value are judged again.
+/// the value, of those that other tables of the paper give for the same name, at which most of its
+/// cells are reproduced. Tables with different values of their own share one where their numbers
+/// together say so. Tables that get a value are judged again.
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.
@@ -116,22 +120,30 @@ pub(crate) fn borrow<'a>(
     paper: &'a Paper,
     findings: &mut [TableFinding<'a>],
 ) -> Result<(), Diagnostic> {
-    for i in 0..findings.len() {
-        agree(paper, findings, i)?;
+    let names: BTreeSet<String> =
+        findings.iter().flat_map(|finding| finding.recovered.keys().cloned()).collect();
+    for name in &names {
+        agree(paper, findings, name)?;
     }
     // What a table gets here it hands on to no other.
     let borrowed = parallel::map(findings, |finding| {
-        let mut values = finding.recovered.clone();
-        for name in missing(finding) {
-            let others = offered(finding, findings, &name, |_| true);
-            values.extend(others.into_iter().next().map(|value| (name, value)));
+        let offers: Offers = missing(finding)
+            .into_iter()
+            .map(|name| (name.clone(), offered(finding, findings, &name, |_| true)))
+            .filter(|(_, offers)| !offers.is_empty())
+            .collect();
+        let mut best: Option<TableFinding<'a>> = None;
+        for offered in combinations(&offers).into_iter().filter(|offered| !offered.is_empty()) {
+            let values = finding.recovered.clone().into_iter().chain(offered).collect();
+            let found = judge(paper, finding.table, values, Family::Whole)?;
+            if best.as_ref().is_none_or(|best| reproduced(best) < reproduced(&found)) {
+                best = Some(found);
+            }
         }
-        if values.len() == finding.recovered.len() {
-            return Ok(None);
+        if let Some(found) = &mut best {
+            judge_promises(paper, found)?;
         }
-        let mut found = judge(paper, finding.table, values, Family::Whole)?;
-        judge_promises(paper, &mut found)?;
-        Ok(Some(found))
+        Ok(best)
     });
     for (finding, found) in findings.iter_mut().zip(borrowed) {
         if let Some(found) = found? {
@@ -141,50 +153,110 @@ pub(crate) fn borrow<'a>(
     Ok(())
 }
 
-/// How many cells a table may lose when it gets a value that other tables have. One such cell may
-/// be a slip.
-const MAX_LOST: usize = 1;
-
-/// Replaces a table's own value by the value that most tables were solved for, where this gives as
-/// many cells, or one less.
+/// Where the numbers of tables give a parameter different values, the plainest, or the one for which
+/// all tables that have a value tell, becomes that of all, but for a table with evidence of its own
+/// or with a reading that is nearer to the printed text at its own, and for the tables that have
+/// their value from it. A difference from the printed text that another table has too is none.
 fn agree<'a>(
     paper: &'a Paper,
     findings: &mut [TableFinding<'a>],
-    i: usize,
+    name: &String,
 ) -> Result<(), Diagnostic> {
-    for (name, own) in findings[i].recovered.clone() {
-        let has = |value: &Rational| {
-            let same = |finding: &&TableFinding<'_>| {
-                let known = finding.recovered.get(&name);
-                known.is_some_and(|known| known.is_own() && known.value == *value)
-            };
-            findings.iter().filter(same).count()
-        };
-        let offers = offered(&findings[i], findings, &name, |_| true);
-        let most = offers.into_iter().max_by_key(|offer| has(&offer.value));
-        let Some(most) = most.filter(|most| own.is_own() && has(&most.value) > has(&own.value))
-        else {
+    let mut own: Vec<Recovered> = Vec::new();
+    for finding in &*findings {
+        let Some(known) = finding.recovered.get(name).filter(|known| known.is_own()) else {
             continue;
         };
-        // The value is kept if another table has taken it over from this one.
-        let id = &findings[i].table.id;
-        let lends = |other: &TableFinding<'_>| {
-            let from = other.recovered.get(&name).map(|recovered| &recovered.from);
-            matches!(from, Some(RecoveredFrom::Table { id: of, .. }) if of == id)
-        };
-        if findings.iter().any(lends) {
-            continue;
+        if own.iter().all(|other| other.value != known.value) {
+            let (id, locus) = (finding.table.id.clone(), finding.table.locus.clone());
+            let from = RecoveredFrom::Table { id, locus };
+            own.push(Recovered { value: known.value.clone(), from });
         }
-        let mut values = findings[i].recovered.clone();
-        values.insert(name, most);
-        let mut found = judge(paper, findings[i].table, values, Family::Whole)?;
-        let count = reproduced(&found);
-        if count > 0 && count + MAX_LOST >= reproduced(&findings[i]) {
+    }
+    if own.len() < 2 {
+        return Ok(());
+    }
+    own.sort_by_key(|known| height(&known.value));
+    // Of each table, the findings at the values of the others.
+    let having: Vec<usize> =
+        (0..findings.len()).filter(|&i| findings[i].recovered.contains_key(name)).collect();
+    let tried = parallel::map(&having, |&i| {
+        let finding = &findings[i];
+        let at = |value: &Recovered| {
+            if finding.recovered[name].value == value.value {
+                return Ok(finding.clone());
+            }
+            let mut values = finding.recovered.clone();
+            values.insert(name.clone(), value.clone());
+            judge(paper, finding.table, values, Family::Whole)
+        };
+        own.iter().map(at).collect::<Result<Vec<TableFinding<'a>>, Diagnostic>>()
+    });
+    let tried = tried.into_iter().collect::<Result<Vec<_>, Diagnostic>>()?;
+    // The plainest, unless the numbers of all tables tell for another.
+    let most = (1..own.len()).fold(0, |most, k| {
+        let pairs: Vec<_> = tried.iter().map(|found| (&found[k], &found[most])).collect();
+        if has_evidence(&pairs, &own[k].value) { k } else { most }
+    });
+    let moves = |place: usize| {
+        let (now, then) = (&findings[having[place]], &tried[place][most]);
+        let (known, id) = (&now.recovered[name], &now.table.id);
+        let others = findings.iter().filter(|other| other.table.id != *id);
+        let others: Vec<&Difference> =
+            others.filter_map(reading).flat_map(|best| &best.differences).collect();
+        known.is_own()
+            && known.value != own[most].value
+            && reproduced(then) > 0
+            && differences(then, &others) <= differences(now, &others)
+            && !has_evidence(&[(now, then)], &known.value)
+    };
+    let moving: Vec<usize> = (0..having.len()).filter(|&place| moves(place)).collect();
+    let ids: BTreeSet<String> =
+        moving.iter().map(|&place| findings[having[place]].table.id.clone()).collect();
+    for (place, mut found) in having.into_iter().zip(tried) {
+        let lent = match &findings[place].recovered[name].from {
+            RecoveredFrom::Table { id, .. } => ids.contains(id),
+            RecoveredFrom::Solved(..) | RecoveredFrom::Tried => false,
+        };
+        if lent || ids.contains(&findings[place].table.id) {
+            let mut found = found.swap_remove(most);
             judge_promises(paper, &mut found)?;
-            findings[i] = found;
+            findings[place] = found;
         }
     }
     Ok(())
+}
+
+/// The reading of the reproduced cells.
+fn reading<'f>(finding: &'f TableFinding<'_>) -> Option<&'f Explanation> {
+    finding.search_of(CellKind::Assumed)?.best.first()
+}
+
+/// How many differences from the printed text the reading of the reproduced cells has, other than
+/// those of the readings of other tables.
+fn differences(finding: &TableFinding<'_>, others: &[&Difference]) -> usize {
+    let own = reading(finding).into_iter().flat_map(|best| &best.differences);
+    own.filter(|difference| !others.contains(difference)).count()
+}
+
+/// Whether what is reproduced in the first table of each pair, at `value`, and not in the second, at
+/// another value, is no luck: one of the numbers as plain as `value` would give as many of the cells
+/// that the second leaves.
+fn has_evidence(pairs: &[(&TableFinding<'_>, &TableFinding<'_>)], value: &Rational) -> bool {
+    let (mut likelihoods, mut count) = (Vec::new(), 0);
+    for (now, then) in pairs {
+        let is_depth = matches!(now.table.promise, Some(Promise::Depth { .. }));
+        let found = now.cells.iter().flatten().zip(then.cells.iter().flatten());
+        for (cell, (now, then)) in now.table.cells.iter().flatten().zip(found) {
+            match cell.printed().filter(|_| then.verdict != Verdict::Reproduced) {
+                Some(_) if is_depth => likelihoods.push(of_depth()),
+                Some(printed) => likelihoods.push(of_decimal(printed)),
+                None => continue,
+            }
+            count += usize::from(now.verdict == Verdict::Reproduced);
+        }
+    }
+    is_small(&chance(&likelihoods, count, as_plain(value)))
 }
 
 /// The parameters that a table leaves open and that were not recovered.

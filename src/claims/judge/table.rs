@@ -62,7 +62,7 @@ pub(crate) fn judge_with<'a>(
     for &family in families {
         finding.needs.clear();
         for (&kind, plain) in kinds.iter().zip(&mut plain) {
-            let found = search::search(&judge, &cells, kind, &candidates, family, plain);
+            let found = search::search(&judge, &cells, kind, &candidates, family, plain)?;
             let (search, needs) = found.unwrap_or_default();
             finding.needs.extend(needs);
             if kind == CellKind::Plain || kinds.len() == 1 {
@@ -85,6 +85,7 @@ pub(crate) fn judge_with<'a>(
         }
     }
     finding.cells = cells;
+    finding.leave_open();
     finding.reproduce();
     Ok(finding)
 }
@@ -107,6 +108,20 @@ impl TableFinding<'_> {
     /// Whether the searches for readings leave no cell unexplained.
     pub(crate) fn is_explained(&self) -> bool {
         self.searches().all(|search| search.explained() >= search.cells)
+    }
+
+    /// Leaves open the cells that a reading with values beyond the caps may explain.
+    fn leave_open(&mut self) {
+        let uncomputed = self.search_of(CellKind::Plain).and_then(|one| one.uncomputed.clone());
+        let Some(uncomputed) = uncomputed else { return };
+        for (row, cells) in self.cells.iter_mut().enumerate() {
+            for (column, cell) in cells.iter_mut().enumerate() {
+                if cell.verdict == Verdict::Refuted && uncomputed.leaves_open((row, column)) {
+                    let why = format!("a reading may explain it; {}", uncomputed.why);
+                    cell.verdict = Verdict::NotCheckable(Missing::Capacity(why));
+                }
+            }
+        }
     }
 
     /// Marks as reproduced the cells that a reading explains at recovered values, if this is no
@@ -170,7 +185,7 @@ pub(crate) fn readings(
     let judge = Evaluator::new(paper, finding.table, library, &finding.values())?;
     let search = finding.search_of(kind);
     let elsewhere = search.is_some_and(|search| search.elsewhere);
-    Ok(search::readings(&judge, &finding.cells, kind, elsewhere))
+    search::readings(&judge, &finding.cells, kind, elsewhere)
 }
 
 impl Evaluator<'_> {

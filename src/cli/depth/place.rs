@@ -11,6 +11,8 @@ pub(super) struct Place {
     /// s.
     pub(super) shifts: Vec<Rational>,
     pub(super) keeps_lines: Vec<bool>,
+    /// Whether a shift is rounded.
+    rounded: bool,
     arities: Vec<usize>,
 }
 
@@ -20,11 +22,13 @@ impl Place {
         parametrisation: Parametrisation,
         shifts: Vec<Rational>,
     ) -> Place {
+        let natural: Vec<_> = masks.iter().map(|mask| natural_shift(mask)).collect();
         Place {
             parametrisation,
             offsets: masks.iter().map(|mask| mask.offset()).collect(),
             shifts,
-            keeps_lines: masks.iter().map(|mask| natural_shift(mask).keeps_lines).collect(),
+            keeps_lines: natural.iter().map(|natural| natural.keeps_lines).collect(),
+            rounded: natural.iter().any(|natural| natural.rounded),
             arities: masks.iter().map(|mask| mask.arity()).collect(),
         }
     }
@@ -51,6 +55,10 @@ impl Place {
             Parametrisation::Indexed => "as papers count",
             Parametrisation::Natural if self.keeps_lines.iter().all(|keeps| *keeps) => {
                 "where lines stay where they are"
+            }
+            Parametrisation::Natural if self.rounded => {
+                "the best place in the mean, rounded with an error below 1/2000: the scheme does \
+                 not take lines to lines"
             }
             Parametrisation::Natural => {
                 "the best place in the mean: the scheme does not take lines to lines"

@@ -64,6 +64,9 @@ pub enum FormulaErrorKind {
     /// A value that does not exist, in a well-formed formula.
     #[error("{0}")]
     Undefined(String),
+    /// A value that is not computed; the text names the cap.
+    #[error("{0}")]
+    BeyondCaps(String),
     /// x/0.
     #[error("division by zero")]
     DivisionByZero,
@@ -115,6 +118,8 @@ pub enum CallError {
     Misuse(String),
     /// The value does not exist. The text says why.
     Undefined(String),
+    /// The value is not computed. The text names the cap.
+    BeyondCaps(String),
     /// An error in a formula that the function stands for.
     Inner(FormulaErrorKind),
     /// An error in a definition in a file, and its place there.

@@ -292,6 +292,7 @@ fn fail_call<T>(error: CallError, name: &str, span: &Span) -> Result<T, FormulaE
         }
         CallError::Misuse(message) => (FormulaErrorKind::Call(message), None),
         CallError::Undefined(message) => (FormulaErrorKind::Undefined(message), None),
+        CallError::BeyondCaps(message) => (FormulaErrorKind::BeyondCaps(message), None),
         CallError::Inner(kind) => (kind, None),
         CallError::Definition(kind, place) => (kind, Some(place)),
     };

@@ -90,6 +90,10 @@ fn families(
     let mut family = |kind, scale, refuted: &[(usize, usize)]| {
         let search = finding.search_of(kind);
         let whole = !refuted.is_empty() || search.is_some_and(Search::takes_from_elsewhere);
+        if let Some(uncomputed) = search.and_then(|search| search.uncomputed.as_ref()) {
+            block.give_up(uncomputed.why.clone());
+            return;
+        }
         match readings(paper, finding, kind) {
             Ok(readings) => family::lines(block, &readings, whole, scale, refuted),
             Err(error) => block.give_up(error.message),

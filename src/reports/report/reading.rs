@@ -23,7 +23,7 @@ pub(super) fn remark(search: &Search) -> String {
                  printed."
             ),
         };
-        return format!("Readings: {found} {}", differ_in(search));
+        return format!("Readings: {found} {}{}", differ_in(search), uncomputed(search));
     };
     let others = search.best[1..].iter().take(MAX_LISTED - 1);
     let others = others.map(|other| format!(" Or: {}.", named(other)));
@@ -39,7 +39,14 @@ pub(super) fn remark(search: &Search) -> String {
         text.push(' ');
         text.push_str(&differ_in(search));
     }
+    text.push_str(&uncomputed(search));
     text
+}
+
+/// Which values of readings were not computed.
+fn uncomputed(search: &Search) -> String {
+    let why = search.uncomputed.as_ref().map(|uncomputed| &uncomputed.why);
+    why.map_or_else(String::new, |why| format!(" Not every reading is computed: {why}."))
 }
 
 /// The readings of single rows and columns, a sentence each.
@@ -148,7 +155,8 @@ pub(super) fn covered(search: &Search) -> String {
             search.cells
         ),
     };
-    format!("{} readings were tried. {}{best}", grouped(search.tried), differ_in(search))
+    let (differ, uncomputed) = (differ_in(search), uncomputed(search));
+    format!("{} readings were tried. {differ}{best}{uncomputed}", grouped(search.tried))
 }
 
 /// How good the reading of these cells is: the table's reading, and the readings of rows and

@@ -35,21 +35,27 @@ pub struct NaturalShift<F = Rational> {
     /// s.
     pub shift: F,
     /// Whether the scheme takes lines to lines. If so, s is the only shift with which it
-    /// reproduces lines. Otherwise s is near the centre of mass of the basic limit function.
+    /// reproduces lines. Otherwise s is the centre of mass of the basic limit function, or near it.
     pub keeps_lines: bool,
+    /// Whether s is only near the centre of mass.
+    pub rounded: bool,
     /// s_α, the shift with which rule α alone takes lines to lines.
     pub of_rules: Vec<F>,
 }
 
-/// If the scheme does not take lines to lines, s is rounded to a multiple of 1/((n − 1)n^m) for the
-/// least n^m above this number. Then its n-adic digits repeat soon.
+/// Where s is rounded, it is a multiple of 1/((n − 1)n^m) for the least n^m above this number. Then
+/// its n-adic digits repeat soon.
 const PARTS: usize = 1 << 10;
+
+/// The most n-adic digits, up to the end of the first period, of a mean that is not rounded.
+const MAX_DIGITS: usize = 16;
 
 /// The natural shift s of a scheme.
 ///
 /// With m_α = Σ_j j a_{α,j} and s_α = (α − n(m_α + o))/(n − 1), the scheme takes lines to lines if
-/// and only if all s_α are one number, which is s. Otherwise s is their mean, rounded with an
-/// error below 1/2000.
+/// and only if all s_α are one number, which is s. Otherwise s is their mean; where this is
+/// irrational, or its n-adic digits do not repeat within the first 16, it is rounded, with an error
+/// below 1/2000.
 ///
 /// Source: `proofs/THEOREMS.md`, 80 and 87.
 ///
@@ -78,12 +84,30 @@ pub fn natural_shift<F: Real + PartialEq + Enclosed>(mask: &Mask<F>) -> NaturalS
     let shifts: Vec<F> = mask.rules().rows().iter().enumerate().map(shift).collect();
     let keeps_lines = shifts.iter().all(|shift| *shift == shifts[0]);
     let mean = F::total(&shifts).times(&number(n.recip()));
-    if keeps_lines {
-        return NaturalShift { shift: mean, keeps_lines, of_rules: shifts };
+    let enclosure = mean.enclosure(0);
+    let is_rational = enclosure.lower() == enclosure.upper();
+    if keeps_lines || is_rational && repeats_soon(enclosure.lower(), &n) {
+        return NaturalShift { shift: mean, keeps_lines, rounded: false, of_rules: shifts };
     }
     let power = mask.arity().pow(PARTS.ilog(mask.arity()) + 1);
     let parts = Rational::from(power) * (&n - Rational::one());
     let scaled = mean.times(&number(parts.clone())).plus(&number(Rational::new(1, 2)));
     let nearest = scaled.step(Rational::floor);
-    NaturalShift { shift: number(Rational::from(nearest) / parts), keeps_lines, of_rules: shifts }
+    let shift = number(Rational::from(nearest) / parts);
+    NaturalShift { shift, keeps_lines, rounded: true, of_rules: shifts }
+}
+
+/// Whether the n-adic digits of a number repeat within [`MAX_DIGITS`].
+fn repeats_soon(x: &Rational, n: &Rational) -> bool {
+    let mut met = Vec::new();
+    let mut rest = x - Rational::from(x.floor());
+    while met.len() <= MAX_DIGITS {
+        if met.contains(&rest) {
+            return true;
+        }
+        let next = &rest * n;
+        met.push(rest);
+        rest = &next - Rational::from(next.floor());
+    }
+    false
 }

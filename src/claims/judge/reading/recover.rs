@@ -1,6 +1,7 @@
 //! Recovering a parameter that the paper does not state from the printed numbers of a table.
 
 use crate::claim::{Cell, Paper, Table};
+use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Integer, Rational};
@@ -25,17 +26,17 @@ pub(crate) fn solved(
     library: &Library<'_>,
     others: &BTreeMap<String, Rational>,
     name: &str,
-) -> Option<(Recovered, Family)> {
+) -> Result<Option<(Recovered, Family)>, Diagnostic> {
     let mut values = others.clone();
     values.insert(name.to_owned(), Rational::new(START.0, START.1));
-    let judge = Evaluator::new(paper, table, library, &values).ok()?;
+    let judge = Evaluator::new(paper, table, library, &values)?;
     let needed = needed(&judge)?;
     let printed = table.cells.iter().zip(&needed).map(|(row, needed)| {
         let cells = row.iter().zip(needed);
         cells.map(|(cell, needed)| cell.printed().filter(|_| !needed.is_empty())).collect()
     });
     let printed = printed.collect();
-    let space = Space::new(&judge, needed, &printed, Some(name))?;
+    let Some(space) = Space::new(&judge, needed, &printed, Some(name)) else { return Ok(None) };
     let cells = printed.iter().flatten().flatten().count();
     let mut best = None;
     // The same scheme with other numbers of its points is tried where nothing else gives half of the
@@ -48,26 +49,32 @@ pub(crate) fn solved(
         }
         let plain = family == Family::Plain;
         let readings = if plain { space.readings() } else { space.numbered_readings() };
-        let found = best_of(&space, name, readings).map(|found| (found, family));
+        let found = best_of(&space, name, readings)?.map(|found| (found, family));
         if best.is_none() || count(&found) > count(&best) {
             best = found;
         }
     }
-    let (best, family) = best?;
-    let solved = best.solved.iter().find(|solved| solved.name == name)?;
+    let Some((best, family)) = best else { return Ok(None) };
+    let Some(solved) = best.solved.iter().find(|solved| solved.name == name) else {
+        return Ok(None);
+    };
     let (low, high) = solved.between.clone();
     let from = RecoveredFrom::Solved(low, high);
-    Some((Recovered { value: solved.simplest.clone(), from }, family))
+    Ok(Some((Recovered { value: solved.simplest.clone(), from }, family)))
 }
 
 /// The best explanation by these readings that solves for the parameter; of equally good ones the
 /// first.
-fn best_of(space: &Space<'_>, name: &str, readings: Vec<Vec<Change>>) -> Option<Explanation> {
-    let all = space.evaluated(readings);
+fn best_of(
+    space: &Space<'_>,
+    name: &str,
+    readings: Vec<Vec<Change>>,
+) -> Result<Option<Explanation>, Diagnostic> {
+    let all = space.evaluated(readings)?;
     let mut explanations = space.all_explanations(&all);
     explanations.extend(solve::solve(space, &all, &tried::best(&explanations)));
     explanations.retain(|explanation| explanation.solved.iter().any(|one| one.name == name));
-    explanations.into_iter().rev().max_by_key(rank)
+    Ok(explanations.into_iter().rev().max_by_key(rank))
 }
 
 /// The rank of an explanation: by the number of cells that it gives, then by how few candidates
@@ -80,10 +87,10 @@ fn rank(explanation: &Explanation) -> (usize, Reverse<Integer>) {
     (explanation.count(), Reverse(cost))
 }
 
-/// The unstated parameters that each cell needs. `None` if a formula is wrong.
-fn needed(judge: &Evaluator<'_>) -> Option<Needed> {
+/// The unstated parameters that each cell needs.
+fn needed(judge: &Evaluator<'_>) -> Result<Needed, Diagnostic> {
     let row = |(row, cells): (usize, &Vec<Cell>)| {
-        (0..cells.len()).map(|column| Some(judge.needed(row, column).ok()?.0)).collect()
+        (0..cells.len()).map(|column| Ok(judge.needed(row, column)?.0)).collect()
     };
     judge.table.cells.iter().enumerate().map(row).collect()
 }

@@ -1,6 +1,7 @@
 //! The search for the reading that explains most cells of a table.
 
 use crate::claim::Printed;
+use crate::diagnostic::Diagnostic;
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Integer, Rational};
 use crate::finding::{COPIED, CellFinding, CellKind, Explanation, Need, Search};
@@ -27,23 +28,28 @@ pub(crate) fn search(
     recovered: &Candidates,
     family: Family,
     plain: &mut Option<Vec<Evaluated>>,
-) -> Option<(Option<Search>, Vec<Need>)> {
+) -> Result<Option<(Option<Search>, Vec<Need>)>, Diagnostic> {
     let printed = printed(judge, findings, kind);
     let cells: Vec<&Printed> = printed.iter().flatten().flatten().copied().collect();
-    let space = Space::new(judge, needed(findings), &printed, None)?;
+    let Some(space) = Space::new(judge, needed(findings), &printed, None) else {
+        return Ok(None);
+    };
     if !space.assume.iter().all(|name| judge.assumed.contains_key(name)) {
-        return None;
+        return Ok(None);
     }
     let as_printed = space.explained_as_printed();
     let count = as_printed.iter().flatten().filter(|explained| **explained).count();
-    let plain = &*plain.get_or_insert_with(|| space.evaluated(space.readings()));
+    let plain = match plain {
+        Some(plain) => &*plain,
+        None => &*plain.insert(space.evaluated(space.readings())?),
+    };
     let explanations = space.all_explanations(plain);
     let mut needs = space.needs(&explanations);
     let candidates = recovered;
     let counts = space.assume.iter().filter_map(|name| candidates.get(name));
     let recovered = counts.map(|(count, _)| count.clone()).reduce(|all, count| all * count);
     if count == cells.len() && recovered.is_none() {
-        return Some((None, needs));
+        return Ok(Some((None, needs)));
     }
     let likelihood =
         |printed: &Printed| if space.is_depth() { of_depth() } else { of_decimal(printed) };
@@ -89,7 +95,7 @@ pub(crate) fn search(
     let mut parts = vec![Part { all: plain, tried }];
     let reached = |found: &Found| found.best.first().map_or(count, Explanation::count);
     let copied = if family == Family::Whole && reached(&found) < cells.len() {
-        space.evaluated(space.copied_readings())
+        space.evaluated(space.copied_readings())?
     } else {
         Vec::new()
     };
@@ -125,8 +131,25 @@ pub(crate) fn search(
     }
     let (cells, as_printed) = (cells.len(), count);
     let elsewhere = !copied.is_empty();
-    let search = Search { tried, choices, elsewhere, cells, as_printed, most, best, chance, lines };
-    Some((Some(search), needs))
+    let taken = best.first();
+    let uncomputed = space.uncomputed(
+        &parts,
+        taken.map_or(&[][..], |best| &best.differences),
+        taken.map_or(as_printed, Explanation::count),
+    );
+    let search = Search {
+        tried,
+        choices,
+        elsewhere,
+        cells,
+        as_printed,
+        most,
+        best,
+        chance,
+        lines,
+        uncomputed,
+    };
+    Ok(Some((Some(search), needs)))
 }
 
 /// The printed cells that no reading explains, by row.
@@ -166,16 +189,16 @@ pub(crate) fn readings(
     findings: &[Vec<CellFinding>],
     kind: CellKind,
     elsewhere: bool,
-) -> Vec<Explanation> {
+) -> Result<Vec<Explanation>, Diagnostic> {
     let printed = printed(judge, findings, kind);
     let Some(space) = Space::new(judge, needed(findings), &printed, None) else {
-        return Vec::new();
+        return Ok(Vec::new());
     };
-    let mut all = space.evaluated(space.readings());
+    let mut all = space.evaluated(space.readings())?;
     if elsewhere {
-        all.extend(space.evaluated(space.copied_readings()));
+        all.extend(space.evaluated(space.copied_readings())?);
     }
     let mut explanations = space.all_explanations(&all);
     explanations.sort_by_key(|explanation| Reverse(explanation.rank()));
-    explanations
+    Ok(explanations)
 }

@@ -1,14 +1,17 @@
 //! The readings of a table, with their values and the cells that they explain.
 
 use crate::claim::{Cell, Paper, Table};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::context::{At, Outcome};
 use crate::evaluation::table::Evaluator;
 use crate::evaluation::trace::LevelCall;
 use crate::exact::Rational;
-use crate::finding::{CellKind, Difference, Explanation, TableFinding, Values};
+use crate::finding::{CellKind, Difference, Explanation, TableFinding, Uncomputed, Values};
 use crate::judge::reading::consistent::DecimalRounding;
 use crate::judge::reading::scale::{SIMPLE_NUMBERS, Scale};
 use crate::judge::reading::space::{Change, Space, needed, printed, takes_from_elsewhere};
 use std::cell::OnceCell;
+use std::collections::BTreeSet;
 
 /// A reading with the exact values of the printed cells under it.
 pub(crate) struct Evaluated {
@@ -16,6 +19,8 @@ pub(crate) struct Evaluated {
     pub(crate) values: Values,
     /// For depths, the call of `levels` whose result each value is, row by row.
     pub(crate) levels: Vec<Vec<Option<LevelCall>>>,
+    /// The cells whose values were not computed, with the first reason.
+    uncomputed: Option<(BTreeSet<(usize, usize)>, String)>,
     /// Whether the values are proportional to the scale, once this has been asked.
     scaled: OnceCell<bool>,
 }
@@ -36,27 +41,91 @@ pub(crate) struct Part<'p> {
 
 impl Space<'_> {
     /// Readings with their values.
-    pub(crate) fn evaluated(&self, readings: Vec<Vec<Change>>) -> Vec<Evaluated> {
-        let evaluate = |reading: Vec<Change>| {
-            let settings = self.settings(&reading);
-            if !self.is_depth() {
-                let (values, levels) = (self.values(&settings), Vec::new());
-                return Evaluated { reading, values, levels, scaled: OnceCell::new() };
+    ///
+    /// # Errors
+    /// The error of an alternative of the claim file.
+    pub(crate) fn evaluated(
+        &self,
+        readings: Vec<Vec<Change>>,
+    ) -> Result<Vec<Evaluated>, Diagnostic> {
+        readings.into_iter().map(|reading| self.evaluate(reading)).collect()
+    }
+
+    fn evaluate(&self, reading: Vec<Change>) -> Result<Evaluated, Diagnostic> {
+        let settings = self.settings(&reading);
+        let (mut values, mut levels) = (Values::new(), Vec::new());
+        let mut uncomputed: Option<(BTreeSet<(usize, usize)>, String)> = None;
+        for (row, printed) in self.printed.iter().enumerate() {
+            let (mut of_row, mut levels_of_row) = (Vec::new(), Vec::new());
+            for (column, printed) in printed.iter().enumerate() {
+                let at = self.at(row, column, &settings);
+                let found = match printed {
+                    None => (None, None),
+                    Some(_) => match self.outcome(&reading, at)? {
+                        (Outcome::Value(value), call) => (Some(value), call),
+                        (Outcome::BeyondCaps(why), _) => {
+                            let known = uncomputed.get_or_insert_with(|| (BTreeSet::new(), why));
+                            known.0.insert((row, column));
+                            (None, None)
+                        }
+                        (Outcome::Undefined(_) | Outcome::Unstated(_), _) => (None, None),
+                    },
+                };
+                of_row.push(found.0);
+                levels_of_row.push(found.1);
             }
-            let cell = |row: usize, column: usize| {
-                self.printed[row][column]?;
-                self.judge.value_and_levels(self.at(row, column, &settings))
-            };
-            let row = |row: usize| {
-                let cells = (0..self.printed[row].len()).map(|column| cell(row, column));
-                cells
-                    .map(|cell| cell.map_or((None, None), |(value, call)| (Some(value), call)))
-                    .unzip()
-            };
-            let (values, levels) = (0..self.printed.len()).map(row).unzip();
-            Evaluated { reading, values, levels, scaled: OnceCell::new() }
+            values.push(of_row);
+            levels.push(levels_of_row);
+        }
+        Ok(Evaluated { reading, values, levels, uncomputed, scaled: OnceCell::new() })
+    }
+
+    /// The outcome of a cell under a reading. A formula that is wrong with alternatives alone is an
+    /// error of the claim file; one that is wrong with a choice, or with a quantity from another
+    /// place, has no value there.
+    fn outcome(
+        &self,
+        reading: &[Change],
+        at: At<'_>,
+    ) -> Result<(Outcome, Option<LevelCall>), Diagnostic> {
+        let found = if self.is_depth() {
+            self.judge.value_and_levels(at)
+        } else {
+            self.judge.evaluate(&self.judge.table.value, at).map(|outcome| (outcome, None))
         };
-        readings.into_iter().map(evaluate).collect()
+        found.or_else(|error| {
+            if reading.iter().all(|change| matches!(change, Change::Definition(_))) {
+                Err(error)
+            } else {
+                Ok((Outcome::Undefined(error.message), None))
+            }
+        })
+    }
+
+    /// What the values that were not computed leave open, where a reading with the differences
+    /// `taken` explains `count` cells.
+    pub(crate) fn uncomputed(
+        &self,
+        parts: &[Part<'_>],
+        taken: &[Difference],
+        count: usize,
+    ) -> Option<Uncomputed> {
+        let taken = reading(self, taken).map(|(changes, _)| self.differences(&changes));
+        let mut found: Option<Uncomputed> = None;
+        for one in parts.iter().flat_map(|part| part.all) {
+            let Some((cells, why)) = &one.uncomputed else { continue };
+            let found = found.get_or_insert_with(|| Uncomputed {
+                why: why.clone(),
+                cells: BTreeSet::new(),
+                overtakes: false,
+            });
+            found.cells.extend(cells);
+            let explanations = self.all_explanations(std::slice::from_ref(one));
+            let most = explanations.iter().map(Explanation::count).max().unwrap_or(0);
+            let is_taken = taken.as_ref().is_some_and(|own| *own == self.differences(&one.reading));
+            found.overtakes |= !is_taken && most + cells.len() > count;
+        }
+        found
     }
 
     /// The number of readings that these stand for: with each rounding of the decimals, and with

@@ -6,7 +6,7 @@ use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{FormulaErrorKind, FreeNames, LocatedFormula, Scope, evaluate};
 use crate::judge::theorem::case::Case;
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The names of the spread of the control data, which is 1. Curves and rings have only the first
@@ -24,14 +24,7 @@ pub(crate) type Evaluated = Result<RealCyclotomic, String>;
 impl Case<'_> {
     pub(crate) fn functions<'s>(&'s self, settings: &'s Settings) -> Quantities<'s> {
         let (library, scheme) = (self.library, self.resolved.clone());
-        Quantities {
-            library,
-            scheme,
-            settings,
-            beyond_caps: Cell::new(false),
-            noted: None,
-            last_levels: RefCell::default(),
-        }
+        Quantities { library, scheme, settings, noted: None, last_levels: RefCell::default() }
     }
 
     pub(crate) fn scope<'s>(
@@ -82,7 +75,9 @@ impl Case<'_> {
         match evaluate(part, &self.scope(&functions, names)) {
             Ok(value) => Ok(Ok(value)),
             Err(error) => match error.kind {
-                FormulaErrorKind::Undefined(why) => Ok(Err(why)),
+                FormulaErrorKind::Undefined(why) | FormulaErrorKind::BeyondCaps(why) => {
+                    Ok(Err(why))
+                }
                 FormulaErrorKind::DivisionByZero => Ok(Err("it divides by zero".to_owned())),
                 _ => Err(formula.diagnostic(&error)),
             },
