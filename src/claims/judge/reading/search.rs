@@ -16,6 +16,9 @@ use std::collections::BTreeMap;
 /// table give it.
 pub(crate) type Candidates = BTreeMap<String, (Integer, bool)>;
 
+/// The search, where one is needed, and what the cells need.
+type Searched = (Option<Search>, Vec<Need>);
+
 /// Searches the family for readings of the cells of one kind, where `findings` are all cells of the
 /// table as printed. Gives the search, or `None` for it if every cell is as printed and no
 /// parameter was recovered, and what the cells need. The whole result is `None` if no cell of this
@@ -28,7 +31,7 @@ pub(crate) fn search(
     recovered: &Candidates,
     family: Family,
     plain: &mut Option<Vec<Evaluated>>,
-) -> Result<Option<(Option<Search>, Vec<Need>)>, Diagnostic> {
+) -> Result<Option<Searched>, Diagnostic> {
     let printed = printed(judge, findings, kind);
     let cells: Vec<&Printed> = printed.iter().flatten().flatten().copied().collect();
     let Some(space) = Space::new(judge, needed(findings), &printed, None) else {
@@ -61,21 +64,7 @@ pub(crate) fn search(
     let values = recovered.clone().unwrap_or_else(Integer::one);
     let shares = parts(judge.paper);
     let determined = |best: &Explanation, tried: usize| {
-        let own = candidates.iter().filter(|(_, (_, own))| *own).map(|(name, _)| name);
-        recovered.is_none()
-            || own.into_iter().all(|name| {
-                let telling = tried::telling(&space, best, name);
-                let cells = printed.iter().flatten().zip(telling.iter().flatten());
-                let cells: Vec<(Rational, bool)> = cells
-                    .filter_map(|(cell, telling)| Some((likelihood((*cell)?), (*telling)?)))
-                    .collect();
-                let m = cells.iter().filter(|(_, telling)| *telling).count();
-                let likelihoods: Vec<Rational> = cells.into_iter().map(|(p, _)| p).collect();
-                let needed = space.needed_with(name);
-                let values = needed.iter().filter_map(|name| candidates.get(name));
-                let values = values.fold(Integer::one(), |all, (count, _)| all * count.clone());
-                is_small(&chance(&likelihoods, m, Integer::from(shares * tried) * values))
-            })
+        recovered.is_none() || is_determined(&space, best, likelihood, candidates, shares * tried)
     };
     let least = if recovered.is_some() { 0 } else { count };
     let judged = |explanations: &[Explanation], tried: usize| {
@@ -113,43 +102,61 @@ pub(crate) fn search(
         }
     }
     let Found { best, most, chance } = found;
-    let of_row = |row: &Vec<Option<&Printed>>| row.iter().map(|c| c.map(likelihood)).collect();
-    let likelihoods: Vec<Vec<Option<Rational>>> = printed.iter().map(of_row).collect();
-    let explained = best.first().map(|best| &best.explained).into_iter().chain([&as_printed]);
-    let left = left(&printed, explained);
     // Without a reading of the table nothing determines the values that its numbers give.
     let undetermined =
         best.is_empty() && recovered.is_some() && candidates.values().any(|(_, own)| *own);
     let lines = if undetermined {
         Vec::new()
     } else {
-        line::search(&space, &parts, &likelihoods, left, &values)
+        let of_row = |row: &Vec<Option<&Printed>>| row.iter().map(|c| c.map(likelihood)).collect();
+        let likelihoods: Vec<Vec<Option<Rational>>> = printed.iter().map(of_row).collect();
+        let explained = best.first().map(|best| &best.explained).into_iter().chain([&as_printed]);
+        line::search(&space, &parts, &likelihoods, left(&printed, explained), &values)
     };
     let mut choices = space.names();
     if !copied.is_empty() {
         choices.push(COPIED.to_owned());
     }
-    let (cells, as_printed) = (cells.len(), count);
-    let elsewhere = !copied.is_empty();
-    let taken = best.first();
-    let uncomputed = space.uncomputed(
-        &parts,
-        taken.map_or(&[][..], |best| &best.differences),
-        taken.map_or(as_printed, Explanation::count),
-    );
-    let search = Search {
-        tried,
-        choices,
-        elsewhere,
-        cells,
-        as_printed,
-        most,
-        best,
-        chance,
-        lines,
-        uncomputed,
-    };
-    Ok(Some((Some(search), needs)))
+    let (cells, as_printed, elsewhere) = (cells.len(), count, !copied.is_empty());
+    let uncomputed = space.uncomputed(&parts, best.first(), as_printed);
+    Ok(Some((
+        Some(Search {
+            tried,
+            choices,
+            elsewhere,
+            cells,
+            as_printed,
+            most,
+            best,
+            chance,
+            lines,
+            uncomputed,
+        }),
+        needs,
+    )))
+}
+
+/// Whether the cells that tell something of the recovered values are no luck under a reading, for
+/// each value that the numbers of this table give, where so many readings were tried.
+fn is_determined(
+    space: &Space<'_>,
+    best: &Explanation,
+    likelihood: impl Fn(&Printed) -> Rational,
+    candidates: &Candidates,
+    tried: usize,
+) -> bool {
+    let mut own = candidates.iter().filter(|(_, (_, own))| *own).map(|(name, _)| name);
+    own.all(|name| {
+        let telling = tried::telling(space, best, name);
+        let cells = space.printed.iter().flatten().zip(telling.iter().flatten());
+        let cells = cells.filter_map(|(cell, telling)| Some((likelihood((*cell)?), (*telling)?)));
+        let (likelihoods, telling): (Vec<Rational>, Vec<bool>) = cells.unzip();
+        let m = telling.into_iter().filter(|telling| *telling).count();
+        let needed = space.needed_with(name);
+        let values = needed.iter().filter_map(|name| candidates.get(name));
+        let values = values.fold(Integer::one(), |all, (count, _)| all * count.clone());
+        is_small(&chance(&likelihoods, m, Integer::from(tried) * values))
+    })
 }
 
 /// The printed cells that no reading explains, by row.

@@ -102,14 +102,16 @@ impl Space<'_> {
         })
     }
 
-    /// What the values that were not computed leave open, where a reading with the differences
-    /// `taken` explains `count` cells.
+    /// What the values that were not computed leave open, where this reading was taken, or else the
+    /// printed text, which explains so many cells.
     pub(crate) fn uncomputed(
         &self,
         parts: &[Part<'_>],
-        taken: &[Difference],
-        count: usize,
+        taken: Option<&Explanation>,
+        as_printed: usize,
     ) -> Option<Uncomputed> {
+        let count = taken.map_or(as_printed, Explanation::count);
+        let taken = taken.map_or(&[][..], |taken| &taken.differences);
         let taken = reading(self, taken).map(|(changes, _)| self.differences(&changes));
         let mut found: Option<Uncomputed> = None;
         for one in parts.iter().flat_map(|part| part.all) {
