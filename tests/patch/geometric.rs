@@ -4,8 +4,9 @@ use super::{Mesh, cube, mesh};
 use crate::common::hausdorff::{Rule, distances as dense};
 use crate::common::hausdorff_cases::{Case, cases};
 use crate::common::r;
+use subcert::diagnostic::SourceText;
 use subcert::float::nearest;
-use subcert::mesh::MeshScheme;
+use subcert::mesh::{MeshFormat, MeshScheme, read_mesh};
 use subcert::patch::{FaceSurface, MeshDistances};
 
 fn scheme(rule: Rule) -> MeshScheme {
@@ -78,4 +79,19 @@ fn the_eye_needs_fewer_levels_than_equal_parameters() {
     let depth = distances.geometric_depth(&tolerance, FaceSurface::Bilinear).expect("few");
     let parametric = distances.without_apart().depth(&tolerance).expect("few");
     assert!(depth.level < parametric.level, "{depth:?}, {parametric:?}");
+}
+
+/// Two sharp quadrilaterals far from flat: pieces are near to a part of one, and not near to the plane of all of it.
+#[test]
+fn a_bilinear_face_is_divided_like_the_limit() {
+    let text = "v 9/8 1/4 5/16\nv 19/8 1/8 -1/2\nv 9/8 17/16 7/16\nv 2 23/16 0\nv 7/8 35/16 -5/16\nv 2 39/16 5/16\n\
+                f 1 2 4 3\nf 3 4 6 5\n\
+                t crease 2/1/0 2 3 2\nt corner 1/1/0 2 1/2\nt corner 1/1/0 4 2\nt interpolateboundary 1/0/0 1\n";
+    let file = read_mesh(&SourceText::new("sharp.obj", text), MeshFormat::Obj).expect("a mesh");
+    let distances =
+        MeshDistances::new(file.mesh().clone(), MeshScheme::CatmullClark).expect("small");
+    for (tolerance, least) in [(r(1, 25), 0), (r(1, 50), 3_u32)] {
+        let depth = distances.geometric_depth(&tolerance, FaceSurface::Bilinear).expect("few");
+        assert_eq!((depth.level, depth.too_few), (least, least.checked_sub(1)), "{tolerance}");
+    }
 }

@@ -170,19 +170,24 @@ impl<'a, P: Units, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, P, F> {
         true
     }
 
-    /// 162 for a piece of the limit and the patch that is nearest to its centre.
+    /// 162 for a piece of the limit and the patch that is nearest to its centre; where this is bilinear, also for its
+    /// parts, as the distance of a part from its hull is a quarter.
     fn is_near_patch(&mut self, node: usize) -> bool {
         let node = self.nodes.get(node);
-        let from = |patch: &Patch, point: &Point<f64>| length(&patch.near(point).minus(point));
-        let nearest = self
-            .patches
-            .iter()
-            .min_by(|left, right| from(left, &node.centre).total_cmp(&from(right, &node.centre)));
-        self.pairs = self.pairs.saturating_sub(4);
-        nearest.is_some_and(|patch| {
-            let enough = self.tolerance - patch.warp() - self.scene.slack - node.hull.extra;
-            node.hull.points.iter().all(|point| from(patch, point) <= enough)
-        })
+        let most = self.tolerance - self.scene.slack - node.hull.extra;
+        let Some(mut patch) = nearest(&self.patches, &node.centre) else { return false };
+        loop {
+            self.pairs = self.pairs.saturating_sub(4);
+            let warp = patch.warp();
+            let is_near = |point| length(&patch.near(point).minus(point)) <= most - warp;
+            if node.hull.points.iter().all(is_near) {
+                return true;
+            }
+            if warp < self.tolerance / 32.0 || self.pairs == 0 {
+                return false;
+            }
+            patch = nearest(&patch.parts(), &node.centre).unwrap_or(patch);
+        }
     }
 
     fn near_on_mesh(&self, point: &Point<f64>) -> Point<f64> {
@@ -320,6 +325,12 @@ pub(super) fn reach(point: &Point<f64>, hull: &Hull, centre: &Point<f64>, radius
     };
     let to_nearest = nearest.map_or(0.0, |x| beyond(&x.minus(point)));
     round.max(beyond(&way)).max(to_nearest)
+}
+
+/// The patch whose hull is nearest to a point.
+fn nearest(patches: &[Patch], point: &Point<f64>) -> Option<Patch> {
+    let from = |patch: &Patch| squared(&patch.near(point), point);
+    patches.iter().min_by(|left, right| from(left).total_cmp(&from(right))).copied()
 }
 
 /// The normal of a piece of the limit, from its corners.
