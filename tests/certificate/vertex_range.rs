@@ -53,7 +53,8 @@ fn witnesses(finding: &SmoothnessFinding<'_>) -> Vec<(usize, bool)> {
 }
 
 /// The claim, what stands in its block, and what is put there.
-const CHANGES: [(usize, &str, &str); 9] = [
+const CHANGES: [(usize, &str, &str); 10] = [
+    (3, "at ", "contraction 99999 nonsense\n  at "),
     (3, "refuted", "confirmed"),
     (3, "at ", "at 1/10 # "),
     (3, "at ", "at 1/2 # "),

@@ -116,11 +116,11 @@ impl<'a> Library<'a> {
     ) -> Result<Vec<Entry<'a>>, Stop> {
         let mut entries = Vec::new();
         let factors: Vec<&str> = reference.split(" x ").collect();
-        if factors.len() > 2 || depth > MAX_ALIASES {
-            return wrong(
-                reference,
-                "it has more than two factors, or too many names stand for names",
-            );
+        if factors.len() > 2 {
+            return wrong(reference, "it has more than two factors");
+        }
+        if depth > MAX_ALIASES {
+            return Err(Stop::Capped("the names that stand for names"));
         }
         for factor in factors {
             let (name, table, parameters) = self.named_with(factor, scope, values)?;

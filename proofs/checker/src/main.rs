@@ -199,7 +199,10 @@ fn alone(flag: &str, paths: &[String], check: impl Fn(&str) -> (&'static str, St
 fn radius(text: &str) -> (&'static str, String) {
     match check_radius(text) {
         Ok(radius) => ("certified", format!(": {radius}")),
-        Err(rejection) => ("invalid", format!(":{}: {}", rejection.line, rejection.reason)),
+        Err(rejection) => {
+            let outcome = if rejection.given_up() { "incomplete" } else { "invalid" };
+            (outcome, format!(":{}: {}", rejection.line, rejection.reason))
+        }
     }
 }
 

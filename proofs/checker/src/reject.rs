@@ -217,13 +217,19 @@ pub type RadiusRejection = Rejection<RadiusReason>;
 /// A reason to refuse a certificate of a depth, and the line.
 pub type DepthRejection = Rejection<DepthReason>;
 
-impl DepthRejection {
-    /// Whether the certificate may be right: what it says is beyond a cap, or too near to call.
-    #[must_use]
-    pub fn given_up(&self) -> bool {
-        matches!(self.reason, DepthReason::Stopped(Stop::Capped(_) | Stop::Undecided(_)))
-    }
+macro_rules! given_up {
+    ($($reason:ident)*) => {$(
+        impl Rejection<$reason> {
+            /// Whether the certificate may be right: what it says is beyond a cap, or too near to call.
+            #[must_use]
+            pub fn given_up(&self) -> bool {
+                matches!(self.reason, $reason::Stopped(Stop::Capped(_) | Stop::Undecided(_)))
+            }
+        }
+    )*};
 }
+
+given_up!(RadiusReason DepthReason);
 
 impl Rejection {
     /// Whether the claim is left open. Otherwise its certificate is wrong.

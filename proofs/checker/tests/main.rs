@@ -16,3 +16,4 @@ mod names;
 mod opposites;
 mod radius;
 mod rules;
+mod toml;

@@ -46,7 +46,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         require(rules, Reason::Malformed("rules around a vertex"))?;
         block.restates("valences", claim.text("valences"))?;
     }
-    if let Some(said) = block.maybe("contraction").filter(|_| !rules) {
+    if !rules && let Some(said) = block.maybe("contraction") {
         // For other values nothing is shown.
         require(!only, Reason::NotShown)?;
         let levels = said.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c));

@@ -47,7 +47,6 @@ fn judge(claim: &Toml, definitions: &Definitions, block: &mut Block<'_>) -> Chec
     let mut counts = Counts::default();
     let (mut worst, mut better, mut is_open) = (Verdict::Nearest, false, false);
     for place in 0..table.count {
-        meter.restart();
         let (said, number) = cell(&table, block, place)?;
         let found = if said == "open" {
             Verdict::Open
