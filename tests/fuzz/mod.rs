@@ -45,13 +45,31 @@ const PIECES: [&str; 24] = [
     "{",
 ];
 
-/// `text` with a few changes: pieces put in, taken out, repeated and moved.
+/// Numbers at the ends of machine integers, and that some would take for 0 or 1.
+const EXTREMES: [&str; 14] = [
+    "2147483647",
+    "2147483648",
+    "4294967295",
+    "4294967296",
+    "4294967297",
+    "9007199254740993",
+    "9223372036854775807",
+    "9223372036854775808",
+    "18446744073709551615",
+    "18446744073709551616",
+    "18446744073709551617",
+    "170141183460469231731687303715884105727",
+    "170141183460469231731687303715884105728",
+    "340282366920938463463374607431768211457",
+];
+
+/// `text` with a few changes: pieces put in, taken out, repeated and moved, and numbers that are extreme.
 fn altered(text: &[u8], random: &mut Random) -> Vec<u8> {
     let mut bytes = text.to_vec();
     for _ in 0..=random.below(3) {
         let at = random.below(bytes.len() + 1);
         let end = (at + random.below(12)).min(bytes.len());
-        match random.below(5) {
+        match random.below(6) {
             0 => drop(bytes.drain(at..end)),
             1 => {
                 let piece = bytes[at..end].to_vec();
@@ -60,6 +78,13 @@ fn altered(text: &[u8], random: &mut Random) -> Vec<u8> {
             }
             2 if at < bytes.len() => bytes[at] = u8::try_from(random.below(128)).expect("ASCII"),
             3 if at < bytes.len() => bytes[at] ^= 1,
+            4 => {
+                let digit = |at: &usize| bytes[*at].is_ascii_digit();
+                let Some(start) = (at..bytes.len()).find(digit) else { continue };
+                let end = (start..bytes.len()).find(|at| !digit(at)).unwrap_or(bytes.len());
+                let number = EXTREMES[random.below(EXTREMES.len())].bytes();
+                drop(bytes.splice(start..end, number));
+            }
             _ => {
                 let piece = PIECES[random.below(PIECES.len())].bytes();
                 drop(bytes.splice(at..at, piece));

@@ -1,6 +1,7 @@
 //! Changed certificates: what is changed in a certificate is refused, or says the same.
 
 use crate::rules::claims;
+use num_bigint::BigInt;
 use subcert_check::{Outcome, check};
 
 const CLAIMS: &str = include_str!("rules/claims.toml");
@@ -118,6 +119,76 @@ fn a_changed_character_is_noticed() {
         }
     }
     assert!(4 * accepted < tried, "{accepted} of {tried}");
+}
+
+/// The places of the whole numbers in a text.
+fn numbers(text: &str) -> Vec<std::ops::Range<usize>> {
+    let digit = |at: usize| text.as_bytes()[at].is_ascii_digit();
+    let starts = (0..text.len()).filter(|&at| digit(at) && (at == 0 || !digit(at - 1)));
+    starts.map(|at| at..(at..text.len()).find(|&end| !digit(end)).unwrap_or(text.len())).collect()
+}
+
+/// A number that an integer of 32, 64 or 128 bits would take for this one, or that is next to the end of such integers
+/// or of what a double holds.
+fn extreme(number: &str, which: usize) -> BigInt {
+    let own: BigInt = number.parse().expect("digits");
+    let power = |bits: u32| BigInt::from(2).pow(bits);
+    match which % 10 {
+        0 => own + power(32),
+        1 => own + power(64),
+        2 => power(64) - own,
+        3 => own + power(128),
+        4 => power(31),
+        5 => power(32) - 1,
+        6 => power(53) + 1,
+        7 => power(63),
+        8 => power(63) - 1,
+        _ => power(127) + own,
+    }
+}
+
+/// Lines whose numbers may be others: data, which may break a promise too, and intervals in which a root lies.
+const FREE: [&str; 10] = [
+    "polygon ",
+    "net ",
+    "row ",
+    "ring ",
+    "at ",
+    "kept ",
+    "breaks ",
+    "end ",
+    "broken ",
+    "attained ",
+];
+
+#[test]
+fn an_extreme_number_is_noticed() {
+    let mut which = 0;
+    for (name, text) in crate::rules::certificates("accepted") {
+        // The numbers of an upper bound of a radius may be others, and take long to check.
+        if text.contains("  image ") {
+            continue;
+        }
+        let claims = claims("accepted", &text);
+        let is_valid = |text: &str| {
+            let report = check(&claims, &[text]).expect("a claim file");
+            let proper = |outcome: &Outcome| {
+                matches!(outcome, Outcome::Valid | Outcome::Cited(_) | Outcome::Incomplete(None))
+            };
+            report.broken.is_empty() && report.claims.iter().all(|(_, _, outcome)| proper(outcome))
+        };
+        assert!(is_valid(&text), "{name}");
+        for place in numbers(&text) {
+            let line = text[..place.start].rsplit('\n').next().unwrap_or("").trim_start();
+            if line.starts_with('#') || FREE.iter().any(|free| line.starts_with(free)) {
+                continue;
+            }
+            which += 1;
+            let other = extreme(&text[place.clone()], which).to_string();
+            let changed = [&text[..place.start], &other, &text[place.end..]].concat();
+            assert!(!is_valid(&changed), "{name}: {line} goes on with {other}");
+        }
+    }
 }
 
 /// Bytes that no one would write: the checker gives an answer, and not a wrong one.

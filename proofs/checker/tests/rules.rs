@@ -33,7 +33,7 @@ pub fn claims(folder: &str, certificate: &str) -> String {
 }
 
 /// The names and texts of the certificates of a folder.
-fn certificates(folder: &str) -> Vec<(String, String)> {
+pub fn certificates(folder: &str) -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/rules").join(folder);
     let files = std::fs::read_dir(&folder).expect("a folder");
     let mut certificates: Vec<(String, String)> = files

@@ -62,6 +62,7 @@ fn family(
     let best: Option<Vec<usize>> =
         said.split_whitespace().map(|count| count.parse().ok()).collect();
     let best = best.filter(|best| matches!(best.len(), 1 | 2));
+    let best = best.filter(|best| best.iter().all(|count| *count <= cells.len()));
     let best = best.ok_or(Reason::Malformed("one or two numbers of cells"))?;
     let scale = if plain { scale(table, &cells)? } else { None };
     if let Some((name, _)) = scale {

@@ -1,7 +1,7 @@
 //! The tables of TOML: what may be added to which.
 
-use super::Toml;
 use super::text::{is_line_end, name, space, string, whole_number};
+use super::value::Toml;
 use crate::cursor::{Cursor, Parsed};
 use std::collections::HashMap;
 

@@ -7,6 +7,9 @@ use crate::exact::{Integer, Rational};
 /// The nodes of so many levels at a time are looked at: the most with at most this number of nodes.
 const NODES: usize = 4096;
 
+/// The most words of the rows of these nodes: of wide masks and long numbers there are fewer nodes.
+const WORDS: usize = 1 << 22;
+
 /// No bound is above this number, times 2^−PLACES; where one would be, there are none.
 const LARGEST: i64 = 1 << 38;
 
@@ -39,7 +42,11 @@ impl Entries {
     pub(super) fn new(operator: &Scaled) -> Option<Entries> {
         let tree = Tree::<Integer>::new(operator)?;
         let size = tree.size;
-        let step = NODES.checked_ilog(operator.arity).filter(|&step| step > 0)?;
+        let bits = usize::try_from(operator.denominator.bits()).ok()?;
+        // The denominators of level k, at most NODES.ilog2(), have k times as many bits.
+        let words = 1 + bits.saturating_mul(NODES.ilog2() as usize) / 64;
+        let nodes = NODES.min(WORDS / size.saturating_mul(size).saturating_mul(words).max(1));
+        let step = nodes.checked_ilog(operator.arity).filter(|&step| step > 0)?;
         let mut level = vec![tree.root()];
         let mut known = vec![largest_of_own(&level, &tree, &Integer::one())?];
         for depth in 1..=step {
