@@ -1,10 +1,14 @@
 //! Which readings give a cell by luck.
 
 use crate::common::claims::{judged, paper};
-use subcert::audit::{CellKind, readings};
+use proptest::prelude::*;
+use subcert::audit::{CellKind, Search, Verdict, readings};
+use subcert::certificate::certificate;
+use subcert::exact::{Integer, Rational};
+use subcert_check::{Outcome, check};
 
-/// Two tables of eight numbers: of decimals with d digits, luck gives 1 in 9·10^(d−1) each, and of
-/// depths 1 in 4.
+/// Two tables: of decimals with the digits M, luck gives 1 in 2M each, and of depths 1 in 4, of 2 levels
+/// 1 in 2.
 #[test]
 fn luck_is_what_unrelated_numbers_would_give() {
     let paper = paper(
@@ -19,8 +23,8 @@ fn luck_is_what_unrelated_numbers_would_give() {
          cells = [['5', '10', '14', '19', '21'], ['2', '4', '6', '8', '9']]\n",
     );
     let audit = judged(&paper);
-    // The expected number of other cells that luck gives: of the decimals at most 1/9 + 1/9 + 3/900,
-    // less than one; of the depths 9/4, more than two and less than three.
+    // The expected number of other cells that luck gives: of the decimals at most 1/10 + 1/14 + 4/274,
+    // less than one; of the depths 9/4 to 10/4, more than two and less than three.
     for (finding, most) in audit.tables.iter().zip([0, 2]) {
         let readings = readings(&paper, finding, CellKind::Plain).expect("no error");
         let mut seen = [0; 2];
@@ -87,4 +91,130 @@ fn the_only_number_is_no_luck() {
     let mut explaining = readings.iter().filter(|reading| reading.explained[0][0]).peekable();
     assert!(explaining.peek().is_some());
     assert!(explaining.all(|reading| !finding.is_by_luck(reading, (0, 0))));
+}
+
+/// A table of d(n) = n + 5000, whose alternative is n, for these n.
+fn identity(n: &[String], cells: &[String]) -> String {
+    let list = |all: &[String]| format!("'{}'", all.join("', '"));
+    format!(
+        "[define]\nd = 'n + 5000'\n[[alternative]]\nof = 'd'\nlabel = 'other'\nvalue = 'n'\n\
+         [[table]]\nid = 't'\nlocus = 'T'\nvalue = 'd'\n\
+         columns = {{ name = 'n', values = [{}] }}\ncells = [[{}]]\n",
+        list(n),
+        list(cells)
+    )
+}
+
+/// What the search in the only table of a claim file says, after the checker has certified the
+/// verdicts.
+fn searched<T>(claims: &str, of: impl Fn(&Search, &[Verdict]) -> T) -> T {
+    let paper = paper(claims);
+    let audit = judged(&paper);
+    let text = certificate(&audit).text;
+    let report = check(&paper.source.text, &[&text]).expect("a claim file");
+    assert!(report.claims.iter().all(|(_, _, outcome)| matches!(outcome, Outcome::Valid)));
+    let table = audit.tables.last().expect("a table");
+    let verdicts: Vec<Verdict> =
+        table.cells.iter().flatten().map(|cell| cell.verdict.clone()).collect();
+    of(table.searches().next().expect("a search"), &verdicts)
+}
+
+/// Of the numbers that unrelated values give, the sum of the probabilities that `m` cells or more
+/// are given, if equal numbers are given together or not at all.
+fn together(numbers: &[(u64, usize)], m: usize) -> Rational {
+    let of_choice = |choice: u32| {
+        let (mut product, mut cells) = (Rational::one(), 0);
+        for (place, (digits, size)) in numbers.iter().enumerate() {
+            let p = Rational::new(1, Integer::from(2 * digits));
+            let given = choice >> place & 1 == 1;
+            product = product * if given { p } else { Rational::one() - p };
+            cells += if given { *size } else { 0 };
+        }
+        if cells >= m { product } else { Rational::zero() }
+    };
+    (0..1 << numbers.len()).map(of_choice).fold(Rational::zero(), |all, one| all + one)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// What is told of luck is an upper bound, also where equal numbers are given together; it is
+    /// sharp where all cells are given; and the checker agrees on every verdict.
+    #[test]
+    fn equal_numbers_are_one_piece_of_evidence(
+        numbers in prop::collection::btree_map(11_u64..99, 1_usize..4, 1..6),
+        left in 0_usize..4,
+    ) {
+        let numbers: Vec<(u64, usize)> =
+            numbers.into_iter().map(|(digits, size)| (digits + u64::from(digits % 10 == 0), size)).collect();
+        let mut merged = std::collections::BTreeMap::new();
+        for (digits, size) in numbers {
+            *merged.entry(digits).or_insert(0) += size;
+        }
+        let numbers: Vec<(u64, usize)> = merged.into_iter().collect();
+        let cells: Vec<String> =
+            numbers.iter().flat_map(|(digits, size)| vec![digits.to_string(); *size]).collect();
+        let m = cells.len().saturating_sub(left);
+        // The values of the cells that the alternative does not give are far away.
+        let n: Vec<String> = cells.iter().enumerate()
+            .map(|(at, cell)| if at < m { cell.clone() } else { "1000".to_owned() })
+            .collect();
+        let (chance, tried, found) = searched(&identity(&n, &cells), |search, _| {
+            (search.chance.clone(), search.tried, !search.best.is_empty())
+        });
+        let exact = together(&numbers, m) * Rational::from(2 * tried as i64);
+        prop_assert!(exact <= chance, "{exact} > {chance}");
+        if left == 0 {
+            prop_assert!(chance <= exact * Rational::new(11, 10) || chance >= Rational::one());
+        }
+        let largest = numbers.iter().map(|(_, size)| *size).max().unwrap_or(0);
+        let several = numbers.len() < 2 || m > largest;
+        prop_assert_eq!(found, m > 0 && several && chance <= Rational::new(1, 1_000));
+    }
+}
+
+/// Cells that are all printed «1» explain nothing, however many they are.
+#[test]
+fn a_table_of_ones_says_nothing() {
+    for count in [8, 12] {
+        let levels: Vec<String> = (1..=count).map(|c| c.to_string()).collect();
+        let claims = format!(
+            "[define]\nT = 'contraction(c)'\n[[scheme]]\nname = 'first'\n\
+             use = 'four-point-derivative:w=1/16'\n[[scheme]]\nname = 'second'\noffset = '-1'\n\
+             mask = [['-1/4', '6/4', '-1/4'], ['2/4', '2/4', '0']]\n[[table]]\nid = 'u'\n\
+             locus = 'U'\nscheme = 'first'\nvalue = 'T'\n\
+             columns = {{ name = 'c', values = ['1', '2'] }}\ncells = [['1', '0.75']]\n\
+             [[table]]\nid = 't'\nlocus = 'T'\nscheme = 'second'\nvalue = 'T'\n\
+             columns = {{ name = 'c', values = ['{}'] }}\ncells = [['{}']]\n",
+            levels.join("', '"),
+            vec!["1"; count].join("', '")
+        );
+        searched(&claims, |search, verdicts| {
+            assert!(search.best.is_empty() && search.lines.is_empty());
+            assert!(verdicts.iter().all(|verdict| *verdict == Verdict::Refuted));
+        });
+    }
+}
+
+/// Values rounded away from zero: a value below half a unit is no unit.
+#[test]
+fn nobody_rounds_a_sixteenth_to_one() {
+    let cells = ["1.235", "2.346", "3.457", "1", "1"].map(str::to_owned);
+    let n = ["1.23401", "2.34501", "3.45601", "1/16", "1/2"].map(str::to_owned);
+    searched(&identity(&n, &cells), |search, verdicts| {
+        assert_eq!(search.best[0].differs(), "other; decimals rounded away from zero");
+        assert_eq!(search.best[0].explained[0], [true, true, true, false, true]);
+        assert_eq!(verdicts[3], Verdict::Refuted);
+    });
+}
+
+/// The count takes a time that is linear in the cells.
+#[test]
+fn luck_is_counted_quickly() {
+    let n: Vec<String> = (1..=2_000).map(|i| format!("{i}/7")).collect();
+    let cells: Vec<String> = (1..=2_000).map(|i| format!("{:.9}", f64::from(i) / 7.0)).collect();
+    searched(&identity(&n, &cells), |search, _| {
+        assert_eq!((search.most, search.cells), (2_000, 2_000));
+        assert!(search.chance > Rational::zero());
+    });
 }

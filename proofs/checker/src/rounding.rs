@@ -39,9 +39,15 @@ pub fn gives(decimal: &Decimal, value: &Value, decimals: &str) -> Result<bool, S
     Ok(match (rounding(decimal, value)?, decimals) {
         ("neither", _) => false,
         (_, "cut") => beyond.is_le(),
-        (_, "away") => beyond.is_ge(),
+        // Nobody rounds a value below half a unit away from zero to one unit.
+        (found, "away") => beyond.is_ge() && (found == "nearest" || !is_one_unit(decimal)),
         (found, _) => found == "nearest",
     })
+}
+
+/// Whether a decimal is one unit of its last digit, or its negative.
+fn is_one_unit(decimal: &Decimal) -> bool {
+    decimal.digits.abs().is_one()
 }
 
 /// Whether the end of a range may be rounded: with two digits, counted from the first that is not 0.
@@ -138,6 +144,7 @@ pub fn interval(decimal: &Decimal, decimals: &str) -> (Q, Q) {
     let half = unit / int(2);
     match decimals {
         "cut" => (shown.clone(), shown + unit),
+        "away" if is_one_unit(decimal) => (half, shown),
         "away" => (&shown - unit, shown),
         _ => (&shown - &half, shown + half),
     }

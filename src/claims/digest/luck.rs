@@ -1,9 +1,9 @@
 //! Readings that explain a cell by luck.
 
-use crate::claim::{Printed, Promise};
-use crate::exact::Rational;
+use crate::claim::Promise;
+use crate::exact::{Integer, Rational};
 use crate::finding::{Explanation, TableFinding};
-use crate::judge::reading::chance::{of_decimal, of_depth};
+use crate::judge::reading::chance::one_in;
 
 impl TableFinding<'_> {
     /// Whether a reading explains the cell at a row and a column, counted from 0, by luck. It does
@@ -27,7 +27,6 @@ impl TableFinding<'_> {
             return false;
         }
         let depths = matches!(self.table.promise, Some(Promise::Depth { .. }));
-        let likelihood = |printed: &Printed| if depths { of_depth() } else { of_decimal(printed) };
         let kind = self.cells[row][column].kind();
         let (mut others, mut explained, mut by_luck) = (false, 0, Rational::zero());
         for (i, cells) in self.cells.iter().enumerate() {
@@ -36,7 +35,7 @@ impl TableFinding<'_> {
                 let Some(printed) = printed else { continue };
                 others = true;
                 explained += usize::from(reading.explained[i][j]);
-                by_luck += &likelihood(printed);
+                by_luck += &Rational::new(1, Integer::from(one_in(printed, depths)));
             }
         }
         others && Rational::from(explained) <= by_luck

@@ -7,7 +7,7 @@ use crate::finding::{
     CellKind, Difference, Explanation, Recovered, RecoveredFrom, TableFinding, Verdict,
 };
 use crate::judge::parallel;
-use crate::judge::reading::chance::{chance, is_small, of_decimal, of_depth};
+use crate::judge::reading::chance::{Evidence, is_small};
 use crate::judge::reading::plain::{as_plain, height};
 use crate::judge::reading::space::Family;
 use crate::judge::recovery::{self, Given, Values, combinations, reproduced};
@@ -243,20 +243,21 @@ fn differences(finding: &TableFinding<'_>, others: &[&Difference]) -> usize {
 /// another value, is no luck: one of the numbers as plain as `value` would give as many of the cells
 /// that the second leaves.
 fn has_evidence(pairs: &[(&TableFinding<'_>, &TableFinding<'_>)], value: &Rational) -> bool {
-    let (mut likelihoods, mut count) = (Vec::new(), 0);
+    let (mut cells, mut count, mut start) = (Vec::new(), 0, 0);
     for (now, then) in pairs {
         let is_depth = matches!(now.table.promise, Some(Promise::Depth { .. }));
-        let found = now.cells.iter().flatten().zip(then.cells.iter().flatten());
-        for (cell, (now, then)) in now.table.cells.iter().flatten().zip(found) {
-            match cell.printed().filter(|_| then.verdict != Verdict::Reproduced) {
-                Some(_) if is_depth => likelihoods.push(of_depth()),
-                Some(printed) => likelihoods.push(of_decimal(printed)),
-                None => continue,
+        let (rows, columns) = (now.table.cells.len(), now.table.cells.iter().map(Vec::len).max());
+        for (row, printed) in now.table.cells.iter().enumerate() {
+            for (column, cell) in printed.iter().enumerate() {
+                let left = then.cells[row][column].verdict != Verdict::Reproduced;
+                let Some(printed) = cell.printed().filter(|_| left) else { continue };
+                cells.push((printed, is_depth, (start + row, start + column)));
+                count += usize::from(now.cells[row][column].verdict == Verdict::Reproduced);
             }
-            count += usize::from(now.verdict == Verdict::Reproduced);
         }
+        start += rows.max(columns.unwrap_or(0));
     }
-    is_small(&chance(&likelihoods, count, as_plain(value)))
+    is_small(&Evidence::of(cells).chance(count, &as_plain(value)))
 }
 
 /// The parameters that a table leaves open and that were not recovered.

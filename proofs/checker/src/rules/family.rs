@@ -4,7 +4,7 @@
 use super::cell::Kind;
 use super::copied::copied;
 use super::listed::{Listed, same};
-use super::luck::is_luck;
+use super::luck::Evidence;
 use super::members::{self, Members, explained, members, read, values};
 use super::reading::{MAX_DIFFERENCES, PartRead, Reads};
 use super::scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
@@ -15,9 +15,6 @@ use crate::table::{Cells, Place, Read, Table};
 use crate::toml::Toml;
 use crate::value::Value;
 use std::collections::BTreeSet;
-
-/// The fewest cells that a reading explains, where there are so many.
-const LEAST_CELLS: usize = 2;
 
 /// The number of places from which the value of a cell may be taken: its own and the four around
 /// it.
@@ -204,14 +201,15 @@ impl Family<'_> {
         let counts = |at: &Place| !plain || left.contains(at);
         let others: Cells = cells.iter().filter(|(at, _)| counts(at)).cloned().collect();
         let sizes = self.readings(&self.cells)?;
-        // One cell of several is no explanation, whatever its odds are.
-        let few = others.len().min(LEAST_CELLS);
+        let others = Evidence::new(table, &others);
         let lucky = |m: usize, part: usize| {
             let m = m.saturating_sub(given);
-            m < few || is_luck(table, &others, m, &sizes[part])
+            Ok::<bool, Stop>(!others.are_enough(m) || others.is_luck(table, m, &sizes[part])?)
         };
         // No member of this part explains more than `than` cells, or that would be luck.
-        let no_better = |most: usize, part: usize, than: usize| most <= than || lucky(most, part);
+        let no_better = |most: usize, part: usize, than: usize| {
+            Ok::<bool, Stop>(most <= than || lucky(most, part)?)
+        };
         let second = self.second.unwrap_or(0);
         if let Some(read) = whole {
             let found = explained_by(read)?;
@@ -219,16 +217,16 @@ impl Family<'_> {
             let most = if part == 1 { second } else { *best };
             require(found.len() == most, Reason::NotBest(most, found.len()))?;
             require(most > given, Reason::NotBest(most, given))?;
-            require(!lucky(most, part), Reason::Luck)?;
+            require(!lucky(most, part)?, Reason::Luck)?;
             if part == 1 {
-                require(no_better(*best, 0, most - 1), Reason::NotBest(most, *best))?;
+                require(no_better(*best, 0, most - 1)?, Reason::NotBest(most, *best))?;
             } else {
-                require(no_better(second, 1, most), Reason::NotLuck)?;
+                require(no_better(second, 1, most)?, Reason::NotLuck)?;
             }
             self.determined(read, &found, part)?;
             left.retain(|place| !found.contains(place));
         } else if *plain {
-            let none = no_better(*best, 0, given) && no_better(second, 1, given);
+            let none = no_better(*best, 0, given)? && no_better(second, 1, given)?;
             require(none, Reason::NotLuck)?;
         } else if let Some(name) = table.own().next() {
             return Err(Reason::Undetermined(name.clone()).into());
@@ -244,8 +242,9 @@ impl Family<'_> {
             let found = explained(&cells, &values, part.read.decimals())?;
             let part_of = usize::from(part.read.copied().is_some());
             let size = &sizes[part_of] * int(SHIFTS) * count(rows + columns);
-            let lucky = is_luck(table, &cells, found.len(), &size);
-            require(found.len() >= LEAST_CELLS && !lucky, Reason::Luck)?;
+            let (evidence, m) = (Evidence::new(table, &cells), found.len());
+            let lucky = !evidence.are_several(m) || evidence.is_luck(table, m, &size)?;
+            require(!lucky, Reason::Luck)?;
             left.retain(|place| !found.contains(place));
         }
         Ok(())
@@ -278,7 +277,8 @@ impl Family<'_> {
                 rest = others.into_iter().map(|(cell, _)| cell).collect();
             }
             let size = &self.readings(&cells)?[part];
-            require(!is_luck(table, &tried, tried.len() - missed, size), undetermined())?;
+            let lucky = Evidence::new(table, &tried).is_luck(table, tried.len() - missed, size)?;
+            require(!lucky, undetermined())?;
         }
         Ok(())
     }

@@ -2,6 +2,8 @@
 
 use crate::claim::Printed;
 use crate::exact::{Integer, Rational};
+use crate::judge::reading::space::PrintedCells;
+use std::collections::BTreeMap;
 
 /// A reading is reported if luck gives as good a reading in at most one of this many tables of
 /// unrelated numbers.
@@ -11,32 +13,136 @@ const MOST_LUCK: i64 = 1_000;
 /// likelihood: it is often a level or two off.
 const LIKELY_DEPTHS: i64 = 4;
 
-/// The fewest cells that a reading explains, where there are so many. One cell of several is no explanation, whatever
-/// its odds are.
-pub(crate) const LEAST_CELLS: usize = 2;
+/// The most digits of a decimal that count.
+const MOST_DIGITS: usize = 18;
 
-/// An upper bound on how many readings of unrelated values would explain `m` of these
-/// cells: candidates · e_m(p_1, …, p_n), where the candidates are the readings, each with every
-/// value of a recovered parameter that is as plain as its own; p_i is how likely an unrelated value
-/// becomes the i-th printed number, and e_m the elementary symmetric polynomial, which
-/// bounds how likely m of n independent events happen (`proofs/THEOREMS.md`, 51).
-///
-/// m is the number of cells that are explained beyond those that are as printed anyway. Cells that
-/// are certain, p_i = 1, are left out, and m is less by their number.
-pub(crate) fn chance(likelihoods: &[Rational], m: usize, candidates: Integer) -> Rational {
-    let one = Rational::one();
-    let telling: Vec<&Rational> = likelihoods.iter().filter(|p| **p != one).collect();
-    let m = m.saturating_sub(likelihoods.len() - telling.len());
-    // e_0, …, e_m of the likelihoods so far.
-    let mut symmetric = vec![Rational::zero(); m + 1];
-    symmetric[0] = Rational::one();
-    for p in telling {
-        for k in (1..=m).rev() {
-            let more = &symmetric[k - 1] * p;
-            symmetric[k] += &more;
-        }
+/// The greatest binary logarithm of the number x of [`Evidence::chance`].
+const MOST_DOUBLINGS: u32 = 128;
+
+/// The smallest chance that is told is 2^−4096.
+const LEAST_CHANCE: i64 = -4_096;
+
+/// The one in how many unrelated values, at most, that becomes this printed number. For a decimal
+/// this is 2M with the integer M of its digits, without zeros at both ends: by Benford's law, log_10(1 +
+/// 1/M) ≤ 1/(2M) of all values begin with these digits. For a depth of k levels it is 4 or, if that is less, k. If it
+/// is 1, the number tells nothing; this holds for one that is printed as 0.
+pub(crate) fn one_in(printed: &Printed, is_depth: bool) -> u64 {
+    if is_depth {
+        let depth = printed.decimal.value().floor().to_i64();
+        return depth.unwrap_or(LIKELY_DEPTHS).clamp(1, LIKELY_DEPTHS).unsigned_abs();
     }
-    &symmetric[m] * Rational::from(candidates)
+    let digits = printed.decimal.mantissa().abs().to_string();
+    let digits = digits.trim_end_matches('0');
+    let digits = &digits[..digits.len().min(MOST_DIGITS)];
+    digits.parse().map_or(1, |digits: u64| 2 * digits)
+}
+
+/// What cells tell of a reading that explains so many of them.
+pub(crate) struct Evidence {
+    /// Of each printed number that tells something, the one in how many values that becomes it, and
+    /// in how many cells it stands.
+    numbers: Vec<(u64, usize)>,
+    /// How many cells tell nothing.
+    silent: usize,
+}
+
+impl Evidence {
+    /// The evidence of the printed cells that `counts` holds for, in a table of depths or of other
+    /// values.
+    pub(crate) fn new(
+        printed: &PrintedCells<'_>,
+        is_depth: bool,
+        counts: impl Fn(usize, usize) -> bool,
+    ) -> Evidence {
+        let places = printed.iter().enumerate().flat_map(|(row, cells)| {
+            cells.iter().enumerate().map(move |(column, cell)| (*cell, (row, column)))
+        });
+        let places = places.filter(|(_, (row, column))| counts(*row, *column));
+        Evidence::of(places.filter_map(|(cell, place)| Some((cell?, is_depth, place))))
+    }
+
+    /// The evidence of these cells, each with whether it is a depth, and its row and column.
+    ///
+    /// Decimals that are equal, up to the sign, are one number, wherever they stand. So are equal
+    /// depths in one row or column, and those that are connected in this way.
+    pub(crate) fn of<'p>(
+        cells: impl IntoIterator<Item = (&'p Printed, bool, (usize, usize))>,
+    ) -> Evidence {
+        let (mut all, mut silent) = (Vec::new(), 0);
+        for (printed, is_depth, place) in cells {
+            match one_in(printed, is_depth) {
+                1 => silent += 1,
+                one_in => all.push((one_in, printed.decimal.value().abs(), is_depth, place)),
+            }
+        }
+        // For each cell an earlier one with the same number, or itself.
+        let mut earlier: Vec<usize> = (0..all.len()).collect();
+        let mut first = BTreeMap::new();
+        for (at, (_, value, is_depth, (row, column))) in all.iter().enumerate() {
+            let lines = [(Some(row), None), (None, Some(column))];
+            for line in if *is_depth { &lines[..] } else { &[(None, None)] } {
+                let other = *first.entry((value, *line)).or_insert(at);
+                let (one, other) = (root(&mut earlier, at), root(&mut earlier, other));
+                earlier[one.max(other)] = one.min(other);
+            }
+        }
+        let mut numbers: Vec<(u64, usize)> = all.iter().map(|(one_in, ..)| (*one_in, 0)).collect();
+        for at in 0..all.len() {
+            numbers[root(&mut earlier, at)].1 += 1;
+        }
+        numbers.retain(|(_, cells)| *cells > 0);
+        Evidence { numbers, silent }
+    }
+
+    /// How many cells these are.
+    pub(crate) fn cells(&self) -> usize {
+        self.silent + self.numbers.iter().map(|(_, cells)| cells).sum::<usize>()
+    }
+
+    /// Whether a reading that explains `m` of these cells explains two printed numbers that tell
+    /// something, whichever cells they are.
+    pub(crate) fn are_several(&self, m: usize) -> bool {
+        let most = self.numbers.iter().map(|(_, cells)| *cells).max();
+        m.saturating_sub(self.silent) > most.unwrap_or(0)
+    }
+
+    /// Whether `m` of these cells may be all that a reading explains: they have two printed numbers that tell
+    /// something, or there are no two. One number of several is no explanation, whatever its odds are.
+    pub(crate) fn are_enough(&self, m: usize) -> bool {
+        self.numbers.len() < 2 || self.are_several(m)
+    }
+
+    /// An upper bound of how many readings of unrelated values explain `m` of these cells:
+    /// candidates · min Π (1 − p_i + p_i·x^(s_i)) / x^j over x = 1, 2, 4, …, 2^128, where the
+    /// candidates are the readings, each with every value of a recovered parameter that is as plain
+    /// as its own; s_i cells have the i-th printed number, p_i is how likely an unrelated value
+    /// becomes it, and j is m less the number of cells that tell nothing (`proofs/THEOREMS.md`, 51).
+    ///
+    /// It is rounded up to 1/N, with an integer N of two digits that are not 0, or to an integer.
+    pub(crate) fn chance(&self, m: usize, candidates: &Integer) -> Rational {
+        let told = m.saturating_sub(self.silent) as i64;
+        let at = |doublings: u32| {
+            let factors = self.numbers.iter().map(|(one_in, cells)| {
+                let power = u64::from(doublings) * *cells as u64;
+                Rough::power_plus(power, one_in - 1)
+            });
+            let product = factors.fold(Rough::ONE, |all, factor| all.times(factor, true));
+            product.halved(told * i64::from(doublings))
+        };
+        let least = (0..=MOST_DOUBLINGS).map(at).min().unwrap_or(Rough::ONE);
+        let all = self.numbers.iter().map(|(one_in, _)| Rough::from(*one_in));
+        let all = all.fold(Rough::ONE, |all, factor| all.times(factor, false));
+        least.over(all).times(Rough::at_least(candidates), true).plain()
+    }
+}
+
+/// The first cell with the number of a cell. The links to it become shorter.
+fn root(earlier: &mut [usize], mut at: usize) -> usize {
+    while earlier[at] != at {
+        earlier[at] = earlier[earlier[at]];
+        at = earlier[at];
+    }
+    at
 }
 
 /// Whether a chance is so small that a reading is reported.
@@ -44,20 +150,88 @@ pub(crate) fn is_small(chance: &Rational) -> bool {
     *chance <= Rational::new(1, MOST_LUCK)
 }
 
-/// How likely an unrelated value becomes this decimal: with d significant digits,
-/// 1 in 9·10^(d−1); the zeros at its end do not count. That a number is printed as 0
-/// tells nothing: what makes one value small may make all of them small.
-pub(crate) fn of_decimal(printed: &Printed) -> Rational {
-    if printed.decimal.mantissa().is_zero() {
-        return Rational::one();
-    }
-    let digits = printed.decimal.mantissa().abs().to_string();
-    let digits = digits.trim_end_matches('0').len();
-    let digits = u32::try_from(digits).unwrap_or(u32::MAX).min(10_000);
-    Rational::new(Integer::one(), Integer::from(9) * Integer::power_of_ten(digits - 1))
+/// A positive number m·2^e with 2^63 ≤ m < 2^64, in this order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Rough {
+    exponent: i64,
+    mantissa: u64,
 }
 
-/// How likely a wrong reading gives a depth.
-pub(crate) fn of_depth() -> Rational {
-    Rational::new(1, LIKELY_DEPTHS)
+impl Rough {
+    const ONE: Rough = Rough { exponent: -63, mantissa: 1 << 63 };
+
+    /// The number m·2^e, rounded up or down.
+    fn new(mantissa: u128, exponent: i64, up: bool) -> Rough {
+        let excess = 64 - i64::from(mantissa.leading_zeros());
+        let (high, low) = match u32::try_from(excess) {
+            Ok(excess) => (mantissa >> excess, mantissa & ((1 << excess) - 1)),
+            Err(_) => (mantissa << excess.unsigned_abs(), 0),
+        };
+        let exponent = exponent + excess;
+        match u64::try_from(high + u128::from(up && low > 0)) {
+            Ok(mantissa) => Rough { exponent, mantissa },
+            Err(_) => Rough { exponent: exponent + 1, mantissa: 1 << 63 },
+        }
+    }
+
+    /// 2^power plus a number, rounded up.
+    fn power_plus(power: u64, more: u64) -> Rough {
+        if power < 127 {
+            return Rough::new((1 << power) + u128::from(more), 0, true);
+        }
+        let places = u32::try_from(power - 63).unwrap_or(u32::MAX);
+        let more = more.checked_shr(places).unwrap_or(0);
+        Rough::new((1 << 63) + u128::from(more) + 1, power as i64 - 63, true)
+    }
+
+    /// A number that is no less than a positive integer.
+    fn at_least(integer: &Integer) -> Rough {
+        let excess = u32::try_from(integer.bits().saturating_sub(64)).unwrap_or(u32::MAX);
+        let high = integer.shifted_right(excess).to_i128().unwrap_or(1);
+        Rough::new(high.unsigned_abs() + u128::from(excess > 0), i64::from(excess), true)
+    }
+
+    fn times(self, other: Rough, up: bool) -> Rough {
+        let product = u128::from(self.mantissa) * u128::from(other.mantissa);
+        Rough::new(product, self.exponent + other.exponent, up)
+    }
+
+    /// The quotient, rounded up.
+    fn over(self, other: Rough) -> Rough {
+        let quotient = (u128::from(self.mantissa) << 64) / u128::from(other.mantissa) + 1;
+        Rough::new(quotient, self.exponent - 64 - other.exponent, true)
+    }
+
+    /// This number over a power of two.
+    fn halved(self, times: i64) -> Rough {
+        Rough { exponent: self.exponent - times, ..self }
+    }
+
+    /// As a reciprocal of an integer with two digits that are not 0, or as an integer, rounded up.
+    fn plain(self) -> Rational {
+        let exponent = self.exponent.max(LEAST_CHANCE);
+        let size = u32::try_from(exponent.unsigned_abs()).unwrap_or(u32::MAX);
+        let (mantissa, power) = (
+            Rational::from(Integer::from_words(&[self.mantissa])),
+            Integer::one().shifted_left(size),
+        );
+        if exponent > 0 {
+            return mantissa * Rational::from(power);
+        }
+        let value = mantissa / Rational::from(power);
+        if value >= Rational::one() {
+            return Rational::from(value.ceil());
+        }
+        let often = value.recip().floor().to_string();
+        let zeros = u32::try_from(often.len().saturating_sub(2)).unwrap_or(0);
+        let unit = Integer::power_of_ten(zeros);
+        let first = value.recip().floor().div_floor(&unit);
+        Rational::new(Integer::one(), first * unit)
+    }
+}
+
+impl From<u64> for Rough {
+    fn from(number: u64) -> Rough {
+        Rough::new(number.into(), 0, false)
+    }
 }

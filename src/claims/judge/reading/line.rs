@@ -1,10 +1,10 @@
 //! Rows and columns that have a reading of their own, where none explains the whole
 //! table.
 
-use crate::exact::{Integer, Rational};
+use crate::exact::Integer;
 use crate::finding::{Explanation, Line, LineReading, Values};
 use crate::judge::compare;
-use crate::judge::reading::chance::{LEAST_CELLS, chance, is_small};
+use crate::judge::reading::chance::{Evidence, is_small};
 use crate::judge::reading::space::Space;
 use crate::judge::reading::tried::{self, Evaluated, Part, best};
 
@@ -27,7 +27,6 @@ type Cells = Vec<Vec<bool>>;
 pub(crate) fn search(
     space: &Space<'_>,
     parts: &[Part<'_>],
-    likelihoods: &[Vec<Option<Rational>>],
     mut left: Cells,
     values: &Integer,
 ) -> Vec<LineReading> {
@@ -42,8 +41,7 @@ pub(crate) fn search(
     let mut found = Vec::new();
     while found.len() < MAX_LINES {
         let sizes = (lines.len(), values);
-        let readings =
-            lines.iter().filter_map(|&line| one(space, parts, likelihoods, &left, line, sizes));
+        let readings = lines.iter().filter_map(|&line| one(space, parts, &left, line, sizes));
         // Of equally good ones the first: rows before columns.
         let best = readings.fold(None, |best: Option<LineReading>, next| match best {
             Some(best) if best.best.count() >= next.best.count() => Some(best),
@@ -64,21 +62,17 @@ pub(crate) fn search(
 fn one(
     space: &Space<'_>,
     parts: &[Part<'_>],
-    likelihoods: &[Vec<Option<Rational>>],
     left: &Cells,
     line: Line,
     (lines, recovered): (usize, &Integer),
 ) -> Option<LineReading> {
     let inside = |row: usize, column: usize| left[row][column] && line.holds(row, column);
-    let mut of_line = Vec::new();
-    for (row, cells) in likelihoods.iter().enumerate() {
-        let here = cells.iter().enumerate().filter(|(column, _)| inside(row, *column));
-        of_line.extend(here.filter_map(|(_, likelihood)| likelihood.clone()));
-    }
+    let of_line = Evidence::new(space.printed, space.is_depth(), inside);
+    let cells = of_line.cells();
     let factor = Integer::from(tried::parts(space.judge.paper) * SHIFTS.len() * lines) * recovered;
     let least = Integer::from(parts.first()?.all.len()) * &factor;
     // If explaining all of these cells would still be luck, no reading is searched.
-    if of_line.is_empty() || !is_small(&chance(&of_line, of_line.len(), least)) {
+    if !of_line.are_several(cells) || !is_small(&of_line.chance(cells, &least)) {
         return None;
     }
     let mut found = None::<LineReading>;
@@ -87,13 +81,13 @@ fn one(
             let values = |one: &Evaluated| shifted(&one.values, shift, &inside);
             let explanations: Vec<Explanation> = space.explanations(all, values).collect();
             let Some(best) = best(&explanations).into_iter().next() else { continue };
-            let least = found.as_ref().map_or(LEAST_CELLS, |found| found.best.count() + 1);
-            if best.count() < least {
+            let known = found.as_ref().map_or(0, |found| found.best.count());
+            if best.count() <= known || !of_line.are_several(best.count()) {
                 continue;
             }
-            let chance = chance(&of_line, best.count(), Integer::from(*tried) * &factor);
+            let chance = of_line.chance(best.count(), &(Integer::from(*tried) * &factor));
             if is_small(&chance) {
-                let (cells, tried) = (of_line.len(), tried * SHIFTS.len() * lines);
+                let tried = tried * SHIFTS.len() * lines;
                 let needs = space.needs(&explanations);
                 found = Some(LineReading { line, cells, shift, tried, best, chance, needs });
             }

@@ -2,7 +2,7 @@
 
 use crate::claim::Printed;
 use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic};
-use crate::judge::reading::consistent::DecimalRounding;
+use crate::judge::reading::consistent::{DecimalRounding, is_one_unit};
 use std::cmp::Reverse;
 
 /// A parameter to which the values of a table are proportional.
@@ -28,7 +28,8 @@ pub(crate) fn solve(
 ) -> Option<(Rational, Interval)> {
     let consistent = Consistent::new(cells, base, rounding);
     // A number printed as 0 does not determine a scale.
-    let starts = consistent.intervals.iter().filter(|(low, _)| low.sign() > 0);
+    let starts = consistent.intervals.iter().map(|(interval, _)| interval);
+    let starts = starts.filter(|(low, _)| low.sign() > 0);
     let mut starts: Vec<(usize, &Interval)> =
         starts.map(|interval| (consistent.meeting(&interval.0), interval)).collect();
     // Intervals that have a point in common contain the greatest of their lower ends, or have it as
@@ -56,11 +57,12 @@ pub(crate) fn solve(
     Some((s, around))
 }
 
-/// For each cell, the s for which s/base times its value rounds to what is printed.
+/// For each cell, the s for which s/base times its value rounds to what is printed, and whether the lower end is none of them.
 struct Consistent {
-    intervals: Vec<Interval>,
-    /// Their lower ends, and their upper ends, each in order.
-    lows: Vec<Rational>,
+    intervals: Vec<(Interval, bool)>,
+    /// Their lower ends, each with whether it does not belong to the interval, and their upper ends,
+    /// each in order.
+    lows: Vec<(Rational, bool)>,
     highs: Vec<Rational>,
     rounding: DecimalRounding,
 }
@@ -71,12 +73,15 @@ impl Consistent {
         base: &Rational,
         rounding: DecimalRounding,
     ) -> Consistent {
-        let interval = |(printed, value): &(&Printed, &_)| {
-            let (low, high) = interval(printed, value, rounding)?;
-            Some((low * base, high * base))
-        };
-        let intervals: Vec<Interval> = cells.iter().filter_map(interval).collect();
-        let (mut lows, mut highs): (Vec<_>, Vec<_>) = intervals.iter().cloned().unzip();
+        let (mut intervals, mut lows, mut highs) = (Vec::new(), Vec::new(), Vec::new());
+        for (printed, value) in cells {
+            let Some((low, high)) = interval(printed, value, rounding) else { continue };
+            let (low, high) = (low * base, high * base);
+            let is_open = rounding == DecimalRounding::Away && !is_one_unit(&printed.decimal);
+            lows.push((low.clone(), is_open));
+            highs.push(high.clone());
+            intervals.push(((low, high), is_open));
+        }
         lows.sort_unstable();
         highs.sort_unstable();
         Consistent { intervals, lows, highs, rounding }
@@ -85,11 +90,7 @@ impl Consistent {
     /// How many intervals contain s or have it as an end: those that begin at s or before, less
     /// those that end before s.
     fn meeting(&self, s: &Rational) -> usize {
-        self.lows.partition_point(|low| low <= s) - self.highs.partition_point(|high| high < s)
-    }
-
-    fn has_begun(&self, low: &Rational, s: &Rational) -> bool {
-        low < s || low == s && self.rounding != DecimalRounding::Away
+        self.lows.partition_point(|(low, _)| low <= s) - self.highs.partition_point(|high| high < s)
     }
 
     fn has_ended(&self, high: &Rational, s: &Rational) -> bool {
@@ -98,18 +99,24 @@ impl Consistent {
 
     /// How many intervals contain s, where it depends on the rounding which ends belong to them.
     fn at(&self, s: &Rational) -> usize {
-        let begun = self.lows.partition_point(|low| self.has_begun(low, s));
+        let begun = self.lows.partition_point(|(low, open)| has_begun((low, *open), s));
         begun - self.highs.partition_point(|high| self.has_ended(high, s))
     }
 
     /// The ends of the intersection of all intervals that contain s.
     fn around(&self, s: &Rational) -> Option<Interval> {
-        let holds = |(low, high): &&Interval| self.has_begun(low, s) && !self.has_ended(high, s);
-        let holding = || self.intervals.iter().filter(holds);
+        let holds = |((low, high), open): &&(Interval, bool)| {
+            has_begun((low, *open), s) && !self.has_ended(high, s)
+        };
+        let holding = || self.intervals.iter().filter(holds).map(|(interval, _)| interval);
         let low = holding().map(|(low, _)| low).max()?;
         let high = holding().map(|(_, high)| high).min()?;
         Some((low.clone(), high.clone()))
     }
+}
+
+fn has_begun((low, is_open): (&Rational, bool), s: &Rational) -> bool {
+    low < s || low == s && !is_open
 }
 
 /// The s > 0 for which s·value rounds to what is printed.
@@ -126,6 +133,7 @@ fn interval(
     let (low, high) = match rounding {
         DecimalRounding::Nearest => (&shown - &half, &shown + &half),
         DecimalRounding::Cut => (shown.clone(), &shown + &unit),
+        DecimalRounding::Away if is_one_unit(&printed.decimal) => (half, shown.clone()),
         DecimalRounding::Away => (&shown - &unit, shown.clone()),
     };
     let enclosure = value.abs().enclosure(PRECISION);

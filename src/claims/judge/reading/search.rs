@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Integer, Rational};
 use crate::finding::{COPIED, CellFinding, CellKind, Explanation, Need, Search};
-use crate::judge::reading::chance::{LEAST_CELLS, chance, is_small, of_decimal, of_depth};
+use crate::judge::reading::chance::{Evidence, is_small};
 use crate::judge::reading::space::{Family, PrintedCells, Space, needed, printed};
 use crate::judge::reading::tried::{Evaluated, Part, parts};
 use crate::judge::reading::{line, tried};
@@ -54,26 +54,24 @@ pub(crate) fn search(
     if count == cells.len() && recovered.is_none() {
         return Ok(Some((None, needs)));
     }
-    let likelihood =
-        |printed: &Printed| if space.is_depth() { of_depth() } else { of_decimal(printed) };
     // The cells that the printed text gives without assumptions do not support another reading.
-    let given = as_printed.iter().flatten().zip(findings.iter().flatten());
-    let given = given.map(|(explained, finding)| *explained && finding.is_plain());
-    let others = printed.iter().flatten().zip(given).filter(|(_, given)| !given);
-    let others: Vec<Rational> = others.filter_map(|(cell, _)| cell.map(likelihood)).collect();
+    let is_given =
+        |row: usize, column: usize| as_printed[row][column] && findings[row][column].is_plain();
+    let others = Evidence::new(&printed, space.is_depth(), |row, column| !is_given(row, column));
+    let given = cells.len() - others.cells();
     let values = recovered.clone().unwrap_or_else(Integer::one);
     let shares = parts(judge.paper);
     let determined = |best: &Explanation, tried: usize| {
-        recovered.is_none() || is_determined(&space, best, likelihood, candidates, shares * tried)
+        recovered.is_none() || is_determined(&space, best, candidates, shares * tried)
     };
     let least = if recovered.is_some() { 0 } else { count };
     let judged = |explanations: &[Explanation], tried: usize| {
         let best = tried::best(explanations);
         let most = best.first().map_or(0, Explanation::count);
-        let beyond = most.saturating_sub(cells.len() - others.len());
-        let chance = chance(&others, beyond, Integer::from(shares * tried) * &values);
+        let beyond = most.saturating_sub(given);
+        let chance = others.chance(beyond, &(Integer::from(shares * tried) * &values));
         let sure = most > least
-            && beyond >= others.len().min(LEAST_CELLS)
+            && others.are_enough(beyond)
             && is_small(&chance)
             && best.first().is_some_and(|best| determined(best, tried));
         let best = if sure { best } else { Vec::new() };
@@ -108,10 +106,8 @@ pub(crate) fn search(
     let lines = if undetermined {
         Vec::new()
     } else {
-        let of_row = |row: &Vec<Option<&Printed>>| row.iter().map(|c| c.map(likelihood)).collect();
-        let likelihoods: Vec<Vec<Option<Rational>>> = printed.iter().map(of_row).collect();
         let explained = best.first().map(|best| &best.explained).into_iter().chain([&as_printed]);
-        line::search(&space, &parts, &likelihoods, left(&printed, explained), &values)
+        line::search(&space, &parts, left(&printed, explained), &values)
     };
     let mut choices = space.names();
     if !copied.is_empty() {
@@ -141,21 +137,19 @@ pub(crate) fn search(
 fn is_determined(
     space: &Space<'_>,
     best: &Explanation,
-    likelihood: impl Fn(&Printed) -> Rational,
     candidates: &Candidates,
     tried: usize,
 ) -> bool {
     let mut own = candidates.iter().filter(|(_, (_, own))| *own).map(|(name, _)| name);
     own.all(|name| {
         let telling = tried::telling(space, best, name);
-        let cells = space.printed.iter().flatten().zip(telling.iter().flatten());
-        let cells = cells.filter_map(|(cell, telling)| Some((likelihood((*cell)?), (*telling)?)));
-        let (likelihoods, telling): (Vec<Rational>, Vec<bool>) = cells.unzip();
-        let m = telling.into_iter().filter(|telling| *telling).count();
+        let m = telling.iter().flatten().filter(|telling| **telling == Some(true)).count();
+        let counts = |row: usize, column: usize| telling[row][column].is_some();
+        let cells = Evidence::new(space.printed, space.is_depth(), counts);
         let needed = space.needed_with(name);
         let values = needed.iter().filter_map(|name| candidates.get(name));
         let values = values.fold(Integer::one(), |all, (count, _)| all * count.clone());
-        is_small(&chance(&likelihoods, m, Integer::from(tried) * values))
+        is_small(&cells.chance(m, &(Integer::from(tried) * values)))
     })
 }
 
