@@ -59,11 +59,13 @@ fn table(case: &Case) -> Vec<[u32; 3]> {
         let parametric = distances.depth(&tolerance).map(|x| x.level).ok();
         let other = start.elapsed().as_secs_f64();
         let certified = match &found {
-            Ok(found) => format!("{:?} to {}", found.too_few.map(|x| x + 1), found.level),
+            Ok(found) => {
+                format!("{:?} to {}", found.too_few.map(|x| x + 1), found.level.unwrap_or(u32::MAX))
+            }
             Err(error) => error.to_string(),
         };
-        let level = found.as_ref().ok().map(|x| x.level as usize);
-        let exact = found.as_ref().is_ok_and(|x| x.too_few.map_or(0, |x| x + 1) == x.level);
+        let level = found.as_ref().ok().and_then(|x| x.level).map(|x| x as usize);
+        let exact = found.as_ref().is_ok_and(|x| Some(x.too_few.map_or(0, |x| x + 1)) == x.level);
         println!(
             "{}, {:?}, {p}/{q}, {dense:?}, {certified}, {parametric:?}, {seconds:.2}, {other:.2}",
             case.name, case.rule

@@ -1,5 +1,6 @@
 //! What meshes, nets and solids have in common: points, and depths.
 
+use crate::error::plain;
 use crate::number::{Fraction, fraction, rational};
 use crate::run::aside;
 use pyo3::prelude::*;
@@ -49,6 +50,15 @@ pub(crate) fn rational_limit(position: &Point<Rational>) -> Limit {
     (position.each_ref().map(nearest), Some(position.each_ref().map(fraction)))
 }
 
+/// The level that is sufficient as a set of points; an error says why none is known, and which levels are too few.
+pub(crate) fn known_level<P>(found: &GeometricDepth<P>) -> PyResult<u32> {
+    found.level.ok_or_else(|| {
+        let why = found.ended.as_deref().unwrap_or("open");
+        let few = found.too_few.map(|few| format!("; level {few} is too few")).unwrap_or_default();
+        plain(format!("{why}{few}"))
+    })
+}
+
 /// A depth as sets of points that is found beside Python.
 pub(crate) fn surface_depth_aside(
     py: Python<'_>,
@@ -58,10 +68,11 @@ pub(crate) fn surface_depth_aside(
     let shared = Arc::clone(&work);
     let surface = move || {
         let found = find(shared)?;
+        let level = known_level(&found)?;
         let place = found
             .beyond
             .map(|place| (place.from.name().to_owned(), place.face, place.point, place.distance));
-        Ok((found.level, found.too_few, place))
+        Ok((level, found.too_few, place))
     };
     aside(py, || work.stop(), surface)
 }

@@ -2,6 +2,7 @@
 
 use crate::algebraic::Algebraic;
 use crate::error::{plain, with_remedy};
+use crate::geometry::known_level;
 use crate::number::{Fraction, fraction, rational, rationals};
 use crate::run::{aside, at_once};
 use pyo3::prelude::*;
@@ -256,11 +257,12 @@ impl Native {
                 let limit = Limit::new(&mask).map_err(plain)?;
                 let sets = CurveSets::new(&limit, &coordinates, closed).map_err(plain)?;
                 let found = sets.with_budget(own).depth(&tolerance).map_err(plain)?;
+                let level = known_level(&found)?;
                 let place = found.beyond.map(|place| {
                     let of = if place.from == SetKind::Mesh { "polygon" } else { "limit" };
                     (of.to_owned(), fraction(&place.parameter), place.point, place.distance)
                 });
-                Ok((found.level, found.too_few, place))
+                Ok((level, found.too_few, place))
             },
         )
     }

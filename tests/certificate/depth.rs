@@ -37,7 +37,8 @@ fn of_polygon(
         parameters: vec![place.parameter.clone()],
     };
     let far: Vec<DepthFar> = found.places().map(far).collect();
-    (depth_certificate(tolerance, &[direction], points, Some(found.level), &far), found.level)
+    let text = depth_certificate(tolerance, &[direction], points, found.level, &far);
+    (text, found.level.expect("a level"))
 }
 
 /// That it is the least level.
@@ -95,13 +96,13 @@ fn depths_of_nets_are_certified() {
             })
             .collect();
         let points: Vec<Vec<Rational>> = net.points().iter().map(|x| x.to_vec()).collect();
-        let text = depth_certificate(&tolerance, &directions, &points, Some(found.level), &far);
+        let level = found.level.expect("a level");
+        let text = depth_certificate(&tolerance, &directions, &points, found.level, &far);
         let checked = check_depth(&text).unwrap_or_else(|why| panic!("{why:?}\n{text}"));
         let few = found.too_few.map_or(0, |level| level + 1);
-        assert_eq!(checked, Depth { enough: Some(found.level), too_few: (0..few).collect() });
-        let wrong = text
-            .replace(&format!("enough {}", found.level), &format!("enough {}", found.level - 1));
-        assert!(few < found.level || check_depth(&wrong).is_err());
+        assert_eq!(checked, Depth { enough: found.level, too_few: (0..few).collect() });
+        let wrong = text.replace(&format!("enough {level}"), &format!("enough {}", level - 1));
+        assert!(few < level || check_depth(&wrong).is_err());
         all += few;
     }
     assert!(all > 3, "{all}");

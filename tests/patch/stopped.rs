@@ -1,11 +1,11 @@
 //! Searches that are stopped: what they say holds, and is less.
 
-use super::{cube, depth};
+use super::{cube, depth, tetrahedron};
 use crate::common::r;
 use std::sync::Arc;
 use subcert::mesh::{MeshScheme, Point};
 use subcert::net::{Closed, Net, NetScheme};
-use subcert::patch::{MeshDepth, MeshDistances, MeshWork, NetDistances};
+use subcert::patch::{FaceSurface, MeshDepth, MeshDistances, MeshWork, NetDistances};
 
 fn stopped() -> Arc<MeshWork> {
     let work = Arc::<MeshWork>::default();
@@ -38,4 +38,31 @@ fn meshes_and_nets() {
     let distances = || NetDistances::new(net.clone(), &scheme).expect("a net within the caps");
     let found = distances().with_work(stopped()).depth(&tolerance).expect("a level");
     holds(&found, &distances().depth(&tolerance).expect("a level"));
+}
+
+/// As sets of points: a level is sufficient by equal parameters where these bound the distance, and else none is known.
+#[test]
+fn as_sets_of_points() {
+    let tolerance = r(1, 100);
+    for (scheme, mesh, surface, known) in [
+        (MeshScheme::CatmullClark, cube(), FaceSurface::Bilinear, true),
+        (MeshScheme::CatmullClark, cube(), FaceSurface::Fan, false),
+        (MeshScheme::DooSabin, tetrahedron(), FaceSurface::Bilinear, false),
+        (MeshScheme::Loop, tetrahedron(), FaceSurface::Bilinear, true),
+    ] {
+        let distances = || MeshDistances::new(mesh.clone(), scheme).expect("small");
+        let whole = distances().geometric_depth(&tolerance, surface).expect("a depth");
+        assert!(whole.too_few.is_some() && whole.ended.is_none());
+        let ended = distances().with_work(stopped());
+        let found = ended.geometric_depth(&tolerance, surface).expect("what is proved");
+        assert_eq!((found.level.is_some(), found.too_few), (known, None), "{scheme:?}");
+        assert!(found.level.is_none_or(|level| Some(level) >= whole.level));
+        assert!(found.ended.is_some_and(|why| why.contains("stopped")));
+        let faces = ended.geometric_faces(&tolerance, surface);
+        assert_eq!(faces.is_ok(), known, "{scheme:?}");
+        let own = distances().geometric_faces(&tolerance, surface).expect("few levels");
+        for (face, own) in faces.into_iter().flatten().zip(own) {
+            assert!(face.level >= own.level && !face.is_least, "{face:?}, {own:?}");
+        }
+    }
 }

@@ -91,6 +91,10 @@ pub(in crate::cli) struct DepthArguments {
     /// distance is that of sets: .csv, .json, or .ply with colours
     #[arg(long, value_name = "FILE", requires = "mesh", conflicts_with = "a_priori")]
     pub(in crate::cli) per_face: Option<PathBuf>,
+    /// End the search of a mesh, a net or a solid after so many seconds, as Ctrl-C does: what is proved by then is
+    /// printed, and the rest is open
+    #[arg(long, value_name = "N", requires = "mesh", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(in crate::cli) seconds: Option<u32>,
     /// How far a mesh, a net or a control polygon is from its limit: as sets of points, or at equal parameters. Solids
     /// have the latter alone [default: a mesh or a net as sets, a polygon of points both]
     #[arg(long, value_enum)]

@@ -43,9 +43,20 @@ pub(super) fn of_polygon(
     let direction = DepthDirection { mask, count, range: sets.range().cloned() };
     let point = |i: usize| coordinates.iter().map(|own| own[i].clone()).collect();
     let points: Vec<Vec<Rational>> = (0..count).map(point).collect();
+    shows(found)?;
     let places = found.places();
     let far = far(places.map(|(level, at)| (level, at.from, vec![at.parameter.clone()])));
-    write(path, &depth_certificate(tolerance, &[direction], &points, Some(found.level), &far))
+    write(path, &depth_certificate(tolerance, &[direction], &points, found.level, &far))
+}
+
+/// Refuses where nothing is known that a certificate could show.
+fn shows<P>(found: &GeometricDepth<P>) -> Outcome {
+    match &found.ended {
+        Some(why) if found.level.is_none() && found.too_few.is_none() => {
+            Err(none(&format!("there is none here: {why}")))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Writes the certificate of a net.
@@ -57,6 +68,7 @@ pub(super) fn of_net(
     found: &GeometricDepth,
     tolerance: &Rational,
 ) -> Outcome {
+    shows(found)?;
     let ranges = distances.ranges();
     let direction = |((mask, count), range)| DepthDirection { mask, count, range };
     let directions = scheme.masks().iter().zip(net.sizes()).zip(ranges);
@@ -65,8 +77,5 @@ pub(super) fn of_net(
     let places = found
         .places()
         .filter_map(|(level, at)| Some((level, at.from, at.parameters.clone()?.to_vec())));
-    write(
-        path,
-        &depth_certificate(tolerance, &directions, &points, Some(found.level), &far(places)),
-    )
+    write(path, &depth_certificate(tolerance, &directions, &points, found.level, &far(places)))
 }

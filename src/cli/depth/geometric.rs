@@ -2,20 +2,22 @@
 
 use super::faces::{FaceRow, FacesFormat, without_holes};
 use super::kind::Kind;
-use super::numbers::{digits, few_text, levels, point};
+use super::numbers::{depth_text, digits, levels, point};
 use super::promise::Formula;
 use super::refined::rounded;
 use crate::cli::arguments::{DepthArguments, DistanceArgument, FacesArgument, FindingFormat};
 use crate::cli::finding::{Destination, command};
+use crate::cli::interrupt::Interrupt;
 use crate::cli::json::{SCHEMA, geometric_depth as form, mesh_depth};
-use crate::cli::output::{Failure, Outcome};
+use crate::cli::output::{Failure, Outcome, note};
 use crate::cli::progress::Progress;
+use std::sync::Arc;
 use subcert::exact::{Rational, format::short};
 use subcert::float::{shortest, upper};
 use subcert::mesh::{MeshError, MeshScheme, Point, PolygonMesh};
 use subcert::patch::{
     APriori, FaceDepth, FaceSurface, GeometricDepth, GeometricPlace, LEAST_SHARE, MeshDistances,
-    relative_tolerance,
+    MeshWork, relative_tolerance,
 };
 use subcert::report::Sheet;
 use subcert::report::html::{ColouredFaces, FindingPage, Picture};
@@ -166,23 +168,31 @@ impl Surface {
         tolerance: &Rational,
         arguments: &DepthArguments,
     ) -> Result<Surface, MeshError> {
+        let work = Arc::<MeshWork>::default();
+        let _interrupt = Interrupt::stops_work(&work, arguments.seconds);
         let surface = match arguments.faces {
             FacesArgument::Bilinear => FaceSurface::Bilinear,
             FacesArgument::Fan => FaceSurface::Fan,
         };
-        let distances = MeshDistances::new(mesh.clone(), scheme)?;
         let wanted = arguments.output.format != FindingFormat::Json;
-        let _progress = Progress::of_pieces(distances.work(), wanted);
+        let _progress = Progress::of_pieces(Arc::clone(&work), wanted);
+        let distances = MeshDistances::new(mesh.clone(), scheme)?.with_work(work);
         let found = distances.geometric_depth(tolerance, surface)?;
-        let faces = if arguments.per_face.is_some() || arguments.output.is_page() {
-            let depths = distances.geometric_faces(tolerance, surface)?;
-            let bounds = distances.geometric_distances(found.level, tolerance, surface)?;
-            Some(Faces::new(depths, bounds, tolerance))
-        } else {
-            None
+        let faces = match found.level.filter(|_| asks_for_faces(arguments)) {
+            None => None,
+            Some(level) => {
+                let depths = distances.geometric_faces(tolerance, surface)?;
+                let bounds = distances.geometric_distances(level, tolerance, surface)?;
+                Some(Faces::new(depths, bounds, tolerance))
+            }
         };
         Ok(Surface { of_faces: surface, found, faces })
     }
+}
+
+/// Whether the distances of all faces are needed.
+pub(super) fn asks_for_faces(arguments: &DepthArguments) -> bool {
+    arguments.per_face.is_some() || arguments.output.is_page()
 }
 
 /// The answer for one mesh, net or boundary of a solid.
@@ -234,16 +244,22 @@ impl GeometricReport<'_> {
     }
 
     pub(super) fn show(&self, arguments: &DepthArguments, to: &Destination) -> Outcome {
-        if let (Some(path), Some(faces)) = (&arguments.per_face, &self.faces) {
-            let rows = faces.rows(self.found.level);
-            FacesFormat::of(path)?.write(path, self.mesh, &rows)?;
+        match (&arguments.per_face, self.of_faces()) {
+            (Some(path), Some((faces, level))) => {
+                FacesFormat::of(path)?.write(path, self.mesh, &faces.rows(level))?;
+            }
+            (Some(path), None) => {
+                let path = path.display();
+                note(&format!("`{path}` is not written: no level is known to be sufficient"));
+            }
+            (None, _) => {}
         }
         let page = || {
             let (sentence, command) = (self.sentence(), command());
             let sheet = &self.sheet(arguments);
-            let picture = self.faces.as_ref();
+            let faces = self.of_faces();
             let picture =
-                picture.and_then(|faces| faces.picture(&self.name, self.mesh, self.found.level));
+                faces.and_then(|(faces, level)| faces.picture(&self.name, self.mesh, level));
             let pictures = &picture.into_iter().collect::<Vec<Picture>>();
             Ok(FindingPage { sentence: &sentence, sheet, pictures, command: &command }.to_html())
         };
@@ -252,8 +268,15 @@ impl GeometricReport<'_> {
 
     fn sentence(&self) -> String {
         let tolerance = short(&self.tolerance, 6);
+        let Some(level) = self.found.level else {
+            return format!(
+                "Levels of refinement after which the {} is within {tolerance} of its limit, as a set of points: {}.",
+                self.kind.name(),
+                depth_text(&self.found, "")
+            );
+        };
         let few = self.found.too_few.map(|few| format!(", and not after {few}"));
-        let levels = levels(self.found.level);
+        let levels = levels(level);
         let few = few.unwrap_or_default();
         format!(
             "The {} is within {tolerance} of its limit, as a set of points, after {levels} of refinement{few}.",
@@ -270,11 +293,7 @@ impl GeometricReport<'_> {
         };
         sheet.heading(1, format!("{}, {scheme}, ε = {tolerance}", self.name));
         let found = &self.found;
-        let few = few_text(found);
-        let mut facts = vec![(
-            format!("depth of the {}", kind.name()),
-            format!("{}{few}", levels(found.level)),
-        )];
+        let mut facts = vec![(format!("depth of the {}", kind.name()), depth_text(found, ""))];
         if self.relative.is_some() {
             facts.push(("tolerance".to_owned(), short(&self.tolerance, 9)));
         }
@@ -287,8 +306,8 @@ impl GeometricReport<'_> {
         facts.extend(
             few.map(|(level, x)| (format!("too far at level {level}"), self.place_text(x))),
         );
-        if let Some(faces) = &self.faces {
-            let [all, own] = faces.counts(self.mesh, self.growth, found.level);
+        if let Some((faces, level)) = self.of_faces() {
+            let [all, own] = faces.counts(self.mesh, self.growth, level);
             facts.push((
                 "adaptive refinement".to_owned(),
                 format!(
@@ -344,12 +363,17 @@ impl GeometricReport<'_> {
 
     /// A promised number of levels, compared with what is known as sets of points.
     fn verdict(&self, level: u32) -> &'static str {
-        match self.found.too_few {
-            Some(few) if level <= few => "too few",
-            _ if level > self.found.level => "more than needed",
-            _ if level == self.found.level => "enough",
+        match (self.found.too_few, self.found.level) {
+            (Some(few), _) if level <= few => "too few",
+            (_, Some(found)) if level > found => "more than needed",
+            (_, Some(found)) if level == found => "enough",
             _ => "open",
         }
+    }
+
+    /// What is known of all faces, with the level that is sufficient.
+    fn of_faces(&self) -> Option<(&Faces, u32)> {
+        self.faces.as_ref().zip(self.found.level)
     }
 
     fn form(&self) -> form::Report<'_> {
@@ -364,8 +388,7 @@ impl GeometricReport<'_> {
             other: place.other.map(shortest),
             distance: shortest(place.distance),
         };
-        let level = self.found.level;
-        let adaptive = self.faces.as_ref().map(|faces| {
+        let adaptive = self.of_faces().map(|(faces, level)| {
             let [uniform, adaptive] = faces.counts(self.mesh, self.growth, level);
             form::Adaptive { uniform: shortest(uniform), adaptive: shortest(adaptive) }
         });
@@ -377,7 +400,8 @@ impl GeometricReport<'_> {
             relative: self.relative.as_ref().map(ToString::to_string),
             measure: "hausdorff",
             faces: self.surface.name(),
-            level,
+            level: self.found.level,
+            ended: self.found.ended.as_deref(),
             too_few: self.found.too_few,
             too_far: self.found.beyond.as_ref().map(place),
             adaptive,

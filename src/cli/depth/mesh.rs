@@ -3,17 +3,19 @@
 use super::faces::{FacesFormat, plain_rows};
 use super::geometric::{GeometricReport, Growth, Surface, measure, no_fan};
 use super::kind::Kind;
-use super::numbers::{digits, levels, point, too_few};
+use super::numbers::{digits, few_text, levels, point};
 use super::pictures::{Drawn, Pieces};
 use super::promise::{Formula, Promise, promises};
 use super::refined::Refined;
 use crate::cli::arguments::{DepthArguments, DepthBoundary, FindingFormat};
 use crate::cli::finding::{Destination, command};
+use crate::cli::interrupt::Interrupt;
 use crate::cli::json::{SCHEMA, mesh_depth as form};
 use crate::cli::mesh::{failure, read, with_boundary};
 use crate::cli::output::{Outcome, positive};
 use crate::cli::progress::Progress;
 use std::path::Path;
+use std::sync::Arc;
 use subcert::exact::{Rational, format::short};
 use subcert::float::shortest;
 use subcert::mesh::MeshScheme;
@@ -41,7 +43,7 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
     let per_face = arguments.per_face.as_deref();
     let per_face =
         per_face.map(|path| FacesFormat::of(path).map(|format| (path, format))).transpose()?;
-    let mut pictures = Vec::new();
+    let (mut pictures, mut stopped) = (Vec::new(), false);
     if geometric && !arguments.a_priori {
         let mesh = file.mesh();
         let Surface { of_faces: surface, found, faces } =
@@ -69,7 +71,9 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
     } else {
         let distances = MeshDistances::new(file.mesh().clone(), scheme).map_err(refused)?;
         let wanted = arguments.output.format != FindingFormat::Json;
-        let progress = Progress::of_pieces(distances.work(), wanted);
+        let work = distances.work();
+        let interrupt = Interrupt::stops_work(&work, arguments.seconds);
+        let progress = Progress::of_pieces(Arc::clone(&work), wanted);
         let depth = distances.depth(&tolerance).map_err(refused)?;
         if let Some((path, format)) = per_face {
             let rows = plain_rows(depth.level, distances.faces(depth.level));
@@ -82,11 +86,12 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
             let promised = promises(promised.as_ref(), &guaranteed);
             pictures = drawn.pictures(&pieces, promised, |level| distances.distance(level));
         }
-        drop(progress);
+        stopped = work.is_stopped();
+        drop((interrupt, progress));
         Some(depth)
     };
     let scheme = scheme.name().to_owned();
-    Report { scheme, name, tolerance, guaranteed, promised, found, kind, pictures }
+    Report { scheme, name, tolerance, guaranteed, promised, found, kind, pictures, stopped }
         .show(arguments, to)
 }
 
@@ -101,7 +106,12 @@ pub(super) struct Report {
     pub(super) found: Option<MeshDepth>,
     pub(super) kind: Kind,
     pub(super) pictures: Vec<Picture>,
+    /// Whether the search was stopped.
+    pub(super) stopped: bool,
 }
+
+/// Why a search ended early.
+const STOPPED: &str = "the search was stopped";
 
 fn place_text(place: &FarPlace, kind: Kind) -> String {
     let FarPlace { face, vertex, level_face, on_mesh, on_limit } = place;
@@ -152,12 +162,8 @@ impl Report {
         sheet.heading(1, format!("{name}, {scheme}, ε = {}", arguments.tolerance));
         let mut facts = Vec::new();
         if let Some(found) = &self.found {
-            let few = match found.too_few {
-                None if found.level == 0 => String::new(),
-                Some(few) if few + 1 == found.level => too_few(few),
-                Some(few) => format!("{}, and those between are open", too_few(few)),
-                None => "; fewer are open".to_owned(),
-            };
+            let few = few_text(found.level, found.too_few);
+            let few = if self.stopped { format!("{few}: {STOPPED}") } else { few };
             facts.push((
                 format!("depth of the {}", kind.name()),
                 format!("{}{few}", levels(found.level)),
@@ -222,6 +228,7 @@ impl Report {
             tolerance: self.tolerance.to_string(),
             measure: "parametric",
             level: found.map(|found| found.level),
+            ended: self.stopped.then_some(STOPPED),
             too_few: found.and_then(|found| found.too_few),
             distance: found.map(|found| {
                 let [lower, upper] = found.distance.map(shortest);

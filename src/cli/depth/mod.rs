@@ -203,7 +203,7 @@ impl Report {
         let natural = self.natural();
         let tolerance = short(&self.tolerance, 6);
         if let Some(Ok(found)) = &self.sets {
-            return format!("For the tolerance {tolerance}: {}.", sets::depth_text(found));
+            return format!("For the tolerance {tolerance}: {}.", sets::sets_text(found));
         }
         if let Some(own) = &natural.polygon {
             return match own {

@@ -2,7 +2,7 @@
 
 use super::certified;
 use super::faces::{FacesFormat, plain_rows};
-use super::geometric::{Faces, GeometricReport, Growth, measure};
+use super::geometric::{Faces, GeometricReport, Growth, asks_for_faces, measure};
 use super::kind::Kind;
 use super::mesh::Report;
 use super::pictures::{Drawn, Pieces};
@@ -10,6 +10,7 @@ use super::promise::{Formula, promises};
 use super::refined::Refined;
 use crate::cli::arguments::{DepthArguments, FacesArgument, FindingFormat};
 use crate::cli::finding::Destination;
+use crate::cli::interrupt::Interrupt;
 use crate::cli::net::{NetFile, NetInput, failure};
 use crate::cli::output::{Failure, Outcome, positive};
 use crate::cli::progress::Progress;
@@ -44,20 +45,22 @@ pub(super) fn net_depth(
     if geometric && !arguments.a_priori {
         let mesh = net.mesh().map_err(|error| Failure::Input(error.to_string()))?;
         let distances = NetDistances::new(net.clone(), &scheme).map_err(failure)?;
+        let interrupt = Interrupt::stops_work(&distances.work(), arguments.seconds);
         let wanted = arguments.output.format != FindingFormat::Json;
         let progress = Progress::of_pieces(distances.work(), wanted);
         let found = distances.geometric_depth(&tolerance).map_err(failure)?;
         if let Some(path) = &arguments.certificate {
             certified::of_net(path, &net, &scheme, &distances, &found, &tolerance)?;
         }
-        let faces = if per_face.is_some() || arguments.output.is_page() {
-            let depths = distances.geometric_faces(&tolerance).map_err(failure)?;
-            let bounds = distances.geometric_distances(found.level, &tolerance).map_err(failure)?;
-            Some(Faces::new(depths, bounds, &tolerance))
-        } else {
-            None
+        let faces = match found.level.filter(|_| asks_for_faces(arguments)) {
+            None => None,
+            Some(level) => {
+                let depths = distances.geometric_faces(&tolerance).map_err(failure)?;
+                let bounds = distances.geometric_distances(level, &tolerance).map_err(failure)?;
+                Some(Faces::new(depths, bounds, &tolerance))
+            }
         };
-        drop(progress);
+        drop((interrupt, progress));
         let report = GeometricReport {
             scheme: scheme.name().to_owned(),
             kind,
@@ -78,13 +81,14 @@ pub(super) fn net_depth(
     if arguments.certificate.is_some() {
         return Err(certified::none("leave out --distance parametric"));
     }
-    let mut pictures = Vec::new();
+    let (mut pictures, mut stopped) = (Vec::new(), false);
     let found = if arguments.a_priori {
         None
     } else {
         let mesh = net.mesh().map_err(|error| Failure::Input(error.to_string()))?;
         let control = net.clone();
         let distances = NetDistances::new(net, &scheme).map_err(failure)?;
+        let interrupt = Interrupt::stops_work(&distances.work(), arguments.seconds);
         let wanted = arguments.output.format != FindingFormat::Json;
         let progress = Progress::of_pieces(distances.work(), wanted);
         let depth = distances.depth(&tolerance).map_err(failure)?;
@@ -98,7 +102,8 @@ pub(super) fn net_depth(
             let promised = promises(promised.as_ref(), &guaranteed);
             pictures = drawn.pictures(&pieces, promised, |level| distances.distance(level));
         }
-        drop(progress);
+        stopped = distances.work().is_stopped();
+        drop((interrupt, progress));
         Some(depth)
     };
     let report = Report {
@@ -110,6 +115,7 @@ pub(super) fn net_depth(
         found,
         kind,
         pictures,
+        stopped,
     };
     report.show(arguments, to)
 }

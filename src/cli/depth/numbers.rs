@@ -25,11 +25,25 @@ pub(super) fn too_few(count: u32) -> String {
     format!("; {count} {} too few", if count == 1 { "is" } else { "are" })
 }
 
-/// Which levels are too few as a set of points, after the level that is enough.
-pub(super) fn few_text<P>(found: &GeometricDepth<P>) -> String {
-    match found.too_few {
-        None if found.level == 0 => String::new(),
-        Some(few) if few + 1 == found.level => too_few(few),
+/// The level that is enough as a set of points, with `more` about it, those that are too few, and why the search ended
+/// early.
+pub(super) fn depth_text<P>(found: &GeometricDepth<P>, more: &str) -> String {
+    let text = match (found.level, found.too_few) {
+        (Some(level), few) => format!("{}{more}{}", levels(level), few_text(level, few)),
+        (None, None) => format!("open{more}"),
+        (None, Some(few)) => format!("more than {}{more}", levels(few)),
+    };
+    match &found.ended {
+        Some(why) => format!("{text}: {why}"),
+        None => text,
+    }
+}
+
+/// Which levels are too few, after the level that is enough.
+pub(super) fn few_text(level: u32, few: Option<u32>) -> String {
+    match few {
+        None if level == 0 => String::new(),
+        Some(few) if few + 1 == level => too_few(few),
         Some(few) => format!("{}, and those between are open", too_few(few)),
         None => "; fewer are open".to_owned(),
     }

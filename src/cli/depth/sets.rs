@@ -1,7 +1,7 @@
 //! The depth of one control polygon by the distance of polygon and limit as sets of points.
 
 use super::certified;
-use super::numbers::{digits, few_text, levels, point as point_text};
+use super::numbers::{depth_text, digits, point as point_text};
 use super::polygon::Points;
 use crate::cli::json::depth as form;
 use crate::cli::output::Failure;
@@ -55,8 +55,8 @@ fn names(set: SetKind) -> [&'static str; 2] {
 }
 
 /// The depth in words.
-pub(super) fn depth_text(found: &CurveDepth) -> String {
-    format!("{}, as sets of points{}", levels(found.level), few_text(found))
+pub(super) fn sets_text(found: &CurveDepth) -> String {
+    depth_text(found, ", as sets of points")
 }
 
 pub(super) fn facts(found: &OfSets) -> Vec<(String, String)> {
@@ -65,7 +65,7 @@ pub(super) fn facts(found: &OfSets) -> Vec<(String, String)> {
         Ok(found) => found,
         Err(why) => return vec![(name, format!("none: {why}"))],
     };
-    let mut facts = vec![(name, depth_text(found))];
+    let mut facts = vec![(name, sets_text(found))];
     if let (Some(level), Some(place)) = (found.too_few, &found.beyond) {
         let CurvePlace { from, parameter, point, distance } = place;
         let [from, other] = names(*from);
@@ -90,6 +90,7 @@ pub(super) fn sets_form(found: &OfSets) -> form::OrNone<form::Sets> {
         Err(why) => form::OrNone::None { none: why.clone() },
         Ok(found) => form::OrNone::Found(form::Sets {
             level: found.level,
+            ended: found.ended.clone(),
             too_few: found.too_few,
             too_far: found.beyond.as_ref().map(place),
         }),

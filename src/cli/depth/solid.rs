@@ -9,12 +9,14 @@ use super::promise::{Formula, promises};
 use super::refined::Refined;
 use crate::cli::arguments::{DepthArguments, FindingFormat};
 use crate::cli::finding::Destination;
+use crate::cli::interrupt::Interrupt;
 use crate::cli::output::{Failure, Outcome, positive};
 use crate::cli::progress::Progress;
 use crate::cli::save::save;
 use crate::cli::solid::{failure, read};
 use std::fmt::Write as _;
 use std::path::Path;
+use std::sync::Arc;
 use subcert::exact::Rational;
 use subcert::float::shortest;
 use subcert::mesh::{MeshError, MeshScheme};
@@ -66,12 +68,14 @@ pub(super) fn solid_depth(path: &Path, arguments: &DepthArguments, to: &Destinat
     let guaranteed = solid_a_priori(mesh, &distances, &tolerance).map_err(refused)?;
     let level = Some(solid_formula_level(mesh, &tolerance));
     let promised = Some(Formula { paper: SOLID_FORMULA_PAPER, level });
-    let mut pictures = Vec::new();
+    let (mut pictures, mut stopped) = (Vec::new(), false);
     let found = if arguments.a_priori {
         None
     } else {
         let wanted = arguments.output.format != FindingFormat::Json;
-        let progress = Progress::of_pieces(distances.work(), wanted);
+        let work = distances.work();
+        let interrupt = Interrupt::stops_work(&work, arguments.seconds);
+        let progress = Progress::of_pieces(Arc::clone(&work), wanted);
         let depth = distances.depth(&tolerance).map_err(refused)?;
         if let Some((path, format)) = per_face {
             format.write(path, mesh, depth.level, &distances.faces(depth.level))?;
@@ -83,11 +87,12 @@ pub(super) fn solid_depth(path: &Path, arguments: &DepthArguments, to: &Destinat
             let promised = promises(promised.as_ref(), &guaranteed);
             pictures = drawn.pictures(&pieces, promised, |level| distances.distance(level));
         }
-        drop(progress);
+        stopped = work.is_stopped();
+        drop((interrupt, progress));
         Some(depth)
     };
     let (scheme, kind) = (SOLID_SCHEME.to_owned(), Kind::Solid);
-    Report { scheme, name, tolerance, guaranteed, promised, found, kind, pictures }
+    Report { scheme, name, tolerance, guaranteed, promised, found, kind, pictures, stopped }
         .show(arguments, to)
 }
 

@@ -165,8 +165,11 @@ pub struct Polygon {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Sets {
-    /// The least level found to be sufficient.
-    pub level: u32,
+    /// The least level found to be sufficient; null where the search ended before it found one.
+    pub level: Option<u32>,
+    /// Why the search ended early.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ended: Option<String>,
     /// The greatest level that is certainly not sufficient, with all below it.
     pub too_few: Option<u32>,
     /// A point that shows that `too_few` is not sufficient.

@@ -21,8 +21,11 @@ pub struct Report<'a> {
     pub measure: &'static str,
     /// What faces are: `bilinear` or `fan`.
     pub faces: &'static str,
-    /// The least level found to be sufficient.
-    pub level: u32,
+    /// The least level found to be sufficient; null where the search ended before it found one.
+    pub level: Option<u32>,
+    /// Why the search ended early: it was stopped, or met a cap.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ended: Option<&'a str>,
     /// The greatest level that is certainly not sufficient, with all below it.
     pub too_few: Option<u32>,
     /// A point that shows that `too_few` is not sufficient.

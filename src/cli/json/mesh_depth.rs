@@ -18,6 +18,9 @@ pub struct Report<'a> {
     pub measure: &'static str,
     /// The least level found to be sufficient, with all later ones; null with `--a-priori`.
     pub level: Option<u32>,
+    /// Why the search ended early, so that lower levels may be open.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ended: Option<&'a str>,
     /// The greatest level that is certainly not sufficient.
     pub too_few: Option<u32>,
     /// The distance at `level`.

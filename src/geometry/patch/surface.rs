@@ -133,7 +133,7 @@ pub(super) struct Ball {
 }
 
 /// Errors that say what is beyond a cap.
-pub(super) trait TooMuch {
+pub(super) trait TooMuch: std::fmt::Display {
     fn too_much(reason: String) -> Self;
 }
 

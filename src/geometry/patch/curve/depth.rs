@@ -111,12 +111,12 @@ impl CurveSets {
     ///
     /// is the Hausdorff distance of the polygon P^k of level k from the limit curve P^∞, d the Euclidean distance of a
     /// point from a set. Points are computed in f64 with bounds of their errors; what these and the caps leave open is
-    /// open: then `level` is more than `too_few` + 1.
+    /// open: then `level` is more than `too_few` + 1, or `None`.
     ///
     /// Source: `proofs/THEOREMS.md`, 164 and 165.
     ///
     /// # Errors
-    /// When the tolerance is not positive, or needs too many levels or too much work.
+    /// When the tolerance is not positive, or too small.
     ///
     /// ```
     /// use subcert::exact::Rational;
@@ -129,7 +129,7 @@ impl CurveSets {
     /// let mut sets = CurveSets::new(&chaikin, &square, true)?;
     /// // A corner of the square is √2/2 from the curve; that of the octagon at level 1 is less than 1/5 from it.
     /// let depth = sets.depth(&Rational::new(1, 2))?;
-    /// assert_eq!((depth.level, depth.too_few), (1, Some(0)));
+    /// assert_eq!((depth.level, depth.too_few), (Some(1), Some(0)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn depth(&mut self, tolerance: &Rational) -> Result<CurveDepth, LimitError> {
@@ -157,7 +157,7 @@ impl CurveSets {
              call",
             self.finder.budget.total()
         );
-        Err(LimitError::Sets { reason })
+        Ok(CurveDepth::ended(None, reason, places))
     }
 
     /// Whether H_k ≤ ε at one level; `None` where that is not decided.

@@ -21,7 +21,8 @@ impl MeshDistances {
     /// Source: `proofs/THEOREMS.md`, 160 to 163.
     ///
     /// # Errors
-    /// When the tolerance is not positive, needs too many levels or too large meshes, or this is a solid.
+    /// When the tolerance is not positive or too small, or this is a solid. What caps leave open is open:
+    /// then [`level`](GeometricDepth::level) may be `None`.
     ///
     /// ```
     /// use subcert::exact::Rational;
@@ -34,8 +35,9 @@ impl MeshDistances {
     /// let distances = MeshDistances::new(mesh, MeshScheme::Loop)?;
     /// let tolerance = Rational::new(1, 20);
     /// let depth = distances.geometric_depth(&tolerance, FaceSurface::Bilinear)?;
-    /// assert!(depth.level <= distances.depth(&tolerance)?.level);
-    /// assert_eq!(depth.too_few, Some(depth.level - 1));
+    /// let level = depth.level.expect("nothing stops the search");
+    /// assert!(level <= distances.depth(&tolerance)?.level);
+    /// assert_eq!(depth.too_few, Some(level - 1));
     /// # Ok::<(), subcert::mesh::MeshError>(())
     /// ```
     pub fn geometric_depth(
@@ -72,7 +74,7 @@ impl MeshDistances {
     /// within the tolerance of the whole other set.
     ///
     /// # Errors
-    /// As [`geometric_depth`](Self::geometric_depth).
+    /// As [`geometric_depth`](Self::geometric_depth), and where a face may need too many levels.
     pub fn geometric_faces(
         &self,
         tolerance: &Rational,

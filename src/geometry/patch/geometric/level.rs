@@ -110,8 +110,12 @@ impl<'a> Geometry<'a> {
         };
         let roots: Vec<usize> =
             (0..model.roots.all.len()).filter(|&i| wanted[model.roots.all[i].face]).collect();
+        let work = self.distances.work();
         let far = in_threads(&roots, |&number| {
             let root = &model.roots.all[number];
+            if work.is_stopped() {
+                return true;
+            }
             // A fan is not the mesh that is compared at equal parameters.
             if !self.is_plain(root.face, root.shape, level) {
                 return true;
@@ -165,7 +169,7 @@ impl<'a> Geometry<'a> {
             if step > 0 && mesh.faces().len() > TRIMMED {
                 (mesh, owners) = self.trimmed(mesh, owners, step, level)?;
             }
-            if mesh.faces().len() > LARGEST {
+            if mesh.faces().len() > LARGEST || self.distances.work.is_stopped() {
                 return Ok(None);
             }
             let next = step_with(&mesh, self.scheme, &self.stencils)?;
@@ -360,6 +364,10 @@ impl Levels for Geometry<'_> {
             }
         }
         Ok(known)
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.distances.work.is_stopped()
     }
 
     fn parametric(&self) -> Result<Option<u32>, MeshError> {

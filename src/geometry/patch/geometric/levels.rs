@@ -53,6 +53,9 @@ pub(in crate::patch) trait Levels {
     /// A level that is sufficient at equal parameters, where that bounds the distance of the sets.
     fn parametric(&self) -> Result<Option<u32>, Self::Error>;
 
+    /// Whether somebody has stopped the search.
+    fn is_stopped(&self) -> bool;
+
     /// The least level that is sufficient.
     fn depth(&mut self) -> Result<GeometricDepth, Self::Error> {
         let wanted = vec![true; self.count()];
@@ -74,6 +77,9 @@ pub(in crate::patch) trait Levels {
                 Some(_) => {}
                 None if open => {
                     certain = false;
+                    if self.is_stopped() {
+                        break;
+                    }
                     if sure.is_none() {
                         sure = self.parametric()?;
                     }
@@ -84,10 +90,14 @@ pub(in crate::patch) trait Levels {
                 None => return Ok(GeometricDepth::new(level, places)),
             }
         }
-        match sure.map_or_else(|| self.parametric(), |sure| Ok(Some(sure)))? {
-            Some(level) => Ok(GeometricDepth::new(level, places)),
-            None => Err(too_many()),
-        }
+        let stopped = self.is_stopped();
+        let sure = sure.map_or_else(|| self.parametric(), |sure| Ok(Some(sure)));
+        Ok(match sure {
+            Ok(level) if stopped => GeometricDepth::ended(level, "the search was stopped", places),
+            Ok(Some(level)) => GeometricDepth::new(level, places),
+            Ok(None) => GeometricDepth::ended(None, too_many(), places),
+            Err(error) => GeometricDepth::ended(None, error.to_string(), places),
+        })
     }
 
     /// Whether a level is sufficient; `None` where that is open.
@@ -120,8 +130,21 @@ pub(in crate::patch) trait Levels {
                 return Ok(faces);
             }
             wanted = next;
+            if self.is_stopped() {
+                break;
+            }
         }
-        Err(too_many())
+        // What is left is within the tolerance at the level at which all are.
+        let Some(level) = self.parametric()? else {
+            let stopped = "the search was stopped before every face had a level that is sufficient";
+            let why = if self.is_stopped() { stopped.to_owned() } else { too_many() };
+            return Err(Self::Error::too_much(why));
+        };
+        for (face, _) in faces.iter_mut().zip(wanted).filter(|(_, wanted)| *wanted) {
+            face.is_least &= face.too_far.as_ref().is_some_and(|(far, _)| far + 1 == level);
+            face.level = level;
+        }
+        Ok(faces)
     }
 
     /// Which of the faces that are asked for are within the tolerance of this search, of which `upper` is an upper bound;
@@ -150,11 +173,11 @@ pub(in crate::patch) trait Levels {
 }
 
 /// That the levels are too many.
-fn too_many<E: TooMuch>() -> E {
-    E::too_much(format!(
+fn too_many() -> String {
+    format!(
         "the tolerance needs more than {MAX_LEVEL} levels as a distance of sets, or is too near to call; take a \
          greater one, or --distance parametric"
-    ))
+    )
 }
 
 /// For each face a lower and an upper bound of its distance: with upper bounds ε, ε/2, ε/4 or ε/8, or infinite where ε

@@ -82,11 +82,13 @@ pub struct GeometricPlace {
 /// How many levels a mesh, or a control polygon, needs as a set of points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GeometricDepth<P = GeometricPlace> {
-    /// The least level that was found to be sufficient.
-    pub level: u32,
+    /// The least level that was found to be sufficient; `None` where the search ended before it found one.
+    pub level: Option<u32>,
     /// The greatest level that is certainly not sufficient, with all levels below it; `None` where even
     /// level 0 may be.
     pub too_few: Option<u32>,
+    /// Why the search ended early, in words: it was stopped, or met a cap.
+    pub ended: Option<String>,
     /// A point that shows that `too_few` is not sufficient.
     pub beyond: Option<P>,
     /// The same for the levels below it, from level 0 on.
@@ -95,10 +97,23 @@ pub struct GeometricDepth<P = GeometricPlace> {
 
 impl<P> GeometricDepth<P> {
     /// What is known of the levels that were looked at: points that show that they are not sufficient, from level 0 on.
-    pub(in crate::patch) fn new(level: u32, mut places: Vec<P>) -> GeometricDepth<P> {
+    pub(in crate::patch) fn new(level: u32, places: Vec<P>) -> GeometricDepth<P> {
+        GeometricDepth::of(Some(level), None, places)
+    }
+
+    /// The same of a search that ended early, with a level that is sufficient, if one is known.
+    pub(in crate::patch) fn ended(
+        level: Option<u32>,
+        why: impl Into<String>,
+        places: Vec<P>,
+    ) -> GeometricDepth<P> {
+        GeometricDepth::of(level, Some(why.into()), places)
+    }
+
+    fn of(level: Option<u32>, ended: Option<String>, mut places: Vec<P>) -> GeometricDepth<P> {
         let beyond = places.pop();
         let too_few = beyond.as_ref().map(|_| u32::try_from(places.len()).unwrap_or(u32::MAX));
-        GeometricDepth { level, too_few, beyond, before: places }
+        GeometricDepth { level, too_few, ended, beyond, before: places }
     }
 
     /// For each level that is certainly not sufficient, from 0 on, a point that shows it.

@@ -62,7 +62,7 @@ impl NetDistances {
     /// Source: `proofs/THEOREMS.md`, 160 to 163 and 166.
     ///
     /// # Errors
-    /// When the tolerance is not positive, or needs too many levels or too much work.
+    /// When the tolerance is not positive, or too small.
     ///
     /// ```
     /// use subcert::exact::Rational;
@@ -77,7 +77,7 @@ impl NetDistances {
     /// let tolerance = Rational::new(1, 10);
     /// // The paraboloid is steep: across it, it is nearer than at equal parameters.
     /// assert_eq!(distances.depth(&tolerance)?.level, 2);
-    /// assert_eq!(distances.geometric_depth(&tolerance)?.level, 2);
+    /// assert_eq!(distances.geometric_depth(&tolerance)?.level, Some(2));
     /// # Ok::<(), subcert::net::NetError>(())
     /// ```
     pub fn geometric_depth(&self, tolerance: &Rational) -> Result<GeometricDepth, NetError> {
@@ -413,7 +413,7 @@ impl Levels for NetLevels<'_> {
                 break;
             }
         }
-        if !all {
+        if !all && !work.is_stopped() {
             let mut first: Vec<&Own> = own.iter().collect();
             first.sort_by(|left, right| right.bound.total_cmp(&left.bound));
             first.truncate(FIRST);
@@ -455,6 +455,10 @@ impl Levels for NetLevels<'_> {
         let mut known: Vec<(usize, Known)> = known.into_iter().collect();
         known.sort_by_key(|(root, _)| *root);
         Ok(known)
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.distances.work.is_stopped()
     }
 
     /// A net is bilinear at equal parameters too.
