@@ -28,6 +28,18 @@ fn a_mesh_is_refined_into_a_file_or_the_standard_output() {
 }
 
 #[test]
+fn a_search_may_have_an_end_of_its_time() {
+    let depth = of_cube(&["depth", "catmull-clark", "--tolerance", "1/10"]);
+    let timed = |seconds| depth.iter().copied().chain(["--seconds", seconds]);
+    assert_eq!(written(timed("600")), written(depth.iter().copied()));
+    assert_parts(&refused(timed("0")), &["--seconds"]);
+    assert_parts(
+        &refused(["depth", "chaikin", "--tolerance", "1/10", "--seconds", "1"]),
+        &["--mesh"],
+    );
+}
+
+#[test]
 fn limits_and_reference_values() {
     let text = written(of_cube(&["limit", "catmull-clark"]));
     assert!(text.contains("\nv -0.5 -0.5 -0.5\nv 0.5 -0.5 -0.5\n"), "{text}");

@@ -49,6 +49,17 @@ fn distances_by_hand() {
     assert_eq!((on_line.level, on_line.too_few), (Some(0), None));
 }
 
+/// Absolute coefficients of a rule add up to 2, and those of its powers to a bounded number: rounding of points of late
+/// levels stays small.
+#[test]
+fn rounding_does_not_grow_with_the_level() {
+    let own = [[0, 4, 5, 3, 1, -1], [0, 0, 2, 4, 3, 2]].map(|own| own.map(Rational::from).to_vec());
+    for (tolerance, level) in [(r(1, 10), 5), (r(1, 1_000), 13)] {
+        let found = depth("wavelet-9-3", &own.to_vec(), true, &tolerance);
+        assert_eq!((found.level, found.too_few), (Some(level), Some(level - 1)), "{tolerance}");
+    }
+}
+
 /// Points and natural parameters of a level, refined naively.
 struct Naive {
     points: Vec<[f64; 3]>,

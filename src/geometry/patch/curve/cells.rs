@@ -109,6 +109,12 @@ impl Shape {
         })
     }
 
+    /// A bound of the norms of all powers of the scheme: 1 + 2C_0(1 + T_k).
+    pub(super) fn growth(&self) -> f64 {
+        let greatest = self.factors.iter().copied().fold(1.0, f64::max);
+        (1.0 + 2.0 * self.constant * (1.0 + greatest)) * (1.0 + 1e-15)
+    }
+
     /// A cell of the level before that has a part of cell i.
     pub(super) fn parent(&self, i: i64) -> i64 {
         (i - self.parts.0).div_euclid(self.arity)
@@ -172,6 +178,12 @@ impl Cells {
             cells.clips = clips(&cells.shape, range, |level| cells.is_numbered(level));
         }
         cells
+    }
+
+    /// Forgets all cells and points.
+    pub(super) fn forget(&mut self) {
+        self.known.clear();
+        self.points.forget();
     }
 
     /// How far distances that were computed may be off.

@@ -86,7 +86,8 @@ impl CurveSets {
         let shape = Shape::new(limit, count, closed)?;
         let at_zero = limit.at(&Rational::zero())?;
         let rules = limit.mask().rules();
-        let points = RefinedPoints::new(rules, &at_zero, control, coordinates.len(), closed);
+        let (dimensions, growth) = (coordinates.len(), shape.growth());
+        let points = RefinedPoints::new(rules, &at_zero, control, dimensions, closed, growth);
         let finder = Finder::new(Cells::new(shape, points, 1.0), Budget::new(MAX_CURVE_PIECES));
         let centre = middles.iter().map(nearest).collect();
         Ok(CurveSets { finder, scale, centre, width })
@@ -147,6 +148,7 @@ impl CurveSets {
                 Known::Far(_) => {}
                 Known::Open => certain = false,
             }
+            self.finder.tidy();
             self.finder.rest = 0;
             if self.finder.is_at_its_end() {
                 break;
@@ -187,6 +189,7 @@ impl CurveSets {
         if level > MAX_LEVEL || !self.finder.cells.is_numbered(level + 1) {
             return Ok(None);
         }
+        self.finder.tidy();
         let known = LevelSearch { finder: &mut self.finder, level, tolerance }.examine();
         Ok(match known {
             Known::Near => Some(true),

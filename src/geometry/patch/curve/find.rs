@@ -78,6 +78,13 @@ impl Finder {
         self.rest = left - left / parts;
     }
 
+    /// Forgets points and cells once they are many: they are computed again when they are needed.
+    pub(super) fn tidy(&mut self) {
+        if self.cells.points.len() > MAX_POINTS / 2 {
+            self.cells.forget();
+        }
+    }
+
     /// Whether the caps on work or on memory are met.
     pub(super) fn is_at_its_end(&self) -> bool {
         self.budget.left() <= self.rest || self.cells.points.len() > MAX_POINTS

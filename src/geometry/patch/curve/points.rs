@@ -1,4 +1,4 @@
-//! Refined points of a control polygon in f64, each with a bound of its error.
+//! Refined points of a control polygon in f64, with a bound of their errors.
 
 use crate::exact::Rational;
 use crate::float::nearest;
@@ -32,20 +32,25 @@ pub(super) struct RefinedPoints {
     known: HashMap<(u32, i64), Number>,
     limits: HashMap<(u32, i64), Number>,
     values: Vec<f64>,
-    /// Bounds of the errors of each point, in any coordinate.
-    errors: Vec<f64>,
-    /// The greatest of them.
+    /// A bound of the norms of all powers of the scheme.
+    growth: f64,
+    /// For each level a bound of the rounding of one step to it, and last the same of steps to limits.
+    rounding: Vec<f64>,
+    limit_rounding: f64,
+    /// A bound of the error of any point that is known, in any coordinate.
     greatest: f64,
 }
 
 impl RefinedPoints {
-    /// `control` has the control points one after the other, `at_zero` is the value of the limit at 0.
+    /// `control` has the control points one after the other, `at_zero` is the value of the limit at 0, and no power of the
+    /// scheme has a norm above `growth`.
     pub(super) fn new(
         rules: &Rules<Rational>,
         at_zero: &Functional,
         control: Vec<f64>,
         dimensions: usize,
         closed: bool,
+        growth: f64,
     ) -> RefinedPoints {
         let row = |coefficients: &Vec<Rational>| Row {
             first: rules.offset(),
@@ -69,7 +74,9 @@ impl RefinedPoints {
             known: HashMap::new(),
             limits: HashMap::new(),
             values: Vec::new(),
-            errors: Vec::new(),
+            growth,
+            rounding: Vec::new(),
+            limit_rounding: 0.0,
             greatest: 0.0,
         }
     }
@@ -84,9 +91,16 @@ impl RefinedPoints {
         self.greatest * dimensions.sqrt()
     }
 
+    /// Forgets all points, and not how far any may be off.
+    pub(super) fn forget(&mut self) {
+        self.known.clear();
+        self.limits.clear();
+        self.values.clear();
+    }
+
     /// How many points are known.
     pub(super) fn len(&self) -> usize {
-        self.errors.len()
+        self.values.len() / self.dimensions
     }
 
     /// i, or for a closed polygon its remainder by the number of points of the level.
@@ -105,7 +119,9 @@ impl RefinedPoints {
         } else {
             let alpha = usize::try_from(i.rem_euclid(self.arity)).unwrap_or(0);
             let row = self.rules[alpha].clone();
-            self.combined(level - 1, i.div_euclid(self.arity), &row)
+            let (point, rounding) = self.combined(level - 1, i.div_euclid(self.arity), &row);
+            self.rounded(level, rounding);
+            self.push(point)
         };
         self.known.insert((level, i), number);
         number
@@ -118,29 +134,51 @@ impl RefinedPoints {
             return number;
         }
         let row = self.limit.clone();
-        let number = self.combined(level, i, &row);
+        let (point, rounding) = self.combined(level, i, &row);
+        if rounding > self.limit_rounding {
+            self.limit_rounding = rounding;
+            self.add_up();
+        }
+        let number = self.push(point);
         self.limits.insert((level, i), number);
         number
     }
 
-    /// Σ_j c_j x^k_{i + first + j}.
-    fn combined(&mut self, level: u32, i: i64, row: &Row) -> Number {
+    /// Σ_j c_j x^k_{i + first + j}, and a bound of its rounding.
+    fn combined(&mut self, level: u32, i: i64, row: &Row) -> (Vec<f64>, f64) {
         let mut sum = vec![0.0; self.dimensions];
         let mut sizes = vec![0.0; self.dimensions];
-        let mut error = 0.0;
         for (index, &coefficient) in (i + row.first..).zip(&row.coefficients) {
             if coefficient == 0.0 {
                 continue;
             }
             let number = self.at(level, index);
-            error += coefficient.abs() * self.errors[number];
             for (j, &x) in self.point(number).iter().enumerate() {
                 sum[j] += coefficient * x;
                 sizes[j] += (coefficient * x).abs();
             }
         }
         let size = sizes.into_iter().fold(0.0, f64::max);
-        self.push(sum, error * (1.0 + UNIT) + size * UNIT)
+        (sum, size * UNIT)
+    }
+
+    /// Takes in the rounding of one point of a level.
+    fn rounded(&mut self, level: u32, rounding: f64) {
+        let level = level as usize;
+        if self.rounding.len() <= level {
+            self.rounding.resize(level + 1, 0.0);
+        }
+        if rounding > self.rounding[level] {
+            self.rounding[level] = rounding;
+            self.add_up();
+        }
+    }
+
+    /// The greatest error: that of a level is the sum of the roundings of all levels before, each refined since.
+    fn add_up(&mut self) {
+        let points = self.growth * self.rounding.iter().sum::<f64>();
+        let weight: f64 = self.limit.coefficients.iter().map(|x| x.abs()).sum();
+        self.greatest = points.max(weight * points + self.limit_rounding) * (1.0 + UNIT);
     }
 
     fn control_point(&mut self, i: i64) -> Number {
@@ -163,13 +201,12 @@ impl RefinedPoints {
         let point: Vec<f64> = (0..self.dimensions).map(coordinate).collect();
         // Of a point beyond the ends nothing depends but the size of bounds.
         let size = point.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-        self.push(point, size * f64::EPSILON)
+        self.rounded(0, size * f64::EPSILON);
+        self.push(point)
     }
 
-    fn push(&mut self, point: Vec<f64>, error: f64) -> Number {
+    fn push(&mut self, point: Vec<f64>) -> Number {
         self.values.extend(point);
-        self.errors.push(error);
-        self.greatest = self.greatest.max(error);
-        self.errors.len() - 1
+        self.len() - 1
     }
 }
