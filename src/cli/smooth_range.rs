@@ -8,7 +8,7 @@ use super::radius::up;
 use super::sets::Parameter;
 use subcert::bound::polynomial_rules;
 use subcert::exact::{IntervalSet, Polynomial};
-use subcert::report::{Grid, Sheet};
+use subcert::report::{Grid, Sheet, reduction};
 use subcert::scheme::Mask;
 use subcert::smoothness::{SmoothRange, smooth_range as computed};
 
@@ -73,11 +73,16 @@ impl Report<'_> {
              with rational ends. Outside, some limit does not have it, or the scheme diverges: a product of \
              matrices of the differences has too large an eigenvalue.",
         );
+        let mut whose = "the basic limit function";
+        if !range.reduction.is_empty() {
+            sheet.text(format!("{}.", reduction(range, self.parameter)));
+            whose = "this solution";
+        }
         if range.but_finitely_many {
-            sheet.text(
-                "Finitely many parameters outside may be exceptions: those where the shifts of the basic \
-                 limit function are linearly dependent.",
-            );
+            sheet.text(format!(
+                "Finitely many parameters outside may be exceptions: those where the shifts of {whose} are linearly \
+                 dependent.",
+            ));
         }
         sheet
     }

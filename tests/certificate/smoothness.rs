@@ -94,6 +94,25 @@ fn what_the_radius_does_not_show_is_left_out() {
     assert!(report.claims.iter().all(|(_, _, outcome)| *outcome == Outcome::Incomplete(None)));
 }
 
+/// The claim is about another symbol: (1 + z)(1 + z²)((1 − w) + (1 + w)z)/4 times g(z)/g(z²), g = 1 + z.
+#[test]
+fn a_range_of_dependent_shifts_is_certified() {
+    let claim = "[[range]]\nid = 'c'\nlocus = ''\nscheme = '[(1-w)/4, 1/2, 1/2, 1/2, (1+w)/4]'\nvariable = 'w'\n\
+                 smoothness = '1'\nfrom = '-1'\nto = '1'\n";
+    let text = certificate(&judged(&paper(claim))).text;
+    assert!(text.contains("\n  shifts 1 1\n"), "{text}");
+    let valid = |text: &str| {
+        let report = check(&format!("{HEAD}{claim}"), &[text]).expect("a claim file");
+        report.claims[0].2 == Outcome::Valid
+    };
+    assert!(valid(&text));
+    for wrong in
+        ["", "  shifts 1 2\n", "  shifts 1 1\n  shifts 1 1\n", "  shifts 1 0\n", "  shifts 2\n"]
+    {
+        assert!(!valid(&text.replace("  shifts 1 1\n", wrong)), "{wrong}");
+    }
+}
+
 /// An end of two digits stands for what is less than a unit away: the same value refutes it for the program and for the
 /// checker, and another value refutes it for neither.
 #[test]

@@ -80,6 +80,8 @@ fn exponents() {
 fn ranges() {
     let four_point = "scheme = 'four-point:w=w'\nvariable = 'w'\nsmoothness = '1'";
     let ternary = "scheme = 'ternary-four-point:mu=w'\nvariable = 'w'\nsmoothness = '2'";
+    let dependent =
+        "scheme = '[(1-w)/4, 1/2, 1/2, 1/2, (1+w)/4]'\nvariable = 'w'\nsmoothness = '1'";
     for (scheme, says, expected) in [
         // Dyn, Gregory and Levin: up to (√5 − 1)/8 = 0.1545… The sharp end is 0.192729249…
         (four_point, "from = '0'\nto = '1/8'", CONFIRMED),
@@ -107,6 +109,11 @@ fn ranges() {
             "from = '0'\nto = '1/8'",
             REFUTED,
         ),
+        // The shifts are linearly dependent for all a: (1 + z)(1 + z²)((1 − a) + (1 + a)z)/4.
+        (dependent, "from = '-1'\nto = '1'", CONFIRMED),
+        (dependent, "from = '-1'\nto = '1'\nclosed = true", REFUTED),
+        (dependent, "from = '-1'\nto = '5/4'", REFUTED),
+        (dependent, "from = '-1'\nto = '1/2'\nonly = true", REFUTED),
     ] {
         let fields = format!("{scheme}\n{says}");
         assert_eq!(verdict("range", &fields), expected, "{fields}");

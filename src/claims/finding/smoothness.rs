@@ -143,6 +143,8 @@ pub struct VertexWitness {
 pub struct Contraction {
     /// The number of levels.
     pub levels: u32,
+    /// As [`SmoothRange::reduction`].
+    pub reduction: Vec<Vec<Rational>>,
     /// Where the norm is below 1.
     pub below: IntervalSet,
     /// Where it is above 1.

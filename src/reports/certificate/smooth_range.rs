@@ -19,6 +19,10 @@ pub(super) fn lines(
     match (verdict, &known.contraction, &known.witness) {
         (SmoothnessVerdict::Confirmed, Some(contraction), _) if !said.only => {
             block.line(format!("contraction {}", contraction.levels));
+            for g in &contraction.reduction {
+                let g: Vec<String> = g.iter().map(ToString::to_string).collect();
+                block.line(format!("shifts {}", g.join(" ")));
+            }
             pieces(block, &contraction.below, &contraction.above);
             block.line("confirmed");
         }

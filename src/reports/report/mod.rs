@@ -49,4 +49,5 @@ pub use parts::mark;
 pub use set::interval_texts;
 pub use sheet::{Block, Grid, Sheet};
 pub use shipped::{finding_sheet, headline as shipped_headline, issue_sheet, projects_sheet};
+pub use smoothness::reduction;
 pub use vertex::{SCOPE, VERTEX_HEADER, verdict_name, verdict_reason, vertex_facts, vertex_row};

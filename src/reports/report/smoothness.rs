@@ -13,8 +13,10 @@ use crate::claim::{
     ExponentStatement, PrintedValences, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim,
     SmoothnessStatement,
 };
-use crate::exact::{Enclosed as _, Integer, IntervalSet, Rational, format::fixed};
-use crate::smoothness::Hoelder;
+use crate::exact::{
+    Enclosed as _, Integer, IntervalSet, Rational, RationalPolynomial, format::fixed,
+};
+use crate::smoothness::{Hoelder, SmoothRange};
 
 /// The longest formula of an exponent that stands beside its decimals.
 const LONGEST: usize = 100;
@@ -263,6 +265,20 @@ pub(super) fn decimals(hoelder: &Hoelder) -> [String; 2] {
     [low, high].map(|end| fixed(&end, PLACES))
 }
 
+/// Why, and by what, another symbol decides.
+#[must_use]
+pub fn reduction(range: &SmoothRange, parameter: &str) -> String {
+    let describe = |g: &Vec<Rational>| RationalPolynomial::new(g).describe("z");
+    let by: Vec<String> = range.reduction.iter().map(describe).collect();
+    let convergence =
+        if range.converges.is_some() { ", wherever the scheme converges" } else { "" };
+    format!(
+        "The shifts of the basic limit function are linearly dependent for every {parameter}; the solution for the \
+         symbol A(z)g(z)/g(z^n), g = {}, is as smooth, and decides{convergence}",
+        by.join(", then g = ")
+    )
+}
+
 fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<String> {
     let Some(said) = finding.claim.range() else { return Vec::new() };
     let SmoothRangeStatement { variable, m, .. } = said;
@@ -273,6 +289,9 @@ fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<Strin
                 format!("{} for {}", smooth(*m), set(&sets.inside)),
                 format!("{} for {}", not_smooth(*m), set(&sets.outside)),
             ];
+            if !sets.reduction.is_empty() {
+                lines.push(reduction(sets, variable));
+            }
             if sets.but_finitely_many && !sets.outside.is_empty() {
                 lines.push(format!("with finitely many exceptions of {variable}"));
             }

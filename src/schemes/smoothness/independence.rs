@@ -1,7 +1,9 @@
 //! Masks with linearly independent shifts of φ, and the reduction of others to such.
 
 use super::symbol::Symbol;
-use crate::exact::{Integer, IntegerPolynomial, Rational, divided, greatest_divisor, square_free};
+use crate::exact::{
+    Integer, IntegerPolynomial, Rational, Scalar, divided, greatest_divisor, square_free,
+};
 use crate::joint::Entry;
 
 /// A symbol of which the basic limit function φ_0 has linearly independent shifts and is as smooth as φ:
@@ -11,11 +13,36 @@ use crate::joint::Entry;
 /// a polynomial g whose roots are roots of unity of one order, and are permuted by z ↦ z^n, where g(z^n) divides A·g.
 /// Each step lowers the degree. `proofs/THEOREMS.md`, 108 and 121.
 pub(super) fn independent<F: Entry>(symbol: &Symbol<F>) -> Symbol<F> {
-    let mut symbol = symbol.clone();
-    while let Some(next) = reduced_by_parts(&symbol).or_else(|| reduced_by_cycles(&symbol)) {
-        symbol = next;
+    let (mut symbol, n) = (symbol.clone(), symbol.arity());
+    let next = |symbol: &Symbol<F>| {
+        let Dependence { g, .. } = dependence(&[symbol.coefficients().to_vec()], n)?;
+        exchanged(symbol.coefficients(), &g, n)
+    };
+    while let Some(coefficients) = next(&symbol) {
+        symbol = Symbol::new(n, symbol.powers().0, coefficients);
     }
     symbol
+}
+
+/// What shows that shifts are linearly dependent.
+pub(super) struct Dependence<F> {
+    /// A monic polynomial for which g(z^n) divides A·g.
+    pub(super) g: Vec<F>,
+    /// Whether the roots of g are elements of cycles of z ↦ z^n; otherwise g(z^n) divides A.
+    pub(super) cycles: bool,
+}
+
+/// The next polynomial for which all of these symbols are reduced.
+pub(super) fn dependence<F: Entry>(symbols: &[Vec<F>], n: usize) -> Option<Dependence<F>> {
+    let all = || (0..n).flat_map(|e| symbols.iter().map(move |symbol| (e, symbol)));
+    let part = |(e, symbol): (usize, &Vec<F>)| -> Vec<F> {
+        symbol.iter().skip(e).step_by(n).cloned().collect()
+    };
+    let g = all().map(part).fold(Vec::new(), |gcd, part| greatest_divisor(&gcd, &part));
+    if g.len() > 1 {
+        return Some(Dependence { g, cycles: false });
+    }
+    Some(Dependence { g: of_cycles(symbols, n)?, cycles: true })
 }
 
 /// g(z^n).
@@ -28,18 +55,10 @@ fn stretched<F: Entry>(g: &[F], n: usize) -> Vec<F> {
     coefficients
 }
 
-fn reduced_by_parts<F: Entry>(symbol: &Symbol<F>) -> Option<Symbol<F>> {
-    let n = symbol.arity();
-    let part = |e: usize| symbol.coefficients().iter().skip(e).step_by(n).cloned().collect();
-    let g = (0..n).map(part).fold(Vec::new(), |gcd, part: Vec<F>| greatest_divisor(&gcd, &part));
-    if g.len() <= 1 { None } else { exchanged(symbol, &g) }
-}
-
-/// The roots of g: the elements of cycles of z ↦ z^n, of the least order of which there are some, all of whose
-/// other preimages are zeros of the symbol.
-fn reduced_by_cycles<F: Entry>(symbol: &Symbol<F>) -> Option<Symbol<F>> {
-    let n = symbol.arity();
-    let closed = closed_part(symbol);
+/// The elements of cycles of z ↦ z^n, of the least order of which there are some, all of whose other preimages are
+/// zeros of the symbols.
+fn of_cycles<F: Entry>(symbols: &[Vec<F>], n: usize) -> Option<Vec<F>> {
+    let closed = closed_part(symbols, n);
     if closed.len() <= 1 {
         return None;
     }
@@ -50,24 +69,23 @@ fn reduced_by_cycles<F: Entry>(symbol: &Symbol<F>) -> Option<Symbol<F>> {
         let order: Vec<F> = cyclotomic(m).coefficients().iter().map(whole).collect();
         greatest_divisor(&closed, &order)
     };
-    let g = orders.map(of_order).find(|g| g.len() > 1)?;
-    exchanged(symbol, &g)
+    orders.map(of_order).find(|g| g.len() > 1)
 }
 
 /// The polynomial of the z ≠ 1 such that for all w = z, z^n, z^{n²}, …, A(wω) = 0 for all ω ≠ 1 with ω^n = 1.
 ///
 /// With the parts A_e, A(wω) = Σ ω^e·w^eA_e(w^n). So this holds if and only if all w^eA_e(w^n) are one number.
-fn closed_part<F: Entry>(symbol: &Symbol<F>) -> Vec<F> {
-    let n = symbol.arity();
-    let difference = |e: usize| -> Vec<F> {
+fn closed_part<F: Entry>(symbols: &[Vec<F>], n: usize) -> Vec<F> {
+    let difference = |(e, symbol): (usize, &Vec<F>)| -> Vec<F> {
         let coefficient = |(i, a): (usize, &F)| match i % n {
             class if class == e => a.clone(),
             class if class == e + 1 => F::zero().minus(a),
             _ => F::zero(),
         };
-        symbol.coefficients().iter().enumerate().map(coefficient).collect()
+        symbol.iter().enumerate().map(coefficient).collect()
     };
-    let differences = (0..n - 1).map(difference);
+    let all = (0..n - 1).flat_map(|e| symbols.iter().map(move |symbol| (e, symbol)));
+    let differences = all.map(difference);
     let common = differences.fold(Vec::new(), |gcd, p| greatest_divisor(&gcd, &p));
     let mut closed = square_free(&common);
     let one = F::from_rational(&Rational::one());
@@ -84,17 +102,25 @@ fn closed_part<F: Entry>(symbol: &Symbol<F>) -> Vec<F> {
     }
 }
 
-/// A·g(z)/g(z^n), if that is a polynomial.
-fn exchanged<F: Entry>(symbol: &Symbol<F>, g: &[F]) -> Option<Symbol<F>> {
-    let mut product = vec![F::zero(); symbol.coefficients().len() + g.len() - 1];
-    for (i, a) in symbol.coefficients().iter().enumerate() {
+/// A·g(z)/g(z^n) for a monic g, if that is a polynomial.
+pub(super) fn exchanged<P: Scalar + PartialEq>(symbol: &[P], g: &[P], n: usize) -> Option<Vec<P>> {
+    let degree = g.len() - 1;
+    let mut rest = vec![P::zero(); symbol.len() + degree];
+    for (i, a) in symbol.iter().enumerate() {
         for (j, c) in g.iter().enumerate() {
-            product[i + j].accumulate(&a.times(c));
+            rest[i + j].accumulate(&a.times(c));
         }
     }
-    let (quotient, rest) = divided(&product, &stretched(g, symbol.arity()));
-    let (lowest, _) = symbol.powers();
-    rest.is_empty().then(|| Symbol::new(symbol.arity(), lowest, quotient))
+    let low = n * degree;
+    for i in (low..rest.len()).rev() {
+        let c = rest[i].clone();
+        for (j, g) in g[..degree].iter().enumerate() {
+            rest[i - low + n * j].lessen(&c.times(g));
+        }
+    }
+    let quotient = rest.split_off(low.min(rest.len()));
+    let zero = P::zero();
+    rest.iter().all(|x| *x == zero).then_some(quotient)
 }
 
 fn gcd(a: usize, b: usize) -> usize {

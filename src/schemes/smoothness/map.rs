@@ -1,6 +1,6 @@
 //! Where, in a plane of two parameters, the limits are C^m: boxes inside, boxes outside, and open boxes.
 
-use super::parametric::ParametricSymbol;
+use super::parametric::{ParametricSymbol, Reduced};
 use super::range::SmoothRangeError;
 use super::region::{Certain, Search, Sides};
 use crate::exact::{BivariatePolynomial, Rational};
@@ -69,16 +69,17 @@ pub fn smooth_map(
     done: &AtomicUsize,
 ) -> Result<SmoothMap, SmoothRangeError> {
     let whole = ParametricSymbol::of(rules);
-    let orders = std::iter::successors(Some(whole.clone()), ParametricSymbol::over_sigma);
-    let orders: Vec<ParametricSymbol<BivariatePolynomial>> = orders.collect();
-    let found = orders.len() - 1;
-    let independent = || whole.is_independent(BivariatePolynomial::value_at);
-    if found <= m {
-        return Err(SmoothRangeError::without_rules(m, found, independent()));
+    let Reduced { symbol, steps, cycles } = whole.reduced(m);
+    let search = |symbol: &ParametricSymbol<BivariatePolynomial>, m| {
+        let scaled = symbol.scaled_differences(m, !steps.is_empty())?;
+        let last = scaled.last().expect("the symbol itself");
+        Ok::<Search, SmoothRangeError>(Search::new(last.matrices(), region)?)
+    };
+    // Whether the scheme converges may not follow from the reduced symbol.
+    let mut searches = vec![search(&symbol, m)?];
+    if cycles {
+        searches.push(search(&whole.reduced(0).symbol, 0)?);
     }
-    let n = Rational::from(whole.arity());
-    let factor = (0..m).fold(Rational::one(), |power, _| power * &n);
-    let mut search = Search::new(orders[found].scaled(&factor).matrices(), region)?;
     let mut waiting = VecDeque::from([region.clone()]);
     let (mut boxes, mut looked_at) = (Vec::new(), 0);
     while let Some(sides) = waiting.pop_front() {
@@ -88,17 +89,23 @@ pub fn smooth_map(
         }
         looked_at += 1;
         done.store(looked_at, Ordering::Relaxed);
-        match search.look_at(&sides)? {
+        let mut certain = Certain::Inside;
+        for search in &mut searches {
+            match search.look_at(&sides)? {
+                outside @ Certain::Outside(_) => {
+                    certain = outside;
+                    break;
+                }
+                Certain::Open => certain = Certain::Open,
+                Certain::Inside => {}
+            }
+        }
+        match certain {
             Certain::Open => waiting.extend(quarters(&sides)),
             certain => boxes.push(MapBox { sides, certain }),
         }
     }
     let sure = m == 0 || whole.is_interpolating();
-    if !sure && !independent() {
-        for found in boxes.iter_mut().filter(|found| found.certain != Certain::Inside) {
-            found.certain = Certain::Open;
-        }
-    }
     Ok(SmoothMap { boxes, but_exceptions: !sure, looked_at })
 }
 

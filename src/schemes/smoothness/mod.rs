@@ -40,7 +40,6 @@ pub use contraction::contractions;
 pub use exponent::{Hoelder, Smoothness, SmoothnessError};
 pub use formula::ExponentFormula;
 pub use map::{MAX_BOXES, MapBox, SmoothMap, smooth_map};
-pub use parametric::ParametricSymbol;
 pub use range::{SmoothRange, SmoothRangeError, smooth_range};
 pub use region::{Certain, Sides};
 pub use reproduction::reproduction_degree;

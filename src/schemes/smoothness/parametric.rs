@@ -1,29 +1,109 @@
 //! Symbols whose coefficients are polynomials in parameters.
 
-use super::independence::independent;
-use super::symbol::Symbol;
+use super::independence::{Dependence, dependence, exchanged};
+use super::range::SmoothRangeError;
 use super::transition::windows;
-use crate::exact::{Integer, Rational, RationalPolynomial, Scalar};
+use crate::exact::{BivariatePolynomial, Integer, Rational, RationalPolynomial, Scalar};
 use crate::scheme::Rules;
-
-/// The values at which the independence of shifts is tried. They are no special ones.
-const PROBES: [[(i64, i64); 2]; 4] =
-    [[(3, 17), (5, 19)], [(-7, 23), (11, 29)], [(13, 7), (-17, 11)], [(-31, 13), (-37, 17)]];
 
 /// A square matrix of polynomials, row by row.
 pub(super) type PolynomialMatrix = Vec<Vec<RationalPolynomial>>;
 
 /// The symbol of a mask in parameters, up to a power of z: with polynomials in one or in several.
 #[derive(Clone, Debug)]
-pub struct ParametricSymbol<P = RationalPolynomial> {
+pub(super) struct ParametricSymbol<P = RationalPolynomial> {
     arity: usize,
     coefficients: Vec<P>,
 }
 
+/// Polynomials in parameters over the rationals.
+pub(super) trait InParameters: Scalar + PartialEq {
+    /// The coordinates of each of these in one basis: those of the first, those of the second, and so on.
+    fn coordinates(all: &[Self]) -> Vec<Vec<Rational>>;
+}
+
+impl InParameters for RationalPolynomial {
+    fn coordinates(all: &[Self]) -> Vec<Vec<Rational>> {
+        let count = all.iter().filter_map(RationalPolynomial::degree).max().map_or(0, |d| d + 1);
+        let padded = |p: &RationalPolynomial| {
+            let mut coefficients = p.coefficients();
+            coefficients.resize(count, Rational::zero());
+            coefficients
+        };
+        all.iter().map(padded).collect()
+    }
+}
+
+impl InParameters for BivariatePolynomial {
+    fn coordinates(all: &[Self]) -> Vec<Vec<Rational>> {
+        let degrees = [0, 1].map(|i| all.iter().map(|p| p.degrees()[i]).max().unwrap_or(0));
+        let side = [Rational::zero(), Rational::one()];
+        let bernstein = |p: &BivariatePolynomial| p.bernstein([&side, &side], degrees);
+        all.iter().map(|p| bernstein(p).into_iter().flatten().collect()).collect()
+    }
+}
+
+/// A symbol that polynomials g without parameters do not reduce further.
+pub(super) struct Reduced<P> {
+    pub(super) symbol: ParametricSymbol<P>,
+    /// The polynomials, in the order of the steps.
+    pub(super) steps: Vec<Vec<Rational>>,
+    /// Whether the roots of one are elements of cycles of z ↦ z^n, so that the convergence of the first symbol does not
+    /// follow from that of the reduced one.
+    pub(super) cycles: bool,
+}
+
+impl<P: InParameters> ParametricSymbol<P> {
+    /// This, for C^m, if σ divides it: reduced by all polynomials g over the rationals for which g(z^n) divides A·g for all
+    /// values of the parameters, and for m = 0 by those for which it divides A. Then, for m > 0, the shifts are linearly
+    /// independent, or as good as that, for all values but the zeros of a polynomial that is not 0:
+    /// `proofs/THEOREMS.md`, 112 (c) and (d).
+    pub(super) fn reduced(&self, m: usize) -> Reduced<P> {
+        let (n, mut symbol) = (self.arity, self.clone());
+        let (mut steps, mut cycles) = (Vec::new(), false);
+        if self.over_sigma().is_none() {
+            return Reduced { symbol, steps, cycles };
+        }
+        loop {
+            let coordinates = P::coordinates(&symbol.coefficients);
+            let count = coordinates.first().map_or(0, Vec::len);
+            let plane = |i: usize| coordinates.iter().map(|one| one[i].clone()).collect();
+            let planes: Vec<Vec<Rational>> = (0..count).map(plane).collect();
+            let found = dependence(&planes, n).filter(|found| m > 0 || !found.cycles);
+            let found = found.and_then(|Dependence { g, cycles }| {
+                let over: Vec<P> = g.iter().map(P::from_rational).collect();
+                Some((exchanged(&symbol.coefficients, &over, n)?, g, cycles))
+            });
+            let Some((coefficients, g, on_cycles)) = found else {
+                return Reduced { symbol, steps, cycles };
+            };
+            symbol = ParametricSymbol { arity: n, coefficients }.trimmed();
+            steps.push(g);
+            cycles |= on_cycles;
+        }
+    }
+
+    /// n^mA/σ^k for k = 0, 1, … up to the order of the sum rules, which is m + 1 at least.
+    pub(super) fn scaled_differences(
+        &self,
+        m: usize,
+        reduced: bool,
+    ) -> Result<Vec<ParametricSymbol<P>>, SmoothRangeError> {
+        let n = Rational::from(self.arity);
+        let factor = (0..m).fold(Rational::one(), |power, _| power * &n);
+        let all = std::iter::successors(Some(self.scaled(&factor)), ParametricSymbol::over_sigma);
+        let all: Vec<ParametricSymbol<P>> = all.collect();
+        let (found, needed) = (all.len() - 1, m.saturating_add(1));
+        if found < needed {
+            return Err(SmoothRangeError::SumRules { m, needed, found, reduced });
+        }
+        Ok(all)
+    }
+}
+
 impl<P: Scalar + PartialEq> ParametricSymbol<P> {
     /// The symbol of these rules.
-    #[must_use]
-    pub fn of(rules: &Rules<P>) -> ParametricSymbol<P> {
+    pub(super) fn of(rules: &Rules<P>) -> ParametricSymbol<P> {
         let places = (0..rules.width()).rev();
         let coefficients = places.flat_map(|j| rules.rows().iter().map(move |row| row[j].clone()));
         ParametricSymbol { arity: rules.arity(), coefficients: coefficients.collect() }.trimmed()
@@ -39,15 +119,8 @@ impl<P: Scalar + PartialEq> ParametricSymbol<P> {
         self
     }
 
-    /// n.
-    #[must_use]
-    pub fn arity(&self) -> usize {
-        self.arity
-    }
-
     /// The symbol over σ(z) = 1 + z + … + z^{n−1}, if σ divides it for every value of the parameter.
-    #[must_use]
-    pub fn over_sigma(&self) -> Option<ParametricSymbol<P>> {
+    pub(super) fn over_sigma(&self) -> Option<ParametricSymbol<P>> {
         let n = self.arity;
         let mut rest = self.coefficients.clone();
         let count = (rest.len() + 1).checked_sub(n)?;
@@ -63,32 +136,14 @@ impl<P: Scalar + PartialEq> ParametricSymbol<P> {
     }
 
     /// This times a number.
-    #[must_use]
-    pub fn scaled(&self, factor: &Rational) -> ParametricSymbol<P> {
+    pub(super) fn scaled(&self, factor: &Rational) -> ParametricSymbol<P> {
         let factor = P::from_rational(factor);
         let coefficients = self.coefficients.iter().map(|c| c.times(&factor)).collect();
         ParametricSymbol { arity: self.arity, coefficients }
     }
 
-    /// The symbol with the values of the coefficients.
-    pub(super) fn value(&self, value: impl Fn(&P) -> Rational) -> Symbol {
-        Symbol::new(self.arity, 0, self.coefficients.iter().map(value).collect())
-    }
-
-    /// Whether the shifts of the basic limit function are linearly independent for all values of the parameters but the
-    /// zeros of a polynomial that is not 0; `value` gives a coefficient at two values. One probe shows it, at which
-    /// neither end of the symbol vanishes: `proofs/THEOREMS.md`, 112 (c).
-    pub(super) fn is_independent(&self, value: impl Fn(&P, [&Rational; 2]) -> Rational) -> bool {
-        PROBES.iter().any(|[one, other]| {
-            let [one, other] = [one, other].map(|(top, bottom)| Rational::new(*top, *bottom));
-            let at = self.value(|c| value(c, [&one, &other]));
-            at.coefficients().len() == self.coefficients.len() && independent(&at) == at
-        })
-    }
-
     /// Whether one of the n parts is a single coefficient 1: the scheme keeps the points of its data.
-    #[must_use]
-    pub fn is_interpolating(&self) -> bool {
+    pub(super) fn is_interpolating(&self) -> bool {
         let (zero, one) = (P::zero(), P::from_rational(&Rational::one()));
         (0..self.arity).any(|e| {
             let part = self.coefficients.iter().skip(e).step_by(self.arity);
@@ -100,8 +155,7 @@ impl<P: Scalar + PartialEq> ParametricSymbol<P> {
     ///
     /// # Panics
     /// Never: a mask has no longer rules.
-    #[must_use]
-    pub fn rules(&self) -> Rules<P> {
+    pub(super) fn rules(&self) -> Rules<P> {
         let width = self.coefficients.len().div_ceil(self.arity).max(1);
         let zero = P::zero();
         let entry = |alpha: usize, j: usize| {
@@ -114,14 +168,6 @@ impl<P: Scalar + PartialEq> ParametricSymbol<P> {
     /// The matrices on windows, in the parameters.
     pub(super) fn matrices(&self) -> Vec<Vec<Vec<P>>> {
         windows(&self.coefficients, self.arity, &P::zero())
-    }
-}
-
-impl ParametricSymbol {
-    /// The symbol at a value of the parameter.
-    #[must_use]
-    pub fn at(&self, value: &Rational) -> Symbol {
-        self.value(|c| c.value_at(value))
     }
 }
 

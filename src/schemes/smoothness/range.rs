@@ -1,6 +1,6 @@
 //! For which parameters the limits are C^m, from both sides.
 
-use super::parametric::{ParametricSymbol, PolynomialMatrix};
+use super::parametric::{ParametricSymbol, Reduced};
 use super::search::{Search, outer_ends};
 use crate::bound::{ParameterRange, RangeError};
 use crate::exact::{Interval, IntervalSet, Rational, RationalPolynomial};
@@ -15,7 +15,8 @@ pub enum SmoothRangeError {
     /// C^m needs sum rules of a higher order than hold for all parameters.
     #[error(
         "C^{m} needs sum rules of order {needed}, and those of order {found} hold for all parameters, but no \
-         more: on no interval are the limits C^{m}"
+         more{}: on no interval are the limits C^{m}",
+        if *.reduced { ", once the symbol is reduced to one with linearly independent shifts" } else { "" }
     )]
     SumRules {
         /// m.
@@ -24,17 +25,8 @@ pub enum SmoothRangeError {
         needed: usize,
         /// The order that holds.
         found: usize,
-    },
-    /// As [`SmoothRangeError::SumRules`], where sum rules do not decide.
-    #[error(
-        "sum rules of order {found} hold for all parameters, but no more; integer shifts of the basic limit function may \
-         be linearly dependent, so that limits may be C^{m} all the same, and masks with a parameter are not reduced"
-    )]
-    Dependent {
-        /// m.
-        m: usize,
-        /// The order that holds.
-        found: usize,
+        /// Whether it is that of the symbol after a reduction.
+        reduced: bool,
     },
     /// The rules are too long.
     #[error("the rules are too long for a proof of smoothness: {0}")]
@@ -44,22 +36,18 @@ pub enum SmoothRangeError {
     Range(#[from] RangeError),
 }
 
-impl SmoothRangeError {
-    /// What it means that C^m needs sum rules of a higher order than `found`.
-    pub(super) fn without_rules(m: usize, found: usize, independent: bool) -> SmoothRangeError {
-        if independent {
-            SmoothRangeError::SumRules { m, needed: m.saturating_add(1), found }
-        } else {
-            SmoothRangeError::Dependent { m, found }
-        }
-    }
-}
-
 /// Where the limits are C^m.
 #[derive(Clone, Debug)]
 pub struct SmoothRange {
-    /// For c = 1, 2, … the set where ‖(n^mS_{m+1})^c‖ < 1, as of [`ParameterRange`].
+    /// For c = 1, 2, … the set where ‖(n^mS_{m+1})^c‖ < 1, as of [`ParameterRange`], and the scheme converges.
     pub contraction: ParameterRange,
+    /// n^mS_{m+1} of these norms.
+    pub differences: Rules<RationalPolynomial>,
+    /// The polynomials g with which A was replaced by A(z)·g(z)/g(z^n), one after the other, since the shifts of the
+    /// basic limit function are linearly dependent for all parameters.
+    pub reduction: Vec<Vec<Rational>>,
+    /// Where the scheme converges, if that does not follow from the symbol after this reduction.
+    pub converges: Option<Box<SmoothRange>>,
     /// There all limits are C^m.
     pub inside: IntervalSet,
     /// There not all limits are C^m, or the scheme diverges.
@@ -70,15 +58,14 @@ pub struct SmoothRange {
     /// The length of what is in neither, rounded upwards; `None` where that is unbounded.
     pub gap: Option<Rational>,
     search: Search,
-    /// Whether what the search finds outside is outside.
-    refutes: bool,
 }
 
 /// Where the limits of a mask in one parameter are C^m.
 ///
 /// Inside by contraction, up to `levels` levels, and by hulls that are invariant on whole intervals: for
 /// the matrices of which those of the interval are the mean (`proofs/THEOREMS.md`, 111). Outside where a
-/// product of n^mS_K has the eigenvalue 1 or more in absolute value, by the sign of det(I ∓ P) (112).
+/// product of n^mS_K has the eigenvalue 1 or more in absolute value, by the sign of det(I ∓ P) (112). Where shifts are
+/// linearly dependent for all parameters, all of this is about a reduced symbol (112 d).
 ///
 /// # Errors
 /// When the sum rules do not hold, or the work is beyond a cap.
@@ -90,20 +77,31 @@ pub fn smooth_range(
     m: usize,
     levels: u32,
 ) -> Result<SmoothRange, SmoothRangeError> {
-    let (whole, matrices) = scaled_matrices(rules, m)?;
-    let n = Rational::from(whole.arity());
-    let factor = (0..m).fold(Rational::one(), |power, _| power * &n);
-    let derived = (0..=m).try_fold(whole.clone(), |symbol, _| symbol.over_sigma());
-    let derived = derived.expect("sum rules of this order").scaled(&factor);
-    let contraction = ParameterRange::new(&derived.rules(), levels)?;
-    let mut search = Search::new(matrices)?;
-    search.run(&contraction.union)?;
+    let whole = ParametricSymbol::of(rules);
     let sure = m == 0 || whole.is_interpolating();
-    let refutes = sure || is_independent(&whole);
-    let (inside, outside) = (contraction.union.clone(), IntervalSet::default());
-    let but_finitely_many = !sure;
-    let mut range =
-        SmoothRange { contraction, inside, outside, but_finitely_many, gap: None, search, refutes };
+    let Reduced { symbol, steps, cycles } = whole.reduced(m);
+    let scaled = symbol.scaled_differences(m, !steps.is_empty())?;
+    let differences = scaled[m + 1].rules();
+    let mut contraction = ParameterRange::new(&differences, levels)?;
+    let mut search = Search::new(scaled.last().expect("the symbol itself").matrices())?;
+    search.run(&contraction.union)?;
+    let converges = cycles.then(|| smooth_range(rules, 0, levels)).transpose()?.map(Box::new);
+    if let Some(converges) = &converges {
+        for set in contraction.levels.iter_mut().chain([&mut contraction.union]) {
+            *set = set.intersection(&converges.inside);
+        }
+    }
+    let mut range = SmoothRange {
+        inside: contraction.union.clone(),
+        contraction,
+        differences,
+        reduction: steps,
+        converges,
+        outside: IntervalSet::default(),
+        but_finitely_many: !sure,
+        gap: None,
+        search,
+    };
     range.take();
     Ok(range)
 }
@@ -137,6 +135,9 @@ impl SmoothRange {
         values: &IntervalSet,
         width: &Rational,
     ) -> Result<(), MatrixSetError> {
+        if let Some(converges) = &mut self.converges {
+            converges.look_closer(values, width)?;
+        }
         self.search.refresh();
         for (low, high) in values.intervals().iter().filter_map(outer_ends) {
             self.search.divide((low, high), &self.inside, (width, Closing::All))?;
@@ -147,33 +148,15 @@ impl SmoothRange {
 
     /// Takes over what the search has found.
     fn take(&mut self) {
-        self.inside = self.inside.union(&self.search.inside);
-        if self.refutes {
-            self.outside = self.outside.union(&self.search.outside);
+        let (mut inside, mut outside) = (self.search.inside.clone(), self.search.outside.clone());
+        if let Some(converges) = &self.converges {
+            inside = inside.intersection(&converges.inside);
+            outside = outside.union(&converges.outside);
         }
+        self.inside = self.inside.union(&inside);
+        self.outside = self.outside.union(&outside);
         self.gap = gap(&self.inside.union(&self.outside));
     }
-}
-
-/// The symbol, and the matrices of n^mB_K for its order K of the sum rules.
-fn scaled_matrices(
-    rules: &Rules<RationalPolynomial>,
-    m: usize,
-) -> Result<(ParametricSymbol, Vec<PolynomialMatrix>), SmoothRangeError> {
-    let whole = ParametricSymbol::of(rules);
-    let orders = std::iter::successors(Some(whole.clone()), ParametricSymbol::over_sigma);
-    let (found, last) = orders.enumerate().last().expect("the symbol itself");
-    if found <= m {
-        return Err(SmoothRangeError::without_rules(m, found, is_independent(&whole)));
-    }
-    let n = Rational::from(whole.arity());
-    let factor = (0..m).fold(Rational::one(), |power, _| power * &n);
-    Ok((whole, last.scaled(&factor).matrices()))
-}
-
-/// Whether the shifts are linearly independent for all but finitely many values.
-fn is_independent(symbol: &ParametricSymbol) -> bool {
-    symbol.is_independent(|c, [value, _]| c.value_at(value))
 }
 
 /// The length of the complement, if it is bounded.

@@ -21,6 +21,9 @@ use std::cmp::Ordering;
 /// The most levels of a contraction.
 const MAX_LEVELS: u32 = 16;
 
+/// The most coefficients of a polynomial that reduces the symbol.
+const MAX_COEFFICIENTS: usize = 65;
+
 /// The most halvings of an interval.
 const MAX_HALVINGS: usize = 1_000;
 
@@ -51,8 +54,16 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         require(!only, Reason::NotShown)?;
         let levels = said.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c));
         let levels = levels.ok_or(Reason::Malformed("a number of levels"))?;
-        let above =
-            |scope: &Scope<'_>| norm(paper, (scope, reference), m, levels)?.minus(&Value::int(1));
+        let mut reduction = Vec::new();
+        while let Some(said) = block.maybe("shifts") {
+            let read = said.split_whitespace().map(read_rational).collect::<Option<Vec<Q>>>();
+            let g = read.filter(|g| (2..=MAX_COEFFICIENTS).contains(&g.len()));
+            let g = g.filter(|g| g.last().is_some_and(|last| *last != int(0)));
+            reduction.push(g.ok_or(Reason::Malformed("the coefficients of a polynomial"))?);
+        }
+        let above = |scope: &Scope<'_>| {
+            norm(paper, (scope, reference), (m, levels), &reduction)?.minus(&Value::int(1))
+        };
         let pieces = free.pieces(block, &above)?;
         let within = covered(&pieces.breaks, &pieces.signs, &ends, closed, paper.library.meter)?;
         require(within, Reason::Uncovered)?;
@@ -170,12 +181,12 @@ fn against(at: &Root, value: &Value, meter: &Meter) -> Result<Ordering, Stop> {
     Err(Stop::Capped("the halvings of an interval"))
 }
 
-/// ‖(n^m S_{m+1})^c‖ for the symbol n^m A/σ^{m+1} of the differences of order m + 1.
+/// ‖(n^m S_{m+1})^c‖ for the symbol n^m A/σ^{m+1} of the differences of order m + 1, after the reduction of A.
 fn norm(
     paper: &Paper<'_>,
     (scope, reference): (&Scope<'_>, &str),
-    m: usize,
-    c: u32,
+    (m, c): (usize, u32),
+    reduction: &[Vec<Q>],
 ) -> Result<Value, Stop> {
     let schemes = paper.library.resolve(reference, scope)?;
     let [scheme] = &schemes[..] else {
@@ -183,6 +194,9 @@ fn norm(
     };
     let n = scheme.arity();
     let mut symbol = Sequence { rules: &scheme.mask, forward: false }.values();
+    for g in reduction {
+        symbol = reduced(symbol, g, n, paper.library.meter)?;
+    }
     for order in 0..=m {
         let mut quotient: Vec<Value> = Vec::new();
         for (i, a) in symbol.iter().enumerate() {
@@ -205,4 +219,24 @@ fn norm(
         return Err(Stop::Capped("the length of a product of sequences"));
     }
     product.classes(library.meter, scope.piece.as_ref())?.greatest(scope.piece.as_ref())
+}
+
+/// A(z)·g(z)/g(z^n), where g(z^n) divides A for all values. THEOREMS.md, 112 (d).
+fn reduced(mut rest: Vec<Value>, g: &[Q], n: usize, meter: &Meter) -> Result<Vec<Value>, Stop> {
+    let no_divisor = Stop::Undefined("g(z^n) does not divide the symbol for all values");
+    let g: Vec<Value> = g.iter().cloned().map(Value::from).collect();
+    let degree = n * (g.len() - 1);
+    let Some(count) = rest.len().checked_sub(degree) else { return Err(no_divisor) };
+    let terms = rest.iter().flat_map(|a| g.iter().map(|c| a.cost(c)));
+    meter.spend(terms.fold(0, u64::saturating_add))?;
+    let mut product = vec![Value::int(0); count + g.len() - 1];
+    for i in (0..count).rev() {
+        // The coefficient on z^i of A/g(z^n).
+        let quotient = rest[i + degree].over(&g[g.len() - 1])?;
+        for (j, c) in g.iter().enumerate() {
+            rest[i + n * j] = rest[i + n * j].minus(&quotient.times(c)?)?;
+            product[i + j] = product[i + j].plus(1, &quotient.times(c)?)?;
+        }
+    }
+    if rest.iter().any(|x| !x.is_zero()) { Err(no_divisor) } else { Ok(product) }
 }

@@ -10,7 +10,7 @@ use crate::evaluation::limits::LimitScheme;
 use crate::exact::{IntervalSet, Parametric, PiecewisePolynomial, Rational, RationalPolynomial};
 use crate::finding::{Contraction, Known, RangeOfLimits, SmoothnessVerdict, Witness};
 use crate::scheme::Rules;
-use crate::smoothness::{ParametricSymbol, SmoothRange, SmoothRangeError, smooth_range};
+use crate::smoothness::{SmoothRange, SmoothRangeError, smooth_range};
 
 /// The numbers of levels up to which contraction is looked for; the next one where the first is beyond a
 /// cap.
@@ -56,9 +56,7 @@ pub(super) fn judge(
     let Judged { verdict, undecided, witness } = trial.judged()?;
     let witness = witness.map(|(at, inside, limits)| Witness { at, inside, limits });
     let contraction = match (verdict, &sets) {
-        (SmoothnessVerdict::Confirmed, Some(sets)) => {
-            contraction(sets, &rules, statement.m, &printed)
-        }
+        (SmoothnessVerdict::Confirmed, Some(sets)) => contraction(sets, &printed),
         _ => None,
     };
     let range = RangeOfLimits { sets, printed, undecided, witness, contraction };
@@ -89,18 +87,15 @@ fn look_closer(sets: &mut SmoothRange, open: &IntervalSet) -> bool {
 }
 
 /// The least number of levels in which the differences contract for all values of the range.
-fn contraction(
-    sets: &SmoothRange,
-    rules: &Rules<RationalPolynomial>,
-    m: usize,
-    range: &IntervalSet,
-) -> Option<Contraction> {
+fn contraction(sets: &SmoothRange, range: &IntervalSet) -> Option<Contraction> {
     let levels = (1_u32..).zip(&sets.contraction.levels);
     let covers = |set: &IntervalSet| range.without(set).is_empty();
     let (levels, below) = levels.into_iter().find(|(_, set)| covers(set))?;
-    let derived = (0..=m).try_fold(ParametricSymbol::of(rules), |s, _| s.over_sigma())?;
-    let factor = Rational::from(rules.arity()).pow(i32::try_from(m).ok()?);
-    let norm = norm_function(&derived.scaled(&factor).rules(), levels, Order::Adjoint).ok()?;
+    if sets.converges.is_some() {
+        // The norm alone does not prove it.
+        return None;
+    }
+    let norm = norm_function(&sets.differences, levels, Order::Adjoint).ok()?;
     let above = norm.exceeds(&PiecewisePolynomial::constant(Rational::one()));
-    Some(Contraction { levels, below: below.clone(), above })
+    Some(Contraction { levels, reduction: sets.reduction.clone(), below: below.clone(), above })
 }
