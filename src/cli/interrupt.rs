@@ -54,7 +54,9 @@ impl Interrupt {
                 if stops.is_empty() {
                     std::process::exit(130);
                 }
-                stops.iter().for_each(|stop| stop());
+                for stop in &stops {
+                    stop();
+                }
             });
         });
         Interrupt { _timer: timer }
