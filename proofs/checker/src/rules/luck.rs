@@ -89,7 +89,7 @@ impl Evidence {
                 let factors = factors.map(|(n, size)| Near::shifted(n - 1, doublings * size, up));
                 factors.fold(most[usize::from(up)], |all, factor| all.times(factor, up))
             });
-            let power = (doublings * told) as i64;
+            let power = ((doublings * told) as u64).cast_signed();
             if high <= below.doubled(power) {
                 return Ok(false);
             }
@@ -165,7 +165,7 @@ impl Near {
         let cut = integer >> places;
         let more = up && &cut << places != *integer;
         let mantissa = cut.to_u128().unwrap_or(0) + u128::from(more);
-        Near { exponent: places as i64, mantissa }.rounded(up)
+        Near { exponent: places.cast_signed(), mantissa }.rounded(up)
     }
 
     /// 2^power + more.
@@ -175,6 +175,6 @@ impl Near {
         };
         let part = u32::try_from(places).ok().and_then(|places| more.checked_shr(places));
         let part = u128::from(part.unwrap_or(0)) + u128::from(up);
-        Near { exponent: places as i64, mantissa: (1 << 100) + part }.rounded(up)
+        Near { exponent: (places as u64).cast_signed(), mantissa: (1 << 100) + part }.rounded(up)
     }
 }

@@ -120,7 +120,7 @@ impl Evidence {
     ///
     /// It is rounded up to 1/N, with an integer N of two digits that are not 0, or to an integer.
     pub(crate) fn chance(&self, m: usize, candidates: &Integer) -> Rational {
-        let told = m.saturating_sub(self.silent) as i64;
+        let told = (m.saturating_sub(self.silent) as u64).cast_signed();
         let at = |doublings: u32| {
             let factors = self.numbers.iter().map(|(one_in, cells)| {
                 let power = u64::from(doublings) * *cells as u64;
@@ -181,7 +181,7 @@ impl Rough {
         }
         let places = u32::try_from(power - 63).unwrap_or(u32::MAX);
         let more = more.checked_shr(places).unwrap_or(0);
-        Rough::new((1 << 63) + u128::from(more) + 1, power as i64 - 63, true)
+        Rough::new((1 << 63) + u128::from(more) + 1, power.cast_signed() - 63, true)
     }
 
     /// A number that is no less than a positive integer.
