@@ -1,6 +1,6 @@
 //! Certificates of claims about smoothness, checked, and the papers that have such claims.
 
-use crate::common::claims::{HEAD, judged, paper};
+use crate::common::claims::{DEPENDENT, DEPENDENT_SCHEME, HEAD, judged, paper};
 use std::path::Path;
 use subcert::audit::{Known, audit};
 use subcert::certificate::certificate;
@@ -97,9 +97,10 @@ fn what_the_radius_does_not_show_is_left_out() {
 /// The claim is about another symbol: (1 + z)(1 + z²)((1 − w) + (1 + w)z)/4 times g(z)/g(z²), g = 1 + z.
 #[test]
 fn a_range_of_dependent_shifts_is_certified() {
-    let claim = "[[range]]\nid = 'c'\nlocus = ''\nscheme = '[(1-w)/4, 1/2, 1/2, 1/2, (1+w)/4]'\nvariable = 'w'\n\
-                 smoothness = '1'\nfrom = '-1'\nto = '1'\n";
-    let text = certificate(&judged(&paper(claim))).text;
+    let claim = format!(
+        "[[range]]\nid = 'c'\nlocus = ''\n{DEPENDENT}from = '-1'\nto = '1'\n{DEPENDENT_SCHEME}"
+    );
+    let text = certificate(&judged(&paper(&claim))).text;
     assert!(text.contains("\n  shifts 1 1\n"), "{text}");
     let valid = |text: &str| {
         let report = check(&format!("{HEAD}{claim}"), &[text]).expect("a claim file");

@@ -4,6 +4,11 @@ use subcert::audit::{PaperAudit, audit};
 use subcert::claim::{Paper, embedded, read_paper};
 use subcert::diagnostic::SourceText;
 
+/// The fields of a range of a scheme whose shifts are linearly dependent for all w, and the scheme.
+pub const DEPENDENT: &str = "scheme = 'd:w=w'\nvariable = 'w'\nsmoothness = '1'\n";
+pub const DEPENDENT_SCHEME: &str = "[[scheme]]\nname = 'd'\nparameters.w = { about = 'weight' }\n\
+                                    mask = [['(1+w)/4', '1/2', '(1-w)/4'], ['0', '1/2', '1/2']]\n";
+
 /// What a claim file of a test begins with.
 pub const HEAD: &str =
     "key = 'k'\n[paper]\nauthors = ['A']\ntitle = 't'\nvenue = 'v'\nyear = '1'\n";

@@ -1,6 +1,6 @@
 //! Claims about smoothness: known schemes against what is known of them, and wrong and open claims.
 
-use crate::common::claims::{judged, paper};
+use crate::common::claims::{DEPENDENT, DEPENDENT_SCHEME, judged, paper};
 use proptest::prelude::*;
 use subcert::audit::{Direction, Known, SmoothnessVerdict};
 use subcert::exact::{Enclosed as _, LogSum, LogTerm, Rational};
@@ -80,8 +80,6 @@ fn exponents() {
 fn ranges() {
     let four_point = "scheme = 'four-point:w=w'\nvariable = 'w'\nsmoothness = '1'";
     let ternary = "scheme = 'ternary-four-point:mu=w'\nvariable = 'w'\nsmoothness = '2'";
-    let dependent =
-        "scheme = '[(1-w)/4, 1/2, 1/2, 1/2, (1+w)/4]'\nvariable = 'w'\nsmoothness = '1'";
     for (scheme, says, expected) in [
         // Dyn, Gregory and Levin: up to (√5 − 1)/8 = 0.1545… The sharp end is 0.192729249…
         (four_point, "from = '0'\nto = '1/8'", CONFIRMED),
@@ -109,14 +107,23 @@ fn ranges() {
             "from = '0'\nto = '1/8'",
             REFUTED,
         ),
-        // The shifts are linearly dependent for all a: (1 + z)(1 + z²)((1 − a) + (1 + a)z)/4.
-        (dependent, "from = '-1'\nto = '1'", CONFIRMED),
-        (dependent, "from = '-1'\nto = '1'\nclosed = true", REFUTED),
-        (dependent, "from = '-1'\nto = '5/4'", REFUTED),
-        (dependent, "from = '-1'\nto = '1/2'\nonly = true", REFUTED),
     ] {
         let fields = format!("{scheme}\n{says}");
         assert_eq!(verdict("range", &fields), expected, "{fields}");
+    }
+}
+
+/// The shifts are linearly dependent for all w: (1 + z)(1 + z²)((1 − w) + (1 + w)z)/4.
+#[test]
+fn ranges_of_dependent_shifts() {
+    for (says, expected) in [
+        ("from = '-1'\nto = '1'", CONFIRMED),
+        ("from = '-1'\nto = '1'\nclosed = true", REFUTED),
+        ("from = '-1'\nto = '5/4'", REFUTED),
+        ("from = '-1'\nto = '1/2'\nonly = true", REFUTED),
+    ] {
+        let fields = format!("{DEPENDENT}{says}\n{DEPENDENT_SCHEME}");
+        assert_eq!(verdict("range", &fields), expected, "{says}");
     }
 }
 

@@ -54,7 +54,7 @@ fn shifts_that_are_dependent_for_all_parameters() {
         ("[(1-w)/2, 1-w, 1/2, w, w/2]", "w", &[], "0"),
     ];
     for (text, name, reduction, low) in cases {
-        let range = smooth_range(&rules(text, name), 1, 1).expect("a reduction");
+        let range = smooth_range(&rules(text, name), 1, 2).expect("a reduction");
         assert_eq!(range.reduction, reduction);
         assert_eq!(range.inside.to_string(), format!("({low}, 1)"));
         assert_eq!(range.outside.to_string(), format!("(-inf, {low}] u [1, inf)"));

@@ -289,11 +289,11 @@ fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<Strin
                 format!("{} for {}", smooth(*m), set(&sets.inside)),
                 format!("{} for {}", not_smooth(*m), set(&sets.outside)),
             ];
-            if !sets.reduction.is_empty() {
-                lines.push(reduction(sets, variable));
-            }
             if sets.but_finitely_many && !sets.outside.is_empty() {
                 lines.push(format!("with finitely many exceptions of {variable}"));
+            }
+            if !sets.reduction.is_empty() {
+                lines.push(format!("{}.", reduction(sets, variable)));
             }
             lines
         }
