@@ -4,7 +4,9 @@ use super::arguments::JsrArguments;
 use super::json::{SCHEMA, smoothness as form};
 use super::output::{Failure, Outcome, show};
 use super::progress::Progress;
-use super::radius::{between, product_text, radius_form, root_text, write_certificate};
+use super::radius::{
+    apart, between, product_text, radius_form, root_text, upper_text, write_certificate,
+};
 use subcert::certificate::radius_certificate;
 use subcert::diagnostic::read_text;
 use subcert::exact::{Rational, parse_rational};
@@ -78,21 +80,12 @@ fn sheet(path: &str, set: &MatrixSet, radius: &JointRadius) -> Sheet {
                 "at least".to_owned(),
                 format!("{}: of the product {}", root_text(radius), product_text(radius, "M")),
             ));
-            let rows = size + hull.rows.len();
-            let exact = if radius.exact {
-                "the same, by an extremal hull: this is ϱ".to_owned()
-            } else {
-                format!("{}, by an invariant hull of {rows} rows", super::radius::up(&hull.bound))
-            };
-            facts.push(("at most".to_owned(), exact));
+            facts.push(("at most".to_owned(), upper_text(size, radius, hull)));
         }
     }
     sheet.facts(facts);
     if !radius.exact {
-        sheet.text(
-            "The bounds do not meet: no extremal hull of up to 1200 rows is found for products of up to \
-             14 factors.",
-        );
+        sheet.text(apart(""));
     }
     sheet
 }

@@ -7,7 +7,8 @@ use super::json::{SCHEMA, smoothness as form};
 use super::output::{Failure, Outcome, with_decimal};
 use super::progress::Progress;
 use super::radius::{
-    between, down, ends, product_text, radius_form, root_text, up, write_certificate,
+    apart, between, down, ends, product_text, radius_form, root_text, up, upper_text,
+    write_certificate,
 };
 use super::vertex;
 use subcert::certificate::smoothness_certificate;
@@ -159,13 +160,7 @@ impl<F: Coefficient> Report<'_, F> {
             ),
         ];
         if let Some(hull) = &radius.hull {
-            let rows = size + hull.rows.len();
-            let text = if radius.exact {
-                "the same, by an extremal hull: this is ϱ".to_owned()
-            } else {
-                format!("{}, by an invariant hull of {rows} rows", up(&hull.bound))
-            };
-            facts.push(("at most".to_owned(), text));
+            facts.push(("at most".to_owned(), upper_text(size, radius, hull)));
         }
         facts
     }
@@ -180,10 +175,7 @@ impl<F: Coefficient> Report<'_, F> {
             ));
         }
         if hoelder.as_ref().is_some_and(|hoelder| hoelder.formula.is_none()) {
-            sheet.text(
-                "The bounds of the exponent do not meet: no extremal hull of up to 1200 rows is found for \
-                 products of up to 14 factors.",
-            );
+            sheet.text(apart(" of the exponent"));
         }
     }
 

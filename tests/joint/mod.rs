@@ -1,3 +1,4 @@
 mod certificates;
 mod gauge;
 mod radius;
+mod reduction;

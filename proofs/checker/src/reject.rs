@@ -170,6 +170,8 @@ reasons! {
     SumRules "the sum rules do not hold up to this order"
     NotGreatest "the sum rules hold beyond this order"
     Size "the matrices or rows are not of one size, or beyond a cap"
+    Inverse "the second matrix is not the inverse of the basis"
+    Triangular "in this basis an entry to the right of a block is not 0"
     NoSuch "there is no such matrix or row"
     NoEigenvalue(bound: Text) "the characteristic polynomial is positive at {bound}"
     Outside(cost: Text, bound: Text) "the coefficients and the remainder sum to {cost}, which is more than {bound}"

@@ -98,9 +98,8 @@ pub(super) fn limits<F: Coefficient>(
 pub fn radius_certificate(set: &MatrixSet, radius: &JointRadius) -> Option<String> {
     let hull = radius.hull.as_ref()?;
     let mut text = String::from("subcert-radius 1\n");
-    for matrix in set.matrices() {
-        let rows: Vec<String> = matrix.iter().map(|row| numbers(row)).collect();
-        line(&mut text, "matrix", &rows.join(" | "));
+    for rows in set.matrices() {
+        line(&mut text, "matrix", &matrix(rows));
     }
     write_radius(&mut text, set, radius, hull);
     text.push_str("end\n");
@@ -119,6 +118,12 @@ fn write_radius<F: Entry>(
     radius: &JointRadius,
     hull: &Hull,
 ) -> Option<Rational> {
+    if let Some(reduction) = &radius.reduction {
+        line(text, "basis", &matrix(&reduction.basis));
+        line(text, "inverse", &matrix(&reduction.inverse));
+        let sizes: Vec<String> = reduction.blocks.iter().map(|b| b.size().to_string()).collect();
+        line(text, "blocks", &sizes.join(" "));
+    }
     let eigenvalue = radius.eigenvalue(set);
     if let Some(eigenvalue) = &eigenvalue {
         let factors: Vec<String> = radius.product.iter().map(ToString::to_string).collect();
@@ -145,6 +150,11 @@ fn write_radius<F: Entry>(
 pub(super) fn line(text: &mut String, word: &str, rest: &str) {
     let blank = if rest.is_empty() { "" } else { " " };
     writeln!(text, "{word}{blank}{rest}").expect("a text in memory");
+}
+
+/// A matrix, row by row.
+fn matrix(rows: &[Vec<Rational>]) -> String {
+    rows.iter().map(|row| numbers(row)).collect::<Vec<String>>().join(" | ")
 }
 
 pub(super) fn numbers(row: &[Rational]) -> String {

@@ -3,7 +3,7 @@
 use crate::exact::{Rational, Real};
 
 /// The matrix in reduced echelon form, without rows of zeros, and the column of each pivot.
-fn reduced<F: Real + PartialEq>(mut rows: Vec<Vec<F>>) -> (Vec<Vec<F>>, Vec<usize>) {
+pub(super) fn reduced<F: Real + PartialEq>(mut rows: Vec<Vec<F>>) -> (Vec<Vec<F>>, Vec<usize>) {
     let columns = rows.first().map_or(0, Vec::len);
     let mut pivots = Vec::new();
     for column in 0..columns {

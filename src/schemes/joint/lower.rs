@@ -13,7 +13,7 @@ use crate::float::extremal::{Candidates, Rows, SearchCaps, close, row_times};
 use crate::float::nearest;
 
 /// The largest matrices for which products of two conjugate eigenvalues are taken.
-const MAX_CONJUGATE: usize = 8;
+pub(super) const MAX_CONJUGATE: usize = 8;
 
 /// The most rows of a hull.
 pub(super) const MAX_ROWS: usize = 1_200;

@@ -29,7 +29,9 @@ mod matrix_set;
 mod product;
 mod proposal;
 mod radius;
+mod reduction;
 mod roots;
+mod single;
 mod verify;
 
 pub(crate) use elimination::null_rows;
@@ -39,3 +41,4 @@ pub use interval::{Closing, contracts, expanding_product, expands};
 pub use matrix_set::{MAX_MATRICES, MAX_SIZE, MatrixSet, MatrixSetError};
 pub use product::{Eigenvalue, JordanBlock, Kind, jordan_block};
 pub use radius::{JointRadius, extremal_rate, joint_radius};
+pub use reduction::Reduction;

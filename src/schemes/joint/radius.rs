@@ -7,15 +7,15 @@ use super::lower::{Exact, Lower, MAX_ROWS};
 use super::matrix_set::MatrixSet;
 use super::product::{Eigenvalue, shown};
 use super::proposal::beam;
-use super::roots::greatest;
-use crate::exact::{Enclosure, Integer, Rational, RealAlgebraic};
+use super::reduction::Reduction;
+use super::roots::{enclosed_root, order};
+use super::single::of_multiples;
+use crate::exact::{Enclosure, Rational, RealAlgebraic};
 use crate::float::extremal::candidates;
+use std::cmp::Ordering;
 
 /// The most factors of a product that is looked at.
 const MAX_FACTORS: u32 = 14;
-
-/// The digits after the point of an enclosure of a root.
-const PLACES: u32 = 14;
 
 /// How many products of each length are continued.
 const BEAM: usize = 250;
@@ -32,18 +32,29 @@ pub struct JointRadius {
     pub root: RealAlgebraic,
     /// The number of the factors; twice that where `root` is the product of two conjugate eigenvalues.
     pub degree: usize,
-    /// Whether ϱ = root^{1/degree}, by an extremal hull; all products of l factors are then at most
-    /// Cϱ^l. Where the bounds meet, both is proven.
+    /// Whether ϱ = root^{1/degree}: by an extremal hull, or as the largest of the blocks, or the spectral radius of
+    /// one matrix, of which the others are multiples.
     pub exact: bool,
-    /// ϱ ≤ its bound; `None` where all products of d factors are 0.
+    /// Whether ϱ is exact, and all products of l factors are shown to be at most Cϱ^l.
+    pub bounded: bool,
+    /// ϱ ≤ its bound; `None` where all products of d factors are 0. It is one of the blocks, if the set is reduced.
     pub hull: Option<Hull>,
+    /// The blocks, where the bounds are theirs.
+    pub reduction: Option<Reduction>,
 }
 
 impl JointRadius {
     /// A rational lower bound that a sign shows; `None` where ϱ = 0, or no sign shows it.
     #[must_use]
     pub fn eigenvalue<F: Entry>(&self, set: &MatrixSet<F>) -> Option<Eigenvalue> {
-        shown(set, &self.product, &self.root, self.degree != self.product.len())
+        let conjugate = self.degree != self.product.len();
+        match &self.reduction {
+            None => shown(set, &self.product, &self.root, conjugate),
+            Some(reduction) => reduction
+                .blocks
+                .iter()
+                .find_map(|block| shown(block, &self.product, &self.root, conjugate)),
+        }
     }
 
     /// An enclosure of root^{1/degree} of two neighbouring decimals of 14 places, or the number itself.
@@ -62,17 +73,7 @@ impl JointRadius {
     /// Never.
     #[must_use]
     pub fn root_enclosure(&self) -> Enclosure {
-        let degree = i32::try_from(self.degree).expect("a short product");
-        let unit = Rational::from(Integer::power_of_ten(PLACES));
-        let reaches = |x: &Integer| {
-            let power = (Rational::from(x.clone()) / &unit).pow(degree);
-            self.root.cmp_rational(&power) != std::cmp::Ordering::Less
-        };
-        let low = greatest(reaches);
-        let exact = (Rational::from(low.clone()) / &unit).pow(degree);
-        let is_root = self.root.cmp_rational(&exact).is_eq();
-        let high = if is_root { low.clone() } else { &low + &Integer::one() };
-        Enclosure::new(Rational::from(low) / &unit, Rational::from(high) / unit)
+        enclosed_root(&self.root, self.degree)
     }
 
     /// The best rational upper bound of the radius.
@@ -86,7 +87,8 @@ impl JointRadius {
 
 /// Bounds the joint spectral radius of a set of matrices.
 ///
-/// Where no extremal hull is found, the bounds are as near as the search comes within 1200 rows.
+/// Where no extremal hull is found, rational matrices are reduced to blocks. Where there are none, and the matrices are no
+/// multiples of one, the bounds are as near as the search comes within 1200 rows.
 ///
 /// # Panics
 /// Never.
@@ -94,20 +96,73 @@ impl JointRadius {
 pub fn joint_radius<F: Entry>(set: &MatrixSet<F>) -> JointRadius {
     if set.is_nilpotent() {
         let root = RealAlgebraic::from(Rational::zero());
-        return JointRadius { product: Vec::new(), root, degree: 1, exact: true, hull: None };
+        return JointRadius {
+            product: Vec::new(),
+            root,
+            degree: 1,
+            exact: true,
+            bounded: true,
+            hull: None,
+            reduction: None,
+        };
     }
     let matrices = floats(set);
     let found = candidates(&matrices, MAX_FACTORS, beam(set, BEAM));
-    let Some(lower) = Lower::of(set, &found) else { return by_norm(set) };
+    let lower = Lower::of(set, &found);
     let unit = Rational::new(1, 16);
-    let extremal = lower.extremal(set, &unit, &found, MAX_ROWS);
+    let extremal = lower.as_ref().and_then(|lower| lower.extremal(set, &unit, &found, MAX_ROWS));
     let exact = extremal.is_some();
-    let upper = match extremal {
+    if !exact && let Some(reduction) = F::rational(set).and_then(Reduction::of) {
+        return of_blocks(reduction);
+    }
+    let Some(lower) = lower else { return by_norm(set) };
+    let hull = match extremal {
         Some(Exact::Rational(hull)) => hull,
         _ => lower.nearest_hull(set, &unit, exact),
     };
     let Lower { product, root, degree, .. } = lower;
-    JointRadius { product, root, degree, exact, hull: Some(upper) }
+    let meet = root.cmp_rational(&hull.bound.pow(power(degree))).is_eq();
+    let (exact, hull) = (exact || meet, Some(hull));
+    let radius =
+        JointRadius { product, root, degree, exact, bounded: exact, hull, reduction: None };
+    match of_multiples(set).filter(|_| !exact) {
+        Some((product, root, degree)) => {
+            JointRadius { product, root, degree, exact: true, ..radius }
+        }
+        None => radius,
+    }
+}
+
+fn power(degree: usize) -> i32 {
+    i32::try_from(degree).expect("a short product")
+}
+
+/// The maximum of the radii of the blocks.
+fn of_blocks(reduction: Reduction) -> JointRadius {
+    let radii: Vec<JointRadius> = reduction.blocks.iter().map(joint_radius).collect();
+    let compared =
+        |a: &JointRadius, b: &JointRadius| order((&a.root, a.degree), (&b.root, b.degree));
+    let greater = |best: usize, i: usize| {
+        if compared(&radii[i], &radii[best]) == Some(Ordering::Greater) { i } else { best }
+    };
+    let lead = (1..radii.len()).fold(0, greater);
+    let best = &radii[lead];
+    let limit =
+        |other: &JointRadius| best.root.cmp_rational(&other.upper().pow(power(best.degree)));
+    let others = || radii.iter().enumerate().filter(|(i, _)| *i != lead).map(|(_, other)| other);
+    let at_most = |other: &JointRadius| {
+        limit(other).is_ge() || other.exact && compared(other, best).is_some_and(Ordering::is_le)
+    };
+    let exact = best.exact && others().all(at_most);
+    // The blocks beside the diagonal are then multiplied by sums of geometric series.
+    let bounded = exact && best.bounded && others().all(|other| limit(other).is_gt());
+    let hulls = reduction.blocks.iter().zip(&radii);
+    let hulls =
+        hulls.map(|(block, radius)| radius.hull.clone().unwrap_or_else(|| Hull::norm(block)));
+    let hulls: Vec<Hull> = hulls.collect();
+    let hull = Some(reduction.hull(&hulls.iter().collect::<Vec<_>>()));
+    let (product, root, degree) = (best.product.clone(), best.root.clone(), best.degree);
+    JointRadius { product, root, degree, exact, bounded, hull, reduction: Some(reduction) }
 }
 
 /// Whether the radius is that of a product, by an extremal hull; then all products of l factors are at most
@@ -122,7 +177,7 @@ pub fn extremal_rate<F: Entry>(set: &MatrixSet<F>) -> Option<(RealAlgebraic, usi
 
 /// What is known when f64 finds no product with an eigenvalue other than 0.
 fn by_norm<F: Entry>(set: &MatrixSet<F>) -> JointRadius {
-    let root = RealAlgebraic::from(Rational::zero());
+    let (product, root) = (vec![0], RealAlgebraic::from(Rational::zero()));
     let hull = Some(Hull::norm(set));
-    JointRadius { product: vec![0], root, degree: 1, exact: false, hull }
+    JointRadius { product, root, degree: 1, exact: false, bounded: false, hull, reduction: None }
 }

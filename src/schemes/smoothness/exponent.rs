@@ -228,7 +228,7 @@ fn attained<F: Coefficient>(
     // With an extremal hull all products of matrices of the order K are bounded; between k and K there
     // are only smaller factors n^{−k}, …, n^{−K+1}, unless s = k < K.
     if formula.cmp_integer(k) != Ordering::Equal || k == *order {
-        return Ok(Some(true));
+        return Ok(differences.radius.bounded.then_some(true));
     }
     let set = scaled_matrices(symbol, k)?;
     let one = Rational::one();

@@ -1,6 +1,7 @@
 //! Certificates of joint spectral radii, and of the smoothness that follows from them. FORMAT.md,
 //! «Joint spectral radii».
 
+mod blocks;
 mod element;
 mod field;
 mod given;
@@ -23,6 +24,7 @@ use matrices::{Matrix, determinant, multiplied, symmetric_square, times};
 use num_traits::Signed as _;
 use read::{Certificate, Lower};
 use std::fmt;
+use std::ops::Range;
 
 /// What a valid certificate proves.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -71,9 +73,9 @@ pub fn check_mask(
 
 fn checked(certificate: &Certificate, meter: &Meter) -> Checked<Radius> {
     let Certificate { lower, field, end, .. } = certificate;
-    let matrices: Vec<Matrix> = certificate.matrices()?;
+    let (matrices, blocks) = certificate.blocks.applied(certificate.matrices()?, *end, meter)?;
     if let Some(lower) = lower {
-        check_lower(&matrices, lower, meter).at(lower.line)?;
+        check_lower(&matrices, &blocks, lower, meter).at(lower.line)?;
     }
     check_hull(&matrices, certificate, meter)?;
     let at_least = lower.as_ref().map(|lower| (lower.bound.clone(), lower.degree()));
@@ -85,13 +87,28 @@ fn checked(certificate: &Certificate, meter: &Meter) -> Checked<Radius> {
     Ok(Radius { at_least, at_most: certificate.bound.clone(), order, continuous, not_continuous })
 }
 
-/// A real eigenvalue of at least q shows itself by the sign of the characteristic polynomial at q.
-fn check_lower(matrices: &[Matrix], lower: &Lower, meter: &Meter) -> Checked<()> {
-    let size = matrices[0].len();
-    let mut product = linear::unit(size, [0, 1].map(Element::whole));
+/// A real eigenvalue of at least q shows itself by the sign of the characteristic polynomial of a block at q.
+fn check_lower(
+    matrices: &[Matrix],
+    blocks: &[Range<usize>],
+    lower: &Lower,
+    meter: &Meter,
+) -> Checked<()> {
+    let mut product = linear::unit(matrices[0].len(), [0, 1].map(Element::whole));
     for &factor in &lower.product {
         product = multiplied(&product, matrices.get(factor).ok_or(RadiusReason::NoSuch)?, meter)?;
     }
+    let mut shown = false;
+    for block in blocks {
+        let part = product[block.clone()].iter().map(|row| row[block.clone()].to_vec()).collect();
+        shown = shown || reaches(part, lower, meter)?;
+    }
+    let shown = shown && lower.bound.is_positive();
+    require(shown, RadiusReason::NoEigenvalue(Text(lower.bound.to_string())))
+}
+
+fn reaches(product: Matrix, lower: &Lower, meter: &Meter) -> Checked<bool> {
+    let size = product.len();
     let mut shifted = product;
     if lower.conjugate {
         let pairs = (size * (size + 1) / 2) as u64;
@@ -106,9 +123,7 @@ fn check_lower(matrices: &[Matrix], lower: &Lower, meter: &Meter) -> Checked<()>
             }
         }
     }
-    let value = determinant(shifted, meter)?;
-    let shown = lower.bound.is_positive() && value.sign() <= 0;
-    require(shown, RadiusReason::NoEigenvalue(Text(lower.bound.to_string())))
+    Ok(determinant(shifted, meter)?.sign() <= 0)
 }
 
 /// Every image of a row is a combination whose coefficients, with the remainder, are at most the bound.

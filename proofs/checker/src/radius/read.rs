@@ -1,5 +1,6 @@
 //! The lines of a certificate of a joint spectral radius.
 
+use super::blocks::Blocks;
 use super::field::Field;
 use crate::certificate::{Line, alone};
 use crate::decimal::{Q, read_rational};
@@ -17,12 +18,15 @@ const MAX_DEGREE: usize = 64;
 const MAX_BYTES: usize = 64 << 20;
 
 /// The lines in their order, and whether there may be several of a kind.
-const LINES: [(&str, bool); 13] = [
+const LINES: [(&str, bool); 16] = [
     ("field", false),
     ("between", false),
     ("rule", true),
     ("order", false),
     ("matrix", true),
+    ("basis", false),
+    ("inverse", false),
+    ("blocks", false),
     ("product", false),
     ("eigenvalue", false),
     ("at-most", false),
@@ -67,6 +71,8 @@ pub struct Certificate {
     pub order: Option<Said>,
     /// The matrices, where there is no mask.
     pub given: Vec<(usize, Vec<Vec<Coordinates>>)>,
+    /// A basis in which they are block triangular.
+    pub blocks: Blocks,
     pub lower: Option<Lower>,
     pub bound: Q,
     pub unit: Q,
@@ -84,6 +90,10 @@ pub struct Certificate {
 fn numbers(text: &str) -> Checked<Vec<Q>> {
     let number = |word| Ok(read_rational(word).ok_or(RadiusReason::Malformed("numbers"))?);
     text.split_whitespace().map(number).collect()
+}
+
+fn square(text: &str) -> Checked<Vec<Vec<Q>>> {
+    text.split('|').map(numbers).collect()
 }
 
 fn count(text: &str) -> Checked<usize> {
@@ -139,6 +149,7 @@ impl Certificate {
             rules,
             order: None,
             given: Vec::new(),
+            blocks: Blocks::default(),
             lower: None,
             bound: Q::zero(),
             unit: Q::zero(),
@@ -191,6 +202,12 @@ impl Certificate {
                 let rows = rest.split('|').map(|row| self.entries(row));
                 let matrix = rows.collect::<Checked<Vec<Vec<Coordinates>>>>()?;
                 self.given.push((line, matrix));
+            }
+            "basis" => self.blocks.basis = Some((line, square(rest)?)),
+            "inverse" => self.blocks.inverse = Some((line, square(rest)?)),
+            "blocks" => {
+                let sizes = rest.split_whitespace().map(count).collect::<Checked<Vec<usize>>>()?;
+                self.blocks.sizes = Some((line, sizes));
             }
             "product" => {
                 let product =
