@@ -65,7 +65,8 @@ pub(super) fn upper_text(size: usize, radius: &JointRadius, hull: &Hull) -> Stri
 /// What is said where the bounds of a radius or an exponent do not meet.
 pub(super) fn apart(of: &str) -> String {
     format!(
-        "The bounds{of} do not meet: within 1200 rows and products of up to 14 factors, no hull is found that is extremal          for a real eigenvalue."
+        "The bounds{of} do not meet: no hull of up to 1200 rows is found that is extremal for a real eigenvalue of a \
+         product of up to 14 factors."
     )
 }
 

@@ -31,6 +31,9 @@ fn is(matrices: &[&[&[i64]]], number: i64) -> JointRadius {
 fn bounds_that_are_equal_meet() {
     assert!(is(&[&[&[0, -1], &[1, 0]]], 1).bounded);
     assert!(is(&[&[&[0, -2], &[2, 0]], &[&[1, 0], &[0, -1]]], 2).bounded);
+    // The group of the six symmetries of a triangle, of which all products have the same rate. These are the differences
+    // of the scheme `[1, 0, 0, 1]`.
+    assert!(is(&[&[&[-2, 0], &[2, 2]], &[&[2, 2], &[0, -2]]], 2).bounded);
 }
 
 #[test]

@@ -27,6 +27,10 @@ const EXCESSES: [f64; 9] = [0.3, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
 /// From a polynomial of so many coefficients on, f64 decides first whether an extremal hull can be found.
 const LONG_POLYNOMIAL: usize = 8;
 
+/// Where more products have the rate, an extremal hull is first looked for with the eigenvectors of so many of the
+/// shortest: of a group of matrices all products have it, and the eigenvectors of one are enough.
+const FEW_WORDS: usize = 8;
+
 /// How often a row is multiplied by a product until it is taken for an eigenvector.
 const ROUNDS: usize = 200;
 
@@ -101,9 +105,22 @@ impl<F: Entry> Lower<F> {
         if !self.real || self.polynomial.is_empty() {
             return None;
         }
-        let caps = SearchCaps { rows, slack: 1e-10, work: MAX_WORK };
         let mut words = vec![self.product.clone()];
         words.extend(found.words.iter().filter(|word| **word != self.product).cloned());
+        let few = &words[..words.len().min(FEW_WORDS)];
+        let all = || (few.len() < words.len()).then(|| self.closed(set, unit, &words, rows))?;
+        self.closed(set, unit, few, rows).or_else(all)
+    }
+
+    /// The same, with the eigenvectors of these words.
+    fn closed(
+        &self,
+        set: &MatrixSet<F>,
+        unit: &Rational,
+        words: &[Vec<usize>],
+        rows: usize,
+    ) -> Option<Exact> {
+        let caps = SearchCaps { rows, slack: 1e-10, work: MAX_WORK };
         let rational = self.root.as_rational().and_then(|root| rational_root(root, self.degree));
         if let (Some(set), Some(rate)) = (F::rational(set), rational) {
             let norm = Hull::norm(set);
@@ -111,16 +128,16 @@ impl<F: Entry> Lower<F> {
                 return Some(Exact::Rational(norm));
             }
             let rate = Rate::new(rate, 1);
-            let extremal = Extremal::search(set, rate, unit, &words, caps)?;
+            let extremal = Extremal::search(set, rate, unit, words, caps)?;
             return extremal.hull(set, unit).map(Exact::Rational);
         }
-        if self.polynomial.len() > LONG_POLYNOMIAL && !self.closes(set, unit, &words, caps) {
+        if self.polynomial.len() > LONG_POLYNOMIAL && !self.closes(set, unit, words, caps) {
             return None;
         }
         let invariant = |polynomial: &[F], root: &RealAlgebraic, length| -> Option<()> {
             let (set, root) = F::with_root(set, polynomial, root)?;
             let rate = Rate::new(root, length);
-            let extremal = Extremal::search(&set, rate, unit, &words, caps)?;
+            let extremal = Extremal::search(&set, rate, unit, words, caps)?;
             extremal.is_invariant(&set, unit).then_some(())
         };
         // Where rows of several powers of θ meet on the boundary, Q(α) does not decide, but Q(θ) does.
