@@ -162,7 +162,7 @@ proptest! {
         let (chance, tried, found) = searched(&identity(&n, &cells), |search, _| {
             (search.chance.clone(), search.tried, !search.best.is_empty())
         });
-        let exact = together(&numbers, m) * Rational::from(2 * tried as i64);
+        let exact = together(&numbers, m) * Rational::from(2 * tried);
         prop_assert!(exact <= chance, "{exact} > {chance}");
         if left == 0 {
             prop_assert!(chance <= exact * Rational::new(11, 10) || chance >= Rational::one());

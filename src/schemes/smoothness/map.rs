@@ -61,6 +61,9 @@ impl SmoothMap {
 ///
 /// # Errors
 /// When the sum rules do not hold for all parameters, or the matrices are beyond a cap.
+///
+/// # Panics
+/// Never: the differences of a symbol begin with the symbol itself.
 pub fn smooth_map(
     rules: &Rules<BivariatePolynomial>,
     m: usize,
