@@ -53,3 +53,10 @@ fn what_violates_one_is_rejected_for_that() {
         assert!(reasons.contains(reason), "{reason} is never met");
     }
 }
+
+/// What is longer than the cap may be right.
+#[test]
+fn what_is_too_long_is_left_open() {
+    let text = "subcert-radius 1\n".to_owned() + &"#\n".repeat(3 << 20);
+    assert!(check_radius(&text).is_err_and(|rejection| rejection.given_up()));
+}

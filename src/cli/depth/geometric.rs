@@ -109,13 +109,17 @@ pub(super) struct Faces {
 
 impl Faces {
     pub(super) fn new(
-        depths: Vec<FaceDepth>,
+        mut depths: Vec<FaceDepth>,
         mut distances: Vec<[f64; 2]>,
+        level: u32,
         tolerance: &Rational,
     ) -> Faces {
-        // The level is sufficient for all.
+        // The level is sufficient for all, also where the search of single faces ended early.
         for bounds in &mut distances {
             bounds[1] = bounds[1].min(upper(tolerance));
+        }
+        for depth in depths.iter_mut().filter(|depth| depth.level > level) {
+            (depth.level, depth.is_least) = (level, false);
         }
         Faces { depths, distances }
     }
@@ -183,7 +187,7 @@ impl Surface {
             Some(level) => {
                 let depths = distances.geometric_faces(tolerance, surface)?;
                 let bounds = distances.geometric_distances(level, tolerance, surface)?;
-                Some(Faces::new(depths, bounds, tolerance))
+                Some(Faces::new(depths, bounds, level, tolerance))
             }
         };
         Ok(Surface { of_faces: surface, found, faces })

@@ -57,7 +57,7 @@ pub(super) fn net_depth(
             Some(level) => {
                 let depths = distances.geometric_faces(&tolerance).map_err(failure)?;
                 let bounds = distances.geometric_distances(level, &tolerance).map_err(failure)?;
-                Some(Faces::new(depths, bounds, &tolerance))
+                Some(Faces::new(depths, bounds, level, &tolerance))
             }
         };
         drop((interrupt, progress));

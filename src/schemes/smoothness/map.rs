@@ -1,7 +1,7 @@
 //! Where, in a plane of two parameters, the limits are C^m: boxes inside, boxes outside, and open boxes.
 
 use super::parametric::{ParametricSymbol, Reduced};
-use super::range::SmoothRangeError;
+use super::range_error::SmoothRangeError;
 use super::region::{Certain, Search, Sides};
 use crate::exact::{BivariatePolynomial, Rational};
 use crate::scheme::Rules;

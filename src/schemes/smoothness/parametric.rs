@@ -1,7 +1,7 @@
 //! Symbols whose coefficients are polynomials in parameters.
 
 use super::independence::{Dependence, dependence, exchanged};
-use super::range::SmoothRangeError;
+use super::range_error::SmoothRangeError;
 use super::transition::windows;
 use crate::exact::{BivariatePolynomial, Integer, Rational, RationalPolynomial, Scalar};
 use crate::scheme::Rules;

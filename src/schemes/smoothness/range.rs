@@ -1,40 +1,13 @@
 //! For which parameters the limits are C^m, from both sides.
 
 use super::parametric::{ParametricSymbol, Reduced};
+use super::range_error::SmoothRangeError;
 use super::search::{Search, outer_ends};
-use crate::bound::{ParameterRange, RangeError};
+use crate::bound::ParameterRange;
 use crate::exact::{Interval, IntervalSet, Rational, RationalPolynomial};
 use crate::joint::{Closing, MatrixSetError};
 use crate::scheme::Rules;
 use std::ops::Bound;
-
-/// Why there is no range.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum SmoothRangeError {
-    /// C^m needs sum rules of a higher order than hold for all parameters.
-    #[error(
-        "C^{m} needs sum rules of order {needed}, and those of order {found} hold for all parameters, but no \
-         more{}: on no interval are the limits C^{m}",
-        if *.reduced { ", once the symbol is reduced to one with linearly independent shifts" } else { "" }
-    )]
-    SumRules {
-        /// m.
-        m: usize,
-        /// m + 1.
-        needed: usize,
-        /// The order that holds.
-        found: usize,
-        /// Whether it is that of the symbol after a reduction.
-        reduced: bool,
-    },
-    /// The rules are too long.
-    #[error("the rules are too long for a proof of smoothness: {0}")]
-    TooLong(#[from] MatrixSetError),
-    /// The contraction is beyond a cap.
-    #[error(transparent)]
-    Range(#[from] RangeError),
-}
 
 /// Where the limits are C^m.
 #[derive(Clone, Debug)]

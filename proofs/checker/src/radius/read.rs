@@ -4,7 +4,7 @@ use super::blocks::Blocks;
 use super::field::Field;
 use crate::certificate::{Line, alone};
 use crate::decimal::{Q, read_rational};
-use crate::reject::{At, RadiusChecked as Checked, RadiusReason, require};
+use crate::reject::{At, RadiusChecked as Checked, RadiusReason, Stop, require};
 use num_traits::{Signed, Zero};
 use std::rc::Rc;
 
@@ -15,7 +15,7 @@ const VERSION: &str = "subcert-radius 1";
 const MAX_DEGREE: usize = 64;
 
 /// The most bytes of a certificate.
-const MAX_BYTES: usize = 64 << 20;
+const MAX_BYTES: usize = 6 << 20;
 
 /// The lines in their order, and whether there may be several of a kind.
 const LINES: [(&str, bool); 16] = [
@@ -108,10 +108,13 @@ fn positive(text: &str) -> Checked<Q> {
 impl Certificate {
     /// Reads a certificate.
     pub fn read(text: &str) -> Checked<Certificate> {
+        if text.len() > MAX_BYTES {
+            return Err(Stop::Capped("6 MiB of a certificate of a radius").into()).at(1);
+        }
         let version = text.lines().next().is_none_or(|line| line.trim() == VERSION);
         require(version, RadiusReason::Version).at(1)?;
         let mut read = Certificate::of(Vec::new());
-        let (mut ended, mut place) = (text.len() > MAX_BYTES, 1);
+        let (mut ended, mut place) = (false, 1);
         for Line { number, text } in alone(text) {
             require(!ended, RadiusReason::AfterEnd).at(number)?;
             (place, ended) = (number, text == "end");

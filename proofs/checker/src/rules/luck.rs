@@ -33,7 +33,11 @@ fn rarity(digits: &BigInt, value: &Q, is_depth: bool) -> u64 {
     }
     let digits = digits.abs().to_string();
     let first: String = digits.trim_end_matches('0').chars().take(MAX_DIGITS).collect();
-    first.parse().map_or(1, |integer: u64| 2 * integer)
+    match first.parse::<u64>() {
+        Ok(integer) => 2 * integer,
+        // There are no digits.
+        Err(_) => 1,
+    }
 }
 
 impl Evidence {

@@ -34,7 +34,11 @@ pub(crate) fn one_in(printed: &Printed, is_depth: bool) -> u64 {
     let digits = printed.decimal.mantissa().abs().to_string();
     let digits = digits.trim_end_matches('0');
     let digits = &digits[..digits.len().min(MOST_DIGITS)];
-    digits.parse().map_or(1, |digits: u64| 2 * digits)
+    match digits.parse::<u64>() {
+        Ok(digits) => 2 * digits,
+        // There are none.
+        Err(_) => 1,
+    }
 }
 
 /// What cells tell of a reading that explains so many of them.
