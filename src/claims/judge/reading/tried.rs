@@ -110,24 +110,22 @@ impl Space<'_> {
         taken: Option<&Explanation>,
         as_printed: usize,
     ) -> Option<Uncomputed> {
+        let open = parts.iter().flat_map(|part| part.all);
+        let mut open = open.filter_map(|one| Some((one, one.uncomputed.as_ref()?))).peekable();
+        // As a rule there are none, and then nothing is looked for.
+        let (_, (_, why)) = open.peek()?;
+        let mut found = Uncomputed { why: why.clone(), cells: BTreeSet::new(), overtakes: false };
         let count = taken.map_or(as_printed, Explanation::count);
         let taken = taken.map_or(&[][..], |taken| &taken.differences);
         let taken = reading(self, taken).map(|(changes, _)| self.differences(&changes));
-        let mut found: Option<Uncomputed> = None;
-        for one in parts.iter().flat_map(|part| part.all) {
-            let Some((cells, why)) = &one.uncomputed else { continue };
-            let found = found.get_or_insert_with(|| Uncomputed {
-                why: why.clone(),
-                cells: BTreeSet::new(),
-                overtakes: false,
-            });
+        for (one, (cells, _)) in open {
             found.cells.extend(cells);
             let explanations = self.all_explanations(std::slice::from_ref(one));
             let most = explanations.iter().map(Explanation::count).max().unwrap_or(0);
             let is_taken = taken.as_ref().is_some_and(|own| *own == self.differences(&one.reading));
             found.overtakes |= !is_taken && most + cells.len() > count;
         }
-        found
+        Some(found)
     }
 
     /// The number of readings that these stand for: with each rounding of the decimals, and with
