@@ -2,7 +2,7 @@
 
 use crate::common::{int, r};
 use subcert::exact::Rational;
-use subcert::limit::{ControlPolygon, Distances, Limit, LimitError, Parametrisation};
+use subcert::limit::{ControlPolygon, Distances, Limit, LimitError, Parametrisation, determined};
 use subcert::scheme::{AnyScheme, Mask, Scheme, catalogue, parse_any_scheme};
 
 /// Every curve of the catalogue that is shown to converge.
@@ -65,15 +65,15 @@ fn error(
     Some((value(limit, points, t)? - level).abs())
 }
 
-/// The cells from i to i + 1 on which limit and polygons are determined, at some parameters.
-fn cells(limit: &Limit, points: &[Rational], s: &Rational) -> Vec<i64> {
-    let known = |i: &i64| {
-        (0..=7).all(|j| {
-            let t = Rational::from(*i) + r(j, 7);
-            (0..2).all(|k| error(limit, points, k, &t, s).is_some())
-        })
-    };
-    (-20..20).filter(known).collect()
+/// Whether the points determine the limit and the polygons of the first levels there.
+fn is_known(limit: &Limit, points: &[Rational], t: &Rational, s: &Rational) -> bool {
+    (0..=2).all(|k| error(limit, points, k, t, s).is_some())
+}
+
+/// Whether they do so at two neighbouring sevenths.
+fn has_part(limit: &Limit, points: &[Rational], s: &Rational) -> bool {
+    let known: Vec<bool> = (-140..140).map(|j| is_known(limit, points, &r(j, 7), s)).collect();
+    known.windows(2).any(|pair| pair[0] && pair[1])
 }
 
 /// Whether the mask is the same from both sides.
@@ -92,30 +92,35 @@ fn is_symmetric(mask: &Mask) -> bool {
     all.iter().zip(all.iter().rev()).all(|(x, y)| x.0 + y.0 == sum && x.1 == y.1)
 }
 
-/// For every curve of the catalogue: as many points are needed as determine a cell; the distance is attained in the
-/// domain, no sample of it is farther, and the reversed points are as far where the scheme is symmetric and the turned
-/// cells are cells.
+/// For every curve of the catalogue: as many points are needed as determine a part of the limit; all of the domain is
+/// determined, and nothing beyond it; the distance is attained in the domain, no sample of it is farther, and the reversed
+/// points are as far where the scheme is symmetric.
 #[test]
 fn all_curves_of_the_catalogue() {
     let all = [3, -1, 4, 1, -5, 9, 2, -6, 5, 3, 5, -8, 9, 7, 9, 3].map(Rational::from);
-    let (width, mut seen, mut shifted, mut turned) = (r(1, 50), 0, 0, 0);
+    let (width, mut seen, mut shifted, mut turned, mut cut) = (r(1, 50), 0, 0, 0, 0);
     for (name, limit) in curves() {
         for parametrisation in [Parametrisation::Indexed, Parametrisation::Natural] {
             let s = parametrisation.shift(limit.mask());
             if parametrisation == Parametrisation::Natural && s.is_zero() {
                 continue;
             }
-            let turns = s == Parametrisation::Natural.shift(limit.mask())
-                && (&s * &Rational::from(2)).is_integer()
-                && is_symmetric(limit.mask());
+            let turns =
+                s == Parametrisation::Natural.shift(limit.mask()) && is_symmetric(limit.mask());
             let Ok(distances) = Distances::placed(&limit, parametrisation) else { continue };
-            let least = (2..all.len()).find(|m| !cells(&limit, &all[..*m], &s).is_empty());
-            let Some(least) = least else { continue };
+            let few = distances.of_polygon(&ControlPolygon::open(&all[..1]), 0, &width);
+            let Err(LimitError::TooFew { needed: least }) = few else { panic!("{name}: {few:?}") };
+            if least >= all.len() {
+                continue;
+            }
             let few = distances.of_polygon(&ControlPolygon::open(&all[..least - 1]), 0, &width);
             assert_eq!(few, Err(LimitError::TooFew { needed: least }), "{name}");
+            assert!(!has_part(&limit, &all[..least - 1], &s), "{name}");
             let points = &all[..=least];
-            let own = cells(&limit, points, &s);
-            let [from, to] = [own[0], own[own.len() - 1] + 1].map(Rational::from);
+            let [from, to] = determined(limit.mask(), &s, points.len()).expect("enough points");
+            for beyond in [&from - r(1, 7), &to + r(1, 7)] {
+                assert!(!is_known(&limit, points, &beyond, &s), "{name}: {beyond}");
+            }
             let open = ControlPolygon::open(points);
             for k in [0, 2] {
                 let found = match distances.of_polygon(&open, k, &width) {
@@ -141,11 +146,13 @@ fn all_curves_of_the_catalogue() {
                     turned += 1;
                 }
                 shifted += u32::from(!s.is_integer());
+                cut += u32::from(!from.is_integer());
                 seen += 1;
             }
         }
     }
-    assert!(seen > 60 && shifted > 20 && turned > 20, "{seen} {shifted} {turned}");
+    let counts = [seen, shifted, turned, cut];
+    assert!(counts.iter().zip([60, 20, 20, 5]).all(|(x, least)| *x > least), "{counts:?}");
 }
 
 /// A dual scheme far from its limit at an end: the points 1000, 0, …, 0. The distances are those of dense samples of

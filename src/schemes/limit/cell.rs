@@ -8,7 +8,6 @@ use super::row::magnitude;
 use super::value::Limit;
 use crate::exact::{Integer, Rational, common_denominator};
 use crate::scheme::Rules;
-use std::ops::Range;
 
 /// The cost of a product of short numbers, in products of words.
 const OVERHEAD: u64 = 8;
@@ -193,24 +192,26 @@ impl Splitting {
         !self.phases[0].part.is_zero()
     }
 
-    /// Whether a part of a cell is between these parameters.
-    pub(super) fn meets(&self, cell: &Cell, range: &Range<i64>) -> bool {
+    /// Whether a part of a cell is between these parameters, or may be, of a level below k.
+    pub(super) fn meets(&self, cell: &Cell, range: &[Rational; 2]) -> bool {
         let [start, end] = self.in_units(cell, range);
-        let shifted = Integer::from(u32::from(!self.phases[cell.phase].part.is_zero()));
-        &cell.index + shifted >= start && cell.index < end
+        let part = &self.phases[cell.phase].part;
+        let low = if cell.ends.is_some() { end - part } else { end };
+        let index = Rational::from(cell.index.clone());
+        index < low && index + Rational::one() + part > start
     }
 
     /// Whether the left (`end` = 0) or right (`end` = 1) end of a cell is between these parameters.
-    pub(super) fn has_end(&self, cell: &Cell, end: i64, range: &Range<i64>) -> bool {
+    pub(super) fn has_end(&self, cell: &Cell, end: i64, range: &[Rational; 2]) -> bool {
         let [start, last] = self.in_units(cell, range);
-        let at = &cell.index + Integer::from(end);
-        at >= start && (at < last || at == last && self.phases[cell.phase].part.is_zero())
+        let at = Rational::from(&cell.index + Integer::from(end)) + &self.phases[cell.phase].part;
+        start <= at && at <= last
     }
 
     /// The ends of the range in units of the level of a cell.
-    fn in_units(&self, cell: &Cell, range: &Range<i64>) -> [Integer; 2] {
-        let unit = Integer::from(self.arity).pow(cell.level);
-        [range.start, range.end].map(|end| &Integer::from(end) * &unit)
+    fn in_units(&self, cell: &Cell, range: &[Rational; 2]) -> [Rational; 2] {
+        let unit = Rational::from(Integer::from(self.arity).pow(cell.level));
+        range.each_ref().map(|end| end * &unit)
     }
 
     /// The factor from the denominators of [`sizes`](Splitting::sizes) to those of

@@ -8,10 +8,9 @@ use super::polygon::{ControlPolygon, Polygons};
 use super::remainder::Remainders;
 use super::search::{Best, Goal, Search};
 use super::value::Limit;
-use super::window::Window;
+use super::window::determined;
 use crate::bound::{Budget, Share};
 use crate::exact::{Enclosure, Integer, Rational};
-use std::ops::Range;
 
 /// The greatest number of cells that the computation of one distance splits.
 pub const MAX_CELLS: u32 = 1 << 18;
@@ -142,11 +141,6 @@ impl Distances {
         self.splitting.size
     }
 
-    /// The parameters between which so many points of an open polygon determine P^∞ and all P^k.
-    fn determined(&self, count: usize) -> Result<Range<i64>, LimitError> {
-        Window::of(self.limit.mask(), &self.shift)?.determined(count)
-    }
-
     /// A text that states the caps of a search.
     #[must_use]
     pub fn caps(&self) -> String {
@@ -249,8 +243,8 @@ impl Distances {
         let points = Rational::from(self.limit.mask().arity()).pow(level.cast_signed());
         let node = self.shift.fract() / points;
         let first = Rational::from(among.roots[0].index.clone()) + node;
-        let ends = among.range.iter().flat_map(|range| [range.start, range.end]);
-        let tried = ends.map(Rational::from).chain(among.range.is_none().then_some(first));
+        let ends = among.range.iter().flatten().cloned();
+        let tried = ends.chain(among.range.is_none().then_some(first));
         let mut best = Best { value: Rational::from(-1), parameter: Rational::zero() };
         for parameter in tried {
             let error = self.error(level, &parameter)?;
@@ -307,10 +301,11 @@ impl Distances {
             }
             (-first..count - first, None)
         } else {
-            let range = self.determined(polygon.count())?;
+            let [start, end] = determined(self.limit.mask(), &self.shift, polygon.count())?;
+            let whole = |x: Integer| x.to_i64().expect("offsets and polygons are capped");
             // Cells begin at i + {s}/n^k. One more has the first part of the range.
             let before = i64::from(!self.shift.is_integer());
-            (range.start - before..range.end, Some(range))
+            (whole(start.floor()) - before..-whole((-&end).floor()), Some([start, end]))
         };
         let roots = polygon.cells(numbers, first, size);
         Ok(Polygons { roots, range, only: Some(polygon) })

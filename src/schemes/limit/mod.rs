@@ -53,4 +53,4 @@ pub use step::step_supremum;
 pub use step::{Attained, greatest_change, greatest_difference, greatest_step, greatest_step_from};
 pub use surface::{MAX_NET_POINTS, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};
 pub use value::Limit;
-pub use window::Window;
+pub use window::{Window, determined};

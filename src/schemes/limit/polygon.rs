@@ -23,7 +23,7 @@ impl ControlPolygon {
     }
 
     /// The open polygon, without further points. All levels are compared with the limit between
-    /// the parameters of [`Window::determined`](super::Window::determined).
+    /// the parameters of [`determined`](super::determined).
     #[must_use]
     pub fn open(points: &[Rational]) -> ControlPolygon {
         let differences = points.windows(2).map(|pair| &pair[1] - &pair[0]).collect();
@@ -76,7 +76,7 @@ pub(super) struct Polygons<'a> {
     /// The cells of level 0.
     pub(super) roots: Vec<Cell>,
     /// For an open polygon the parameters between which it determines the limit.
-    pub(super) range: Option<Range<i64>>,
+    pub(super) range: Option<[Rational; 2]>,
     /// The polygon, if it is a single one.
     pub(super) only: Option<&'a ControlPolygon>,
 }

@@ -7,7 +7,6 @@ use super::polygon::Polygons;
 use super::remainder::{LevelBound, Remainders};
 use crate::bound::Share;
 use crate::exact::Rational;
-use std::ops::Range;
 
 /// Cells are split down to this number of levels beyond k.
 const MAX_DEEPER: u32 = 96;
@@ -50,7 +49,7 @@ pub(super) struct Search<'a> {
     remainders: &'a Remainders,
     roots: &'a [Cell],
     /// The parameters that are searched, if cells go beyond them.
-    range: Option<&'a Range<i64>>,
+    range: Option<&'a [Rational; 2]>,
     level: u32,
     /// The bounds of |P^∞ − P^j|, j = 0, …, k.
     bounds: Vec<LevelBound>,
@@ -70,7 +69,10 @@ impl<'a> Search<'a> {
         share: &'a Share<'a>,
     ) -> Search<'a> {
         let bounds = remainders.levels(level);
-        let range = among.range.as_ref().filter(|_| splitting.is_shifted());
+        let cut = |range: &&[Rational; 2]| {
+            splitting.is_shifted() || !range.iter().all(Rational::is_integer)
+        };
+        let range = among.range.as_ref().filter(cut);
         Search { splitting, remainders, roots: &among.roots, range, level, bounds, cells, share }
     }
 

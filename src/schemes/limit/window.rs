@@ -4,7 +4,6 @@ use super::error::{LimitError, MAX_WINDOW};
 use super::functional::rule_at;
 use crate::exact::Rational;
 use crate::scheme::Mask;
-use std::ops::Range;
 
 /// The points x_{i+first}, …, x_{i+last}, which the curve and the polygons of all levels, with x^k_j at
 /// (j + s)/n^k, depend on over the parameters from i to i + 1.
@@ -33,8 +32,6 @@ impl Window {
     /// let chaikin = parse_scheme("chaikin")?;
     /// let window = Window::of(chaikin.masks()[0], &Rational::new(-1, 2))?;
     /// assert_eq!(window, Window { first: 0, last: 2 });
-    /// // Three points determine a parabola.
-    /// assert_eq!(window.determined(3)?, 0..1);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn of(mask: &Mask, shift: &Rational) -> Result<Window, LimitError> {
@@ -79,17 +76,49 @@ impl Window {
     pub fn first_cell(self, closed: bool) -> i64 {
         if closed { 0 } else { -self.first }
     }
+}
 
-    /// The parameters a and b between which `count` points of an open polygon, from x_0 on, determine P^∞ and all P^k:
-    /// the cells from i to i + 1 of i = a, …, b − 1.
-    ///
-    /// # Errors
-    /// When the points determine none.
-    pub fn determined(self, count: usize) -> Result<Range<i64>, LimitError> {
-        let first = self.first_cell(false);
-        match i64::try_from(self.cells(count, false)) {
-            Ok(cells) if cells > 0 => Ok(first..first.saturating_add(cells)),
-            _ => Err(LimitError::TooFew { needed: self.size() }),
-        }
+/// The parameters a and b between which `count` points of an open polygon, from x_0 on, determine P^∞ and all P^k, with
+/// x^k_j at (j + s)/n^k: a = max(B − 1, s) and b = count + min(A, s − 1), where φ is 0 outside [A, B]
+/// (`proofs/THEOREMS.md`, 98).
+///
+/// # Errors
+/// When a is not less than b.
+///
+/// # Panics
+/// Never: offsets are capped.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::limit::determined;
+/// use subcert::scheme::parse_scheme;
+///
+/// let chaikin = parse_scheme("chaikin")?;
+/// // Three points determine a parabola.
+/// let [a, b] = determined(chaikin.masks()[0], &Rational::new(-1, 2), 3)?;
+/// assert_eq!((a, b), (Rational::zero(), Rational::one()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn determined(
+    mask: &Mask,
+    shift: &Rational,
+    count: usize,
+) -> Result<[Rational; 2], LimitError> {
+    // y_{ni + α} has the coefficient a_m of x_{i + j} for m = α − nj, and φ(t) = Σ_m a_mφ(nt − m).
+    let arity = i64::try_from(mask.arity()).expect("the arity is capped");
+    let used = (0..).zip(mask.rules().rows()).flat_map(|(alpha, row)| {
+        let entries = (mask.offset()..).zip(row).filter(|(_, entry)| !entry.is_zero());
+        entries.map(move |(j, _)| alpha - arity * j)
+    });
+    let (least, greatest) =
+        used.fold((i64::MAX, i64::MIN), |(least, greatest), m| (least.min(m), greatest.max(m)));
+    let end = |m: i64| Rational::new(m, arity - 1);
+    let start = (end(greatest) - Rational::one()).max(shift.clone());
+    let short = end(least).min(shift - Rational::one());
+    let range = [start, Rational::from(count) + &short];
+    if range[0] < range[1] {
+        return Ok(range);
     }
+    let more = (&range[0] - short).floor().to_i64().and_then(|most| usize::try_from(most).ok());
+    Err(LimitError::TooFew { needed: more.map_or(usize::MAX, |most| most.saturating_add(1)) })
 }

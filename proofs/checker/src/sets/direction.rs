@@ -49,7 +49,7 @@ fn floor(x: &Q) -> i64 {
 }
 
 impl Direction {
-    pub fn new(given: &Given, meter: &Meter) -> Checked<Direction> {
+    pub fn new(given: &Given, is_net: bool, meter: &Meter) -> Checked<Direction> {
         let n = i64::try_from(given.rules.len()).unwrap_or(i64::MAX);
         let (rules, over) = integers(given)?;
         let one = rules.iter().all(|rule| rule.iter().map(|(_, x)| x).sum::<i128>() == over);
@@ -83,14 +83,26 @@ impl Direction {
             distance,
             sum,
         };
-        direction.check_range().map(|()| direction)
+        direction.check_range(is_net).map(|()| direction)
     }
 
-    /// An open direction is compared on all the parameters from i to i + 1 whose window has given points alone.
-    fn check_range(&self) -> Checked<()> {
+    /// An open polygon is compared on all the parameters between which the given points determine the limit and the polygons
+    /// of all levels; a net between whole ones.
+    fn check_range(&self, is_net: bool) -> Checked<()> {
         let Some([from, to]) = &self.range else { return Ok(()) };
-        let [first, last] = self.window;
-        require(*from == int(-first) && *to == int(self.count - last), DepthReason::Range)
+        let n = self.arity;
+        let used = (0..).zip(&self.rules).flat_map(|(alpha, rule)| {
+            rule.iter().map(move |(j, _)| (int(alpha) - int(n) * int(*j)) / int(n - 1))
+        });
+        let used: Vec<Q> = used.collect();
+        let start = used.iter().max().map(|end| end - int(1)).max(Some(self.shift.clone()));
+        let short = used.iter().min().cloned().into_iter().chain([&self.shift - int(1)]).min();
+        let (Some(start), Some(short)) = (start, short) else {
+            return Err(DepthReason::Range.into());
+        };
+        let end = int(self.count) + short;
+        let own = if is_net { [start.ceil(), end.floor()] } else { [start, end] };
+        require([from, to] == [&own[0], &own[1]], DepthReason::Range)
     }
 }
 

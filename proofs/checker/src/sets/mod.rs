@@ -34,8 +34,9 @@ pub fn check_depth(text: &str) -> Result<Depth, DepthRejection> {
     let certificate = Certificate::read(text)?;
     let meter = Meter::up_to(MAX_STEPS);
     let mut directions = Vec::new();
+    let is_net = certificate.directions.len() > 1;
     for given in &certificate.directions {
-        directions.push(Direction::new(given, &meter).at(given.line)?);
+        directions.push(Direction::new(given, is_net, &meter).at(given.line)?);
     }
     let Certificate { points, tolerance, end, .. } = &certificate;
     let mut net = Net::new(&directions, points, tolerance, &meter).at(*end)?;

@@ -3,7 +3,7 @@
 use super::points::{Number, RefinedPoints};
 use crate::exact::Rational;
 use crate::float::{nearest, upper};
-use crate::limit::{Distances, Limit, LimitError, Window, natural_shift};
+use crate::limit::{Distances, Limit, LimitError, determined, natural_shift};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -33,7 +33,7 @@ pub(super) struct Shape {
     /// ⌊s⌋ and ⌈s⌉.
     pub(super) shift_between: [i64; 2],
     /// For an open polygon the parameters between which it determines the limit.
-    pub(super) range: Option<Range<i64>>,
+    pub(super) range: Option<[Rational; 2]>,
     /// The cells of level 0.
     pub(super) roots: Range<i64>,
     /// The whole numbers from i + s to i + 1 + s are i + `whole.0`, …, i + `whole.1`.
@@ -53,11 +53,11 @@ impl Shape {
         }
         let (n, s) = (Rational::from(mask.arity()), natural.shift);
         let distances = Distances::shifted(limit, &s)?.with_cells(CONSTANT_CELLS);
-        let range = if closed { None } else { Some(Window::of(mask, &s)?.determined(count)?) };
+        let range = if closed { None } else { Some(determined(mask, &s, count)?) };
         let roots = match &range {
             None => 0..i64::try_from(count).unwrap_or(i64::MAX),
             Some(range) => {
-                let [start, end] = [range.start, range.end].map(|end| Rational::from(end) - &s);
+                let [start, end] = range.each_ref().map(|end| end - &s);
                 index(&start)..-index(&-end)
             }
         };
@@ -158,8 +158,6 @@ impl Cell {
 pub(super) struct Cells {
     pub(super) shape: Shape,
     pub(super) points: RefinedPoints,
-    /// For an open polygon the parameters at which it begins and ends.
-    pub(super) range: Option<[Rational; 2]>,
     clips: Vec<[(i64, f64); 2]>,
     known: HashMap<Name, Cell>,
     /// A bound of rounding in distances.
@@ -169,12 +167,11 @@ pub(super) struct Cells {
 impl Cells {
     /// `size` bounds the absolute coordinates of the control points.
     pub(super) fn new(shape: Shape, points: RefinedPoints, size: f64) -> Cells {
-        let range = shape.range.clone().map(|range| [range.start, range.end].map(Rational::from));
         let dimensions = f64::from(u32::try_from(points.dimensions).unwrap_or(u32::MAX));
         let rounding = 1e-13 * size * dimensions.sqrt();
         let known = HashMap::new();
-        let mut cells = Cells { shape, points, range, clips: Vec::new(), known, rounding };
-        if let Some(range) = &cells.range {
+        let mut cells = Cells { shape, points, clips: Vec::new(), known, rounding };
+        if let Some(range) = &cells.shape.range {
             cells.clips = clips(&cells.shape, range, |level| cells.is_numbered(level));
         }
         cells
@@ -272,7 +269,7 @@ impl Cells {
 
     /// Whether the curve is looked at, at the parameter i/n^m.
     pub(super) fn has_limit(&self, (level, i): Name) -> bool {
-        let Some([low, high]) = &self.range else { return true };
+        let Some([low, high]) = &self.shape.range else { return true };
         let at = Rational::from(i) / Rational::from(self.shape.arity.pow(level));
         *low <= at && at <= *high
     }

@@ -43,7 +43,7 @@ pub struct CurveSets {
 impl CurveSets {
     /// The sets of the polygon whose points have these coordinates: all x, then all y, and so on. An open polygon, and its
     /// limit, are compared where the given points determine the limit, at all levels between the same natural parameters:
-    /// those of [`Window::determined`](crate::limit::Window::determined).
+    /// those of [`determined`](crate::limit::determined).
     ///
     /// # Errors
     /// When the scheme is not shown to converge, does not take lines to lines, or the points are too few.
@@ -103,7 +103,7 @@ impl CurveSets {
     /// The natural parameters between which an open polygon and its limit are compared; `None` for a closed one.
     #[must_use]
     pub fn range(&self) -> Option<&[Rational; 2]> {
-        self.finder.cells.range.as_ref()
+        self.finder.cells.shape.range.as_ref()
     }
 
     /// The least level k with H_k ≤ ε, where

@@ -8,7 +8,7 @@ use super::scale::Scale;
 use super::space::{Scene, Views};
 use crate::exact::{Rational, format::short};
 use crate::float::nearest;
-use crate::limit::Window as Points;
+use crate::limit::determined;
 use crate::scheme::Mask;
 use maud::{Markup, html};
 
@@ -78,8 +78,8 @@ impl FarPolygon<'_> {
         if self.closed {
             return Some((0.0, float(self.count())));
         }
-        let range = Points::of(self.mask, self.shift).ok()?.determined(count).ok()?;
-        Some((float(range.start), float(range.end)))
+        let [start, end] = determined(self.mask, self.shift, count).ok()?;
+        Some((nearest(&start), nearest(&end)))
     }
 }
 
