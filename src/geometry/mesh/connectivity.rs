@@ -3,7 +3,9 @@
 use super::MAX_POINTS;
 use super::error::MeshError;
 use super::star::Star;
-use std::collections::HashMap;
+
+/// The room for the edges of a vertex that most have.
+const USUAL: usize = 8;
 
 /// An edge.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -58,7 +60,7 @@ impl Connectivity {
         for (face, vertices) in faces.iter().enumerate() {
             check_face(face, vertices, points)?;
         }
-        let (edges, face_edges) = edges(&faces)?;
+        let (edges, face_edges) = edges(points, &faces)?;
         let starts = vec![(usize::MAX, 0); points];
         let mut connectivity = Connectivity { faces, edges, face_edges, starts };
         connectivity.find_starts()?;
@@ -105,11 +107,12 @@ impl Connectivity {
     #[must_use]
     pub fn star(&self, point: usize) -> Star {
         let start = self.starts[point];
+        let room = || Vec::with_capacity(USUAL);
         let mut star = Star {
-            neighbours: Vec::new(),
-            edges: Vec::new(),
-            faces: Vec::new(),
-            corners: Vec::new(),
+            neighbours: room(),
+            edges: room(),
+            faces: room(),
+            corners: room(),
             boundary: false,
         };
         let mut at = start;
@@ -134,8 +137,8 @@ impl Connectivity {
         }
     }
 
-    /// The next face around a vertex of a face, counter-clockwise.
-    fn next(&self, (face, corner): (usize, usize)) -> Option<(usize, usize)> {
+    /// The next face around a vertex of a face, counter-clockwise, and which of its vertices that is.
+    pub(crate) fn next(&self, (face, corner): (usize, usize)) -> Option<(usize, usize)> {
         let count = self.faces[face].len();
         self.across(face, (corner + count - 1) % count)
     }
@@ -176,9 +179,10 @@ impl Connectivity {
                 }
             }
             self.starts[point] = at;
-            let star = self.star(point);
-            if star.faces.len() != count {
-                return Err(self.loose_face(point, &star));
+            let fan =
+                std::iter::successors(Some(at), |met| self.next(*met).filter(|next| *next != at));
+            if fan.count() != count {
+                return Err(self.loose_face(point, &self.star(point)));
             }
         }
         Ok(())
@@ -199,29 +203,34 @@ fn check_face(face: usize, vertices: &[usize], points: usize) -> Result<(), Mesh
     if let Some(&point) = vertices.iter().find(|point| **point >= points) {
         return Err(MeshError::NoPoint { face, point, count: points });
     }
-    let mut sorted = vertices.to_vec();
-    sorted.sort_unstable();
-    match sorted.windows(2).find(|pair| pair[0] == pair[1]) {
-        Some(pair) => Err(MeshError::Twice { face, point: pair[0] }),
-        None => Ok(()),
-    }
+    // Most faces are triangles or quadrilaterals.
+    let twice = match vertices {
+        [a, b, c] => [(a, b), (b, c), (a, c)].into_iter().find(|(x, y)| x == y).map(|(x, _)| *x),
+        _ => {
+            let mut sorted = vertices.to_vec();
+            sorted.sort_unstable();
+            sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
+        }
+    };
+    twice.map_or(Ok(()), |point| Err(MeshError::Twice { face, point }))
 }
 
 /// All edges, and for each face its edges.
-fn edges(faces: &[Vec<usize>]) -> Result<(Vec<Edge>, Vec<Vec<usize>>), MeshError> {
-    let mut edges: Vec<Edge> = Vec::new();
-    let mut known: HashMap<(usize, usize), usize> = HashMap::new();
+fn edges(points: usize, faces: &[Vec<usize>]) -> Result<(Vec<Edge>, Vec<Vec<usize>>), MeshError> {
+    let first = first_meetings(points, faces);
+    let mut edges: Vec<Edge> = Vec::with_capacity(first.len() / 2 + 1);
+    let mut numbers = vec![0; first.len()];
     let mut face_edges = Vec::with_capacity(faces.len());
+    let mut half = 0;
     for (face, vertices) in faces.iter().enumerate() {
         let mut own = Vec::with_capacity(vertices.len());
         for (i, &from) in vertices.iter().enumerate() {
             let to = vertices[(i + 1) % vertices.len()];
-            let next = edges.len();
-            let index = *known.entry((from.min(to), from.max(to))).or_insert(next);
-            if index == next {
+            if first[half] == half {
+                numbers[half] = edges.len();
                 edges.push(Edge { ends: [from, to], face: (face, i), other: None });
             } else {
-                let (ends, edge) = ([from, to], &mut edges[index]);
+                let (ends, edge) = ([from, to], &mut edges[numbers[first[half]]]);
                 let first = edge.face.0;
                 if edge.other.is_some() {
                     return Err(MeshError::NonManifoldEdge { ends, face, first });
@@ -231,9 +240,47 @@ fn edges(faces: &[Vec<usize>]) -> Result<(Vec<Edge>, Vec<Vec<usize>>), MeshError
                 }
                 edge.other = Some((face, i));
             }
-            own.push(index);
+            own.push(numbers[first[half]]);
+            half += 1;
         }
         face_edges.push(own);
     }
     Ok((edges, face_edges))
+}
+
+/// For each edge of each face, in this order, which of them has the same ends and is met first.
+fn first_meetings(points: usize, faces: &[Vec<usize>]) -> Vec<usize> {
+    let ends = || {
+        faces.iter().flat_map(|face| {
+            let next = face.iter().cycle().skip(1);
+            face.iter().zip(next).map(|(&x, &y)| (x.min(y), x.max(y)))
+        })
+    };
+    // The edges by their lesser ends: those of point i begin at starts[i].
+    let mut starts = vec![0_usize; points + 1];
+    for (low, _) in ends() {
+        starts[low + 1] += 1;
+    }
+    for point in 0..points {
+        starts[point + 1] += starts[point];
+    }
+    let mut next = starts.clone();
+    let mut sorted = vec![(0, 0); starts[points]];
+    for (half, (low, high)) in ends().enumerate() {
+        sorted[next[low]] = (high, half);
+        next[low] += 1;
+    }
+    let mut first = vec![0; sorted.len()];
+    for point in 0..points {
+        let own = &mut sorted[starts[point]..starts[point + 1]];
+        own.sort_unstable();
+        let mut met = (usize::MAX, 0);
+        for &(high, half) in &*own {
+            if high != met.0 {
+                met = (high, half);
+            }
+            first[half] = met.1;
+        }
+    }
+    first
 }

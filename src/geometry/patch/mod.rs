@@ -26,6 +26,7 @@ mod cell;
 mod curve;
 mod depth;
 mod descent;
+mod fans;
 mod far;
 mod formula;
 mod geometric;

@@ -1,6 +1,7 @@
 //! A mesh as pieces of level 1.
 
 use super::cell::Cell;
+use super::fans::{Fans, Regular};
 use super::neighbourhood::{Neighbourhood, Piece};
 use super::number::{Number, Row, Vector, index};
 use super::rules::{parts_of_face, quadrilaterals_of_face};
@@ -43,8 +44,19 @@ impl Roots {
         let mut roots = Roots { all: Vec::new(), points: Vec::new() };
         let (connectivity, tags) = (refined.connectivity(), refined.tags());
         let holes = tags.holes(connectivity);
+        let mut regular: Option<Regular> = None;
         for (face, part, piece) in pieces(scheme, control) {
-            if matches!(piece, Piece::Face(own) if holes.contains(&own)) {
+            let around = match piece {
+                Piece::Face(own) if holes.contains(&own) => continue,
+                Piece::Face(own) => Fans::of(connectivity, tags, own),
+                Piece::Vertex(..) => None,
+            };
+            let first = roots.points.len();
+            if let (Some(regular), Some(fans)) = (&regular, &around)
+                && regular.has(fans)
+            {
+                regular.points(connectivity, fans, &mut roots.points);
+                roots.all.push(Root { face, part, shape: regular.shape, first });
                 continue;
             }
             let neighbourhood = Neighbourhood::of(connectivity, tags, piece);
@@ -56,7 +68,9 @@ impl Roots {
                 );
                 return Err(MeshError::TooMuch { reason });
             }
-            let first = roots.points.len();
+            if let Some(fans) = around {
+                regular = Regular::new(connectivity, &fans, &neighbourhood, shape).or(regular);
+            }
             roots.points.extend(neighbourhood.points.iter().map(|&point| index(point)));
             roots.all.push(Root { face, part, shape, first });
         }

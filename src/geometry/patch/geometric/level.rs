@@ -9,7 +9,7 @@ use super::super::roots::Root;
 use super::super::search::Search;
 use super::super::shapes::Shapes;
 use super::super::surface::{PieceSearch as _, Surface as _, TooMuch as _};
-use super::super::threads::in_threads;
+use super::super::threads::{in_threads, in_threads_until, threads};
 use super::cover::FarPoint;
 use super::levels::{Known, Levels, check};
 use super::patch::FaceSurface;
@@ -52,7 +52,8 @@ pub(super) struct Geometry<'a> {
     /// The control mesh as the model has it.
     control: PolygonMesh<f64>,
     stencils: Stencils<f64>,
-    shapes: Shapes,
+    /// What each thread knows of shapes.
+    shapes: Vec<Shapes>,
 }
 
 impl<'a> Geometry<'a> {
@@ -74,7 +75,7 @@ impl<'a> Geometry<'a> {
         // Later levels have regular vertices and faces, whatever the first ones have.
         valences.insert(if scheme.is_triangular() { 6 } else { 4 });
         let stencils = Stencils::new(*scheme, valences).map(nearest);
-        let shapes = Shapes::new(Kind::Surface(*scheme));
+        let shapes = vec![Shapes::new(Kind::Surface(*scheme))];
         let (scheme, tolerance) = (*scheme, tolerance.clone());
         Ok(Geometry { distances, scheme, surface, tolerance, control, stencils, shapes })
     }
@@ -92,6 +93,10 @@ impl<'a> Geometry<'a> {
             MeshScheme::CatmullClark | MeshScheme::Bajaj => self.surface == FaceSurface::Bilinear,
             MeshScheme::DooSabin => self.surface == FaceSurface::Bilinear && fours(),
         }
+    }
+
+    fn new_shapes(&self) -> Shapes {
+        Shapes::new(Kind::Surface(self.scheme))
     }
 
     fn judge(&self) -> Rounded {
@@ -153,7 +158,12 @@ impl<'a> Geometry<'a> {
     /// The mesh of the level around some faces, as a scene, and for each unit the number, in the group, of its
     /// face, with the number of its face of the level among those of that face; `None` where that would be
     /// too large. Units of which equal parameters show that they are near are left out on the way.
-    fn scene(&mut self, level: u32, group: &[usize]) -> Result<Option<Owned<'_>>, MeshError> {
+    fn scene<'s>(
+        &self,
+        shapes: &'s mut Shapes,
+        level: u32,
+        group: &[usize],
+    ) -> Result<Option<Owned<'s>>, MeshError> {
         let doo_sabin = self.scheme == MeshScheme::DooSabin;
         let steps = match level {
             0 => 4,
@@ -167,7 +177,7 @@ impl<'a> Geometry<'a> {
             (0..faces.len()).map(|i| (i < group.len()).then_some((i, 0))).collect();
         for step in 0..level {
             if step > 0 && mesh.faces().len() > TRIMMED {
-                (mesh, owners) = self.trimmed(mesh, owners, step, level)?;
+                (mesh, owners) = self.trimmed(shapes, mesh, owners, step, level)?;
             }
             if mesh.faces().len() > LARGEST || self.distances.work.is_stopped() {
                 return Ok(None);
@@ -196,8 +206,8 @@ impl<'a> Geometry<'a> {
         let vertices: Vec<Vec<usize>> = if by_vertex { mesh.faces().to_vec() } else { Vec::new() };
         let model = &self.distances.model;
         let judge = model.rounded_judge_after(&self.tolerance, level);
-        let stage = Stage::new(mesh, self.scheme, &self.stencils, &mut self.shapes)?;
-        let scene = stage.scene(self.scheme, self.surface, &self.shapes, judge);
+        let stage = Stage::new(mesh, self.scheme, &self.stencils, shapes)?;
+        let scene = stage.scene(self.scheme, self.surface, shapes, judge);
         let of = |root: &Root| {
             if by_vertex { owners[vertices[root.face][root.part]] } else { owners[root.face] }
         };
@@ -208,7 +218,8 @@ impl<'a> Geometry<'a> {
     /// The part of a mesh of level `step` that has the units which equal parameters do not show to be near at
     /// `level`, with what is around it.
     fn trimmed(
-        &mut self,
+        &self,
+        shapes: &mut Shapes,
         mesh: PolygonMesh<f64>,
         owners: Vec<Owner>,
         step: u32,
@@ -219,8 +230,8 @@ impl<'a> Geometry<'a> {
         }
         let doo_sabin = self.scheme == MeshScheme::DooSabin;
         let judge = self.distances.model.rounded_judge_after(&self.tolerance, step);
-        let stage = Stage::new(mesh.clone(), self.scheme, &self.stencils, &mut self.shapes)?;
-        let scene = stage.scene(self.scheme, self.surface, &self.shapes, judge);
+        let stage = Stage::new(mesh.clone(), self.scheme, &self.stencils, shapes)?;
+        let scene = stage.scene(self.scheme, self.surface, shapes, judge);
         let at = |root: &Root| {
             if doo_sabin { mesh.faces()[root.face][root.part] } else { root.face }
         };
@@ -253,7 +264,8 @@ impl<'a> Geometry<'a> {
     /// The points of the units of the faces that are farthest by parameter, for a level that is far from
     /// sufficient.
     fn first_points(
-        &mut self,
+        &self,
+        shapes: &mut Shapes,
         level: u32,
         waiting: &[usize],
         whole: &Whole<MeshSets>,
@@ -264,7 +276,9 @@ impl<'a> Geometry<'a> {
             return Ok(Vec::new());
         }
         let this = self.place_maker(level);
-        let Some((scene, owners)) = self.scene(level, group)? else { return Ok(Vec::new()) };
+        let Some((scene, owners)) = self.scene(shapes, level, group)? else {
+            return Ok(Vec::new());
+        };
         let own: Vec<usize> =
             (0..scene.units.len()).filter(|&unit| owners[unit].is_some()).collect();
         let far = first_far(&scene, &own, whole).and_then(|far| {
@@ -277,7 +291,8 @@ impl<'a> Geometry<'a> {
 
     /// Some faces; `None` where they are too many at once.
     fn group(
-        &mut self,
+        &self,
+        shapes: &mut Shapes,
         level: u32,
         group: &[usize],
         whole: &Whole<MeshSets>,
@@ -285,7 +300,7 @@ impl<'a> Geometry<'a> {
     ) -> Result<Option<Vec<(usize, Known)>>, MeshError> {
         let this = self.place_maker(level);
         let work = self.distances.work();
-        let Some((scene, owners)) = self.scene(level, group)? else { return Ok(None) };
+        let Some((scene, owners)) = self.scene(shapes, level, group)? else { return Ok(None) };
         let tolerance = nearest(&(&this.tolerance / &this.scale));
         let own: Vec<usize> =
             (0..scene.units.len()).filter(|&unit| owners[unit].is_some()).collect();
@@ -300,6 +315,40 @@ impl<'a> Geometry<'a> {
             known[owner].add(nearness, place);
         }
         Ok(Some(group.iter().copied().zip(known).collect()))
+    }
+
+    /// Some faces, in halves where they are too many at once. Where `all` is false it ends with a part that has a face
+    /// that is far.
+    fn parts(
+        &self,
+        shapes: &mut Shapes,
+        level: u32,
+        group: &[usize],
+        whole: &Whole<MeshSets>,
+        all: bool,
+    ) -> Result<Vec<(usize, Known)>, MeshError> {
+        let mut known = Vec::new();
+        let mut left = vec![group];
+        while let Some(group) = left.pop() {
+            if self.distances.work.is_stopped() {
+                known.extend(group.iter().map(|&face| (face, Known::Open)));
+                continue;
+            }
+            let Some(found) = self.group(shapes, level, group, whole, all)? else {
+                if let [face] = group[..] {
+                    known.push((face, Known::Open));
+                } else {
+                    let (first, second) = group.split_at(group.len() / 2);
+                    left.extend([second, first]);
+                }
+                continue;
+            };
+            known.extend(found);
+            if !all && has_far(&known) {
+                break;
+            }
+        }
+        Ok(known)
     }
 
     fn place_maker(&self, level: u32) -> Places<'a> {
@@ -332,38 +381,30 @@ impl Levels for Geometry<'_> {
         work.begin(level, waiting.len());
         let sets = MeshSets::new(&self.distances.model, &self.judge(), self.surface, level);
         let whole = Whole::new(sets);
-        let mut known = Vec::new();
         if !all {
-            let first = self.first_points(level, &waiting, &whole)?;
+            let mut shapes = self.shapes.pop().unwrap_or_else(|| self.new_shapes());
+            let first = self.first_points(&mut shapes, level, &waiting, &whole);
+            self.shapes.push(shapes);
+            let first = first?;
             if !first.is_empty() {
                 return Ok(first);
             }
         }
-        let connectivity = self.control.connectivity();
         let size = (GROUP >> (2 * level).min(20)).max(1);
-        let mut left = groups(connectivity, &waiting, size);
-        left.reverse();
-        while let Some(group) = left.pop() {
-            if work.is_stopped() {
-                known.extend(group.iter().map(|&face| (face, Known::Open)));
-                continue;
-            }
-            let Some(found) = self.group(level, &group, &whole, all)? else {
-                if let [face] = group[..] {
-                    known.push((face, Known::Open));
-                } else {
-                    let (first, second) = group.split_at(group.len() / 2);
-                    left.extend([second.to_vec(), first.to_vec()]);
-                }
-                continue;
-            };
-            let far = found.iter().any(|(_, known)| matches!(known, Known::Far(_)));
-            known.extend(found);
-            if far && !all {
-                break;
-            }
-        }
-        Ok(known)
+        let groups = groups(self.control.connectivity(), &waiting, size);
+        let mut shapes = std::mem::take(&mut self.shapes);
+        let count = threads(groups.len(), 1);
+        shapes.resize_with(shapes.len().max(count), || self.new_shapes());
+        let this = &*self;
+        let found = in_threads_until(
+            &mut shapes[..count],
+            &groups,
+            |shapes, group| this.parts(shapes, level, group, &whole, all),
+            |found| found.as_ref().map_or(true, |known| !all && has_far(known)),
+        );
+        self.shapes = shapes;
+        let found = found.into_iter().collect::<Result<Vec<_>, MeshError>>()?;
+        Ok(found.into_iter().flatten().collect())
     }
 
     fn is_stopped(&self) -> bool {
@@ -374,6 +415,11 @@ impl Levels for Geometry<'_> {
         let plain = self.is_plain_everywhere();
         plain.then(|| self.distances.parametric_level(&self.tolerance)).transpose()
     }
+}
+
+/// Whether a face is far.
+fn has_far(known: &[(usize, Known)]) -> bool {
+    known.iter().any(|(_, known)| matches!(known, Known::Far(_)))
 }
 
 /// Says where a point is.

@@ -1,7 +1,7 @@
 //! One unit after the other, in all cores.
 
 use super::super::number::Vector as _;
-use super::super::threads::in_threads;
+use super::super::threads::{in_threads, in_threads_until, threads};
 use super::super::work::MeshWork;
 use super::cover::{Cover, FarPoint};
 use super::patch::length;
@@ -11,12 +11,11 @@ use super::scene::Scene;
 use super::whole::Whole;
 use crate::exact::Rational;
 use crate::float::nearest;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// How many points are tried at the units that are farthest by parameter.
 const TRIED: usize = 400;
 
-/// What is known of some units; where `all` is false, the others are open once one is far.
+/// What is known of some units; where `all` is false, those after the first that is far are open.
 pub(in crate::patch) fn sweep<P: Units, S: Sets>(
     scene: &Scene<P>,
     own: &[usize],
@@ -25,18 +24,14 @@ pub(in crate::patch) fn sweep<P: Units, S: Sets>(
     work: &MeshWork,
     all: bool,
 ) -> Vec<Nearness<FarPoint>> {
-    let stop = AtomicBool::new(false);
     let is_far = |point: &_, from| whole.is_beyond(point, from, tolerance.next_up());
-    in_threads(own, |&unit| {
-        if work.is_stopped() || stop.load(Ordering::Relaxed) {
-            return Nearness::Open;
-        }
-        let nearness = Cover::unit(scene, unit, &is_far);
-        if matches!(nearness, Nearness::Far(_)) && !all {
-            stop.store(true, Ordering::Relaxed);
-        }
-        nearness
-    })
+    let nearness = |(): &mut (), unit: &usize| {
+        if work.is_stopped() { Nearness::Open } else { Cover::unit(scene, *unit, &is_far) }
+    };
+    let ends = |nearness: &_| !all && matches!(nearness, Nearness::Far(_));
+    let mut known = in_threads_until(&mut vec![(); threads(own.len(), 8)], own, nearness, ends);
+    known.resize_with(own.len(), || Nearness::Open);
+    known
 }
 
 /// The first of some points of units that is far from the other set: for a level that is far from sufficient.
