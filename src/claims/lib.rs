@@ -15,7 +15,7 @@
 //! Rooms of the crates below have their names here too, so that `crate::exact` is the same
 //! everywhere.
 
-use subcert_numbers::{diagnostic, exact, formula, suggestion};
+use subcert_numbers::{cap, diagnostic, exact, formula, suggestion};
 use subcert_schemes::{bound, characteristic, float, limit, scheme, smoothness};
 
 pub mod audit;

@@ -88,7 +88,8 @@ pub(super) fn shipped(audits: &[ProjectAudit<'_>]) -> String {
                     number.at.iter().map(|(name, value)| format!("{name}={value}")).collect();
                 let nearest = number.nearest.as_deref().unwrap_or_default();
                 let (shipped, verdict) = (number.shipped, number.verdict);
-                let (exact, error) = (&number.exact, &number.error);
+                let [exact, error] =
+                    [&number.exact, &number.error].map(|text| text.as_deref().unwrap_or_default());
                 out.row(&[
                     project.key,
                     table.id,

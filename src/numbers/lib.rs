@@ -2,12 +2,14 @@
 //!
 //! | module | what it holds |
 //! |---|---|
+//! | [`cap`] | caps that a value is beyond |
 //! | [`diagnostic`] | errors that point at a place in a file |
 //! | [`suggestion`] | what a misspelt name may have meant |
 //! | [`exact`] | integers, rationals, cyclotomic and algebraic numbers, polynomials |
 //! | [`machine`] | f64: conversion from and to exact numbers |
 //! | [`formula`] | the expression language of masks and claims |
 
+pub mod cap;
 pub mod diagnostic;
 pub mod exact;
 pub mod formula;

@@ -49,7 +49,7 @@ fn lines(audit: &PaperAudit<'_>) -> Vec<String> {
             EquationVerdict::Fails { cases, failures, .. } => {
                 format!("in {} of {cases}: {}", failures.len(), failures[0].difference())
             }
-            EquationVerdict::NotCheckable(_) => String::new(),
+            EquationVerdict::NotCheckable(_) | EquationVerdict::BeyondCap(_) => String::new(),
         };
         lines.push(format!("{} {} {detail}", finding.id, finding.verdict.name()));
     }
@@ -58,12 +58,16 @@ fn lines(audit: &PaperAudit<'_>) -> Vec<String> {
             FunctionVerdict::Fails { example, .. } => {
                 format!("at {}: {} and {}", example.at, example.left, example.right)
             }
-            FunctionVerdict::Holds => String::new(),
+            FunctionVerdict::Holds | FunctionVerdict::BeyondCap(_) => String::new(),
         };
         lines.push(format!("{} {} {detail}", finding.id, finding.verdict.name()));
     }
     for finding in &audit.ranges {
-        lines.push(format!("{} {} {}", finding.id, finding.verdict.name(), finding.exact));
+        let exact = finding
+            .found
+            .as_ref()
+            .map_or_else(ToString::to_string, |found| found.exact.to_string());
+        lines.push(format!("{} {} {exact}", finding.id, finding.verdict()));
     }
     lines.extend(audit.theorems.iter().map(theorem));
     lines

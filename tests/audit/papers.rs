@@ -7,6 +7,7 @@ use crate::common::r;
 use subcert::audit::{
     CellFinding, Control, Direction, EquationVerdict, Kept, Missing, Slip, Sound, Verdict, audit,
 };
+use subcert::cap::Cap;
 use subcert::certificate::certificate;
 use subcert::claim::{embedded, read_paper};
 use subcert::diagnostic::SourceText;
@@ -433,10 +434,10 @@ fn a_value_beyond_the_caps_is_not_checkable() {
     let audit = judged(&paper);
     let [known, beyond] = &audit.tables[0].cells[0][..] else { panic!("two cells") };
     assert_eq!(known.verdict, Verdict::Confirmed);
-    let Verdict::NotCheckable(Missing::Capacity(why)) = &beyond.verdict else {
+    let Verdict::NotCheckable(Missing::Capacity(cap)) = &beyond.verdict else {
         panic!("{:?}", beyond.verdict)
     };
-    assert!(why.contains("2^300 row sums"), "{why}");
+    assert_eq!(*cap, Cap::new("the number 300 of levels", 256));
     let unstated = &audit.tables[1].cells[0][0];
     let missing = Missing::Parameters(vec!["tau".to_owned()]);
     assert_eq!(unstated.verdict, Verdict::NotCheckable(missing));

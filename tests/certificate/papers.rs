@@ -196,7 +196,7 @@ fn wrong_verdicts_are_rejected() {
     assert!(!valid(&audit, "f") && !valid(&audit, "g"));
     for verdict in [RangeVerdict::Exact, RangeVerdict::Rounding] {
         let mut audit = right.clone();
-        audit.ranges[0].verdict = verdict;
+        audit.ranges[0].found.as_mut().expect("within the caps").verdict = verdict;
         assert!(!valid(&audit, "r"));
     }
 }

@@ -66,7 +66,7 @@ fn definitions_share_one_cap_on_work() {
     assert_eq!(value("d0", &short), Ok(r(1024, 1)));
     // 2^31 steps, if each definition counted for itself.
     let long = ladder(31, |next| format!("{next}*{next}"));
-    assert!(matches!(value("d0", &long), Err(FormulaErrorKind::TooLarge { .. })));
+    assert!(matches!(value("d0", &long), Err(FormulaErrorKind::BeyondCap(_))));
     // The count starts again with each evaluation.
     let scope = Scope::<Rational>::new(&short, &());
     let formula = parse("sum(h = 1..100, d0)").unwrap();
@@ -81,7 +81,7 @@ fn definitions_share_one_cap_on_depth() {
     assert!(value("d0", &ladder(32, |next| format!("{next} + 1"))).is_err());
     // 31 definitions of 60 calls each would be deep enough to end the stack.
     let deep = ladder(31, |next| format!("{}{next}{}", "abs(".repeat(60), ")".repeat(60)));
-    assert!(matches!(value("d0", &deep), Err(FormulaErrorKind::TooLarge { .. })));
+    assert!(matches!(value("d0", &deep), Err(FormulaErrorKind::BeyondCap(_))));
     let scope = Scope::<Polynomial>::new(&deep, &());
     assert!(evaluate(&parse("d0").unwrap(), &scope).is_err());
 }

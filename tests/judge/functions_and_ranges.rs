@@ -4,8 +4,8 @@
 mod malformed;
 
 use subcert::audit::{
-    Direction, EndRelation, FunctionFinding, FunctionVerdict, PaperAudit, RangeFinding,
-    RangeVerdict, audit,
+    Direction, EndRelation, FoundRange, FunctionFinding, FunctionVerdict, PaperAudit, RangeVerdict,
+    audit,
 };
 use subcert::claim::{Paper, embedded, read_paper};
 use subcert::diagnostic::SourceText;
@@ -41,9 +41,10 @@ fn function<'a>(audit: &'a PaperAudit<'a>, id: &str) -> &'a FunctionFinding<'a> 
     finding.unwrap_or_else(|| panic!("no function {id}"))
 }
 
-fn range<'a>(audit: &'a PaperAudit<'a>, id: &str) -> &'a RangeFinding<'a> {
+fn range<'a>(audit: &'a PaperAudit<'a>, id: &str) -> &'a FoundRange {
     let finding = audit.ranges.iter().find(|finding| finding.claim.id == id);
-    finding.unwrap_or_else(|| panic!("no range {id}"))
+    let finding = finding.unwrap_or_else(|| panic!("no range {id}"));
+    finding.found.as_ref().expect("within the caps")
 }
 
 /// A scheme whose rules 1 and 2 are those of the 4-point scheme, exchanged.
@@ -73,7 +74,7 @@ fn corollaries_of_the_paper() {
             let example = [at, left, right].map(Rational::to_string);
             (larger.to_string(), smaller.to_string(), example)
         }
-        FunctionVerdict::Holds => panic!("{id} holds"),
+        other => panic!("{id}: {other:?}"),
     };
     // At μ = −1: max{1/6·(4/3 + 2 + 2/3), 1/3·(3 + 2)} = 5/3, and
     // max{1/6·(2/3 + 4 + 4/3), 1/3·(1 + 2)} = 1.
@@ -218,7 +219,7 @@ fn verdict(condition: &str, ends: &str) -> (&'static str, Vec<EndRelation>, bool
          {condition}\n{ends}\n"
     ));
     let audit = judged(&paper);
-    let finding = &audit.ranges[0];
+    let finding = range(&audit, "r");
     let relations = finding.ends.iter().map(|end| end.relation).collect();
     (finding.verdict.name(), relations, finding.kept)
 }

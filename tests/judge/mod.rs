@@ -1,5 +1,6 @@
 //! Judging tables, functions, ranges, smoothness and theorems.
 
+mod caps;
 mod copied;
 mod every_shift;
 mod functions_and_ranges;

@@ -83,7 +83,7 @@ proptest! {
         let project = project(&table(kind, "", &format!("{a}/{b}"), &[&text]));
         let finding = found(&project);
         prop_assert!(finding.is_right(), "{}/{} as {}: {:?}", a, b, text, finding.cells[0].verdict);
-        let offered = subcert::shipped::nearest_text(&finding.cells[0].exact, project.shipped[0].kind);
+        let offered = subcert::shipped::nearest_text(finding.cells[0].exact.as_ref().unwrap(), project.shipped[0].kind);
         let offered = offered.expect("a number");
         let bits = |text: &str| text.parse::<f64>().expect("a number").to_bits();
         prop_assert_eq!(bits(&offered), bits(text.trim_end_matches('f')));

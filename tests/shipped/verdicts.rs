@@ -94,3 +94,19 @@ fn of_tables() {
     assert_eq!(outcome(&["0.33333337f", "6.66667f", "1"]), Outcome::Misprint);
     assert_eq!(outcome(&["0.33333337f", "6.66667f", "2"]), Outcome::Refuted);
 }
+
+/// A value beyond a cap leaves its number open, and the others are judged.
+#[test]
+fn a_value_beyond_a_cap_is_open() {
+    let fields = "'k = 1..2'";
+    let project = project(&table("f64", fields, "2^(10^(9*k - 9)) - 1", &["1", "5"]));
+    let finding = found(&project);
+    let verdicts: Vec<Verdict> = finding.cells.iter().map(|cell| cell.verdict).collect();
+    assert_eq!(
+        (&verdicts[..], finding.outcome),
+        (&[Verdict::Nearest, Verdict::Open][..], Outcome::Open)
+    );
+    let cap = finding.cells[1].exact.as_ref().err().map(ToString::to_string);
+    assert!(cap.is_some_and(|cap| cap.starts_with("the power is too large; at most")));
+    assert_eq!((&finding.cells[1].error, &finding.sums), (&None, &None));
+}

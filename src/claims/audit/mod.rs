@@ -4,9 +4,9 @@ mod chosen;
 mod jobs;
 
 pub use crate::digest::{
-    Beyond, Cause, CellErratum, CellGroup, CellOutcome, CellSummary, ClaimVerdict, Consequences,
-    Coverage, CoverageState, Errata, Erratum, Harm, HowRead, KernelCounts, NotSharp, Share,
-    Standing, Subject, Unchecked,
+    Beyond, BeyondCap, Cause, CellErratum, CellGroup, CellOutcome, CellSummary, ClaimVerdict,
+    Consequences, Coverage, CoverageState, Errata, Erratum, Harm, HowRead, KernelCounts, NotSharp,
+    Share, Standing, Subject, Unchecked,
 };
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
@@ -18,7 +18,7 @@ pub use crate::finding::{
     AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contraction,
     Contradiction, Control, Correction, Difference, Direction, EndFinding, EndRelation,
     EquationFinding, EquationVerdict, EveryShift, Example, Excess, Explanation, FailingPremise,
-    Failure, Fitting, FunctionFinding, FunctionVerdict, HandCell, HandConstant, Kept,
+    Failure, Fitting, FoundRange, FunctionFinding, FunctionVerdict, HandCell, HandConstant, Kept,
     KernelFinding, KernelProof, KernelStatement, Known, Later, LeftOut, LevelEvidence, Levels,
     Limits, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Needed, Outcome,
     PaperAudit, Place, PromiseCounts, RangeAtValence, RangeFinding, RangeOfLimits, RangeVerdict,

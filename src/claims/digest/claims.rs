@@ -1,6 +1,6 @@
 //! The claims of a paper, whatever their kind, with their verdicts.
 
-use crate::finding::{PaperAudit, PromiseCounts};
+use crate::finding::{PaperAudit, PromiseCounts, RangeFinding};
 use std::collections::BTreeMap;
 
 /// A claim and its verdict; for a table, the verdicts of its cells.
@@ -57,7 +57,7 @@ impl<'a> PaperAudit<'a> {
         let ranges = self
             .ranges
             .iter()
-            .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict.name()));
+            .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict()));
         let theorems = self.theorems.iter().map(|finding| {
             one(&finding.theorem.id, &finding.theorem.locus, finding.verdict.name())
         });
@@ -105,7 +105,7 @@ impl PaperAudit<'_> {
     /// How many ranges have each verdict.
     #[must_use]
     pub fn range_counts(&self) -> BTreeMap<&'static str, usize> {
-        count(self.ranges.iter().map(|finding| finding.verdict.name()))
+        count(self.ranges.iter().map(RangeFinding::verdict))
     }
 
     /// How many claims about smoothness have each verdict.

@@ -1,6 +1,7 @@
 //! What follows from findings: how claims stand, a summary of cells, the coverage of a paper,
 //! contradictions between tables, errata, and what Coq's kernel accepts.
 
+mod beyond;
 mod cause;
 pub(crate) mod claims;
 pub(crate) mod consistency;
@@ -12,6 +13,7 @@ pub(crate) mod offset;
 pub(crate) mod premises;
 mod summary;
 
+pub use beyond::BeyondCap;
 pub use cause::{Cause, HowRead};
 pub use claims::ClaimVerdict;
 pub use coverage::{Coverage, CoverageState};

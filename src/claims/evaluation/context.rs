@@ -1,12 +1,13 @@
 //! The context of a table's formulas, cell by cell.
 
+use crate::cap::Cap;
 use crate::claim::{Axis, AxisEntry, Cell, LocatedReference, Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::choices::HEADER;
 use crate::evaluation::copied::references;
 use crate::evaluation::library::{Library, values};
 use crate::evaluation::quantity::Quantities;
-use crate::evaluation::reference::{Unresolved, scheme_error};
+use crate::evaluation::reference::{Unresolved, in_parameters, scheme_error};
 use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic, parse_decimal};
 use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Node, Scope, evaluate};
@@ -21,7 +22,7 @@ pub(crate) enum Outcome {
     Value(RealCyclotomic),
     Unstated(String),
     Undefined(String),
-    BeyondCaps(String),
+    BeyondCap(Cap),
 }
 
 /// The place of a cell, and how its formula is read.
@@ -227,21 +228,21 @@ impl<'a> TableContext<'a> {
         error: Unresolved,
     ) -> Result<Outcome, Diagnostic> {
         match error {
-            Unresolved::Formula(error) => Self::sort(error).map_err(|error| {
-                let message = format!("in its parameters: {error}");
-                Diagnostic::new(&located.source, located.span.clone(), message)
-            }),
-            Unresolved::Scheme(error) => Err(scheme_error(located, &error)),
+            Unresolved::Formula(error) => {
+                Self::sort(error).map_err(|error| in_parameters(located, &error))
+            }
+            Unresolved::Scheme(error) => match error.cap() {
+                Some(cap) => Ok(Outcome::BeyondCap(cap)),
+                None => Err(scheme_error(located, &error)),
+            },
         }
     }
 
     /// Whether the error of a formula is an outcome of the cell.
     pub(crate) fn is_outcome(error: &FormulaError) -> bool {
-        use FormulaErrorKind::{BeyondCaps, DivisionByZero, TooLarge, Undefined, Unstated};
-        matches!(
-            error.kind,
-            Unstated(_) | Undefined(_) | DivisionByZero | BeyondCaps(_) | TooLarge { .. }
-        )
+        use FormulaErrorKind::{DivisionByZero, Undefined, Unstated};
+        matches!(error.kind, Unstated(_) | Undefined(_) | DivisionByZero)
+            || error.kind.cap().is_some()
     }
 
     /// What the error of a formula means: an outcome of the cell, or (as `Err`) an error of the
@@ -250,12 +251,10 @@ impl<'a> TableContext<'a> {
         match error.kind {
             FormulaErrorKind::Unstated(name) => Ok(Outcome::Unstated(name)),
             FormulaErrorKind::Undefined(why) => Ok(Outcome::Undefined(why)),
-            FormulaErrorKind::BeyondCaps(why) => Ok(Outcome::BeyondCaps(why)),
-            FormulaErrorKind::TooLarge { .. } => Ok(Outcome::BeyondCaps(error.kind.to_string())),
             FormulaErrorKind::DivisionByZero => {
                 Ok(Outcome::Undefined("the definition divides by zero".to_owned()))
             }
-            _ => Err(error),
+            _ => error.kind.cap().map(Outcome::BeyondCap).ok_or(error),
         }
     }
 

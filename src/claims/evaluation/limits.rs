@@ -4,7 +4,7 @@ use crate::claim::{LocatedReference, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::{Library, values};
 use crate::evaluation::parametric::polynomial;
-use crate::evaluation::reference::{Unresolved, scheme_error};
+use crate::evaluation::reference::{Unresolved, located, scheme_error};
 use crate::exact::{Parametric, Rational, RationalPolynomial, RealCyclotomic};
 use crate::formula::{Context, LocatedFormula, Scope, Value};
 use crate::scheme::{Instance, LocalRules, Mask, Rules, SchemeError};
@@ -29,7 +29,7 @@ impl LimitScheme<'_> {
         }
         self.check_one(&scope)?;
         let resolved = self.library.resolve(&self.located.reference, &scope);
-        let resolved = resolved.map_err(|error| self.unresolved(error))?;
+        let resolved = resolved.map_err(|error| self.unresolved(&error))?;
         Ok(resolved.constants[0].mask().clone())
     }
 
@@ -44,7 +44,7 @@ impl LimitScheme<'_> {
             scope = scope.with(name, value);
         }
         let instances = self.library.instances(&self.located.reference, &scope);
-        let instances = instances.map_err(|error| self.unresolved(error))?;
+        let instances = instances.map_err(|error| self.unresolved(&error))?;
         let ring = self.library.is_ring(&instances);
         let ring = ring.map_err(|error| scheme_error(self.located, &error))?;
         Ok(ring.then_some(instances))
@@ -83,10 +83,12 @@ impl LimitScheme<'_> {
         let masks = masks.and_then(|instances| self.library.masks(&instances));
         let masks = masks.map_err(|error| match error {
             // The rules of a scheme of the catalogue sum to 1, unless they are no polynomials.
-            Unresolved::Scheme(SchemeError::File(inner)) if inner.source != self.located.source => {
+            Unresolved::Scheme(SchemeError::File(inner))
+                if inner.source != self.located.source && inner.cap.is_none() =>
+            {
                 self.not_polynomial(variable)
             }
-            other => self.unresolved(other),
+            other => self.unresolved(&other),
         })?;
         polynomial(masks[0].rules()).ok_or_else(|| self.not_polynomial(variable))
     }
@@ -111,7 +113,7 @@ impl LimitScheme<'_> {
     /// A tensor product has two masks.
     fn check_one<V: Value>(&self, scope: &dyn Context<V>) -> Result<(), Diagnostic> {
         let instances = self.library.instances(&self.located.reference, scope);
-        match instances.map_err(|error| self.unresolved(error))?.len() {
+        match instances.map_err(|error| self.unresolved(&error))?.len() {
             1 => Ok(()),
             _ => Err(self.error("smoothness is that of a scheme for curves").with_help(
                 "the limits of a tensor product are as smooth as those of its factors: claim the smoothness \
@@ -120,11 +122,8 @@ impl LimitScheme<'_> {
         }
     }
 
-    fn unresolved(&self, error: Unresolved) -> Diagnostic {
-        match error {
-            Unresolved::Scheme(error) => scheme_error(self.located, &error),
-            Unresolved::Formula(error) => self.error(format!("in its parameters: {error}")),
-        }
+    fn unresolved(&self, error: &Unresolved) -> Diagnostic {
+        located(self.located, error)
     }
 
     pub(crate) fn error(&self, message: impl Into<String>) -> Diagnostic {

@@ -55,14 +55,17 @@ impl<'a> FreeParameter<'a> {
         let value = evaluate(&formula.expr, &self.scope(&constants));
         match value.map_err(|error| formula.diagnostic(&error))? {
             Parametric::Function(function) => Ok(function),
-            Parametric::Outside => {
+            Parametric::Outside(Some(cap)) => {
+                let (source, span) = (&formula.source, formula.span.clone());
+                Err(Diagnostic::new(source, span, cap.to_string()).with_cap(Some(cap)))
+            }
+            Parametric::Outside(None) => {
                 let variable = self.variable;
                 let message = format!("this is not piecewise polynomial in `{variable}`");
                 Err(Diagnostic::new(&formula.source, formula.span.clone(), message).with_help(
                     format!(
-                        "it divides by an expression that depends on `{variable}`, or has more \
-                         than 4096 pieces or a degree above 64; sums, products, abs, max and min \
-                         can be compared"
+                        "it divides by an expression that depends on `{variable}`; sums, products, \
+                         abs, max and min can be compared"
                     ),
                 ))
             }
@@ -238,7 +241,7 @@ impl Constants<'_> {
         }
         match c {
             0 | 1 => power_norm_generic(rules, c, order)
-                .map_err(|error| CallError::BeyondCaps(error.to_string())),
+                .map_err(|error| CallError::BeyondCap(error.cap())),
             c => Err(CallError::Misuse(format!(
                 "the norm of {c} levels needs a mask that is polynomial in the free parameter"
             ))),
@@ -277,5 +280,5 @@ pub(crate) fn polynomial(rules: &Rules<Parametric>) -> Option<Rules<RationalPoly
 }
 
 fn undefined(error: &RangeError) -> CallError {
-    CallError::Undefined(error.to_string())
+    error.cap().map_or_else(|| CallError::Undefined(error.to_string()), CallError::BeyondCap)
 }

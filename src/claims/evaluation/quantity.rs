@@ -1,9 +1,10 @@
 //! The functions that claims can use: constants of the scheme they are about.
 
 use crate::bound::{
-    ClassCap, Constants, DepthError, Operator, Order, Suprema, Terms, best_offset,
+    ClassCap, Constants, DepthError, MAX_DEPTH, Operator, Order, Suprema, Terms, best_offset,
     surface_displacement,
 };
+use crate::cap::Cap;
 use crate::evaluation::arguments::level;
 use crate::evaluation::constants::{moved, total_contraction};
 use crate::evaluation::functions::check_name;
@@ -164,7 +165,10 @@ impl Quantities<'_> {
         let call = LevelCall { ratio, x, rounded, level: level.clone().ok() };
         self.last_levels.replace(Some(call));
         level.map(RealCyclotomic::from).map_err(|error| match error {
-            DepthError::TooDeep => CallError::BeyondCaps(error.to_string()),
+            DepthError::TooDeep => {
+                let what = "the number of levels, or a number that decides it,";
+                CallError::BeyondCap(Cap::new(what, MAX_DEPTH.into()))
+            }
             _ => CallError::Undefined(error.to_string()),
         })
     }
@@ -177,7 +181,7 @@ impl Quantities<'_> {
 }
 
 fn capped(value: Result<Rational, ClassCap>) -> Result<Rational, CallError> {
-    value.map_err(|error| CallError::BeyondCaps(error.to_string()))
+    value.map_err(|error| CallError::BeyondCap(error.cap()))
 }
 
 /// The value as a rational number; an error if it is irrational.

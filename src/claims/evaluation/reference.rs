@@ -13,10 +13,26 @@ pub(crate) fn scheme_error(located: &LocatedReference, error: &SchemeError) -> D
         // The place is in the file of a scheme of the catalogue, which nobody has to mend.
         SchemeError::File(inner) => Diagnostic {
             help: inner.help.clone(),
+            cap: inner.cap.clone(),
             ..Diagnostic::new(&located.source, located.span.clone(), inner.message.clone())
         },
-        other => Diagnostic::new(&located.source, located.span.clone(), other.to_string()),
+        other => Diagnostic::new(&located.source, located.span.clone(), other.to_string())
+            .with_cap(other.cap()),
     }
+}
+
+/// The error of a reference, at the place that names the scheme, or in the definition of one of the claim file.
+pub(crate) fn located(located: &LocatedReference, error: &Unresolved) -> Diagnostic {
+    match error {
+        Unresolved::Scheme(error) => scheme_error(located, error),
+        Unresolved::Formula(error) => in_parameters(located, error),
+    }
+}
+
+/// The error of a formula in the parameters of a reference.
+pub(crate) fn in_parameters(located: &LocatedReference, error: &FormulaError) -> Diagnostic {
+    let message = format!("in its parameters: {error}");
+    Diagnostic::new(&located.source, located.span.clone(), message).with_cap(error.kind.cap())
 }
 
 /// Why a reference of a claim gives no mask.
@@ -35,6 +51,9 @@ pub(crate) fn reference(name: &str) -> Result<Reference, CallError> {
 pub(crate) fn unresolved(name: &str, error: Unresolved) -> CallError {
     match error {
         Unresolved::Formula(error) => CallError::Inner(error.kind),
-        Unresolved::Scheme(error) => CallError::Misuse(format!("scheme `{name}`: {error}")),
+        Unresolved::Scheme(error) => match error.cap() {
+            Some(cap) => CallError::BeyondCap(cap),
+            None => CallError::Misuse(format!("scheme `{name}`: {error}")),
+        },
     }
 }

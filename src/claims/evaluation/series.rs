@@ -1,7 +1,8 @@
 //! Convolutions of sequences that claims define by formulas.
 
 use crate::bound::{Recursion, Suprema, convolution_coefficient, convolution_window};
-use crate::evaluation::arguments::{index, place};
+use crate::cap::Cap;
+use crate::evaluation::arguments::{index, narrow, place, within};
 use crate::evaluation::options::Options;
 use crate::evaluation::trace::NotedNorm;
 use crate::exact::{Rational, common_conductor};
@@ -146,10 +147,8 @@ impl<V: Value + PartialEq> Window<V> {
             Recursion::Printed => self.last + 1,
         };
         if (self.last + 1).saturating_mul(factor) > MAX_PRODUCTS {
-            let message = format!(
-                "the last index times the length of the sequences is at most {MAX_PRODUCTS} here"
-            );
-            return Err(CallError::BeyondCaps(message));
+            let what = "the last index times the length of the sequences";
+            return Err(CallError::BeyondCap(Cap::new(what, MAX_PRODUCTS as u64)));
         }
         let Window { terms, arity, c, last, recursion } = &self;
         let rows = convolution_window(terms, *arity, *c, *last, *recursion);
@@ -210,22 +209,4 @@ impl Names {
         }
         Ok(terms)
     }
-}
-
-/// An integer argument that has to be in `range`.
-fn within<V: Value>(
-    what: &'static str,
-    value: &V,
-    range: std::ops::RangeInclusive<i64>,
-) -> Result<usize, CallError> {
-    let integer = index(what, value)?;
-    let found = usize::try_from(integer).ok().filter(|_| range.contains(&integer));
-    found.ok_or_else(|| {
-        let (first, last) = (range.start(), range.end());
-        CallError::Misuse(format!("{what} is from {first} to {last}, and not {integer}"))
-    })
-}
-
-fn narrow(c: usize) -> u32 {
-    u32::try_from(c).expect("capped")
 }

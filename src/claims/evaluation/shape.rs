@@ -3,11 +3,11 @@
 use crate::bound::{Recursion, convolution_coefficient, sequence};
 use crate::claim::LocatedReference;
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::arguments::{index, place};
+use crate::evaluation::arguments::{index, narrow, place, within};
 use crate::evaluation::functions::{QUANTITIES, check_name, name_of};
 use crate::evaluation::library::Library;
 use crate::evaluation::options::Options;
-use crate::evaluation::reference::{Unresolved, reference, scheme_error, unresolved};
+use crate::evaluation::reference::{self, Unresolved, reference, unresolved};
 use crate::evaluation::series;
 use crate::evaluation::series::Norms;
 use crate::exact::Rational;
@@ -24,13 +24,8 @@ pub(crate) fn own_shape<V: Value + PartialEq>(
     located: &LocatedReference,
     context: &dyn Context<V>,
 ) -> Result<Rc<Shape<V>>, Diagnostic> {
-    shapes.own(&located.reference, context).map_err(|error| match error {
-        Unresolved::Scheme(error) => scheme_error(located, &error),
-        Unresolved::Formula(error) => {
-            let message = format!("in its parameters: {error}");
-            Diagnostic::new(&located.source, located.span.clone(), message)
-        }
-    })
+    let found = shapes.own(&located.reference, context);
+    found.map_err(|error| reference::located(located, &error))
 }
 
 /// A mask over numbers of any kind; its difference mask is computed when it is first used.
@@ -145,18 +140,14 @@ pub(crate) fn shape<V: Value, R: Borrow<Rules<V>>>(
         ("difference", [rule, column]) => coefficient(difference().borrow(), rule, column),
         ("convolution", [c, l, f]) => {
             let (order, recursion) = (options.order()?, options.recursion()?);
-            let c = index("a number of convolutions", c)?;
             let most = match recursion {
                 Recursion::Derived => MAX_CONVOLUTIONS,
                 Recursion::Printed => MAX_PRINTED_CONVOLUTIONS,
             };
-            let number = u32::try_from(c).ok().filter(|c| (1..=most).contains(c));
-            let c = number.ok_or_else(|| {
-                CallError::Misuse(format!("from 1 to {most} convolutions here, and not {c}"))
-            })?;
+            let c = within("the number of convolutions", c, 1..=most)?;
             let (l, f) = (place("the index l", l)?, index("the index f", f)?);
             let t = sequence(difference().borrow(), order);
-            Ok(convolution_coefficient(&t, mask.arity(), c, l, f, recursion))
+            Ok(convolution_coefficient(&t, mask.arity(), narrow(c), l, f, recursion))
         }
         ("arity", []) => Ok(number(mask.arity())),
         ("width", []) => Ok(number(mask.width())),
@@ -172,10 +163,10 @@ pub(crate) fn shape<V: Value, R: Borrow<Rules<V>>>(
 }
 
 /// The greatest number of convolutions whose coefficients are summed term by term.
-const MAX_CONVOLUTIONS: u32 = 4;
+const MAX_CONVOLUTIONS: i64 = 4;
 
 /// The same cap for the printed recursion, which has far more terms.
-const MAX_PRINTED_CONVOLUTIONS: u32 = 3;
+const MAX_PRINTED_CONVOLUTIONS: i64 = 3;
 
 fn coefficient<V: Value>(rules: &Rules<V>, rule: &V, column: &V) -> Result<V, CallError> {
     let (rule, column) = (index("the index of a rule", rule)?, index("a column", column)?);

@@ -1,5 +1,6 @@
 //! The finding about a table cell.
 
+use crate::cap::Cap;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::kernel::KernelProof;
 use crate::finding::promise::Kept;
@@ -142,8 +143,10 @@ pub enum Missing {
     Cell,
     /// The paper does not state these parameters.
     Parameters(Vec<String>),
-    /// The value is beyond a cap of this program; the text says which.
-    Capacity(String),
+    /// The value is beyond a cap of this program.
+    Capacity(Cap),
+    /// The value under a reading, which may explain the number, is beyond a cap.
+    Reading(Cap),
 }
 
 impl fmt::Display for Missing {
@@ -153,7 +156,8 @@ impl fmt::Display for Missing {
             Missing::Parameters(names) => {
                 write!(f, "the paper does not state {}", names.join(", "))
             }
-            Missing::Capacity(why) => f.write_str(why),
+            Missing::Capacity(cap) => cap.fmt(f),
+            Missing::Reading(cap) => write!(f, "a reading may explain it; {cap}"),
         }
     }
 }

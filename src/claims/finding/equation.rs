@@ -1,5 +1,6 @@
 //! The finding about an equation.
 
+use crate::cap::Cap;
 use crate::claim::Equation;
 use crate::exact::{Polynomial, Rational};
 
@@ -33,6 +34,8 @@ pub enum EquationVerdict {
     },
     /// The equation needs something that is absent; the text says what.
     NotCheckable(String),
+    /// A value is beyond a cap.
+    BeyondCap(Cap),
 }
 
 impl EquationVerdict {
@@ -42,7 +45,7 @@ impl EquationVerdict {
         match self {
             EquationVerdict::Holds { .. } => "holds",
             EquationVerdict::Fails { .. } => "fails",
-            EquationVerdict::NotCheckable(_) => "not-checkable",
+            EquationVerdict::NotCheckable(_) | EquationVerdict::BeyondCap(_) => "not-checkable",
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The finding about a closed form in a free parameter.
 
+use crate::cap::Cap;
 use crate::claim::FunctionClaim;
 use crate::exact::{IntervalSet, Rational};
 
@@ -28,6 +29,8 @@ pub enum FunctionVerdict {
         /// A value of the parameter at which they differ.
         example: Box<Example>,
     },
+    /// A value is beyond a cap.
+    BeyondCap(Cap),
 }
 
 impl FunctionVerdict {
@@ -37,6 +40,7 @@ impl FunctionVerdict {
         match self {
             FunctionVerdict::Holds => "holds",
             FunctionVerdict::Fails { .. } => "fails",
+            FunctionVerdict::BeyondCap(_) => "not-checkable",
         }
     }
 }

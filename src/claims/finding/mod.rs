@@ -27,7 +27,7 @@ pub use kernel::{Excess, KernelFinding, KernelProof, KernelStatement, RingExcess
 pub use levels::{Later, LevelEvidence, Levels};
 pub use paper::{PaperAudit, UnstatedOffset};
 pub use promise::{Broken, Kept, PromiseCounts};
-pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
+pub use range::{EndFinding, EndRelation, FoundRange, RangeFinding, RangeVerdict};
 pub(crate) use reading::{COPIED, Values};
 pub use reading::{
     Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Solved, Uncomputed,

@@ -1,5 +1,6 @@
 //! The finding about a range of a free parameter.
 
+use crate::cap::Cap;
 use crate::claim::RangeClaim;
 use crate::exact::{IntervalSet, Rational, RealAlgebraic};
 use crate::finding::cell::Direction;
@@ -12,6 +13,21 @@ pub struct RangeFinding<'a> {
     pub id: String,
     /// The claim.
     pub claim: &'a RangeClaim,
+    /// What is found; where a value is beyond a cap, this cap.
+    pub found: Result<FoundRange, Cap>,
+}
+
+impl RangeFinding<'_> {
+    /// The verdict's name.
+    #[must_use]
+    pub fn verdict(&self) -> &'static str {
+        self.found.as_ref().map_or("not-checkable", |found| found.verdict.name())
+    }
+}
+
+/// A printed range against the exact set.
+#[derive(Clone, Debug)]
+pub struct FoundRange {
     /// The verdict.
     pub verdict: RangeVerdict,
     /// The limit.

@@ -1,5 +1,6 @@
 //! Readings of tables: what they differ in, and what they explain.
 
+use crate::cap::Cap;
 use crate::evaluation::{Choice, Copied, Way};
 use crate::exact::{Rational, RealCyclotomic};
 use std::cmp::Reverse;
@@ -268,8 +269,8 @@ pub struct Search {
 /// The values of cells under readings that were not computed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Uncomputed {
-    /// Why the first was not; the text names the cap.
-    pub why: String,
+    /// The cap that the first is beyond.
+    pub cap: Cap,
     /// The rows and columns of the cells, counted from 0.
     pub cells: BTreeSet<(usize, usize)>,
     /// Whether a reading with such values may explain more cells than the one that was taken.

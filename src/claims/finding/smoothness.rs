@@ -1,5 +1,6 @@
 //! The finding about a claim of smoothness.
 
+use crate::cap::Cap;
 use crate::characteristic::{Family, Vertex, VertexRange};
 use crate::claim::SmoothnessClaim;
 use crate::exact::{IntervalSet, Rational};
@@ -79,6 +80,8 @@ pub enum Known {
     Absent(String),
     /// The cap that the rules are beyond.
     Capped(String),
+    /// Nothing: a value that the claim needs is beyond a cap.
+    BeyondCap(Cap),
 }
 
 /// What is known of the surfaces at a vertex or on a face.

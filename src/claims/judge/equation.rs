@@ -1,5 +1,6 @@
 //! Judging an equation.
 
+use crate::cap::Cap;
 use crate::claim::{Equation, EquationBody, Identity, Index, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
@@ -15,6 +16,9 @@ use std::collections::BTreeMap;
 /// The most steps of formulas in all cases of an equation together.
 const MAX_WORK: u64 = 20_000_000;
 
+/// The greatest absolute value of an index.
+const MAX_INDEX: i64 = 1_000_000;
+
 /// The most combinations of indices that an identity is compared in.
 pub const MAX_CASES: usize = 100_000;
 
@@ -27,7 +31,10 @@ pub(crate) fn judge<'a>(
     let id = format!("{}:{}", paper.key, equation.id);
     let verdict = match &equation.body {
         EquationBody::NotCheckable(absent) => EquationVerdict::NotCheckable(absent.clone()),
-        EquationBody::Identity(identity) => compare(paper, identity, library)?,
+        EquationBody::Identity(identity) => {
+            let found = Diagnostic::or_cap(compare(paper, identity, library))?;
+            found.unwrap_or_else(EquationVerdict::BeyondCap)
+        }
     };
     Ok(EquationFinding { id, equation, verdict })
 }
@@ -43,14 +50,12 @@ fn compare(
     let (mut failures, mut failing) = (Vec::new(), Vec::new());
     for (i, case) in cases.iter().enumerate() {
         let left = identity.left.formula(i);
-        let left = comparison.value(left, &left.expr, case)?;
-        let right = comparison.value(&identity.right, &identity.right.expr, case)?;
+        let (left, right) = Diagnostic::both(
+            comparison.value(left, &left.expr, case),
+            comparison.value(&identity.right, &identity.right.expr, case),
+        )?;
         if comparison.spent.get() > MAX_WORK {
-            let (source, span) = (&identity.right.source, identity.right.span.clone());
-            let message =
-                format!("the cases take more work together than the cap of {MAX_WORK} steps");
-            return Err(Diagnostic::new(source, span, message)
-                .with_help("claim it for fewer values of the indices"));
+            return Err(beyond(&identity.right, Cap::new("the work of all cases", MAX_WORK)));
         }
         if left != right {
             let indices = case.values.iter().map(|(_, value)| value.clone()).collect();
@@ -87,9 +92,8 @@ fn cases(identity: &Identity) -> Result<Vec<Case>, Diagnostic> {
                 longer.push(Case { values, text });
             }
             if longer.len() > MAX_CASES {
-                let source = &identity.right.source;
-                let message = format!("more than {MAX_CASES} combinations of the indices");
-                return Err(Diagnostic::new(source, identity.right.span.clone(), message));
+                let cap = Cap::new("the number of combinations of the indices", MAX_CASES as u64);
+                return Err(beyond(&identity.right, cap));
             }
         }
         cases = longer;
@@ -107,9 +111,15 @@ fn bound(formula: &LocatedFormula, case: &Case) -> Result<i64, Diagnostic> {
     let values: BTreeMap<String, Rational> = case.values.iter().cloned().collect();
     let value =
         evaluate(&formula.expr, &Parameters(values)).map_err(|error| formula.diagnostic(&error))?;
-    let integer = value.numerator().within(1_000_000);
-    integer.filter(|_| value.is_integer()).ok_or_else(|| {
-        let message = format!("an index runs over integers up to 10^6, and this is {value}");
-        Diagnostic::new(&formula.source, formula.span.clone(), message)
-    })
+    if !value.is_integer() {
+        let message = format!("an index runs over integers, and this is {value}");
+        return Err(Diagnostic::new(&formula.source, formula.span.clone(), message));
+    }
+    let integer = value.numerator().within(MAX_INDEX);
+    integer.ok_or_else(|| beyond(formula, Cap::new("an index", MAX_INDEX.unsigned_abs())))
+}
+
+/// The error that a value is beyond a cap.
+fn beyond(formula: &LocatedFormula, cap: Cap) -> Diagnostic {
+    Diagnostic::new(&formula.source, formula.span.clone(), cap.to_string()).with_cap(Some(cap))
 }

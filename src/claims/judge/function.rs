@@ -14,15 +14,15 @@ pub(crate) fn judge<'a>(
     library: &Library<'_>,
 ) -> Result<FunctionFinding<'a>, Diagnostic> {
     let free = FreeParameter::new(paper, library, &claim.variable, claim.scheme.as_ref())?;
-    let (left, right) = (free.function(&claim.left)?, free.function(&claim.right)?);
-    let verdict = if left == right {
-        FunctionVerdict::Holds
-    } else {
-        FunctionVerdict::Fails {
+    let sides = Diagnostic::both(free.function(&claim.left), free.function(&claim.right));
+    let verdict = match Diagnostic::or_cap(sides)? {
+        Err(cap) => FunctionVerdict::BeyondCap(cap),
+        Ok((left, right)) if left == right => FunctionVerdict::Holds,
+        Ok((left, right)) => FunctionVerdict::Fails {
             larger: left.exceeds(&right),
             smaller: right.exceeds(&left),
             example: Box::new(example(&left, &right)),
-        }
+        },
     };
     Ok(FunctionFinding { id: format!("{}:{}", paper.key, claim.id), claim, verdict })
 }

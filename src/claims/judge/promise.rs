@@ -1,6 +1,7 @@
 //! The sound value of a bound or a depth, whatever its verdict is, and whether the printed number
 //! keeps its promise for every control polygon.
 
+use crate::cap::Cap;
 use crate::claim::{Cell, Promise};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::choices::DEPTH_ROUNDING;
@@ -19,6 +20,9 @@ use std::rc::Rc;
 /// The highest level at which a bound is computed.
 const MAX_BOUND_LEVEL: u32 = 1_000;
 
+/// The greatest absolute value of a level or an offset.
+const MAX_INTEGER: i64 = 10_000;
+
 /// Why there is no sound value: a finding, or an error of the claim file.
 enum NoSound {
     Because(String),
@@ -36,7 +40,8 @@ impl From<Outcome> for NoSound {
         NoSound::Because(match outcome {
             Outcome::Value(value) => value.to_string(),
             Outcome::Unstated(name) => format!("the paper does not state {name}"),
-            Outcome::Undefined(why) | Outcome::BeyondCaps(why) => why,
+            Outcome::Undefined(why) => why,
+            Outcome::BeyondCap(cap) => cap.to_string(),
         })
     }
 }
@@ -238,10 +243,14 @@ impl Evaluator<'_> {
 
     fn integer(&self, formula: &LocatedFormula, at: At<'_>) -> Result<i64, NoSound> {
         let value = self.number(formula, at)?;
-        let integer = value.numerator().within(10_000);
-        integer.filter(|_| value.is_integer()).ok_or_else(|| {
-            let message = format!("an integer from -10000 to 10000 is needed, and this is {value}");
-            NoSound::Wrong(Diagnostic::new(&formula.source, formula.span.clone(), message))
+        if !value.is_integer() {
+            let message = format!("an integer is needed, and this is {value}");
+            return Err(Diagnostic::new(&formula.source, formula.span.clone(), message).into());
+        }
+        let integer = value.numerator().within(MAX_INTEGER);
+        integer.ok_or_else(|| {
+            let cap = Cap::new("a level or an offset", MAX_INTEGER.unsigned_abs());
+            NoSound::Because(cap.to_string())
         })
     }
 }

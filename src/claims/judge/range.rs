@@ -7,7 +7,7 @@ use crate::evaluation::parametric::FreeParameter;
 use crate::exact::{
     Enclosed, Interval, IntervalSet, PiecewisePolynomial, Rational, RealAlgebraic, Rounding,
 };
-use crate::finding::{Direction, EndFinding, EndRelation, RangeFinding, RangeVerdict};
+use crate::finding::{Direction, EndFinding, EndRelation, FoundRange, RangeFinding, RangeVerdict};
 use crate::formula::{Parameters, evaluate};
 use std::ops::Bound;
 
@@ -18,24 +18,28 @@ pub(crate) fn judge<'a>(
     library: &Library<'_>,
 ) -> Result<RangeFinding<'a>, Diagnostic> {
     let free = FreeParameter::new(paper, library, &claim.variable, claim.scheme.as_ref())?;
-    let function = free.function(&claim.value)?;
     let formula = claim.limit.formula();
-    let limit = evaluate(&formula.expr, &Parameters::<Rational>::default())
-        .map_err(|error| formula.diagnostic(&error))?;
+    let limit = evaluate(&formula.expr, &Parameters::<Rational>::default());
+    let limit = limit.map_err(|error| formula.diagnostic(&error));
+    let sides = Diagnostic::or_cap(Diagnostic::both(free.function(&claim.value), limit))?;
+    let found = sides.map(|(function, limit)| compare(claim, &function, limit));
+    Ok(RangeFinding { id: format!("{}:{}", paper.key, claim.id), claim, found })
+}
+
+fn compare(claim: &RangeClaim, function: &PiecewisePolynomial, limit: Rational) -> FoundRange {
     let below = function.below(&limit);
     let above = function.exceeds(&PiecewisePolynomial::constant(limit.clone()));
     let exact = match &claim.limit {
         Limit::Below(_) => below.clone(),
         Limit::AtMost(_) => function.at_most(&limit),
     };
-    let comparison = Comparison { claim, function: &function, exact: &exact };
+    let comparison = Comparison { claim, function, exact: &exact };
     let sides = [(Side::Low, claim.from.as_ref()), (Side::High, claim.to.as_ref())];
     let ends = sides.map(|(side, printed)| printed.map(|printed| comparison.end(side, printed)));
     let verdict = comparison.verdict(&ends);
     let kept = exact.covers(&comparison.printed(&ends));
     let ends = ends.into_iter().flatten().collect();
-    let id = format!("{}:{}", paper.key, claim.id);
-    Ok(RangeFinding { id, claim, verdict, limit, exact, below, above, ends, kept })
+    FoundRange { verdict, limit, exact, below, above, ends, kept }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -117,8 +117,8 @@ impl TableFinding<'_> {
         for (row, cells) in self.cells.iter_mut().enumerate() {
             for (column, cell) in cells.iter_mut().enumerate() {
                 if cell.verdict == Verdict::Refuted && uncomputed.leaves_open((row, column)) {
-                    let why = format!("a reading may explain it; {}", uncomputed.why);
-                    cell.verdict = Verdict::NotCheckable(Missing::Capacity(why));
+                    let missing = Missing::Reading(uncomputed.cap.clone());
+                    cell.verdict = Verdict::NotCheckable(missing);
                 }
             }
         }
@@ -229,9 +229,9 @@ impl Evaluator<'_> {
         match outcome {
             Outcome::Value(value) => finding.exact = Some(value),
             Outcome::Undefined(why) => finding.undefined = Some(why),
-            Outcome::BeyondCaps(why) => {
-                finding.undefined = Some(why.clone());
-                beyond_caps = Some(Verdict::NotCheckable(Missing::Capacity(why)));
+            Outcome::BeyondCap(cap) => {
+                finding.undefined = Some(cap.to_string());
+                beyond_caps = Some(Verdict::NotCheckable(Missing::Capacity(cap)));
             }
             Outcome::Unstated(name) => finding.unknown = Some(name),
         }

@@ -1,6 +1,7 @@
 //! What the audit says of shipped constants.
 
 use super::claim::{Project, ShippedClaim};
+use crate::cap::Cap;
 use crate::exact::{Rational, RealExpression};
 
 /// The findings of a project.
@@ -59,17 +60,20 @@ impl ShippedFinding<'_> {
 /// A number, and what is said of it.
 #[derive(Clone)]
 pub struct ShippedCell {
-    /// The exact value.
-    pub exact: RealExpression,
+    /// The exact value, or the cap that it is beyond.
+    pub exact: Result<RealExpression, Cap>,
     /// The verdict.
     pub verdict: Verdict,
-    /// |held − exact|, to some 30 digits.
-    pub error: Rational,
+    /// |held − exact|, to some 30 digits; `None` beyond a cap.
+    pub error: Option<Rational>,
 }
 
 impl std::fmt::Debug for ShippedCell {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {:?}", self.exact, self.verdict)
+        match &self.exact {
+            Ok(exact) => write!(f, "{exact}: {:?}", self.verdict),
+            Err(cap) => write!(f, "{cap}: {:?}", self.verdict),
+        }
     }
 }
 
@@ -88,7 +92,7 @@ pub enum Verdict {
     Misprint(Misprint),
     /// So many leading digits agree.
     Refuted(u32),
-    /// It was not decided within the caps.
+    /// It was not decided within the caps, or the value is beyond one.
     Open,
 }
 

@@ -19,15 +19,16 @@ const EQUALITY_BITS: u64 = 10_000;
 /// and 2 count, which weights and filters have.
 pub(super) fn sums(claim: &ShippedClaim, cells: &[ShippedCell]) -> Option<BrokenSums> {
     let length = claim.line();
+    let values = values(cells)?;
     if !(2..=MAX_LINE).contains(&length) {
         return None;
     }
-    let exact = common_sum(cells, length)?;
+    let exact = common_sum(&values, length)?;
     let usual = |sum: i64| exact == Rational::from(sum);
     if cells.len() == length && !(0..=2).any(usual) {
         return None;
     }
-    let right = cells.iter().map(|cell| cell.exact.settled(|x| claim.kind.nearest(x)).flatten());
+    let right = values.iter().map(|value| value.settled(|x| claim.kind.nearest(x)).flatten());
     let right = right.collect::<Option<Vec<Rational>>>()?;
     let held: Vec<Rational> = claim.numbers.iter().map(|number| number.held.clone()).collect();
     let sums = |numbers: &[Rational]| -> Vec<Rational> {
@@ -47,10 +48,15 @@ pub(super) fn sums(claim: &ShippedClaim, cells: &[ShippedCell]) -> Option<Broken
     })
 }
 
+/// The exact values; `None` where one is beyond a cap.
+fn values(cells: &[ShippedCell]) -> Option<Vec<&RealExpression>> {
+    cells.iter().map(|cell| cell.exact.as_ref().ok()).collect()
+}
+
 /// The exact sum of every line, if they have one and it is a short fraction.
-fn common_sum(cells: &[ShippedCell], length: usize) -> Option<Rational> {
-    let sum = |line: &[ShippedCell]| RealExpression::total(line.iter().map(|cell| &cell.exact));
-    let mut lines = cells.chunks(length);
+fn common_sum(values: &[&RealExpression], length: usize) -> Option<Rational> {
+    let sum = |line: &[&RealExpression]| RealExpression::total(line.iter().copied());
+    let mut lines = values.chunks(length);
     let first = sum(lines.next()?);
     let value = simple(&first)?;
     let equal = |line: RealExpression| {
@@ -77,7 +83,8 @@ pub(super) fn equals(claim: &ShippedClaim, cells: &[ShippedCell]) -> Option<Spli
     // Equal values round to equal numbers; only those have to be compared exactly.
     let mut groups: BTreeMap<Option<String>, Vec<usize>> = BTreeMap::new();
     for (place, cell) in cells.iter().enumerate() {
-        let rounded = cell.exact.settled(|x| crate::exact::format::scientific(&x.abs(), 15));
+        let Ok(exact) = &cell.exact else { continue };
+        let rounded = exact.settled(|x| crate::exact::format::scientific(&x.abs(), 15));
         if rounded.is_some() {
             groups.entry(rounded).or_default().push(place);
         }
@@ -98,5 +105,6 @@ pub(super) fn equals(claim: &ShippedClaim, cells: &[ShippedCell]) -> Option<Spli
 /// Whether two numbers have one exact absolute value.
 fn same_size(one: &ShippedCell, other: &ShippedCell) -> bool {
     let zero = |value: RealExpression| value.sign_within(EQUALITY_BITS) == Some(0);
-    zero(one.exact.minus(&other.exact)) || zero(one.exact.plus(&other.exact))
+    let both = one.exact.as_ref().ok().zip(other.exact.as_ref().ok());
+    both.is_some_and(|(one, other)| zero(one.minus(other)) || zero(one.plus(other)))
 }

@@ -51,10 +51,11 @@ pub fn audit_shipped<'a>(
 ) -> Result<ShippedFinding<'a>, Diagnostic> {
     let values = Values::new(project, claim, None);
     let cell = |place: usize| {
-        let exact = values.at(&claim.exact, place)?;
-        let number = &claim.numbers[place];
-        let verdict = verdict(&exact, number, claim.kind);
-        let error = error(&exact, &number.held, claim.kind);
+        let exact = Diagnostic::or_cap(values.at(&claim.exact, place))?;
+        let (number, kind) = (&claim.numbers[place], claim.kind);
+        let known = exact.as_ref().ok();
+        let verdict = known.map_or(Verdict::Open, |exact| verdict(exact, number, kind));
+        let error = known.map(|exact| error(exact, &number.held, kind));
         Ok(ShippedCell { exact, verdict, error })
     };
     let cells = (0..claim.numbers.len()).map(cell).collect::<Result<Vec<_>, Diagnostic>>()?;
@@ -90,7 +91,8 @@ fn error(x: &RealExpression, held: &Rational, kind: NumberType) -> Rational {
 
 /// The place of the greatest error.
 fn farthest(cells: &[ShippedCell]) -> Option<usize> {
-    let mut places = (0..cells.len()).filter(|&place| !cells[place].error.is_zero());
+    let away = |place: &usize| cells[*place].error.as_ref().is_some_and(|error| !error.is_zero());
+    let mut places = (0..cells.len()).filter(away);
     let first = places.next()?;
     Some(places.fold(
         first,

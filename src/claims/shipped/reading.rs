@@ -99,7 +99,8 @@ fn explained_digits(claim: &ShippedClaim, cells: &[ShippedCell]) -> u32 {
         let number = &claim.numbers[place];
         let written = number.written.as_ref().and_then(|written| written.count);
         let typed = written.map_or(of_type, |(digits, _)| u32::try_from(digits).unwrap_or(of_type));
-        let agree = agreeing(&cell.exact, &number.held).unwrap_or(typed);
+        let agree = cell.exact.as_ref().ok().and_then(|exact| agreeing(exact, &number.held));
+        let agree = agree.unwrap_or(typed);
         typed.min(of_type).saturating_sub(agree)
     };
     cells.iter().enumerate().map(digits).sum()

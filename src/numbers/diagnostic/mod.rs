@@ -9,6 +9,7 @@ pub use errors::Errors;
 pub use json::{json_elements, json_fields, json_place};
 pub use wrap::wrapped;
 
+use crate::cap::Cap;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use std::fmt;
 use std::ops::Range;
@@ -48,6 +49,8 @@ pub struct Diagnostic {
     pub other: Option<Box<(Range<usize>, String)>>,
     /// What would be right.
     pub help: Option<String>,
+    /// The cap that a value is beyond, if nothing else is wrong.
+    pub cap: Option<Box<Cap>>,
 }
 
 /// How many characters `error: ` takes.
@@ -65,7 +68,7 @@ impl Diagnostic {
         message: impl Into<String>,
     ) -> Diagnostic {
         let (source, message) = (Arc::clone(source), message.into());
-        Diagnostic { source, span, message, label: None, other: None, help: None }
+        Diagnostic { source, span, message, label: None, other: None, help: None, cap: None }
     }
 
     /// Adds words for what stands at the place.
@@ -84,6 +87,35 @@ impl Diagnostic {
     #[must_use]
     pub fn with_help(self, help: impl Into<String>) -> Diagnostic {
         Diagnostic { help: Some(help.into()), ..self }
+    }
+
+    /// Says that nothing is wrong but that a value is beyond this cap, if there is one.
+    #[must_use]
+    pub fn with_cap(self, cap: Option<Cap>) -> Diagnostic {
+        Diagnostic { cap: cap.map(Box::new), ..self }
+    }
+
+    /// The value, or the cap that it is beyond; other errors stay errors.
+    ///
+    /// # Errors
+    /// Those of `found` without a cap.
+    pub fn or_cap<T>(found: Result<T, Diagnostic>) -> Result<Result<T, Cap>, Diagnostic> {
+        found.map(Ok).or_else(|mut error| error.cap.take().map(|cap| Err(*cap)).ok_or(error))
+    }
+
+    /// Both values. An error without a cap comes before one with a cap.
+    ///
+    /// # Errors
+    /// Those of the two.
+    pub fn both<A, B>(
+        first: Result<A, Diagnostic>,
+        second: Result<B, Diagnostic>,
+    ) -> Result<(A, B), Diagnostic> {
+        match (first, second) {
+            (Ok(first), Ok(second)) => Ok((first, second)),
+            (Err(first), Err(second)) if first.cap.is_some() && second.cap.is_none() => Err(second),
+            (Err(error), _) | (_, Err(error)) => Err(error),
+        }
     }
 
     /// Line and column of the place, both counted from 1.

@@ -2,6 +2,7 @@
 
 use super::scalar::{Real, Scalar};
 use super::{PiecewisePolynomial, Rational};
+use crate::cap::Cap;
 use std::fmt;
 
 /// The most pieces, and the greatest degree, that a function of a parameter may have.
@@ -38,8 +39,8 @@ const MAX_DEGREE: usize = 64;
 pub enum Parametric {
     /// A piecewise polynomial function of the parameter.
     Function(PiecewisePolynomial),
-    /// No function is known: a divisor depended on the parameter, or a cap was exceeded.
-    Outside,
+    /// No function is known: a value is beyond this cap, or without one, a divisor depended on the parameter.
+    Outside(Option<Cap>),
 }
 
 impl Parametric {
@@ -54,25 +55,43 @@ impl Parametric {
     pub fn function(&self) -> Option<&PiecewisePolynomial> {
         match self {
             Parametric::Function(function) => Some(function),
-            Parametric::Outside => None,
+            Parametric::Outside(_) => None,
         }
+    }
+
+    fn beyond(what: &'static str, most: usize) -> Parametric {
+        Parametric::Outside(Some(Cap::new(what, most as u64)))
     }
 
     fn with(
         &self,
         other: &Parametric,
-        apply: impl FnOnce(&PiecewisePolynomial, &PiecewisePolynomial) -> Option<PiecewisePolynomial>,
+        apply: impl FnOnce(
+            &PiecewisePolynomial,
+            &PiecewisePolynomial,
+        ) -> Result<PiecewisePolynomial, Parametric>,
     ) -> Parametric {
-        let both = self.function().zip(other.function());
-        both.and_then(|(left, right)| apply(left, right))
-            .filter(|function| function.piece_count() <= MAX_PIECES)
-            .map_or(Parametric::Outside, Parametric::Function)
+        let (left, right) = match (self, other) {
+            (Parametric::Function(left), Parametric::Function(right)) => (left, right),
+            // What has no function at any cap comes first.
+            (Parametric::Outside(None), _) | (_, Parametric::Outside(None)) => {
+                return Parametric::Outside(None);
+            }
+            (Parametric::Outside(cap), _) | (_, Parametric::Outside(cap)) => {
+                return Parametric::Outside(cap.clone());
+            }
+        };
+        match apply(left, right) {
+            Ok(function) if function.piece_count() <= MAX_PIECES => Parametric::Function(function),
+            Ok(_) => Parametric::beyond("the number of pieces of a function", MAX_PIECES),
+            Err(outside) => outside,
+        }
     }
 
     /// The lesser of the two.
     #[must_use]
     pub fn lesser(&self, other: &Parametric) -> Parametric {
-        self.with(other, |left, right| Some(left.lesser(right)))
+        self.with(other, |left, right| Ok(left.lesser(right)))
     }
 }
 
@@ -88,7 +107,8 @@ impl fmt::Display for Parametric {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Parametric::Function(function) => function.fmt(f),
-            Parametric::Outside => f.pad("a function that is not piecewise polynomial"),
+            Parametric::Outside(None) => f.pad("a function that is not piecewise polynomial"),
+            Parametric::Outside(Some(_)) => f.pad("a function beyond the caps"),
         }
     }
 }
@@ -98,14 +118,17 @@ impl Scalar for Parametric {
         Parametric::Function(PiecewisePolynomial::constant(value.clone()))
     }
     fn plus(&self, other: &Parametric) -> Parametric {
-        self.with(other, |left, right| Some(left.plus(right)))
+        self.with(other, |left, right| Ok(left.plus(right)))
     }
     fn minus(&self, other: &Parametric) -> Parametric {
-        self.with(other, |left, right| Some(left.minus(right)))
+        self.with(other, |left, right| Ok(left.minus(right)))
     }
     fn times(&self, other: &Parametric) -> Parametric {
         self.with(other, |left, right| {
-            (left.degree() + right.degree() <= MAX_DEGREE).then(|| left.times(right))
+            if left.degree() + right.degree() > MAX_DEGREE {
+                return Err(Parametric::beyond("the degree of a function", MAX_DEGREE));
+            }
+            Ok(left.times(right))
         })
     }
 }
@@ -114,12 +137,15 @@ impl Scalar for Parametric {
 /// in this class only for a constant divisor.
 impl Real for Parametric {
     fn magnitude(&self) -> Parametric {
-        self.with(self, |function, _| Some(function.magnitude()))
+        self.with(self, |function, _| Ok(function.magnitude()))
     }
     fn greater(&self, other: &Parametric) -> Parametric {
-        self.with(other, |left, right| Some(left.greater(right)))
+        self.with(other, |left, right| Ok(left.greater(right)))
     }
     fn over(&self, other: &Parametric) -> Parametric {
-        self.with(other, |left, right| Some(left.scaled(&right.as_constant()?.recip())))
+        self.with(other, |left, right| {
+            let divisor = right.as_constant().ok_or(Parametric::Outside(None))?;
+            Ok(left.scaled(&divisor.recip()))
+        })
     }
 }

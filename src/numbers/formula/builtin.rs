@@ -151,7 +151,7 @@ pub(super) fn apply<V: Value>(
 /// left · right.
 fn multiply<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
     if left.product_size(right) > MAX_BITS {
-        return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
+        return Err(FormulaErrorKind::too_large("the number of bits", MAX_BITS));
     }
     Ok(left.times(right))
 }
@@ -162,7 +162,7 @@ fn divide<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
         return Err(FormulaErrorKind::DivisionByZero);
     }
     if left.quotient_size(right) > MAX_BITS {
-        return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
+        return Err(FormulaErrorKind::too_large("the number of bits", MAX_BITS));
     }
     left.quotient(right).ok_or(FormulaErrorKind::Unsupported(
         "division by a symbolic parameter is not an identity of polynomials, and by what may be 0 it has no value",
@@ -175,15 +175,12 @@ pub(super) fn integer<V: Value>(what: &'static str, value: &V) -> Result<i64, Fo
     let rational = value.as_rational().filter(Rational::is_integer);
     let integer = rational
         .ok_or_else(|| FormulaErrorKind::NotAnInteger { what, value: value.to_string() })?;
-    integer
-        .numerator()
-        .within((1 << 40) - 1)
-        .ok_or(FormulaErrorKind::TooLarge { what, cap: 1 << 40 })
+    integer.numerator().within((1 << 40) - 1).ok_or(FormulaErrorKind::too_large(what, 1 << 40))
 }
 
 /// base^exponent, for an integer exponent.
 pub(super) fn power<V: Value>(base: &V, exponent: &V) -> Result<V, FormulaErrorKind> {
-    let too_large = FormulaErrorKind::TooLarge { what: "the power", cap: MAX_BITS };
+    let too_large = FormulaErrorKind::too_large("the power", MAX_BITS);
     let exponent = integer("an exponent", exponent)?;
     let magnitude = u32::try_from(exponent.unsigned_abs()).map_err(|_| too_large.clone())?;
     if let Some(base) = base.as_rational() {
@@ -198,7 +195,7 @@ pub(super) fn power<V: Value>(base: &V, exponent: &V) -> Result<V, FormulaErrorK
     }
     if u64::from(magnitude) > MAX_SYMBOLIC_POWER {
         let what = "the power of a symbol or cosine";
-        return Err(FormulaErrorKind::TooLarge { what, cap: MAX_SYMBOLIC_POWER });
+        return Err(FormulaErrorKind::too_large(what, MAX_SYMBOLIC_POWER));
     }
     let one = V::from_rational(&Rational::one());
     let power = (0..magnitude).try_fold(one.clone(), |power, _| multiply(&power, base))?;
@@ -214,7 +211,7 @@ fn binomial<V: Value>(top: &V, bottom: &V) -> Result<V, FormulaErrorKind> {
     }
     let cap = if top.as_rational().is_some() { MAX_BINOMIAL } else { MAX_SYMBOLIC_POWER };
     if bottom.unsigned_abs() > cap {
-        return Err(FormulaErrorKind::TooLarge { what, cap });
+        return Err(FormulaErrorKind::too_large(what, cap));
     }
     let Some(top) = top.as_rational() else {
         let factor = |i| top.minus(&V::from_rational(&Rational::from(i)));
@@ -224,7 +221,7 @@ fn binomial<V: Value>(top: &V, bottom: &V) -> Result<V, FormulaErrorKind> {
     };
     // Each factor adds at most the bits of `top` plus 14, as an index is below 2^14.
     if bottom.unsigned_abs().saturating_mul(top.bits() + 14) > MAX_BITS {
-        return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
+        return Err(FormulaErrorKind::too_large("the number of bits", MAX_BITS));
     }
     // With top = p/q the factors are (p − iq)/q. The numerators are coprime to q. Their product is
     // divisible by the part of bottom! that is coprime to q, since binomial coefficients of p/q are

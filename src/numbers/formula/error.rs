@@ -1,6 +1,7 @@
 //! Errors of formulas, with their places.
 
 use super::ast::Span;
+use crate::cap::Cap;
 use crate::diagnostic::Diagnostic;
 use crate::suggestion::known_here as names;
 
@@ -64,9 +65,9 @@ pub enum FormulaErrorKind {
     /// A value that does not exist, in a well-formed formula.
     #[error("{0}")]
     Undefined(String),
-    /// A value that is not computed; the text names the cap.
+    /// A value that is not computed.
     #[error("{0}")]
-    BeyondCaps(String),
+    BeyondCap(Cap),
     /// x/0.
     #[error("division by zero")]
     DivisionByZero,
@@ -99,14 +100,24 @@ pub enum FormulaErrorKind {
     /// π outside an angle.
     #[error("`pi` stands for an angle, and only inside `cos`, as in cos(2*pi*j/n)")]
     PiOutsideCosine,
-    /// A cap was reached.
-    #[error("{what} is too large; at most {cap}")]
-    TooLarge {
-        /// What is too large.
-        what: &'static str,
-        /// The cap.
-        cap: u64,
-    },
+}
+
+impl FormulaErrorKind {
+    /// Something is too large.
+    pub(crate) fn too_large(what: &'static str, most: u64) -> FormulaErrorKind {
+        FormulaErrorKind::BeyondCap(Cap::new(what, most))
+    }
+
+    /// The cap that the value is beyond, if nothing else is wrong.
+    #[must_use]
+    pub fn cap(&self) -> Option<Cap> {
+        match self {
+            FormulaErrorKind::BeyondCap(cap) => Some(cap.clone()),
+            FormulaErrorKind::Cosine(error) => error.cap(),
+            FormulaErrorKind::Field(error) => error.cap(),
+            _ => None,
+        }
+    }
 }
 
 /// Why a name or function of a context gives no value. The evaluator adds the place.
@@ -118,8 +129,8 @@ pub enum CallError {
     Misuse(String),
     /// The value does not exist. The text says why.
     Undefined(String),
-    /// The value is not computed. The text names the cap.
-    BeyondCaps(String),
+    /// The value is not computed.
+    BeyondCap(Cap),
     /// An error in a formula that the function stands for.
     Inner(FormulaErrorKind),
     /// An error in a definition in a file, and its place there.

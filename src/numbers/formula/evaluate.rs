@@ -60,7 +60,7 @@ impl<V: Value> Evaluator<'_, V> {
         self.work.spent.set(spent);
         if spent > MAX_WORK {
             let what = "the work of this formula";
-            return fail(FormulaErrorKind::TooLarge { what, cap: MAX_WORK }, span);
+            return fail(FormulaErrorKind::too_large(what, MAX_WORK), span);
         }
         Ok(value)
     }
@@ -70,7 +70,7 @@ impl<V: Value> Evaluator<'_, V> {
         if depth >= MAX_DEPTH {
             let what = "the nesting of this formula and those it names";
             let cap = u64::from(MAX_DEPTH);
-            return fail(FormulaErrorKind::TooLarge { what, cap }, &expr.span);
+            return fail(FormulaErrorKind::too_large(what, cap), &expr.span);
         }
         self.work.depth.set(depth + 1);
         let value = self.node(expr, indices);
@@ -292,7 +292,7 @@ fn fail_call<T>(error: CallError, name: &str, span: &Span) -> Result<T, FormulaE
         }
         CallError::Misuse(message) => (FormulaErrorKind::Call(message), None),
         CallError::Undefined(message) => (FormulaErrorKind::Undefined(message), None),
-        CallError::BeyondCaps(message) => (FormulaErrorKind::BeyondCaps(message), None),
+        CallError::BeyondCap(cap) => (FormulaErrorKind::BeyondCap(cap), None),
         CallError::Inner(kind) => (kind, None),
         CallError::Definition(kind, place) => (kind, Some(place)),
     };

@@ -66,5 +66,5 @@ fn locate(
         }
         None => span.clone(),
     };
-    Diagnostic::new(source, place, error.kind.to_string())
+    Diagnostic::new(source, place, error.kind.to_string()).with_cap(error.kind.cap())
 }

@@ -14,8 +14,8 @@ pub enum RootError {
     Irrational,
     /// The values are of a type without roots.
     NotHere,
-    /// The polynomial has this degree, which is too large.
-    Degree(usize),
+    /// The degree of the polynomial is too large.
+    Degree,
     /// The coefficients themselves have roots in them.
     Coefficients,
     /// The sign of a radicand is not decided.
@@ -31,9 +31,10 @@ impl From<RootError> for FormulaErrorKind {
                 "`sqrt` and `root` are for masks without free parameters, for the parameters of schemes, and for \
                  constants of programs",
             ),
-            RootError::Degree(degree) => FormulaErrorKind::Undefined(format!(
-                "a root of a polynomial of degree {degree}, which is above {MAX_ROOT_DEGREE},"
-            )),
+            RootError::Degree => FormulaErrorKind::too_large(
+                "the degree of a polynomial of a root",
+                MAX_ROOT_DEGREE as u64,
+            ),
             RootError::Coefficients => FormulaErrorKind::Unsupported(
                 "the coefficients of `root` are numbers without `sqrt` and `root` here",
             ),

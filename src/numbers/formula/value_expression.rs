@@ -82,7 +82,7 @@ impl Value for RealExpression {
         let place = usize::try_from(number).unwrap_or(0);
         RealExpression::root(&numbers, place).map_err(|error| match error {
             exact::RootError::Constant => RootError::Field(FieldError::Zero),
-            exact::RootError::Degree(degree) => RootError::Degree(degree),
+            exact::RootError::Degree(_) => RootError::Degree,
             exact::RootError::Index { count, .. } => missing(count, number),
             _ => missing(0, number),
         })

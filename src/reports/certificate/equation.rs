@@ -19,6 +19,7 @@ pub(super) fn block(finding: &EquationFinding<'_>) -> Block {
             }
         }
         EquationVerdict::NotCheckable(_) => {}
+        EquationVerdict::BeyondCap(cap) => block.give_up(cap.to_string()),
     }
     block
 }

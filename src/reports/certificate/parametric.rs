@@ -24,6 +24,7 @@ pub(super) fn function(finding: &FunctionFinding<'_>) -> Block {
             pieces(&mut block, smaller, larger);
             block.line(format!("fails {} {} {}", example.at, example.left, example.right));
         }
+        FunctionVerdict::BeyondCap(cap) => block.give_up(cap.to_string()),
     }
     block
 }
@@ -38,14 +39,21 @@ pub(super) fn range(finding: &RangeFinding<'_>) -> Block {
         Limit::AtMost(_) => "at-most",
     };
     block.restate(relation, &claim.limit.formula().text);
-    pieces(&mut block, &finding.below, &finding.above);
+    let found = match &finding.found {
+        Ok(found) => found,
+        Err(cap) => {
+            block.give_up(cap.to_string());
+            return block;
+        }
+    };
+    pieces(&mut block, &found.below, &found.above);
     let sides = [("from", &claim.from), ("to", &claim.to)];
     let printed = sides.into_iter().filter(|(_, printed)| printed.is_some());
-    for ((side, _), end) in printed.zip(&finding.ends) {
+    for ((side, _), end) in printed.zip(&found.ends) {
         let exact = end.exact.as_ref().map_or("none".to_owned(), place);
         block.line(format!("end {side} \"{}\" {exact} {}", end.printed, self::relation(end)));
     }
-    block.line(finding.verdict.name());
+    block.line(found.verdict.name());
     block
 }
 

@@ -24,7 +24,11 @@ pub(super) fn block(finding: &SmoothnessFinding<'_>) -> Block {
     };
     match finding.verdict {
         SmoothnessVerdict::Open => block.give_up("it is open"),
-        SmoothnessVerdict::NotCheckable => block.give_up("the rules are beyond a cap"),
+        _ => {}
+    }
+    match &finding.known {
+        Known::Capped(why) => block.give_up(why.clone()),
+        Known::BeyondCap(cap) => block.give_up(cap.to_string()),
         _ => {}
     }
     let scheme = scheme.reference.to_string();

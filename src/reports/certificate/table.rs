@@ -91,7 +91,7 @@ fn families(
         let search = finding.search_of(kind);
         let whole = !refuted.is_empty() || search.is_some_and(Search::takes_from_elsewhere);
         if let Some(uncomputed) = search.and_then(|search| search.uncomputed.as_ref()) {
-            block.give_up(uncomputed.why.clone());
+            block.give_up(uncomputed.cap.to_string());
             return;
         }
         match readings(paper, finding, kind) {
@@ -151,7 +151,7 @@ fn verdict(
         Verdict::Refuted if cell.verdict_if_assumed.is_some() => "differs".to_owned(),
         Verdict::Refuted => "refuted".to_owned(),
         Verdict::NotCheckable(_) if cell.unknown.is_some() => "unknown".to_owned(),
-        Verdict::NotCheckable(Missing::Capacity(why)) => return Err(why.clone()),
+        Verdict::NotCheckable(Missing::Capacity(cap)) => return Err(cap.to_string()),
         Verdict::NotCheckable(missing) => return Err(format!("a cell is not judged: {missing}")),
     })
 }

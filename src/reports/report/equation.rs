@@ -1,5 +1,6 @@
 //! The report of equations.
 
+use super::function::beyond;
 use super::parts::{mark, titled};
 use super::sheet::Sheet;
 use crate::audit::{EquationFinding, EquationVerdict};
@@ -37,6 +38,7 @@ pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
             format!("holds in all {cases} cases{}", compared(finding))
         }
         EquationVerdict::NotCheckable(absent) => format!("not checkable without {absent}"),
+        EquationVerdict::BeyondCap(cap) => beyond(cap),
         EquationVerdict::Fails { cases, failures, mends } => {
             let mut lines = vec![match cases {
                 1 => "fails".to_owned(),

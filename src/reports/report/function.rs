@@ -3,8 +3,8 @@
 use super::parts::{definitions, mark, titled};
 use super::sheet::Sheet;
 use crate::audit::{
-    EndFinding, EndRelation, FunctionFinding, FunctionVerdict, PaperAudit, RangeFinding,
-    RangeVerdict,
+    EndFinding, EndRelation, FoundRange, FunctionFinding, FunctionVerdict, PaperAudit,
+    RangeFinding, RangeVerdict,
 };
 use crate::exact::format::short;
 
@@ -19,12 +19,13 @@ pub(super) fn sections(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
         (format!("{} {}", mark(finding.verdict.name()), claim.locus), lines)
     });
     section(sheet, "Functions of a parameter", facts.collect());
-    let wrong = |finding: &&RangeFinding<'_>| all || finding.verdict != RangeVerdict::Exact;
+    let wrong =
+        |finding: &&RangeFinding<'_>| all || finding.verdict() != RangeVerdict::Exact.name();
     let facts = audit.ranges.iter().filter(wrong).map(|finding| {
         let claim = finding.claim;
         let title = titled(&[&claim.title, &claim.id]);
         let lines = lines(title, range_outcome(finding), claim.note.as_deref());
-        (format!("{} {}", mark(finding.verdict.name()), claim.locus), lines)
+        (format!("{} {}", mark(finding.verdict()), claim.locus), lines)
     });
     section(sheet, "Parameter ranges", facts.collect());
 }
@@ -70,7 +71,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     let condition =
         format!("{} {} {}", claim.value.text, claim.limit.relation(), claim.limit.formula().text);
     facts.push(("condition".to_owned(), condition));
-    facts.push((verdict(finding.verdict.name()), range_outcome(finding).join("\n")));
+    facts.push((verdict(finding.verdict()), range_outcome(finding).join("\n")));
     facts.extend(claim.note.clone().map(|note| ("note".to_owned(), note)));
     sheet.facts(facts);
     Some(sheet)
@@ -82,8 +83,10 @@ fn verdict(name: &str) -> String {
 
 pub(super) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
     let variable = &finding.claim.variable;
-    let FunctionVerdict::Fails { larger, smaller, example } = &finding.verdict else {
-        return vec![format!("holds for every {variable}")];
+    let (larger, smaller, example) = match &finding.verdict {
+        FunctionVerdict::Fails { larger, smaller, example } => (larger, smaller, example),
+        FunctionVerdict::Holds => return vec![format!("holds for every {variable}")],
+        FunctionVerdict::BeyondCap(cap) => return vec![beyond(cap)],
     };
     let mut lines = Vec::new();
     for (what, set) in [("larger", larger), ("smaller", smaller)] {
@@ -97,14 +100,18 @@ pub(super) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
 }
 
 pub(super) fn range_outcome(finding: &RangeFinding<'_>) -> Vec<String> {
-    let exact = finding.exact.describe(&finding.claim.variable);
-    if finding.verdict == RangeVerdict::Exact {
+    let found = match &finding.found {
+        Ok(found) => found,
+        Err(cap) => return vec![beyond(cap)],
+    };
+    let exact = found.exact.describe(&finding.claim.variable);
+    if found.verdict == RangeVerdict::Exact {
         return vec![format!("exactly {exact}")];
     }
     let mut lines = vec![format!("printed {}; exactly {exact}", printed(finding))];
-    lines.extend(finding.ends.iter().map(|end| end_text(finding, end)));
+    lines.extend(found.ends.iter().map(|end| end_text(found, end)));
     lines.push(
-        if finding.kept {
+        if found.kept {
             "The condition holds in the whole printed range."
         } else {
             "The condition fails in a part of the printed range."
@@ -114,7 +121,12 @@ pub(super) fn range_outcome(finding: &RangeFinding<'_>) -> Vec<String> {
     lines
 }
 
-fn end_text(finding: &RangeFinding<'_>, end: &EndFinding) -> String {
+/// That a value is beyond a cap, so that nothing is said of the claim.
+pub(super) fn beyond(cap: &dyn std::fmt::Display) -> String {
+    format!("not checkable: {cap}")
+}
+
+fn end_text(found: &FoundRange, end: &EndFinding) -> String {
     let against = match (&end.exact, end.relation) {
         (None, _) => "the exact set has no such end".to_owned(),
         (Some(exact), EndRelation::Equal) => format!("exactly {exact}"),
@@ -124,7 +136,7 @@ fn end_text(finding: &RangeFinding<'_>, end: &EndFinding) -> String {
         (Some(exact), relation) => format!("{relation}, {exact} = {}", short(exact, 6)),
     };
     let place = if end.inside { "inside the exact set" } else { "outside the exact set" };
-    let (value, limit) = (short(&end.value, 6), &finding.limit);
+    let (value, limit) = (short(&end.value, 6), &found.limit);
     format!("{}: {against}; {place}, with {value} against {limit}", end.printed)
 }
 

@@ -21,7 +21,7 @@ pub(super) fn headline(audit: &PaperAudit<'_>) -> String {
     let (about, first) = first(audit);
     let promises = if about == About::Promises { open_promises(audit) } else { promises(audit) };
     let claims = claims(audit, about);
-    let rest = cells(audit).into_iter().chain(promises).chain(claims);
+    let rest = cells(audit).into_iter().chain(promises).chain(claims).chain(beyond(audit));
     let mut sentences: Vec<String> = unstated_offsets(audit).collect();
     sentences.push(if sentences.is_empty() { first } else { capital(&first) });
     sentences.extend(rest);
@@ -318,6 +318,15 @@ fn kinds(audit: &PaperAudit<'_>) -> Vec<Kind> {
         },
     ];
     kinds.into_iter().filter(|kind| kind.all() > 0).collect()
+}
+
+/// `2 claims need a value beyond a cap.`
+fn beyond(audit: &PaperAudit<'_>) -> Option<String> {
+    match audit.beyond_caps().len() {
+        0 => None,
+        1 => Some("1 claim needs a value beyond a cap.".to_owned()),
+        count => Some(format!("{count} claims need a value beyond a cap.")),
+    }
 }
 
 /// `15 of 43 equations fail and 8 of 10 theorems are refuted.`, without what is said already.

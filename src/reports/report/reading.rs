@@ -45,8 +45,8 @@ pub(super) fn remark(search: &Search) -> String {
 
 /// Which values of readings were not computed.
 fn uncomputed(search: &Search) -> String {
-    let why = search.uncomputed.as_ref().map(|uncomputed| &uncomputed.why);
-    why.map_or_else(String::new, |why| format!(" Not every reading is computed: {why}."))
+    let cap = search.uncomputed.as_ref().map(|uncomputed| &uncomputed.cap);
+    cap.map_or_else(String::new, |cap| format!(" Not every reading is computed: {cap}."))
 }
 
 /// The readings of single rows and columns, a sentence each.

@@ -1,5 +1,6 @@
 //! Findings about the smoothness of limits.
 
+use super::function::beyond;
 use super::parts::{mark, titled};
 use super::regularity;
 use super::set::set_text;
@@ -179,7 +180,8 @@ pub(super) fn printed(range: &SmoothRangeStatement) -> String {
 pub(super) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
     let mut lines = match &finding.known {
         Known::Absent(absent) => vec![format!("not checkable without {absent}")],
-        Known::Capped(reason) => vec![format!("not checkable: {reason}")],
+        Known::Capped(reason) => vec![beyond(reason)],
+        Known::BeyondCap(cap) => vec![beyond(cap)],
         Known::Limits(limits) => vec![of_limits(limits)],
         Known::Range(range) => of_range(finding, range),
         Known::Vertices(found) => {
@@ -331,7 +333,7 @@ pub(super) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> 
             let witness = found.iter().find_map(|one| one.witness.as_ref());
             return witness.map_or_else(Vec::new, |witness| vertex_facts(&witness.vertex));
         }
-        Known::Absent(_) | Known::Capped(_) => return Vec::new(),
+        Known::Absent(_) | Known::Capped(_) | Known::BeyondCap(_) => return Vec::new(),
     };
     let deciding = limits.smoothness.deciding();
     let (n, size) = (deciding.symbol.arity(), deciding.matrices.size());

@@ -2,6 +2,7 @@
 
 use super::power::{Order, oriented};
 use super::walk::walk_rows;
+use crate::cap::Cap;
 use crate::exact::{
     Integer, IntegerPolynomial, PiecewisePolynomial, Polynomial, Rational, RationalPolynomial,
 };
@@ -45,6 +46,20 @@ pub enum RangeError {
         /// cd.
         degree: usize,
     },
+}
+
+impl RangeError {
+    /// The cap that the work is beyond.
+    #[must_use]
+    pub fn cap(&self) -> Option<Cap> {
+        match self {
+            RangeError::NotPolynomial { .. } => None,
+            RangeError::Work { arity, levels, .. } => {
+                let what = format!("the work for {arity}^{levels} row sums that are functions");
+                Some(Cap::new(what, MAX_RANGE_WORK))
+            }
+        }
+    }
 }
 
 /// The rules with their coefficients as polynomials in `parameter`.

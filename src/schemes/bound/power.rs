@@ -1,5 +1,6 @@
 //! The powers of an operator: the order in which rules are read, norms, and caps.
 
+use crate::cap::Cap;
 use crate::exact::{Integer, Rational, Scalar};
 use crate::scheme::Rules;
 
@@ -51,6 +52,17 @@ pub struct ClassCap {
 }
 
 impl ClassCap {
+    /// The cap on levels or on work that a search is beyond.
+    #[must_use]
+    pub fn cap(&self) -> Cap {
+        let ClassCap { arity, levels, work } = self;
+        if *levels > MAX_LEVELS {
+            return Cap::new(format!("the number {levels} of levels"), MAX_LEVELS.into());
+        }
+        let what = format!("the work for the largest of {arity}^{levels} row sums");
+        Cap::new(what, *work)
+    }
+
     /// Checks that the residue classes mod `arity`^`levels` are few enough to visit all.
     ///
     /// # Errors

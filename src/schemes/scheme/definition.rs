@@ -4,6 +4,7 @@ use super::error::SchemeError;
 use super::local_formulas::LocalFormulas;
 use super::mask::{Mask, MaskError};
 use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
+use crate::cap::Cap;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, common_conductor};
 use crate::formula::{LocatedFormula, Scope, Value, evaluate};
@@ -136,7 +137,8 @@ impl SchemeDefinition {
         let mut conductors = coefficients.map(Value::conductor);
         conductors.try_fold(1, common_conductor).map(|_| ()).map_err(|error| {
             let (source, span) = self.whole();
-            SchemeError::File(Box::new(Diagnostic::new(source, span, error.to_string())))
+            let diagnostic = Diagnostic::new(source, span, error.to_string());
+            SchemeError::File(Box::new(diagnostic.with_cap(error.cap())))
         })
     }
 
@@ -145,7 +147,8 @@ impl SchemeDefinition {
         let lengths: Vec<usize> = rows.iter().map(Vec::len).collect();
         let all = V::together(rows.into_iter().flatten().collect()).map_err(|error| {
             let (source, span) = self.whole();
-            SchemeError::File(Box::new(Diagnostic::new(source, span, error.to_string())))
+            let diagnostic = Diagnostic::new(source, span, error.to_string());
+            SchemeError::File(Box::new(diagnostic.with_cap(error.cap())))
         })?;
         let mut all = all.into_iter();
         Ok(lengths.into_iter().map(|length| all.by_ref().take(length).collect()).collect())
@@ -227,12 +230,16 @@ impl SchemeDefinition {
     ) -> Result<i64, SchemeError> {
         let value = self.value(formula, parameters, indices)?;
         let integer = value.as_rational().filter(Rational::is_integer);
-        let integer = integer.and_then(|value| value.numerator().to_i64());
-        integer.filter(|value| range.contains(value)).ok_or_else(|| {
+        let found = integer.as_ref().and_then(|value| value.numerator().to_i64());
+        found.filter(|value| range.contains(value)).ok_or_else(|| {
             let (low, high) = (range.start, range.end - 1);
             let message = format!("{what} is {value}; it must be an integer from {low} to {high}");
-            let source = &formula.source;
-            SchemeError::File(Box::new(Diagnostic::new(source, formula.span.clone(), message)))
+            // A number below the range is a cap only where the range has two signs.
+            let size = |value: Rational| if low < 0 { value.abs() } else { value };
+            let beyond = integer.is_some_and(|value| size(value) > Rational::from(high));
+            let cap = beyond.then(|| Cap::new(what.to_owned(), high.unsigned_abs()));
+            let diagnostic = Diagnostic::new(&formula.source, formula.span.clone(), message);
+            SchemeError::File(Box::new(diagnostic.with_cap(cap)))
         })
     }
 
@@ -246,7 +253,7 @@ impl SchemeDefinition {
             ) => (&rows[*rule][0].source, extent(&rows[*rule..=*rule])),
             _ => self.whole(),
         };
-        Diagnostic::new(source, span, error.to_string())
+        Diagnostic::new(source, span, error.to_string()).with_cap(error.cap())
     }
 
     /// The place that spans all coefficients.

@@ -1,5 +1,6 @@
 //! Why a text gives no scheme.
 
+use crate::cap::Cap;
 use crate::diagnostic::Diagnostic;
 use crate::formula::FormulaError;
 use crate::suggestion::known as names;
@@ -180,6 +181,20 @@ pub enum SchemeError {
     /// An error in the scheme's file.
     #[error("{}", .0.in_words())]
     File(Box<Diagnostic>),
+}
+
+impl SchemeError {
+    /// The cap that the scheme is beyond, if nothing else is wrong.
+    #[must_use]
+    pub fn cap(&self) -> Option<Cap> {
+        match self {
+            SchemeError::File(error) => error.cap.as_deref().cloned(),
+            SchemeError::TooManyNames { cap, .. } => {
+                Some(Cap::new("the number of names that stand for one another", *cap as u64))
+            }
+            _ => None,
+        }
+    }
 }
 
 fn parameters(known: &[String]) -> String {

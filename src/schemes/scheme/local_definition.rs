@@ -213,5 +213,7 @@ fn index(i: usize) -> i64 {
 
 fn at_formula(formula: &LocatedFormula, error: &LocalError) -> SchemeError {
     let span = formula.span.clone();
-    SchemeError::File(Box::new(Diagnostic::new(&formula.source, span, error.to_string())))
+    SchemeError::File(Box::new(
+        Diagnostic::new(&formula.source, span, error.to_string()).with_cap(error.cap()),
+    ))
 }

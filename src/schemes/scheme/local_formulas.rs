@@ -84,7 +84,9 @@ impl LocalFormulas {
             }
             _ => self.whole(),
         };
-        SchemeError::File(Box::new(at(Diagnostic::new(source, span, error.to_string()))))
+        SchemeError::File(Box::new(at(
+            Diagnostic::new(source, span, error.to_string()).with_cap(error.cap())
+        )))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Rings: valence-dependent rules around an extraordinary vertex or face.
 
+use crate::cap::Cap;
 use crate::exact::{Matrix, Rational, RealCyclotomic, Scalar};
 use std::collections::{BTreeSet, HashSet};
 use std::fmt::Display;
@@ -82,6 +83,19 @@ pub enum LocalError {
         /// A point that is not connected to the first one.
         point: String,
     },
+}
+
+impl LocalError {
+    /// The cap that the ring is beyond, if this is what is wrong.
+    #[must_use]
+    pub fn cap(&self) -> Option<Cap> {
+        match self {
+            LocalError::Points(points) if *points > MAX_LOCAL_POINTS => {
+                Some(Cap::new("the number of points of a ring", MAX_LOCAL_POINTS as u64))
+            }
+            _ => None,
+        }
+    }
 }
 
 impl<S: Scalar + Eq + Hash + Display> LocalRules<S> {

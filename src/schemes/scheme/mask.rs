@@ -1,6 +1,7 @@
 //! Masks: affine refinement rules.
 
 use super::rules::{Rules, RulesError};
+use crate::cap::Cap;
 use crate::exact::{Rational, Scalar};
 use std::fmt::Display;
 
@@ -30,6 +31,17 @@ pub enum MaskError {
         /// Its sum minus 1.
         excess: String,
     },
+}
+
+impl MaskError {
+    /// The cap that the mask is beyond, if this is what is wrong.
+    #[must_use]
+    pub fn cap(&self) -> Option<Cap> {
+        match self {
+            MaskError::Rules(error) => error.cap(),
+            MaskError::NotAffine { .. } => None,
+        }
+    }
 }
 
 impl<S: Scalar + PartialEq + Display> Mask<S> {

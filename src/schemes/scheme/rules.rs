@@ -1,5 +1,6 @@
 //! Refinement rules: what masks and difference masks have in common.
 
+use crate::cap::Cap;
 use crate::exact::{Rational, Scalar};
 
 /// The largest arity n.
@@ -39,6 +40,19 @@ pub enum RulesError {
         /// The length of rule 0.
         expected: usize,
     },
+}
+
+impl RulesError {
+    /// The cap that the rules are beyond, if this is what is wrong.
+    #[must_use]
+    pub fn cap(&self) -> Option<Cap> {
+        let (what, found, most) = match self {
+            RulesError::Arity(found) => ("the arity", found, MAX_ARITY),
+            RulesError::Width(found) => ("the width", found, MAX_WIDTH),
+            RulesError::Ragged { .. } => return None,
+        };
+        (*found > most).then(|| Cap::new(what, most as u64))
+    }
 }
 
 impl<S: Scalar> Rules<S> {

@@ -70,7 +70,7 @@ impl<'a> PaperAudit<'a> {
                 consequences.used_by = self.used_by(&finding.claim.left.text);
             }
             Subject::Equation(_)
-            | Subject::Range(_)
+            | Subject::Range(..)
             | Subject::Smoothness(_)
             | Subject::Theorem(_) => {}
         }

@@ -48,8 +48,8 @@ impl Erratum<'_, '_> {
             Subject::Cells(_) if self.consequences.broken > 0 => Harm::Broken,
             Subject::Cells(_) if self.consequences.open > 0 => Harm::Unshown,
             Subject::Cells(_) => Harm::Number,
-            Subject::Range(finding) if finding.kept => Harm::NotSharp,
-            Subject::Range(_) => Harm::Broken,
+            Subject::Range(_, found) if found.kept => Harm::NotSharp,
+            Subject::Range(..) => Harm::Broken,
             Subject::Equation(_) | Subject::Function(_) => Harm::Formula,
         }
     }

@@ -13,8 +13,9 @@ use crate::digest::cause::Cause;
 use crate::digest::summary::{CellOutcome, CellSummary, Standing};
 use crate::exact::Rounding;
 use crate::finding::{
-    CellFinding, EquationFinding, EquationVerdict, FunctionFinding, FunctionVerdict, PaperAudit,
-    RangeFinding, RangeVerdict, SmoothnessFinding, SmoothnessVerdict, TableFinding, TheoremFinding,
+    CellFinding, EquationFinding, EquationVerdict, FoundRange, FunctionFinding, FunctionVerdict,
+    PaperAudit, RangeFinding, RangeVerdict, SmoothnessFinding, SmoothnessVerdict, TableFinding,
+    TheoremFinding,
 };
 use std::collections::BTreeMap;
 
@@ -51,7 +52,7 @@ pub enum Subject<'e, 'a> {
     /// A closed form in a free parameter.
     Function(&'e FunctionFinding<'a>),
     /// A range of a free parameter.
-    Range(&'e RangeFinding<'a>),
+    Range(&'e RangeFinding<'a>, &'e FoundRange),
     /// A refuted claim about smoothness.
     Smoothness(&'e SmoothnessFinding<'a>),
     /// A refuted theorem.
@@ -107,16 +108,19 @@ impl<'a> PaperAudit<'a> {
         let tables = self.tables.iter().flat_map(cell_errata).map(Subject::Cells);
         let fails = |verdict: &EquationVerdict| matches!(verdict, EquationVerdict::Fails { .. });
         let equations = self.equations.iter().filter(|finding| fails(&finding.verdict));
-        let fails = |verdict: &FunctionVerdict| *verdict != FunctionVerdict::Holds;
+        let fails = |verdict: &FunctionVerdict| matches!(verdict, FunctionVerdict::Fails { .. });
         let functions = self.functions.iter().filter(|finding| fails(&finding.verdict));
-        let ranges = self.ranges.iter().filter(|finding| finding.verdict == RangeVerdict::Inexact);
+        let ranges = self.ranges.iter().filter_map(|finding| {
+            let found = finding.found.as_ref().ok()?;
+            (found.verdict == RangeVerdict::Inexact).then_some(Subject::Range(finding, found))
+        });
         let smoothness = self.smoothness.iter();
         let smoothness = smoothness.filter(|finding| finding.verdict == SmoothnessVerdict::Refuted);
         let theorems = self.theorems.iter().filter(|finding| finding.verdict.name() == "refuted");
         let subjects = tables
             .chain(equations.map(Subject::Equation))
             .chain(functions.map(Subject::Function))
-            .chain(ranges.map(Subject::Range))
+            .chain(ranges)
             .chain(smoothness.map(Subject::Smoothness))
             .chain(theorems.map(Subject::Theorem));
         let errata = subjects.map(|subject| {
@@ -138,7 +142,7 @@ impl<'a> Subject<'_, 'a> {
             Subject::Cells(cells) => &cells.finding.table.id,
             Subject::Equation(finding) => &finding.equation.id,
             Subject::Function(finding) => &finding.claim.id,
-            Subject::Range(finding) => &finding.claim.id,
+            Subject::Range(finding, _) => &finding.claim.id,
             Subject::Smoothness(finding) => &finding.claim.id,
             Subject::Theorem(finding) => &finding.theorem.id,
         }
@@ -151,7 +155,7 @@ impl<'a> Subject<'_, 'a> {
             Subject::Cells(cells) => &cells.finding.table.locus,
             Subject::Equation(finding) => &finding.equation.locus,
             Subject::Function(finding) => &finding.claim.locus,
-            Subject::Range(finding) => &finding.claim.locus,
+            Subject::Range(finding, _) => &finding.claim.locus,
             Subject::Smoothness(finding) => &finding.claim.locus,
             Subject::Theorem(finding) => &finding.theorem.locus,
         }
@@ -168,7 +172,7 @@ impl Subject<'_, '_> {
             }
             Subject::Equation(finding) => finding.verdict.name(),
             Subject::Function(finding) => finding.verdict.name(),
-            Subject::Range(finding) => finding.verdict.name(),
+            Subject::Range(_, found) => found.verdict.name(),
             Subject::Smoothness(finding) => finding.verdict.name(),
             Subject::Theorem(finding) => finding.verdict.name(),
         }

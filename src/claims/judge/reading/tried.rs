@@ -1,5 +1,6 @@
 //! The readings of a table, with their values and the cells that they explain.
 
+use crate::cap::Cap;
 use crate::claim::{Cell, Paper, Table};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::context::{At, Outcome};
@@ -20,7 +21,7 @@ pub(crate) struct Evaluated {
     /// For depths, the call of `levels` whose result each value is, row by row.
     pub(crate) levels: Vec<Vec<Option<LevelCall>>>,
     /// The cells whose values were not computed, with the first reason.
-    uncomputed: Option<(BTreeSet<(usize, usize)>, String)>,
+    uncomputed: Option<(BTreeSet<(usize, usize)>, Cap)>,
     /// Whether the values are proportional to the scale, once this has been asked.
     scaled: OnceCell<bool>,
 }
@@ -54,7 +55,7 @@ impl Space<'_> {
     fn evaluate(&self, reading: Vec<Change>) -> Result<Evaluated, Diagnostic> {
         let settings = self.settings(&reading);
         let (mut values, mut levels) = (Values::new(), Vec::new());
-        let mut uncomputed: Option<(BTreeSet<(usize, usize)>, String)> = None;
+        let mut uncomputed: Option<(BTreeSet<(usize, usize)>, Cap)> = None;
         for (row, printed) in self.printed.iter().enumerate() {
             let (mut of_row, mut levels_of_row) = (Vec::new(), Vec::new());
             for (column, printed) in printed.iter().enumerate() {
@@ -63,8 +64,8 @@ impl Space<'_> {
                     None => (None, None),
                     Some(_) => match self.outcome(&reading, at)? {
                         (Outcome::Value(value), call) => (Some(value), call),
-                        (Outcome::BeyondCaps(why), _) => {
-                            let known = uncomputed.get_or_insert_with(|| (BTreeSet::new(), why));
+                        (Outcome::BeyondCap(cap), _) => {
+                            let known = uncomputed.get_or_insert_with(|| (BTreeSet::new(), cap));
                             known.0.insert((row, column));
                             (None, None)
                         }
@@ -93,8 +94,10 @@ impl Space<'_> {
         } else {
             self.judge.evaluate(&self.judge.table.value, at).map(|outcome| (outcome, None))
         };
-        found.or_else(|error| {
-            if reading.iter().all(|change| matches!(change, Change::Definition(_))) {
+        found.or_else(|mut error| {
+            if let Some(cap) = error.cap.take() {
+                Ok((Outcome::BeyondCap(*cap), None))
+            } else if reading.iter().all(|change| matches!(change, Change::Definition(_))) {
                 Err(error)
             } else {
                 Ok((Outcome::Undefined(error.message), None))
@@ -113,8 +116,8 @@ impl Space<'_> {
         let open = parts.iter().flat_map(|part| part.all);
         let mut open = open.filter_map(|one| Some((one, one.uncomputed.as_ref()?))).peekable();
         // As a rule there are none, and then nothing is looked for.
-        let (_, (_, why)) = open.peek()?;
-        let mut found = Uncomputed { why: why.clone(), cells: BTreeSet::new(), overtakes: false };
+        let (_, (_, cap)) = open.peek()?;
+        let mut found = Uncomputed { cap: cap.clone(), cells: BTreeSet::new(), overtakes: false };
         let count = taken.map_or(as_printed, Explanation::count);
         let taken = taken.map_or(&[][..], |taken| &taken.differences);
         let taken = reading(self, taken).map(|(changes, _)| self.differences(&changes));

@@ -26,7 +26,9 @@ pub(crate) fn judge<'a>(
             (SmoothnessVerdict::NotCheckable, Known::Absent(absent.clone()))
         }
         SmoothnessBody::Statement(located, statement) => {
-            of(&LimitScheme { paper, library, located, given: &claim.given }, statement)?
+            let scheme = LimitScheme { paper, library, located, given: &claim.given };
+            let found = Diagnostic::or_cap(of(&scheme, statement))?;
+            found.unwrap_or_else(|cap| (SmoothnessVerdict::NotCheckable, Known::BeyondCap(cap)))
         }
     };
     Ok(SmoothnessFinding { id: format!("{}:{}", paper.key, claim.id), claim, verdict, known })

@@ -1,10 +1,11 @@
 //! The instances of a theorem: a scheme and values on which it is tried.
 
 use crate::bound::Budget;
+use crate::cap::Cap;
 use crate::claim::{LocatedReference, Paper, THEOREM_NAMES, Theorem, Trial};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::{Library, Resolved, values};
-use crate::evaluation::reference::{Unresolved, scheme_error};
+use crate::evaluation::reference::{self, Unresolved};
 use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::FormulaErrorKind;
@@ -76,6 +77,8 @@ pub(crate) struct Case<'a> {
     pub(crate) resolved: Option<Resolved>,
     /// Whether the bound is proportional to the spread, once this has been asked.
     pub(crate) linear: OnceCell<bool>,
+    /// The cap that the scheme is beyond; then it has no setting.
+    pub(crate) beyond: Option<Cap>,
     /// `None` where the program has no exact limits of this kind of scheme.
     pub(crate) setting: Option<Rc<dyn Setting>>,
 }
@@ -116,12 +119,20 @@ impl<'a> Case<'a> {
                     values: given.clone(),
                     resolved: None,
                     linear: OnceCell::new(),
+                    beyond: None,
                     setting: None,
                 };
                 case.values.extend(case.chosen.iter().cloned());
                 // A theorem about a scheme with parameters of which none has a value
                 // is not tried.
-                if let Some(name) = case.resolve(scheme, tried, stage)? {
+                let name = match Diagnostic::or_cap(case.resolve(scheme, tried, stage))? {
+                    Ok(name) => name,
+                    Err(cap) => {
+                        case.beyond = Some(cap);
+                        Some(case.scheme.clone())
+                    }
+                };
+                if let Some(name) = name {
                     // Values that the reference to the scheme uses are shown in its parameters
                     // already.
                     let text = scheme.reference.to_string();
@@ -135,6 +146,11 @@ impl<'a> Case<'a> {
             }
         }
         Ok(cases)
+    }
+
+    /// Whether it is about a ring, which has no mask.
+    pub(crate) fn is_ring(&self) -> bool {
+        self.resolved.is_none() && self.beyond.is_none()
     }
 
     /// Finds the scheme, and gives its name; `None` when its parameters have no values.
@@ -168,13 +184,11 @@ impl<'a> Case<'a> {
                 self.resolved = Some(resolved);
                 Ok(Some(name))
             }
-            Err(Unresolved::Formula(error)) if !valued => {
-                if matches!(error.kind, FormulaErrorKind::UnknownName { .. }) {
-                    return Ok(None);
-                }
-                Err(in_parameters(located, &error))
+            Err(Unresolved::Formula(error))
+                if !valued && matches!(error.kind, FormulaErrorKind::UnknownName { .. }) =>
+            {
+                Ok(None)
             }
-            Err(Unresolved::Formula(error)) => Err(in_parameters(located, &error)),
             Err(Unresolved::Scheme(SchemeError::LocalRules { .. })) => {
                 if offset.is_some() {
                     let message = "this theorem has an `offset`, and a ring has none";
@@ -184,10 +198,7 @@ impl<'a> Case<'a> {
                     ));
                 }
                 let ring = |located: &LocatedReference| -> Result<_, Diagnostic> {
-                    let failed = |error| match error {
-                        Unresolved::Formula(error) => in_parameters(located, &error),
-                        Unresolved::Scheme(error) => scheme_error(located, &error),
-                    };
+                    let failed = |error| reference::located(located, &error);
                     let instances = self.library.instances(&located.reference, &scope);
                     let instances = instances.map_err(failed)?;
                     let ring = self.library.ring(&instances).map_err(Unresolved::Scheme);
@@ -211,13 +222,12 @@ impl<'a> Case<'a> {
                 let (earlier, interpolant) = interpolant.transpose()?.unzip();
                 let key = (instances, earlier);
                 if !stage.ring_cap.takes(&own) {
-                    let message = format!(
-                        "the rings of this theorem have more points than the cap: the squares of \
-                         their numbers sum to {MAX_LOCAL_SIZE} at most"
-                    );
+                    let what = "the sum of the squares of the numbers of points of the rings";
+                    let cap = Cap::new(what, MAX_LOCAL_SIZE as u64);
                     let LocatedReference { source, span, .. } = located;
-                    return Err(Diagnostic::new(source, span.clone(), message)
-                        .with_help("try the theorem on fewer or smaller rings"));
+                    return Err(
+                        Diagnostic::new(source, span.clone(), cap.to_string()).with_cap(Some(cap))
+                    );
                 }
                 let mut rings = stage.rings.borrow_mut();
                 let new = || Rc::new(AroundPoint::new(own, interpolant, &stage.budget));
@@ -227,7 +237,7 @@ impl<'a> Case<'a> {
                 self.setting = Some(found);
                 Ok(Some(name))
             }
-            Err(Unresolved::Scheme(error)) => Err(scheme_error(located, &error)),
+            Err(error) => Err(reference::located(located, &error)),
         }
     }
 }
@@ -235,9 +245,4 @@ impl<'a> Case<'a> {
 /// `six-point:w=3/256 x chaikin`.
 fn joined<V: std::fmt::Display>(instances: &[Instance<V>]) -> String {
     instances.iter().map(ToString::to_string).collect::<Vec<String>>().join(" x ")
-}
-
-fn in_parameters(located: &LocatedReference, error: &crate::formula::FormulaError) -> Diagnostic {
-    let message = format!("in its parameters: {error}");
-    Diagnostic::new(&located.source, located.span.clone(), message)
 }

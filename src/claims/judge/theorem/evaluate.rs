@@ -74,12 +74,11 @@ impl Case<'_> {
         let functions = self.functions(settings);
         match evaluate(part, &self.scope(&functions, names)) {
             Ok(value) => Ok(Ok(value)),
-            Err(error) => match error.kind {
-                FormulaErrorKind::Undefined(why) | FormulaErrorKind::BeyondCaps(why) => {
-                    Ok(Err(why))
-                }
-                FormulaErrorKind::DivisionByZero => Ok(Err("it divides by zero".to_owned())),
-                _ => Err(formula.diagnostic(&error)),
+            Err(error) => match (&error.kind, error.kind.cap()) {
+                (FormulaErrorKind::Undefined(why), _) => Ok(Err(why.clone())),
+                (FormulaErrorKind::DivisionByZero, _) => Ok(Err("it divides by zero".to_owned())),
+                (_, Some(cap)) => Ok(Err(cap.to_string())),
+                (_, None) => Err(formula.diagnostic(&error)),
             },
         }
     }

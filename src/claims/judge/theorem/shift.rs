@@ -26,14 +26,14 @@ pub(crate) fn every_shift(
         Statement::Depth(_) => (Quantity::Distance, 0),
         Statement::Other(_) => return Ok(None),
     };
-    if later(quantity).is_none() || cases.iter().any(|case| case.resolved.is_none()) {
+    if later(quantity).is_none() || cases.iter().any(Case::is_ring) {
         return Ok(None);
     }
     // What exceeds the bound in every shift does so at the natural parameters, though it may not
     // have been found there.
     let refuted = cases.iter().zip(natural).filter_map(|(case, outcome)| match outcome {
         Outcome::Refuted(violation) => Some((case, violation.level)),
-        Outcome::Unknown(_) => Some((case, from)),
+        Outcome::Unknown(_) if case.beyond.is_none() => Some((case, from)),
         _ => None,
     });
     let mut tries: Vec<(u32, &Case<'_>)> = refuted

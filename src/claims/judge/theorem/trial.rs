@@ -1,5 +1,6 @@
 //! Trying a theorem on one case.
 
+use crate::cap::Cap;
 use crate::claim::{Paper, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::settings::Settings;
@@ -30,8 +31,8 @@ impl Trial<'_> {
 
     pub(crate) fn of(&self, case: &Case<'_>) -> Result<Outcome, Diagnostic> {
         let Some(setting) = &case.setting else {
-            let why = "the program has no exact limits of this kind of scheme";
-            return Ok(Outcome::Unknown(why.to_owned()));
+            let why = || "the program has no exact limits of this kind of scheme".to_owned();
+            return Ok(Outcome::Unknown(case.beyond.as_ref().map_or_else(why, Cap::to_string)));
         };
         let natural = match self.parametrisation {
             Parametrisation::Indexed => None,
@@ -52,7 +53,10 @@ impl Trial<'_> {
         }
         let block = match &self.theorem.tried.block {
             None => 1,
-            Some(block) => Self::block(case, block, &settings)?,
+            Some(block) => match Self::block(case, block, &settings)? {
+                Ok(block) => block,
+                Err(why) => return Ok(Outcome::Unknown(why)),
+            },
         };
         let settings = self.prepared(case, settings);
         let bound = Bound { trial: self, case, setting, settings: &settings, block };
@@ -88,15 +92,19 @@ impl Trial<'_> {
         case: &Case<'_>,
         block: &LocatedFormula,
         settings: &Settings,
-    ) -> Result<u32, Diagnostic> {
-        let value = case.evaluate(block, &[], settings)?;
-        let value = value.as_ref().ok().and_then(RealCyclotomic::as_rational).cloned();
-        let integer = value.filter(|value| value.is_integer() && value.sign() > 0);
-        let levels = integer.and_then(|value| u32::try_from(value.numerator().to_i64()?).ok());
-        levels.ok_or_else(|| {
+    ) -> Result<Result<u32, String>, Diagnostic> {
+        let value = match case.evaluate(block, &[], settings)? {
+            Ok(value) => value,
+            Err(why) => return Ok(Err(why)),
+        };
+        let integer = value.as_rational().filter(|value| value.is_integer() && value.sign() > 0);
+        let integer = integer.ok_or_else(|| {
             let message = "a constant belongs to an integer number of levels, 1 or more";
             Diagnostic::new(&block.source, block.span.clone(), message)
-        })
+        })?;
+        let levels = integer.numerator().to_i64().and_then(|levels| u32::try_from(levels).ok());
+        let beyond = || Cap::new("the number of levels of a constant", u32::MAX.into()).to_string();
+        Ok(levels.ok_or_else(beyond))
     }
 }
 

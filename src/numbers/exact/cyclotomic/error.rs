@@ -1,5 +1,6 @@
 //! Errors of cosines: the value is irrational, or its field is too large.
 
+use crate::cap::Cap;
 use crate::exact::{Integer, Rational};
 
 /// The largest conductor n of the fields Q(2cos(2π/n)) in which the program computes.
@@ -31,6 +32,16 @@ impl CosineError {
     /// cos(2π·`turn`) is not rational.
     pub(crate) fn irrational(turn: &Rational) -> CosineError {
         CosineError::Irrational { angle: angle(turn) }
+    }
+
+    /// The cap that the conductor is beyond.
+    #[must_use]
+    pub fn cap(&self) -> Option<Cap> {
+        let what = "n of the field of 2cos(2π/n) that the cosines need";
+        match self {
+            CosineError::Irrational { .. } => None,
+            CosineError::Conductor { .. } => Some(Cap::new(what, MAX_CONDUCTOR.into())),
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! The caps on fields, and the errors of roots.
 
+use crate::cap::Cap;
+
 /// The greatest degree of a field.
 pub const MAX_FIELD_DEGREE: usize = 24;
 
@@ -34,4 +36,20 @@ pub enum FieldError {
          write them in one number of a lower degree"
     )]
     Degree,
+}
+
+impl FieldError {
+    /// The cap that a degree is beyond.
+    #[must_use]
+    pub fn cap(&self) -> Option<Cap> {
+        match self {
+            FieldError::Zero | FieldError::NoSuchRoot { .. } => None,
+            FieldError::Norm(_) => {
+                Some(Cap::new("the degree of the polynomial of the roots", MAX_NORM_DEGREE as u64))
+            }
+            FieldError::Degree => {
+                Some(Cap::new("the degree of the field of the numbers", MAX_FIELD_DEGREE as u64))
+            }
+        }
+    }
 }

@@ -163,12 +163,17 @@ pub(super) fn recovered(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
     sheet.facts(errata.recovered.iter().map(fact).collect());
 }
 
-/// The cells that could not be checked, why, and what they are at the values put in.
+/// The claims and the cells that could not be checked, why, and what cells are at the values put in.
 pub(super) fn unchecked(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
-    if errata.unchecked.is_empty() {
+    let beyond = errata.audit.beyond_caps();
+    if errata.unchecked.is_empty() && beyond.is_empty() {
         return;
     }
     sheet.heading(2, "What could not be checked, and why");
+    sheet.facts(beyond.into_iter().map(|one| (one.locus.to_owned(), one.cap)).collect());
+    if errata.unchecked.is_empty() {
+        return;
+    }
     sheet.text(
         "Where the paper does not state a parameter, a value was put in to have something to show; \
          agreement there proves nothing, and disagreement refutes nothing.",

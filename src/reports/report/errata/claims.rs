@@ -1,7 +1,7 @@
 //! Wrong equations, closed forms, ranges and theorems.
 
 use crate::audit::{
-    EquationFinding, EquationVerdict, FunctionFinding, RangeFinding, SmoothnessFinding,
+    EquationFinding, EquationVerdict, FoundRange, FunctionFinding, RangeFinding, SmoothnessFinding,
     TheoremFinding,
 };
 use crate::claim::{EquationBody, Left};
@@ -57,11 +57,11 @@ pub(super) fn function(finding: &FunctionFinding<'_>) -> Described {
     (Some(claim.title.clone()), facts, stated(claim.note.as_slice()))
 }
 
-pub(super) fn range(finding: &RangeFinding<'_>) -> Described {
+pub(super) fn range(finding: &RangeFinding<'_>, found: &FoundRange) -> Described {
     let claim = finding.claim;
     let facts = vec![
         fact("printed", function::printed(finding)),
-        fact("correct", finding.exact.describe(&claim.variable)),
+        fact("correct", found.exact.describe(&claim.variable)),
         fact("in detail", function::range_outcome(finding).join("\n")),
     ];
     (Some(claim.title.clone()), facts, stated(claim.note.as_slice()))

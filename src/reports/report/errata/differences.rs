@@ -116,9 +116,9 @@ impl Line {
                 let claim = finding.claim;
                 (&claim.title, claim.left.text.clone(), exact, claim.note.clone())
             }
-            Subject::Range(finding) => {
+            Subject::Range(finding, found) => {
                 let claim = finding.claim;
-                let exact = finding.exact.describe(&claim.variable);
+                let exact = found.exact.describe(&claim.variable);
                 (&claim.title, function::printed(finding), exact, claim.note.clone())
             }
             Subject::Smoothness(finding) => {

@@ -93,7 +93,7 @@ impl Entry {
             Subject::Cells(cells) => (None, cells::facts(cells), cells::origin(cells)),
             Subject::Equation(finding) => claims::equation(finding),
             Subject::Function(finding) => claims::function(finding),
-            Subject::Range(finding) => claims::range(finding),
+            Subject::Range(finding, found) => claims::range(finding, found),
             Subject::Smoothness(finding) => claims::smoothness(finding),
             Subject::Theorem(finding) => claims::theorem(finding),
         };

@@ -88,8 +88,7 @@ pub(super) fn function(context: &Context<'_, '_>, finding: &FunctionFinding<'_>)
 /// A range of a free parameter.
 pub(super) fn range(context: &Context<'_, '_>, finding: &RangeFinding<'_>) -> Markup {
     let own = finding.claim;
-    let claim =
-        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.name());
+    let claim = Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict());
     let relation = match own.limit.relation() {
         "<" => "<",
         _ => "≤",

@@ -229,6 +229,7 @@ impl<'a> Claim<'a> {
             EquationVerdict::NotCheckable(absent) => {
                 (None, None, Some(format!("missing: {absent}")))
             }
+            EquationVerdict::BeyondCap(cap) => (None, None, Some(cap.to_string())),
             EquationVerdict::Holds { .. } => (None, None, None),
         };
         let details = Details::Equation { failures, mends };
@@ -247,6 +248,7 @@ impl<'a> Claim<'a> {
         // printed.
         let definition = audit.paper.definitions.get(left);
         let printed = definition.map_or(left, |definition| &definition.text).as_str();
+        let mut cap = None;
         let (failures, printed_larger, printed_smaller) = match &finding.verdict {
             FunctionVerdict::Fails { larger, smaller, example } => {
                 let failure = Failure {
@@ -258,23 +260,29 @@ impl<'a> Claim<'a> {
                 (Some([failure]), Some(larger.to_string()), Some(smaller.to_string()))
             }
             FunctionVerdict::Holds => (None, None, None),
+            FunctionVerdict::BeyondCap(beyond) => {
+                cap = Some(beyond.to_string());
+                (None, None, None)
+            }
         };
         let variable = &claim.variable;
         let details = Details::Function { variable, failures, printed_larger, printed_smaller };
         let verdict = finding.verdict.name();
         let plain = Claim::plain(&finding.id, &claim.locus, "equation", printed, verdict, details);
-        Claim { note: claim.note.as_deref().map(Cow::Borrowed), ..plain }
+        Claim { note: joined(cap, claim.note.as_deref()), ..plain }
     }
 
     pub(super) fn of_range(finding: &'a RangeFinding<'_>) -> Claim<'a> {
         let claim = finding.claim;
-        let ends = finding.ends.iter().map(End::of).collect();
+        let found = finding.found.as_ref().ok();
+        let ends = found.iter().flat_map(|found| &found.ends).map(End::of).collect();
         let details = Details::Range { variable: &claim.variable, ends };
-        let (printed, verdict) = (printed(finding), finding.verdict.name());
+        let (printed, verdict) = (printed(finding), finding.verdict());
+        let cap = finding.found.as_ref().err().map(ToString::to_string);
         Claim {
-            exact: Some(finding.exact.to_string()),
-            sound: Some(Sound::Range { kept: finding.kept }),
-            note: claim.note.as_deref().map(Cow::Borrowed),
+            exact: found.map(|found| found.exact.to_string()),
+            sound: found.map(|found| Sound::Range { kept: found.kept }),
+            note: joined(cap, claim.note.as_deref()),
             ..Claim::plain(&finding.id, &claim.locus, "range", printed, verdict, details)
         }
     }

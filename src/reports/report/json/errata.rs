@@ -35,6 +35,8 @@ pub struct PaperErrata<'a> {
     pub recovered: Vec<OfTable<'a>>,
     /// The cells that could not be checked.
     pub unchecked: Vec<Unchecked<'a>>,
+    /// The other claims of which a value is beyond a cap.
+    pub beyond_caps: Vec<BeyondCap<'a>>,
     /// Where its tables need different readings.
     pub contradictions: Vec<Contradiction<'a>>,
     /// Its theorems.
@@ -140,6 +142,24 @@ pub struct Changes<'a> {
     pub theorems: Vec<&'a str>,
 }
 
+/// A claim of which a value is beyond a cap.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct BeyondCap<'a> {
+    /// Its id within the paper.
+    pub id: &'a str,
+    /// Where in the paper it is.
+    pub locus: &'a str,
+    /// The cap.
+    pub cap: String,
+}
+
+impl<'a> BeyondCap<'a> {
+    fn of(one: audit::BeyondCap<'a>) -> BeyondCap<'a> {
+        BeyondCap { id: one.id, locus: one.locus, cap: one.cap }
+    }
+}
+
 /// Cells of a table that could not be checked.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -177,6 +197,7 @@ impl<'a> PaperErrata<'a> {
             not_sharp: not_sharp.map(|one| Claim::of_smoothness(one.finding)).collect(),
             recovered: errata.recovered.iter().map(|finding| OfTable::of(finding)).collect(),
             unchecked: errata.unchecked.iter().map(Unchecked::of).collect(),
+            beyond_caps: audit.beyond_caps().into_iter().map(BeyondCap::of).collect(),
             contradictions: Contradiction::all(audit),
             theorems: audit.theorems.iter().map(Claim::of_theorem).collect(),
             cells: Summary::of(&audit.cell_summary()),
@@ -221,7 +242,7 @@ impl<'a> Detail<'a> {
             Subject::Cells(cells) => return Detail::Cells(WrongCells::of(&cells)),
             Subject::Equation(finding) => Claim::of_equation(finding),
             Subject::Function(finding) => Claim::of_function(audit, finding),
-            Subject::Range(finding) => Claim::of_range(finding),
+            Subject::Range(finding, _) => Claim::of_range(finding),
             Subject::Smoothness(finding) => Claim::of_smoothness(finding),
             Subject::Theorem(finding) => Claim::of_theorem(finding),
         };

@@ -35,7 +35,8 @@ pub use claim::{Certificate, Claim, Details, End, Failure, Sound};
 pub use consistency::{Contradiction, Side, TablePart};
 pub use coverage::{CoverageReport, CoveredPaper, CoveringClaim, NumberedItem};
 pub use errata::{
-    Changes, Detail, ErrataReport, Erratum, OfTable, PaperErrata, Unchecked, WrongCell, WrongCells,
+    BeyondCap, Changes, Detail, ErrataReport, Erratum, OfTable, PaperErrata, Unchecked, WrongCell,
+    WrongCells,
 };
 pub use exact::{Exact, Named};
 pub use explain::Explained;

@@ -134,12 +134,14 @@ pub struct Number<'a> {
     pub ulps: Option<u64>,
     /// `sign`, `point`, `digit`, `exchanged` or `dropped`, of `misprint`; null otherwise.
     pub slip: Option<&'static str>,
-    /// The exact value as a decimal of 30 significant digits.
-    pub exact: String,
+    /// The exact value as a decimal of 30 significant digits; null beyond a cap.
+    pub exact: Option<String>,
+    /// The cap that the exact value is beyond; null where it is known.
+    pub cap: Option<String>,
     /// What one would write so that the program holds the nearest number; null where it is not decided.
     pub nearest: Option<String>,
-    /// How far the number that the program holds is from the exact one.
-    pub error: String,
+    /// How far the number that the program holds is from the exact one; null beyond a cap.
+    pub error: Option<String>,
 }
 
 impl<'a> ProjectsReport<'a> {
@@ -179,7 +181,10 @@ impl<'a> ShippedTable<'a> {
     #[must_use]
     pub fn of(finding: &'a ShippedFinding<'_>) -> ShippedTable<'a> {
         let claim = finding.claim;
-        let worst = finding.cells.iter().map(|cell| &cell.error).max();
+        let kept = |tolerance: &Rational| {
+            let within = |error: &Rational| error <= tolerance;
+            finding.cells.iter().all(|cell| cell.error.as_ref().is_some_and(within))
+        };
         ShippedTable {
             id: &claim.id,
             locus: &claim.locus,
@@ -197,10 +202,10 @@ impl<'a> ShippedTable<'a> {
             counts: tally(finding.cells.iter().map(|cell| cell.verdict.outcome())),
             reading: finding.reading.as_ref().map(|reading| shipped_reading(claim, reading)),
             farthest: finding.farthest,
-            tolerance: claim.tolerance.as_ref().map(|(value, tolerance)| Tolerance {
-                value,
-                kept: worst.is_none_or(|worst| worst <= tolerance),
-            }),
+            tolerance: claim
+                .tolerance
+                .as_ref()
+                .map(|(value, tolerance)| Tolerance { value, kept: kept(tolerance) }),
             sums: finding.sums.as_ref().map(|sums| Sums {
                 exact: sums.exact.to_string(),
                 lines: sums.lines,
@@ -220,7 +225,7 @@ impl<'a> ShippedTable<'a> {
 impl<'a> Number<'a> {
     fn of(finding: &'a ShippedFinding<'_>, place: usize) -> Number<'a> {
         let (claim, cell) = (finding.claim, &finding.cells[place]);
-        let number = &claim.numbers[place];
+        let (number, exact) = (&claim.numbers[place], cell.exact.as_ref().ok());
         let (verdict, digits, ulps, slip) = parts(cell.verdict);
         Number {
             at: claim.at(place).into_iter().collect(),
@@ -230,9 +235,10 @@ impl<'a> Number<'a> {
             digits,
             ulps,
             slip,
-            exact: decimal(&cell.exact, DIGITS),
-            nearest: nearest_text(&cell.exact, claim.kind),
-            error: error(&cell.error),
+            exact: exact.map(|exact| decimal(exact, DIGITS)),
+            cap: cell.exact.as_ref().err().map(ToString::to_string),
+            nearest: exact.and_then(|exact| nearest_text(exact, claim.kind)),
+            error: cell.error.as_ref().map(error),
         }
     }
 }

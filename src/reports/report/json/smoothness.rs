@@ -103,7 +103,9 @@ impl SmoothnessDetails {
                 let valences = Some(found.iter().map(RangeAtValenceForm::of).collect());
                 SmoothnessDetails { valences, ..Default::default() }
             }
-            Known::Absent(_) | Known::Capped(_) => SmoothnessDetails::default(),
+            Known::Absent(_) | Known::Capped(_) | Known::BeyondCap(_) => {
+                SmoothnessDetails::default()
+            }
         }
     }
 

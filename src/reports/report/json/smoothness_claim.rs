@@ -13,6 +13,7 @@ impl<'a> Claim<'a> {
         let why = match &finding.known {
             Known::Absent(absent) => Some(format!("missing: {absent}")),
             Known::Capped(reason) => Some(reason.clone()),
+            Known::BeyondCap(cap) => Some(cap.to_string()),
             Known::Limits(_) | Known::Range(_) | Known::Vertices(_) | Known::VertexRanges(_) => {
                 None
             }

@@ -11,11 +11,12 @@ const SUM_DIGITS: u32 = 12;
 pub(super) fn greatest_error(finding: &ShippedFinding<'_>) -> Option<String> {
     let place = finding.farthest?;
     let cell = &finding.cells[place];
-    let relative = relative(&cell.error, &cell.exact);
+    let (size, exact) = (cell.error.as_ref()?, cell.exact.as_ref().ok()?);
+    let relative = relative(size, exact);
     let relative = relative.map(|relative| format!(", {relative} of the value"));
     Some(format!(
         "{}{}{}",
-        error(&cell.error),
+        error(size),
         relative.unwrap_or_default(),
         after_at(finding.claim, place)
     ))
@@ -32,14 +33,17 @@ fn relative(error: &Rational, exact: &RealExpression) -> Option<String> {
 /// What the project accepts, against the greatest error.
 pub(super) fn tolerance(finding: &ShippedFinding<'_>) -> Option<String> {
     let (text, tolerance) = finding.claim.tolerance.as_ref()?;
-    let worst = finding.cells.iter().map(|cell| &cell.error).max()?;
-    Some(if worst <= tolerance {
-        format!("The project accepts errors of {text}, and none is greater: a note, not a bug.")
-    } else {
-        let beyond = finding.cells.iter().filter(|cell| cell.error > *tolerance).count();
-        let of = finding.cells.len();
-        format!("The project accepts errors of {text}; {beyond} of {of} are greater.")
-    })
+    let errors = || finding.cells.iter().filter_map(|cell| cell.error.as_ref());
+    let greater = errors().filter(|error| *error > tolerance).count();
+    match (greater, errors().count(), finding.cells.len()) {
+        (0, known, all) if known < all => None,
+        (0, ..) => Some(format!(
+            "The project accepts errors of {text}, and none is greater: a note, not a bug."
+        )),
+        (_, _, of) => {
+            Some(format!("The project accepts errors of {text}; {greater} of {of} are greater."))
+        }
+    }
 }
 
 /// Sums that are not kept, with control data that show it.

@@ -117,7 +117,10 @@ fn weight(finding: &ShippedFinding<'_>) -> String {
 fn check(project: &Project, finding: &ShippedFinding<'_>) -> String {
     let claim = finding.claim;
     let place = finding.farthest.unwrap_or(0);
-    let value = decimal(&finding.cells[place].exact, CHECK_DIGITS);
+    let value = match &finding.cells[place].exact {
+        Ok(exact) => decimal(exact, CHECK_DIGITS),
+        Err(cap) => return format!("It was not computed: {cap}."),
+    };
     let formula = match &claim.exact {
         ExactValues::Formula(_) => "the formula".to_owned(),
         ExactValues::Each(formulas) => formulas[place].text.clone(),

@@ -215,6 +215,8 @@ pub(in crate::report) fn rows(finding: &ShippedFinding<'_>, places: &[usize]) ->
     let formulas = matches!(claim.exact, ExactValues::Each(_));
     let has_lines = claim.numbers.iter().any(|number| number.line.is_some());
     let nearest = format!("nearest {}", type_name(kind));
+    let exact = |place: usize| finding.cells[place].exact.as_ref().ok();
+    let unknown = || "?".to_owned();
     let columns: [Column<'_>; 7] = [
         (!claim.indices.is_empty(), "at", &|place| at(claim, place)),
         (has_lines, "line", &|place| {
@@ -222,9 +224,9 @@ pub(in crate::report) fn rows(finding: &ShippedFinding<'_>, places: &[usize]) ->
         }),
         (true, "shipped", &|place| claim.numbers[place].text.clone()),
         (formulas, "formula", &|place| shortened(&claim.exact.of(place).text)),
-        (true, "exact", &|place| decimal(&finding.cells[place].exact, DIGITS)),
+        (true, "exact", &|place| exact(place).map_or_else(unknown, |exact| decimal(exact, DIGITS))),
         (true, &nearest, &|place| {
-            nearest_text(&finding.cells[place].exact, kind).unwrap_or_else(|| "?".to_owned())
+            exact(place).and_then(|exact| nearest_text(exact, kind)).unwrap_or_else(unknown)
         }),
         (true, "verdict", &|place| {
             let cell = &finding.cells[place];

@@ -58,8 +58,14 @@ pub(super) fn verdict(cell: &ShippedCell, kind: NumberType, written: Option<usiz
             let of = written.map(|digits| format!(" of {digits}")).unwrap_or_default();
             format!("right to {agree}{of} digits only")
         }
-        Verdict::Refuted(_) => format!("wrong by {}", error(&cell.error)),
-        Verdict::Open => "not decided within 10,000 binary digits".to_owned(),
+        Verdict::Refuted(_) => {
+            let by = cell.error.as_ref().map(|by| format!(" by {}", error(by)));
+            format!("wrong{}", by.unwrap_or_default())
+        }
+        Verdict::Open => match &cell.exact {
+            Ok(_) => "not decided within 10,000 binary digits".to_owned(),
+            Err(cap) => format!("not decided: {cap}"),
+        },
     }
 }
 

@@ -18,11 +18,10 @@ const BEYOND: f64 = 0.15;
 
 /// Both sets on one axis; `None` where neither has an end.
 pub(in crate::report::html) fn range(finding: &RangeFinding<'_>) -> Option<Markup> {
-    let claim = finding.claim;
+    let (claim, exact) = (finding.claim, &finding.found.as_ref().ok()?.exact);
     let printed = |end: &Option<Printed>| end.as_ref().map(|end| nearest(&end.decimal.value()));
     let (from, to) = (printed(&claim.from), printed(&claim.to));
-    let ends: Vec<f64> =
-        finding.exact.ends().map(|(end, _)| place(end)).chain(from).chain(to).collect();
+    let ends: Vec<f64> = exact.ends().map(|(end, _)| place(end)).chain(from).chain(to).collect();
     let (low, high) = (
         ends.iter().copied().fold(f64::MAX, f64::min),
         ends.iter().copied().fold(f64::MIN, f64::max),
@@ -39,7 +38,7 @@ pub(in crate::report::html) fn range(finding: &RangeFinding<'_>) -> Option<Marku
     let says = format!(
         "Printed {}; exactly {}.",
         crate::report::function::printed(finding),
-        finding.exact.describe(&claim.variable)
+        exact.describe(&claim.variable)
     );
     let drawing = html! {
         @for (value, label) in x.ticks() {
@@ -48,7 +47,7 @@ pub(in crate::report::html) fn range(finding: &RangeFinding<'_>) -> Option<Marku
         }
         text x="4" y="34" { "exact" }
         g.c3 {
-            @for interval in finding.exact.intervals() {
+            @for interval in exact.intervals() {
                 (drawn(&x, 30.0, bound(&interval.low), bound(&interval.high)))
             }
         }
