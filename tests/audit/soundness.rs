@@ -1,6 +1,7 @@
 //! Claim files of which a false verdict was said once, and what is said of them now.
 
 use subcert::audit::{EquationVerdict, TheoremVerdict, Verdict, audit};
+use subcert::cap::Cap;
 use subcert::certificate::certificate;
 use subcert::claim::{Paper, read_paper};
 use subcert::diagnostic::{Diagnostic, SourceText};
@@ -187,11 +188,13 @@ fn indices_without_values_claim_nothing() {
 
 #[test]
 fn the_cases_of_an_equation_share_a_cap_on_work() {
-    let error = refused(
+    let (_, paper) = read(
         "[[equation]]\nid = 'e'\nlocus = ''\nleft = 'sum(j = 1..300, j*i)'\nright = '45150*i'\n\
          indices = [{ name = 'i', from = '1', to = '100000' }]\n",
     );
-    assert!(error.message.contains("more work together"), "{error}");
+    let cap = Cap::new("the work of all cases", 20_000_000);
+    let audit = audit(&paper).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(audit.equations[0].verdict, EquationVerdict::BeyondCap(cap));
 }
 
 #[test]

@@ -32,7 +32,7 @@ fn verdicts<'a>(audit: &PaperAudit<'a>) -> BTreeMap<&'a str, Vec<&'static str>> 
 
 /// Whether a claim of the file is right: the first row of the table of orders is.
 fn is_right(id: &str) -> bool {
-    id.starts_with("right") || id == "regularity:1:1"
+    id.starts_with("right") || id == "regularity.1.order"
 }
 
 #[test]
@@ -91,11 +91,13 @@ fn reports_name_the_caps() {
     use subcert::report::{audit_sheet, errata_sheet, overview_sheet};
     let paper = paper(CLAIMS);
     let audits = [judged(&paper)];
-    let page = audit_page(&audits[0], None).expect("a page");
-    let whole = audit_sheet(&audits, true).to_text(None);
+    // Lines may be broken anywhere between words.
+    let words = |text: String| text.split_whitespace().collect::<Vec<&str>>().join(" ");
+    let page = words(audit_page(&audits[0], None).expect("a page"));
+    let whole = words(audit_sheet(&audits, true).to_text(None));
     let json = serde_json::to_value(AuditReport::of(&audits)).expect("JSON");
     let claims = json["papers"][0]["claims"].as_array().expect("claims");
-    let errata = errata_sheet(&audits).to_text(None);
+    let errata = words(errata_sheet(&audits).to_text(None));
     let listed = serde_json::to_value(ErrataReport::of(&audits)).expect("JSON");
     let listed = listed["papers"][0]["beyond_caps"].as_array().expect("a list");
     let beyond = audits[0].beyond_caps();
@@ -109,7 +111,7 @@ fn reports_name_the_caps() {
         let said = [&page, &whole, &errata];
         assert!(said.iter().all(|text| text.contains(&one.cap)), "{id}: {}", one.cap);
     }
-    let head = overview_sheet(&audits).to_text(None);
+    let head = words(overview_sheet(&audits).to_text(None));
     assert!(head.contains("13 claims need a value beyond a cap."), "{head}");
 }
 
@@ -127,7 +129,8 @@ fn nothing_is_certified_beyond_a_cap() {
     let text = written.text.replace(&end, &more);
     let report = check(CLAIMS, &[&text]).expect("a claim file");
     assert!(report.broken.is_empty(), "{:?}", report.broken);
-    for (kind, id, outcome) in &report.claims {
+    // The number of a table is right where its promise is open.
+    for (kind, id, outcome) in report.claims.iter().filter(|(_, id, _)| id != "promise") {
         let certified = is_right(id) || id == "wrong-theorem";
         assert_eq!(*outcome == Outcome::Valid, certified, "{kind} {id}: {outcome:?}");
         let claimed = CLAIMED.iter().any(|block| block.starts_with(&format!("{kind} {id}\n")));

@@ -28,7 +28,6 @@ fn bad_files() {
         ("'k/2'", "'k/'", &["expected"]),
         ("'k/2'", "'1/(k-1)'", &["division by zero"]),
         ("'k/2'", "'sqrt(-k)'", &["sqrt"]),
-        ("'k/2'", "'sum(h = 1..20000, sqrt(h))'", &["the work of this formula", "1000000"]),
         ("'0.5f', '1'", "'0.5f', 'x'", &["`x`"]),
         ("'0.5f', '1'", "'0.5f', '1e99f'", &["no finite value"]),
         ("cells = ", "numbers = ", &["numbers"]),

@@ -81,7 +81,7 @@ fn cases(identity: &Identity) -> Result<Vec<Case>, Diagnostic> {
                 Index::Range { name, label, from, to } => {
                     let (from, to) = (bound(from, &case)?, bound(to, &case)?);
                     let entry = |value: i64| (Rational::from(value), value.to_string());
-                    (name, label, (from..=to).map(entry).collect::<Vec<_>>())
+                    (name, label, (from..=to).take(MAX_CASES + 1).map(entry).collect::<Vec<_>>())
                 }
             };
             for (value, printed) in entries {
