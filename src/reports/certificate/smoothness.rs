@@ -22,13 +22,10 @@ pub(super) fn block(finding: &SmoothnessFinding<'_>) -> Block {
         }
         SmoothnessBody::Statement(scheme, statement) => (scheme, &**statement),
     };
-    match finding.verdict {
-        SmoothnessVerdict::Open => block.give_up("it is open"),
-        _ => {}
-    }
     match &finding.known {
         Known::Capped(why) => block.give_up(why.clone()),
         Known::BeyondCap(cap) => block.give_up(cap.to_string()),
+        _ if finding.verdict == SmoothnessVerdict::Open => block.give_up("it is open"),
         _ => {}
     }
     let scheme = scheme.reference.to_string();
