@@ -172,6 +172,35 @@ fn roots_of_polynomials() {
     assert_eq!(error(&[[1; 10], [1; 10]].concat(), 1), RootError::Degree(19));
 }
 
+/// Where a root is to be known to many places, each step doubles them; what it proves is what signs at the ends say.
+#[test]
+fn roots_to_many_places() {
+    let c = cosine(1, 7).as_number().expect("a cosine").clone();
+    let whole = RealCyclotomic::from;
+    // x⁶ + x − 3, x³ − 2cos(2π/7)x − 1, and (3x − 1)(x² − 2), whose first root above 0 is rational.
+    let six = [-3, 1, 0, 0, 0, 0, 1].map(whole);
+    let three = [whole(-1), c.times(&whole(-2)), whole(0), whole(1)];
+    let product = [2, -6, -1, 3].map(whole);
+    for (polynomial, index) in [(&six[..], 2), (&three, 1), (&product, 3)] {
+        let root = RealExpression::root(polynomial, index).expect("a root");
+        let near = root.near(6);
+        assert!(near.width() < r(1, 2).pow(4095), "{root}");
+        let value = |at: &Rational| {
+            let at = RealCyclotomic::from(at.clone());
+            polynomial.iter().rev().fold(whole(0), |sum, c| sum.times(&at).plus(c)).sign()
+        };
+        assert_eq!(value(near.lower()) * value(near.upper()), -1, "{root}");
+        // Horner's rule gives 0, which takes as many places as the bound on its size says.
+        let powers = polynomial
+            .iter()
+            .rev()
+            .fold(number(0), |sum, c| sum.times(&root).plus(&RealExpression::from(c.clone())));
+        assert_eq!(powers.sign(), 0, "{root}");
+    }
+    let third = RealExpression::root(&product, 2).expect("a root");
+    assert_eq!(third.to_algebraic(), Some(RealAlgebraic::from(r(1, 3))));
+}
+
 #[test]
 fn forms() {
     let half = RealExpression::from(r(1, 2));

@@ -4,15 +4,20 @@ use super::numbers::levels;
 use crate::cli::json::depth as form;
 use subcert::bound::{
     ClassCap, Constants, DepthError, Operator, Order, SoundBound, SoundDepth, Terms, displacement,
-    least_level, surface_displacement,
+    least_level, levels_within, surface_displacement,
 };
 use subcert::exact::{Rational, format::short};
 use subcert::float::nearest;
 use subcert::report::html::LevelLine;
 use subcert::report::{Grid, json::Exact};
 
-/// The most residue classes for which the sound bound takes longer blocks than were asked for.
+/// The most residue classes for which the sound bound takes longer blocks than were asked for, and the most products of
+/// words of their visit.
 const SOUND_CLASSES: u64 = 1 << 12;
+const SOUND_WORK: u64 = 1 << 27;
+
+/// The products of words that all constants of one command may take.
+pub(super) const MAX_NORM_STEPS: u64 = 4_000_000_000;
 
 /// How many levels after the last one of interest a picture shows, and how many at most.
 const AFTER: u32 = 1;
@@ -40,6 +45,7 @@ impl Bounds {
         for one in constants {
             let arity = one.mask().arity();
             longest = longest.min(SOUND_CLASSES.ilog(arity as u64));
+            longest = longest.min(levels_within(one.difference(), SOUND_WORK));
         }
         let block = longest.max(levels);
         let first = &constants[0];

@@ -34,7 +34,7 @@ use super::output::{Failure, Outcome, positive};
 use super::polygon::{Caps, read_polygon};
 use super::progress::Progress;
 use answer::{Answer, MAX_STEPS};
-use bound::Bounds;
+use bound::{Bounds, MAX_NORM_STEPS};
 use exact::{Asked, Exact};
 use local_rules::ring_depth;
 use polygon::{OfPolygon, Points};
@@ -174,9 +174,11 @@ impl Report {
         let pieces = Budget::new(MAX_CURVE_PIECES);
         budgets.push(pieces.clone());
         let progress = Progress::of_steps(&budgets, arguments.output.format != FindingFormat::Json);
-        let constants: Vec<Constants> =
-            scheme.masks().into_iter().cloned().map(Constants::new).collect();
-        let constants = constants.into_iter().map(Constants::with_extreme_rows).collect::<Vec<_>>();
+        let norms = Budget::new(MAX_NORM_STEPS);
+        let constants = scheme.masks().into_iter().cloned().map(Constants::new);
+        let constants = constants
+            .map(|one| one.with_extreme_rows().with_budget(norms.clone()))
+            .collect::<Vec<_>>();
         let bounds = Bounds::of(&constants, arguments.block.levels, &tolerance, &spread)
             .map_err(|error| Failure::Input(error.to_string()))?;
         let levels = arguments.output.is_page();

@@ -44,5 +44,6 @@ pub use power::{ClassCap, MAX_CLASSES, MAX_LEVELS, MAX_WORK, Order, PowerNorm};
 pub use sound::{SoundBound, SoundDepth};
 pub use surface::{surface_coefficients, surface_displacement, surface_factor};
 pub use transport::{Transport, transport, transport_at_costs};
+pub use walk::levels_within;
 pub(crate) use walk::steps_of_visit;
 pub use walked_norm::{power_norm_generic, walked_joint_norm, walked_norm};

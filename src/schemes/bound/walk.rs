@@ -1,5 +1,6 @@
 //! The walk over all residue classes of a power of an operator.
 
+use super::power::MAX_LEVELS;
 use crate::exact::{Integer, IntegerPolynomial, Rational, Real, common_denominator};
 use crate::scheme::Rules;
 
@@ -150,6 +151,23 @@ pub(super) fn price(rules: &Rules, levels: u32) -> u64 {
     let largest = rules.rows().iter().map(|row| row.iter().map(scaled).sum::<Integer>().bits());
     let words = largest.max().unwrap_or(0).saturating_mul(u64::from(levels)) / 64 + 2;
     steps_of_visit(arity, width, levels).saturating_mul(words)
+}
+
+/// The greatest c, at most [`MAX_LEVELS`], for which a visit of all classes of c levels takes at most `work` products of words.
+///
+/// ```
+/// use subcert::bound::levels_within;
+/// use subcert::scheme::parse_scheme;
+///
+/// let levels = |scheme: &str| -> Result<u32, Box<dyn std::error::Error>> {
+///     Ok(levels_within(&parse_scheme(scheme)?.masks()[0].difference(), 1 << 20))
+/// };
+/// assert!(levels("b-spline:degree=100")? < levels("b-spline:degree=3")?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn levels_within(rules: &Rules, work: u64) -> u32 {
+    (1..=MAX_LEVELS).take_while(|&levels| price(rules, levels) <= work).last().unwrap_or(0)
 }
 
 /// The number of products in a visit of all classes, in any arithmetic.

@@ -3,7 +3,7 @@
 use super::error::{LimitError, MAX_PERIOD, MAX_WINDOW};
 use super::functional::{Functional, rule_at};
 use super::parameter::Parameter;
-use crate::bound::{Budget, Order, PowerSearch};
+use crate::bound::{Budget, Order, PowerSearch, levels_within};
 use crate::exact::{Rational, format, solve};
 use crate::scheme::{Mask, Rules};
 
@@ -15,17 +15,21 @@ const CLASSES: u64 = 1 << 10;
 const MOST_CLASSES: u64 = 1 << 16;
 const MOST_WORK: u64 = 1 << 25;
 
+/// Of wide masks with long numbers, no norm takes more products of words than this.
+const MOST_VISIT: u64 = 1 << 30;
+
 /// ‖R^0‖ = 1, ‖R^1‖, …, in adjoint order: for n^c ≤ 2^10, and, while none is below 1, for
-/// n^c ≤ 2^16. Further norms follow if the last ones decrease and branch and bound finds a
-/// norm below 1 with little work.
+/// n^c ≤ 2^16, as far as `MOST_VISIT` suffices for a visit of all classes. Further norms follow if the last ones
+/// decrease and branch and bound finds a norm below 1 with little work.
 pub(super) fn contraction_constants(rules: &Rules) -> Vec<Rational> {
     let one = Rational::one();
     let mut search = PowerSearch::new(rules, Order::Adjoint);
     let mut constants = vec![one.clone()];
     let mut classes = rules.arity() as u64;
+    let visited = levels_within(rules, MOST_VISIT).max(1);
     for c in 1.. {
         let contracts = constants[1..].iter().any(|constant| *constant < one);
-        if classes > if contracts { CLASSES } else { MOST_CLASSES } {
+        if classes > if contracts { CLASSES } else { MOST_CLASSES } || c > visited {
             if !contracts && fall(&constants) {
                 constants.extend(first_below_one(rules, c));
             }

@@ -252,7 +252,7 @@ impl Family<'_> {
 
     /// Checks that the cells which tell a parameter's value are no luck by themselves, for each
     /// parameter that the table's own numbers give. `found` are the cells that the reading gives.
-    fn determined(&self, read: &Read, found: &[Place], part: usize) -> Checked<()> {
+    fn determined(&self, read: &Read, found: &BTreeSet<Place>, part: usize) -> Checked<()> {
         let table = self.table;
         for name in table.own().filter(|_| !self.plain) {
             let undetermined = || Reason::Undetermined(name.clone());

@@ -5,6 +5,7 @@ use crate::reject::{Checked, Reason, Stop, Text, compare, require};
 use crate::show::shown;
 use crate::table::{Cells, Place, Table};
 use crate::value::Value;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A value, and whether a member has it.
 type Met = (Option<Value>, bool);
@@ -22,12 +23,17 @@ impl Listed {
         for place in refuted {
             let said = block.after("values")?;
             let said = said.strip_prefix(&format!("{} {} ", place.0 + 1, place.1 + 1));
-            let mut values: Vec<Met> = Vec::new();
+            let (mut values, mut rational) = (Vec::<Met>::new(), BTreeSet::new());
             for value in said.ok_or(Reason::Cell)?.split_whitespace() {
                 let value = Some(value).filter(|value| *value != "undefined");
                 let value = value.map(|value| table.paper.number(value)).transpose()?;
-                for (known, _) in &values {
-                    require(!same(known.as_ref(), value.as_ref())?, Reason::Member)?;
+                if let Some(fraction) = value.as_ref().and_then(Value::rational) {
+                    require(rational.insert(fraction), Reason::Member)?;
+                } else {
+                    table.paper.library.meter.spend(values.len() as u64)?;
+                    for (known, _) in &values {
+                        require(!same(known.as_ref(), value.as_ref())?, Reason::Member)?;
+                    }
                 }
                 values.push((value, false));
             }
@@ -39,12 +45,13 @@ impl Listed {
     /// Compares the values of a member with the listed values of these numbers.
     pub fn compare(&mut self, said: &str, cells: &Cells, values: &[Option<Value>]) -> Checked<()> {
         let mut numbers = said.split_whitespace();
+        let values: BTreeMap<Place, Option<&Value>> =
+            cells.iter().zip(values).map(|((at, _), value)| (*at, value.as_ref())).collect();
         for (place, listed) in &mut self.cells {
             let number = numbers.next().and_then(|number| number.parse().ok());
             let number: usize = number.ok_or(Reason::Malformed("the number of a value"))?;
-            let value = cells.iter().zip(values).find(|((at, _), _)| at == place);
+            let value = values.get(place).copied().flatten();
             let known = number.checked_sub(1).and_then(|i| listed.get_mut(i));
-            let value = value.and_then(|(_, value)| value.as_ref());
             let none = || Reason::Value(Text(format!("value {number}")), Text(shown(value)));
             let (known, met) = known.ok_or_else(none)?;
             let equal = same(known.as_ref(), value)?;

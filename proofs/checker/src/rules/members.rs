@@ -84,13 +84,13 @@ pub fn explained(
     cells: &Cells,
     values: &[Option<Value>],
     decimals: &str,
-) -> Result<Vec<Place>, Stop> {
-    let mut found = Vec::new();
+) -> Result<BTreeSet<Place>, Stop> {
+    let mut found = BTreeSet::new();
     for ((place, decimal), value) in cells.iter().zip(values) {
         if let Some(value) = value
             && gives(decimal, value, decimals)?
         {
-            found.push(*place);
+            found.insert(*place);
         }
     }
     Ok(found)

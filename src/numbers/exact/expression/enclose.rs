@@ -58,7 +58,7 @@ fn places(level: u32) -> u32 {
 }
 
 /// The enclosure with ends that are multiples of 2^−`places`.
-fn outward(value: &Enclosure, places: u32) -> Enclosure {
+pub(super) fn outward(value: &Enclosure, places: u32) -> Enclosure {
     let unit = Integer::one().shifted_left(places);
     let scale = Rational::from(unit.clone());
     Enclosure::new(

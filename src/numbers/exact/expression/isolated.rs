@@ -1,11 +1,19 @@
 //! A real root of a polynomial with cyclotomic coefficients.
 
+use super::enclose::outward;
+use super::order::power_of_half;
 use crate::exact::sturm::changes;
 use crate::exact::{Enclosed, Enclosure, Integer, Rational, Real, RealCyclotomic, Scalar};
 
 /// A polynomial Σ c_k x^k with numbers c_k of one field, from the constant term upwards, without leading
 /// zeros.
 pub(super) type Coefficients = Vec<RealCyclotomic>;
+
+/// An interval as narrow as 2^−`BISECTED` is made by bisection.
+const BISECTED: u32 = 128;
+
+/// The binary digits of Newton's method beyond those of its result.
+const GUARD: u64 = 32;
 
 /// The root number `index` of a polynomial, which is the only root of a square-free polynomial in
 /// (lower, upper).
@@ -71,19 +79,55 @@ impl Isolated {
         }
     }
 
-    /// An interval no wider than 2^−`places`, by bisection.
+    /// An interval no wider than 2^−`places`: by bisection, and where it is narrow, by Newton's method.
     pub(super) fn enclosure(&self, places: u32) -> Enclosure {
-        let width = Rational::new(1, Integer::one().shifted_left(places));
-        let (mut lower, mut upper) = (self.lower.clone(), self.upper.clone());
-        while &upper - &lower > width {
-            let middle = (&lower + &upper) / Rational::from(2);
-            match sign_at(&self.square_free, &middle) {
-                0 => return Enclosure::exact(middle),
-                sign if sign == self.sign => lower = middle,
-                _ => upper = middle,
-            }
+        let mut near = Enclosure::new(self.lower.clone(), self.upper.clone());
+        let width = power_of_half(u64::from(places));
+        let narrow = power_of_half(u64::from(places.min(BISECTED)));
+        while near.width() > width {
+            let newton = (near.width() <= narrow).then(|| self.newton(&near)).flatten();
+            near = match newton {
+                Some(next) => next,
+                None => match self.halved(&near) {
+                    exact if exact.width().is_zero() => return exact,
+                    half => half,
+                },
+            };
         }
-        Enclosure::new(lower, upper)
+        near
+    }
+
+    fn halved(&self, near: &Enclosure) -> Enclosure {
+        let (lower, upper) = (near.lower().clone(), near.upper().clone());
+        let middle = (&lower + &upper) / Rational::from(2);
+        match sign_at(&self.square_free, &middle) {
+            0 => Enclosure::exact(middle),
+            sign if sign == self.sign => Enclosure::new(middle, upper),
+            _ => Enclosure::new(lower, middle),
+        }
+    }
+
+    /// The part of an interval X with this root that is in m − f(m)/f′(X), where m is the middle of X: by the mean value
+    /// theorem, the root is there. `None` where it is more than half of X.
+    fn newton(&self, near: &Enclosure) -> Option<Enclosure> {
+        let width = near.width();
+        let bits = (width.denominator().bits() - width.numerator().bits() + 1) * 2 + GUARD;
+        let places = u32::try_from(bits).ok()?;
+        let level = (places / 64).next_power_of_two().ilog2() + 1;
+        let value = |polynomial: &Coefficients, at: &Enclosure| {
+            polynomial.iter().rev().fold(Enclosure::exact(Rational::zero()), |value, c| {
+                outward(&(&(&value * at) + &c.enclosure(level)), places)
+            })
+        };
+        let middle = Enclosure::exact((near.lower() + near.upper()) / Rational::from(2));
+        let slope = value(&derivative(&self.square_free), near);
+        slope.sign().filter(|sign| *sign != 0)?;
+        let inverse = Enclosure::new(slope.upper().recip(), slope.lower().recip());
+        let next = &middle - &(&value(&self.square_free, &middle) * &inverse);
+        let next = outward(&next, places);
+        let lower = next.lower().max(near.lower()).clone();
+        let next = Enclosure::new(lower, next.upper().min(near.upper()).clone());
+        (next.width() * Rational::from(2) <= width).then_some(next)
     }
 }
 

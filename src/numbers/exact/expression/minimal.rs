@@ -33,7 +33,7 @@ impl RealExpression {
         {
             return None;
         }
-        if let Some(value) = self.as_rational() {
+        if let Some(Some(value)) = self.0.rational.get() {
             return Some(RealAlgebraic::from(value.clone()));
         }
         let mut algebra = Algebra::new(field);

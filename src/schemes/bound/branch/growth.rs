@@ -31,6 +31,8 @@ pub(super) struct Growth {
     moments: Moments,
     /// Searches end when this is stopped.
     budget: Budget,
+    /// Whether bounds of single entries are wanted by the next search.
+    sharp: bool,
     /// Bounds of single entries, if they are used.
     entries: Option<Entries>,
 }
@@ -46,13 +48,19 @@ impl Growth {
             reach: Vec::new(),
             moments: Moments::start(),
             budget: Budget::unlimited(),
+            sharp: false,
             entries: None,
         })
     }
 
     /// From now on, searches use bounds of single entries. Trees that prove norms do not.
     pub(super) fn sharpen(&mut self) {
-        if self.entries.is_none() && self.operator.shift.is_some() {
+        self.sharp = self.entries.is_none() && self.operator.shift.is_some();
+    }
+
+    /// Finds the bounds of single entries, if they are wanted and not known: where no search is needed, nor are they.
+    fn find_entries(&mut self) {
+        if std::mem::take(&mut self.sharp) {
             self.entries = Entries::new(&self.operator);
             // The bounds so far have none.
             for m in 0..self.reach.len() {
@@ -152,6 +160,7 @@ impl Growth {
     /// Bounds of ‖E^m‖ for all m < c. They are exact for m up to [`FIRST`], and for every m if no
     /// bound of all norms is found. `None` when the work does not suffice.
     pub(super) fn prepare(&mut self, levels: u32, work: &mut u64) -> Option<()> {
+        self.find_entries();
         for m in 0..levels {
             let known = self.known.contains_key(&m);
             if !known && (m <= FIRST || self.uniform().is_none()) {
