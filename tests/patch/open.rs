@@ -95,9 +95,10 @@ fn polygons_and_nets_agree() {
 /// dense samples, and from both sides the same.
 #[test]
 fn a_part_of_a_cell_at_an_end() {
+    type Case<'c> = (&'c str, &'c [[i64; 2]], [Rational; 2], [i64; 3]);
     let bend = [[0, 0], [1, 0], [1, 8], [1, 16]];
     let zigzag = [[0, 0], [1, 5], [3, -2], [4, 1], [6, 6]];
-    let cases: [(&str, &[[i64; 2]], [Rational; 2], [i64; 3]); 2] = [
+    let cases: [Case<'_>; 2] = [
         ("quaternary-b-spline:degree=2", &bend, [r(1, 3), r(7, 3)], [35_777, 4_986, 390]),
         ("ternary-four-point-approximating", &zigzag, [r(3, 2), r(2, 1)], [43_305, 12_554, 2_636]),
     ];

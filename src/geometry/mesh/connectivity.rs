@@ -204,13 +204,12 @@ fn check_face(face: usize, vertices: &[usize], points: usize) -> Result<(), Mesh
         return Err(MeshError::NoPoint { face, point, count: points });
     }
     // Most faces are triangles or quadrilaterals.
-    let twice = match vertices {
-        [a, b, c] => [(a, b), (b, c), (a, c)].into_iter().find(|(x, y)| x == y).map(|(x, _)| *x),
-        _ => {
-            let mut sorted = vertices.to_vec();
-            sorted.sort_unstable();
-            sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
-        }
+    let twice = if let [a, b, c] = vertices {
+        [(a, b), (b, c), (a, c)].into_iter().find(|(x, y)| x == y).map(|(x, _)| *x)
+    } else {
+        let mut sorted = vertices.to_vec();
+        sorted.sort_unstable();
+        sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
     };
     twice.map_or(Ok(()), |point| Err(MeshError::Twice { face, point }))
 }
