@@ -170,7 +170,9 @@ pub(super) fn unchecked(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
         return;
     }
     sheet.heading(2, "What could not be checked, and why");
-    sheet.facts(beyond.into_iter().map(|one| (one.locus.to_owned(), one.cap)).collect());
+    if !beyond.is_empty() {
+        sheet.facts(beyond.into_iter().map(|one| (one.locus.to_owned(), one.cap)).collect());
+    }
     if errata.unchecked.is_empty() {
         return;
     }
