@@ -165,7 +165,8 @@ proptest! {
         let exact = together(&numbers, m) * Rational::from(2 * tried);
         prop_assert!(exact <= chance, "{exact} > {chance}");
         if left == 0 {
-            prop_assert!(chance <= exact * Rational::new(11, 10) || chance >= Rational::one());
+            // It is rounded to one digit above 1/10.
+            prop_assert!(chance <= exact * Rational::new(11, 10) || chance >= Rational::new(1, 10));
         }
         let largest = numbers.iter().map(|(_, size)| *size).max().unwrap_or(0);
         let several = numbers.len() < 2 || m > largest;
@@ -216,5 +217,27 @@ fn luck_is_counted_quickly() {
     searched(&identity(&n, &cells), |search, _| {
         assert_eq!((search.most, search.cells), (2_000, 2_000));
         assert!(search.chance > Rational::zero());
+    });
+}
+
+/// Numbers that differ by powers of ten alone are one, as a header that scales makes them from one.
+#[test]
+fn powers_of_ten_are_one_number() {
+    let cells: Vec<String> = (-3..=9).map(|power| format!("37e{power}")).collect();
+    searched(&identity(&cells, &cells), |search, verdicts| {
+        assert!(search.best.is_empty() && search.chance >= Rational::new(1, 1_000));
+        assert!(verdicts.iter().all(|verdict| *verdict == Verdict::Refuted));
+    });
+}
+
+/// A unit that is far above a value is no rounding of it, and no slip; one that is as far below it is not either.
+#[test]
+fn a_power_of_ten_is_no_rounding_of_a_small_value() {
+    let cells = ["1e1000", "1e-1000", "1e4"].map(str::to_owned);
+    let n = ["1", "1", "1"].map(str::to_owned);
+    searched(&identity(&n, &cells), |_, verdicts| {
+        assert!(verdicts[..2].iter().all(|verdict| *verdict == Verdict::Refuted));
+        // 5001 is more than half of it.
+        assert_eq!(verdicts[2], Verdict::Confirmed);
     });
 }

@@ -15,7 +15,7 @@ pub type Q = BigRational;
 const MAX_DIGITS: usize = 10_000;
 
 /// The greatest exponent.
-const MAX_EXPONENT: i64 = 10_000;
+const MAX_EXPONENT: i64 = 1_000;
 
 /// The most binary digits of a common denominator.
 const MAX_BITS: u64 = 1 << 16;

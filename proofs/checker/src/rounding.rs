@@ -9,7 +9,7 @@ use num_bigint::BigInt;
 use num_traits::{One, Pow, Signed, Zero};
 
 /// The rounding that leads from `value` to `decimal`: `nearest`, otherwise `cut` towards zero or
-/// `away` from it, or `neither` if they differ by a unit of the last place or more.
+/// `away` from it, but not to one unit of the last place, or `neither`.
 pub fn rounding(decimal: &Decimal, value: &Value) -> Result<&'static str, Stop> {
     rounding_on(decimal, value, None)
 }
@@ -29,7 +29,12 @@ pub fn rounding_on(
         return Ok("neither");
     }
     let less = shown.abs(None)?.compare_on(&value.abs(piece)?, piece)?.is_lt();
-    Ok(if less { "cut" } else { "away" })
+    Ok(match less {
+        true => "cut",
+        // Nobody rounds a value below half a unit away from zero to one unit.
+        false if is_one_unit(decimal) => "neither",
+        false => "away",
+    })
 }
 
 /// Whether `value` becomes `decimal` if decimals are rounded in this way.
@@ -39,14 +44,13 @@ pub fn gives(decimal: &Decimal, value: &Value, decimals: &str) -> Result<bool, S
     Ok(match (rounding(decimal, value)?, decimals) {
         ("neither", _) => false,
         (_, "cut") => beyond.is_le(),
-        // Nobody rounds a value below half a unit away from zero to one unit.
-        (found, "away") => beyond.is_ge() && (found == "nearest" || !is_one_unit(decimal)),
+        (_, "away") => beyond.is_ge(),
         (found, _) => found == "nearest",
     })
 }
 
 /// Whether a decimal is one unit of its last digit, or its negative.
-fn is_one_unit(decimal: &Decimal) -> bool {
+pub fn is_one_unit(decimal: &Decimal) -> bool {
     decimal.digits.abs().is_one()
 }
 
@@ -80,6 +84,14 @@ const DIGITS_FOR_CUT: usize = 6;
 /// cut.
 pub fn slips(decimal: &Decimal, value: &Value) -> Result<Vec<String>, Stop> {
     let mut slips = Vec::new();
+    // A slip changes a number by a factor of less than 10^5.
+    if let Some(value) = value.rational()
+        && magnitude(&value).abs_diff(magnitude(&decimal.value)) > 20
+        && !value.is_zero()
+        && !decimal.value.is_zero()
+    {
+        return Ok(slips);
+    }
     if rounding(decimal, &value.negated()?)? != "neither" {
         slips.push("sign".to_owned());
     }
@@ -101,6 +113,12 @@ pub fn slips(decimal: &Decimal, value: &Value) -> Result<Vec<String>, Stop> {
     }
     slips.dedup();
     Ok(slips)
+}
+
+/// The binary logarithm of a number that is not 0, up to one.
+fn magnitude(value: &Q) -> i64 {
+    let [numerator, denominator] = [value.numer(), value.denom()].map(|x| x.bits().cast_signed());
+    numerator.saturating_sub(denominator)
 }
 
 /// The integer nearest to a number. If two are equally near, it is the even one.

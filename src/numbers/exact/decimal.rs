@@ -12,6 +12,8 @@ use super::{Enclosed, Integer, Rational, Real, RealAlgebraic};
 /// let printed = parse_decimal("0.667")?;
 /// assert_eq!(printed.rounding_of(&Rational::new(2, 3)), Rounding::Nearest);
 /// assert_eq!(parse_decimal("0.666")?.rounding_of(&Rational::new(2, 3)), Rounding::Truncated);
+/// // Nobody rounds 1/16 away from zero to 1.
+/// assert_eq!(parse_decimal("1")?.rounding_of(&Rational::new(1, 16)), Rounding::Neither);
 /// # Ok::<(), subcert::exact::NumberError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -29,9 +31,9 @@ pub enum Rounding {
     Nearest,
     /// Not the nearest; cut towards zero.
     Truncated,
-    /// Not the nearest; rounded away from zero.
+    /// Not the nearest; rounded away from zero, and not to one unit of the last place.
     Up,
-    /// None of these: off by a unit in the last place or more.
+    /// None of these.
     Neither,
 }
 
@@ -64,6 +66,12 @@ impl Decimal {
     #[must_use]
     pub fn unit(&self) -> Rational {
         Rational::power_of_ten(self.exponent)
+    }
+
+    /// Whether it is one unit of its last place, or its negative.
+    #[must_use]
+    pub fn is_one_unit(&self) -> bool {
+        self.mantissa.abs() == Integer::one()
     }
 
     /// The number of digits from the first that is not 0 to the last printed
@@ -103,7 +111,11 @@ impl Decimal {
         if off >= unit {
             return Rounding::Neither;
         }
-        if value.magnitude() < exact.magnitude() { Rounding::Truncated } else { Rounding::Up }
+        if value.magnitude() < exact.magnitude() {
+            return Rounding::Truncated;
+        }
+        // Nobody rounds a value below half a unit away from zero to one unit: 1/16 is no 1.
+        if self.is_one_unit() { Rounding::Neither } else { Rounding::Up }
     }
 
     /// How this decimal came from the real algebraic number `exact`, in exact arithmetic.

@@ -6,7 +6,7 @@ use super::{Decimal, Integer, Rational};
 pub const MAX_DIGITS: usize = 10_000;
 
 /// The largest absolute value of a decimal exponent.
-pub const MAX_EXPONENT: i32 = 10_000;
+pub const MAX_EXPONENT: i32 = 1_000;
 
 /// Why a text is not a number.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

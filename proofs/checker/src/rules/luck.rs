@@ -31,8 +31,7 @@ fn rarity(digits: &BigInt, value: &Q, is_depth: bool) -> u64 {
     if is_depth {
         return value.floor().to_i64().unwrap_or(DEPTHS).clamp(1, DEPTHS).unsigned_abs();
     }
-    let digits = digits.abs().to_string();
-    let first: String = digits.trim_end_matches('0').chars().take(MAX_DIGITS).collect();
+    let first: String = telling(digits).chars().take(MAX_DIGITS).collect();
     match first.parse::<u64>() {
         Ok(integer) => 2 * integer,
         // There are no digits.
@@ -40,19 +39,25 @@ fn rarity(digits: &BigInt, value: &Q, is_depth: bool) -> u64 {
     }
 }
 
+/// Digits without zeros at their end.
+fn telling(digits: &BigInt) -> String {
+    digits.abs().to_string().trim_end_matches('0').to_owned()
+}
+
 impl Evidence {
-    /// The evidence of cells. Equal decimals are one number; equal depths are if they are in one row or
+    /// The evidence of cells. Decimals with the same digits, up to zeros at their ends, are one number; equal depths are if they are in one row or
     /// column, or joined by such pairs.
     pub fn new(table: &Table<'_>, cells: &Cells) -> Evidence {
         let is_depth = table.tolerance.is_some();
-        let (mut places, mut silent) = (BTreeMap::<Q, (u64, Vec<Place>)>::new(), 0);
+        let (mut places, mut silent) = (BTreeMap::<String, (u64, Vec<Place>)>::new(), 0);
         for (place, decimal) in cells {
             let rarity = rarity(&decimal.digits, &decimal.value, is_depth);
             if rarity == 1 {
                 silent += 1;
             } else {
-                let of = places.entry(decimal.value.abs());
-                of.or_insert((rarity, Vec::new())).1.push(*place);
+                let of =
+                    if is_depth { decimal.value.to_string() } else { telling(&decimal.digits) };
+                places.entry(of).or_insert((rarity, Vec::new())).1.push(*place);
             }
         }
         let mut numbers = Vec::new();

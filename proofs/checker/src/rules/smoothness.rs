@@ -9,6 +9,7 @@ use crate::exponent::LogSum;
 use crate::local_rules::LocalRules;
 use crate::paper::{Paper, printed};
 use crate::reject::{Checked, Reason, Stop, agree, require};
+use crate::rounding::is_one_unit;
 use crate::toml::Toml;
 use crate::vertex::{Found, check_vertex};
 
@@ -210,7 +211,8 @@ fn decimal(shown: &Shown, decimal: &Decimal) -> Checked<&'static str> {
     let between = |low: i64, high: i64, strictly: bool| -> Checked<bool> {
         Ok(shown.at_least(&place(low), strictly)? && shown.at_most(&place(high), strictly)?)
     };
-    let far = shown.at_least(&place(2), false)? || shown.at_most(&place(-2), false)?;
+    let below = if is_one_unit(decimal) { (-1, true) } else { (-2, false) };
+    let far = shown.at_least(&place(2), false)? || shown.at_most(&place(below.0), below.1)?;
     if far {
         Ok("refuted")
     } else if between(-1, 1, false)? {

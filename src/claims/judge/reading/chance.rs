@@ -31,14 +31,18 @@ pub(crate) fn one_in(printed: &Printed, is_depth: bool) -> u64 {
         let depth = printed.decimal.value().floor().to_i64();
         return depth.unwrap_or(LIKELY_DEPTHS).clamp(1, LIKELY_DEPTHS).unsigned_abs();
     }
-    let digits = printed.decimal.mantissa().abs().to_string();
-    let digits = digits.trim_end_matches('0');
+    let digits = digits(printed);
     let digits = &digits[..digits.len().min(MOST_DIGITS)];
     match digits.parse::<u64>() {
         Ok(digits) => 2 * digits,
         // There are none.
         Err(_) => 1,
     }
+}
+
+/// The digits of a decimal without zeros at both ends.
+fn digits(printed: &Printed) -> String {
+    printed.decimal.mantissa().abs().to_string().trim_end_matches('0').to_owned()
 }
 
 /// What cells tell of a reading that explains so many of them.
@@ -67,8 +71,8 @@ impl Evidence {
 
     /// The evidence of these cells, each with whether it is a depth, and its row and column.
     ///
-    /// Decimals that are equal, up to the sign, are one number, wherever they stand. So are equal
-    /// depths in one row or column, and those that are connected in this way.
+    /// Decimals that are equal, up to the sign and a power of ten, are one number, wherever they stand. So are
+    /// equal depths in one row or column, and those that are connected in this way.
     pub(crate) fn of<'p>(
         cells: impl IntoIterator<Item = (&'p Printed, bool, (usize, usize))>,
     ) -> Evidence {
@@ -76,16 +80,19 @@ impl Evidence {
         for (printed, is_depth, place) in cells {
             match one_in(printed, is_depth) {
                 1 => silent += 1,
-                one_in => all.push((one_in, printed.decimal.value().abs(), is_depth, place)),
+                one_in if is_depth => {
+                    all.push((one_in, printed.decimal.value().to_string(), is_depth, place));
+                }
+                one_in => all.push((one_in, digits(printed), is_depth, place)),
             }
         }
         // For each cell an earlier one with the same number, or itself.
         let mut earlier: Vec<usize> = (0..all.len()).collect();
         let mut first = BTreeMap::new();
-        for (at, (_, value, is_depth, (row, column))) in all.iter().enumerate() {
+        for (at, (_, number, is_depth, (row, column))) in all.iter().enumerate() {
             let lines = [(Some(row), None), (None, Some(column))];
             for line in if *is_depth { &lines[..] } else { &[(None, None)] } {
-                let other = *first.entry((value, *line)).or_insert(at);
+                let other = *first.entry((number, *line)).or_insert(at);
                 let (one, other) = (root(&mut earlier, at), root(&mut earlier, other));
                 earlier[one.max(other)] = one.min(other);
             }

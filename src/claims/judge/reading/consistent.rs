@@ -1,7 +1,7 @@
 //! Whether a printed decimal can stand for an exact value.
 
 use crate::evaluation::choices::DECIMAL_ROUNDING;
-use crate::exact::{Decimal, Integer, RealCyclotomic, Rounding};
+use crate::exact::{Decimal, RealCyclotomic, Rounding};
 use crate::finding::Difference;
 
 /// How a decimal was rounded, as [`DECIMAL_ROUNDING`](super::choices::DECIMAL_ROUNDING)
@@ -27,8 +27,7 @@ impl DecimalRounding {
         Some(Difference::Way(&DECIMAL_ROUNDING, way))
     }
 
-    /// Whether `exact` becomes `printed`. Nobody rounds a value below half a unit away from zero to
-    /// one unit.
+    /// Whether `exact` becomes `printed`.
     pub(crate) fn gives(self, printed: &Decimal, exact: &RealCyclotomic) -> bool {
         let rounding = printed.rounding_of(exact);
         let shown = || RealCyclotomic::from(printed.value()).abs();
@@ -38,14 +37,7 @@ impl DecimalRounding {
                     matches!(rounding, Rounding::Exact | Rounding::Nearest)
                 }
                 DecimalRounding::Cut => shown() <= exact.abs(),
-                DecimalRounding::Away => {
-                    shown() >= exact.abs() && (rounding != Rounding::Up || !is_one_unit(printed))
-                }
+                DecimalRounding::Away => shown() >= exact.abs(),
             }
     }
-}
-
-/// Whether a decimal is one unit of its last place, or its negative.
-pub(crate) fn is_one_unit(printed: &Decimal) -> bool {
-    printed.mantissa().abs() == Integer::one()
 }

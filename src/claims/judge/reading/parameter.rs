@@ -13,7 +13,7 @@ use crate::exact::{
     Enclosed, Integer, Interval, IntervalSet, PiecewisePolynomial, Rational, RealAlgebraic,
 };
 use crate::finding::{Explanation, Solved};
-use crate::judge::reading::consistent::{DecimalRounding, is_one_unit};
+use crate::judge::reading::consistent::DecimalRounding;
 use crate::judge::reading::plain::{height, plainest_between};
 use crate::judge::reading::space::{Change, Space};
 use std::ops::Bound;
@@ -255,7 +255,7 @@ fn consistent(
             (towards.at_most(&(&shown + &half)), away.at_most(&(half - shown)))
         }
         DecimalRounding::Cut => (towards.below(&(&shown + unit)), away.at_most(&-shown)),
-        DecimalRounding::Away if is_one_unit(&printed.decimal) => {
+        DecimalRounding::Away if printed.decimal.is_one_unit() => {
             (towards.at_most(&shown), away.at_most(&-half))
         }
         DecimalRounding::Away => (towards.at_most(&shown), away.below(&(unit - shown))),

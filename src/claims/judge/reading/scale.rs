@@ -2,7 +2,7 @@
 
 use crate::claim::Printed;
 use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic};
-use crate::judge::reading::consistent::{DecimalRounding, is_one_unit};
+use crate::judge::reading::consistent::DecimalRounding;
 use std::cmp::Reverse;
 
 /// A parameter to which the values of a table are proportional.
@@ -77,7 +77,7 @@ impl Consistent {
         for (printed, value) in cells {
             let Some((low, high)) = interval(printed, value, rounding) else { continue };
             let (low, high) = (low * base, high * base);
-            let is_open = rounding == DecimalRounding::Away && !is_one_unit(&printed.decimal);
+            let is_open = rounding == DecimalRounding::Away && !printed.decimal.is_one_unit();
             lows.push((low.clone(), is_open));
             highs.push(high.clone());
             intervals.push(((low, high), is_open));
@@ -133,7 +133,7 @@ fn interval(
     let (low, high) = match rounding {
         DecimalRounding::Nearest => (&shown - &half, &shown + &half),
         DecimalRounding::Cut => (shown.clone(), &shown + &unit),
-        DecimalRounding::Away if is_one_unit(&printed.decimal) => (half, shown.clone()),
+        DecimalRounding::Away if printed.decimal.is_one_unit() => (half, shown.clone()),
         DecimalRounding::Away => (&shown - &unit, shown.clone()),
     };
     let enclosure = value.abs().enclosure(PRECISION);

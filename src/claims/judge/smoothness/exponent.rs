@@ -88,12 +88,12 @@ fn decided(holds: bool, fails: bool) -> Option<bool> {
 
 /// How the decimal came from the exponent.
 fn rounding(hoelder: &Hoelder, decimal: &Decimal) -> Option<Rounding> {
-    let (shown, unit) = (decimal.value(), decimal.unit());
+    let shown = decimal.value();
     enclosures(hoelder).iter().find_map(|exponent| {
         let ends = [exponent.lower(), exponent.upper()];
         let [low, high] = ends.map(|end| decimal.rounding_of(end));
-        // Both ends may be far from the decimal, on different sides.
-        let apart = *ends[1] <= &shown - &unit || *ends[0] >= &shown + &unit;
+        // Neither end may be a rounding, and they be on different sides.
+        let apart = *ends[1] < shown || *ends[0] > shown;
         (low == high && (low != Rounding::Neither || apart)).then_some(low)
     })
 }
