@@ -53,7 +53,8 @@ fn sources() -> impl Strategy<Value = (Language, String, Vec<f64>)> {
                 };
                 let mut spaces = spaces.iter().cycle();
                 let mut space = || spaces.next().cloned().unwrap_or_default();
-                let mut text = format!("x table ={}{open}", space());
+                let name = if language == Language::Python { "table" } else { "x table" };
+                let mut text = format!("{name} ={}{open}", space());
                 for row in &rows {
                     text += open;
                     for (number, _) in row {

@@ -2,6 +2,7 @@
 
 mod laws;
 mod refused;
+mod sources;
 
 use subcert::diagnostic::{Diagnostic, SourceText};
 use subcert::exact::{Rational, parse_rational};
@@ -133,7 +134,7 @@ fn integers_have_the_types_of_the_language() {
         (Python, "100000000000000000000001/100000000000000000000000", 1.0),
         (Python, "9007199254740993/3", 3_002_399_751_580_331.0),
     ] {
-        let text = format!("x table = {text};");
+        let text = format!("table = {text};");
         assert_eq!(held(language, &text, &[], Precision::Double), [value], "{language:?}: {text}");
     }
     // What the type makes of a literal is no literal with a sign.

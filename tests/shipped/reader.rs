@@ -106,19 +106,24 @@ fn a_part_of_a_table() {
     std::fs::create_dir_all(&folder).expect("a folder");
     std::fs::write(folder.join("t.h"), "float t[2][2] = {{9, .5f}, {1.f, 1.5f}};\n")
         .expect("a file");
-    let read = |from: &str| {
+    let read_as = |kind: &str, from: &str| {
         let text = format!(
-            "{HEAD}[[shipped]]\nid = 't'\nlocus = 'l'\ntitle = 't'\ntype = 'f32'\nindices = ['k = 1..2']\n\
+            "{HEAD}[[shipped]]\nid = 't'\nlocus = 'l'\ntitle = 't'\ntype = '{kind}'\nindices = ['k = 1..2']\n\
              equals = 'k/2'\ncells_from = {{ file = 't.h', after = 't', {from} }}\n"
         );
         read_project(&SourceText::new(folder.join("k.toml").display().to_string(), text))
     };
+    let read = |from: &str| read_as("f32", from);
     let project = read("shape = [2, 2], skip = '1'").expect("a claim file");
     assert_eq!(found(&project).outcome, Outcome::Nearest);
     let errors = |from: &str| read(from).expect_err("a wrong file").to_string();
     assert!(
         errors("shape = [2, 2], skip = '3'").contains("4 numbers, and 2 are described after 3")
     );
+    // The source says `float`.
+    let other = read_as("f64", "shape = [2, 2], skip = '1'").expect_err("another type").to_string();
+    assert!(other.contains("have the type f32 here") && other.contains("t.h"), "{other}");
+    assert!(read_as("decimal:1", "shape = [2, 2], skip = '1'").is_ok());
     assert!(errors("skip = '1'").contains("needs the `shape`"));
     assert!(errors("shape = [3, 2]").contains("t.h"));
     std::fs::remove_dir_all(&folder).expect("the folder is still there");

@@ -95,7 +95,7 @@ impl Reader<'_> {
         Ok(inner)
     }
 
-    fn cast(&self, at: usize) -> Option<Precision> {
+    pub(super) fn cast(&self, at: usize) -> Option<Precision> {
         match self.text(at) {
             _ if !self.language.converts()[1] => None,
             // In Python, float is a double.

@@ -13,11 +13,15 @@
 //! | [`Precision`] | the type of the table |
 
 mod arithmetic;
+mod constructor;
+mod declared;
+mod directive;
 mod entry;
 mod expression;
 mod language;
 mod locate;
 mod number;
+mod quoted;
 mod reader;
 mod table;
 mod token;

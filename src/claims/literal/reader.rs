@@ -1,5 +1,6 @@
 //! Numbers and brackets of numbers.
 
+use super::declared::Typed;
 use super::entry::Entry;
 use super::language::Language;
 use super::token::{Kind, Token};
@@ -12,12 +13,6 @@ pub const MAX_ENTRIES: usize = 100_000;
 
 /// How deep brackets and signs may be nested.
 pub(super) const MAX_DEPTH: usize = 64;
-
-/// Constructors of integers and of numbers of 16 bits, up to a number behind the name.
-const OTHER_NUMBERS: [&str; 13] = [
-    "int", "uint", "ivec", "uvec", "bvec", "bool", "half", "long", "short", "char", "float16",
-    "bfloat", "f16vec",
-];
 
 /// The line of a place, for places that come in order.
 struct Lines<'a> {
@@ -46,6 +41,8 @@ pub(super) struct Reader<'a> {
     tokens: &'a [Token],
     pub(super) at: usize,
     lines: Lines<'a>,
+    /// The types that constructors give to the numbers.
+    pub(super) types: Vec<Typed>,
 }
 
 impl<'a> Reader<'a> {
@@ -54,11 +51,16 @@ impl<'a> Reader<'a> {
         language: Language,
         tokens: &'a [Token],
     ) -> Reader<'a> {
-        Reader { source, language, tokens, at: 0, lines: Lines::new(source) }
+        let types = Vec::new();
+        Reader { source, language, tokens, at: 0, lines: Lines::new(source), types }
     }
 
     pub(super) fn peek(&self) -> Option<Kind> {
-        self.tokens.get(self.at).map(|token| token.kind)
+        self.kind(self.at)
+    }
+
+    pub(super) fn kind(&self, at: usize) -> Option<Kind> {
+        self.tokens.get(at).map(|token| token.kind)
     }
 
     pub(super) fn text(&self, at: usize) -> &str {
@@ -86,24 +88,31 @@ impl<'a> Reader<'a> {
             return Err(self.wrong(format!("more than {MAX_DEPTH} brackets within each other")));
         }
         loop {
+            while self.language == Language::Rust && self.peek() == Some(Kind::Sign('&')) {
+                self.at += 1;
+            }
             match self.peek() {
                 None | Some(Kind::Sign(')' | ']' | '}')) => return Ok(()),
-                // A comma, and a reference in Rust.
-                Some(Kind::Sign(',' | '&')) => {
-                    self.at += 1;
-                    continue;
+                Some(Kind::Sign(',')) => {
+                    return Err(self.wrong("no number stands before this comma".to_owned()));
                 }
-                Some(Kind::Sign('{' | '[')) => self.group(entries, depth)?,
-                Some(Kind::Sign('(')) if !self.is_formula() => self.group(entries, depth)?,
-                Some(Kind::Name) if self.constructor().is_some() => {
-                    self.keeps_numbers()?;
-                    self.at = self.constructor().unwrap_or(self.at);
+                Some(Kind::Sign(sign @ ('{' | '['))) => {
+                    self.is_list_of_language(sign)?;
                     self.group(entries, depth)?;
                 }
+                Some(Kind::Sign('(')) if self.is_list(self.at) => {
+                    self.is_list_of_language('(')?;
+                    self.group(entries, depth)?;
+                }
+                Some(Kind::Name) => match self.constructor()? {
+                    Some(constructor) => self.construct(&constructor, entries, depth)?,
+                    None => self.entry(entries)?,
+                },
                 _ => self.entry(entries)?,
             }
             match self.peek() {
-                None | Some(Kind::Sign(',' | ')' | ']' | '}')) => {}
+                None | Some(Kind::Sign(')' | ']' | '}')) => {}
+                Some(Kind::Sign(',')) => self.at += 1,
                 _ => {
                     let found = self.text(self.at).to_owned();
                     return Err(self.wrong(format!("`{found}` stands where a comma is expected")));
@@ -112,7 +121,26 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn group(&mut self, entries: &mut Vec<Entry>, depth: usize) -> Result<(), Diagnostic> {
+    /// Refuses brackets that are no list of the language.
+    fn is_list_of_language(&self, sign: char) -> Result<(), Diagnostic> {
+        use Language::{C, JavaScript, Python, Shader};
+        let message = match (sign, self.language) {
+            ('{', Python | JavaScript) => {
+                "braces are a set or an object here, in which numbers have no order"
+            }
+            ('(', C | Shader | JavaScript) if self.commas(self.at) > 0 => {
+                "of numbers in round brackets the last one alone is the value here"
+            }
+            _ => return Ok(()),
+        };
+        Err(self.wrong(message.to_owned()))
+    }
+
+    pub(super) fn group(
+        &mut self,
+        entries: &mut Vec<Entry>,
+        depth: usize,
+    ) -> Result<(), Diagnostic> {
         let close = match self.peek() {
             Some(Kind::Sign('(')) => ')',
             Some(Kind::Sign('[')) => ']',
@@ -120,55 +148,16 @@ impl<'a> Reader<'a> {
         };
         let open = self.span();
         self.at += 1;
+        let before = entries.len();
         self.items(entries, depth + 1)?;
         if self.peek() != Some(Kind::Sign(close)) {
             let message = format!("a bracket is not closed by `{close}`");
             return Err(Diagnostic::new(self.source, open, message));
         }
+        if entries.len() == before {
+            return Err(self.wrong("a bracket without a number in it".to_owned()));
+        }
         self.at += 1;
-        Ok(())
-    }
-
-    /// Where the bracket of a constructor stands, as in `vec3(…)`, `float[7](…)`, `np.array([…])`: a call with
-    /// several numbers, or with brackets within.
-    fn constructor(&self) -> Option<usize> {
-        let mut at = self.at;
-        loop {
-            let sign = |at: usize| self.tokens.get(at).map(|token| token.kind);
-            match sign(at)? {
-                Kind::Name | Kind::Sign('.' | ':' | '!') => at += 1,
-                // The size in `float[7](…)`.
-                Kind::Sign('[') => {
-                    let close = at + 1 + usize::from(sign(at + 1) == Some(Kind::Number));
-                    let opens = matches!(sign(close + 1), Some(Kind::Sign('(' | '{')));
-                    if sign(close) != Some(Kind::Sign(']')) || !opens {
-                        return (at > self.at).then_some(at);
-                    }
-                    at = close + 1;
-                }
-                Kind::Sign('(' | '{') => return self.is_list(at).then_some(at),
-                _ => return None,
-            }
-        }
-    }
-
-    /// Refuses a constructor that makes other numbers: `ivec3(1.5, 2, 3)` has integers.
-    fn keeps_numbers(&self) -> Result<(), Diagnostic> {
-        let words =
-            (self.at..).take_while(|&at| match self.tokens.get(at).map(|token| token.kind) {
-                Some(Kind::Name) => true,
-                Some(Kind::Sign(sign)) => matches!(sign, '.' | ':' | '!'),
-                _ => false,
-            });
-        let name = words.last().map_or("", |at| self.text(at)).to_ascii_lowercase();
-        let converts = OTHER_NUMBERS.iter().any(|begin| {
-            // Not `interpolate` or `intensities`.
-            name.strip_prefix(begin)
-                .is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphabetic()))
-        });
-        if converts {
-            return Err(self.wrong(format!("`{name}` makes other numbers of what stands in it")));
-        }
         Ok(())
     }
 
@@ -188,9 +177,20 @@ impl<'a> Reader<'a> {
         false
     }
 
-    /// Whether the bracket `(` here belongs to a formula.
-    fn is_formula(&self) -> bool {
-        !self.is_list(self.at)
+    /// How many commas stand in the bracket itself, but for one at its end.
+    pub(super) fn commas(&self, open: usize) -> usize {
+        let (mut depth, mut commas, mut last) = (0_usize, 0, false);
+        for token in &self.tokens[open..] {
+            match token.kind {
+                Kind::Sign('(' | '[' | '{') => depth += 1,
+                Kind::Sign(')' | ']' | '}') if depth <= 1 => break,
+                Kind::Sign(')' | ']' | '}') => depth -= 1,
+                Kind::Sign(',') if depth == 1 => commas += 1,
+                _ => {}
+            }
+            last = depth == 1 && token.kind == Kind::Sign(',');
+        }
+        commas - usize::from(last)
     }
 
     fn entry(&mut self, entries: &mut Vec<Entry>) -> Result<(), Diagnostic> {

@@ -1,7 +1,8 @@
 //! A table of numbers in a file.
 
+use super::declared::decide;
 use super::entry::Entry;
-use super::language::Language;
+use super::language::{Language, Precision};
 use super::locate::{Initialiser, initialiser};
 use super::reader::{MAX_ENTRIES, Reader};
 use crate::diagnostic::{Diagnostic, SourceText};
@@ -17,15 +18,19 @@ pub struct LiteralTable {
     pub entries: Vec<Entry>,
     /// The bytes of the name in the file.
     pub name: Range<usize>,
+    /// The type that the source gives to the numbers, and the bytes of the word that says it; `None` where no word
+    /// does, or an integer type that holds them.
+    pub declared: Option<(Precision, Range<usize>)>,
 }
 
 /// Reads the numbers that the name `after` gets in a source file, such as `gregoryToLoopMatrix`. Nested
-/// brackets of any kind are taken as they come, as are constructors such as `vec3(…)` or `np.array(…)`; the numbers have to
-/// fill `shape`, in the order in which they stand. A table of one number has the shape `[]`.
+/// brackets are taken as they come, as are constructors that keep their numbers, such as `vec3(…)` or `np.array(…)`; the numbers
+/// have to fill `shape`, in the order in which they stand. A table of one number has the shape `[]`.
 ///
 /// # Errors
-/// At its place in the file, whatever is no number: a name, a macro, a call, a preprocessor line, an unknown suffix. Also
-/// when the name does not occur, gets no value or two, and when there are more or fewer numbers than the
+/// At its place in the file, whatever is no number: a name, a macro, another call, a preprocessor line, an unknown suffix, a comma
+/// without a number. Also when the name does not occur, gets no value or two, or is changed; when a conditional of the preprocessor stands
+/// around it; when the types that the source gives to the numbers are several, or do not hold one of them; and when there are more or fewer numbers than the
 /// shape has, or more than [`MAX_ENTRIES`].
 ///
 /// ```
@@ -49,15 +54,17 @@ pub fn read_literals(
         let message = format!("a shape of no numbers, or of more than {MAX_ENTRIES}: {shape:?}");
         return Err(Diagnostic::new(source, 0..0, message));
     };
-    let Initialiser { tokens, name } = initialiser(source, language, after)?;
+    let Initialiser { tokens, name, mut types, directives } = initialiser(source, language, after)?;
     let mut reader = Reader::new(source, language, &tokens);
     let mut entries = Vec::new();
     reader.items(&mut entries, 0)?;
+    types.append(&mut reader.types);
+    let declared = decide(source, &types, &entries, &directives)?;
     if entries.len() != wanted {
         let count = entries.len();
         let message =
             format!("`{after}` has {count} numbers, and the shape {shape:?} has {wanted}");
         return Err(Diagnostic::new(source, name, message));
     }
-    Ok(LiteralTable { shape: shape.to_vec(), entries, name })
+    Ok(LiteralTable { shape: shape.to_vec(), entries, name, declared })
 }

@@ -1,6 +1,8 @@
 //! The words of a source file.
 
+use super::directive::directive_length;
 use super::language::Language;
+use super::quoted::{raw_length, regex_length, template_length};
 use crate::diagnostic::{Diagnostic, SourceText};
 use std::ops::Range;
 use std::sync::Arc;
@@ -32,11 +34,13 @@ pub(super) struct Tokens<'a> {
     source: &'a Arc<SourceText>,
     language: Language,
     at: usize,
+    /// Whether the last word ends a value, so that `/` divides it.
+    value: bool,
 }
 
 impl<'a> Tokens<'a> {
     pub(super) fn new(source: &'a Arc<SourceText>, language: Language) -> Tokens<'a> {
-        Tokens { source, language, at: 0 }
+        Tokens { source, language, at: 0, value: false }
     }
 
     fn rest(&self) -> &'a str {
@@ -46,7 +50,7 @@ impl<'a> Tokens<'a> {
     /// The next word; `None` at the end of the file.
     ///
     /// # Errors
-    /// When a comment or a text has no end.
+    /// When a comment or a text has no end, or `\` joins two lines.
     pub(super) fn next(&mut self) -> Result<Option<Token>, Diagnostic> {
         self.skip()?;
         let (start, rest) = (self.at, self.rest());
@@ -57,6 +61,9 @@ impl<'a> Tokens<'a> {
         {
             self.at += number_length(rest, self.language);
             Kind::Number
+        } else if let Some(length) = raw_length(rest, self.language) {
+            self.at += length;
+            Kind::Text
         } else if first.is_alphabetic() || first == '_' {
             self.at += length(rest, |c| c.is_alphanumeric() || c == '_');
             Kind::Name
@@ -66,11 +73,29 @@ impl<'a> Tokens<'a> {
         } else if self.is_quote(first, rest) {
             self.at += self.text_length(first)?;
             Kind::Text
+        } else if let Some(length) = self.regex(rest) {
+            self.at += length;
+            Kind::Text
+        } else if first == '\\' && self.language.has_preprocessor() {
+            let message = "`\\` joins two lines outside of a macro";
+            return Err(Diagnostic::new(self.source, start..start + 1, message)
+                .with_help("write both as one line, without the `\\`"));
         } else {
             self.at += first.len_utf8();
             Kind::Sign(first)
         };
+        let word = &self.source.text[start..self.at];
+        self.value = match kind {
+            Kind::Sign(sign) => matches!(sign, ')' | ']' | '}'),
+            _ => !matches!(word, "return" | "typeof" | "case"),
+        };
         Ok(Some(Token { kind, span: start..self.at }))
+    }
+
+    /// The length of a regular expression of JavaScript that begins here.
+    fn regex(&self, rest: &str) -> Option<usize> {
+        let may = self.language == Language::JavaScript && !self.value;
+        regex_length(rest).filter(|_| may)
     }
 
     /// Skips white space and comments.
@@ -80,18 +105,47 @@ impl<'a> Tokens<'a> {
             let white = length(rest, char::is_whitespace);
             let comment = &rest[white..];
             let slashes = self.language.has_slash_comments();
-            let length = if slashes && comment.starts_with("/*") {
+            let length = if self.language == Language::Python
+                && (comment.starts_with("\\\n") || comment.starts_with("\\\r\n"))
+            {
+                1
+            } else if slashes && comment.starts_with("/*") {
                 self.comment_length(self.at + white, comment)?
             } else if slashes && comment.starts_with("//")
                 || self.language.has_hash_comments() && comment.starts_with('#')
             {
-                comment.find('\n').unwrap_or(comment.len())
+                let length = comment.find('\n').unwrap_or(comment.len());
+                self.ends_with_its_line(self.at + white, comment, length)?;
+                length
             } else {
                 self.at += white;
                 return Ok(());
             };
             self.at += white + length;
         }
+    }
+
+    /// Refuses a comment whose line ends with `\`, where that makes code of the next line a comment: in C it does, in
+    /// shaders not always.
+    fn ends_with_its_line(
+        &self,
+        start: usize,
+        comment: &str,
+        length: usize,
+    ) -> Result<(), Diagnostic> {
+        let line = comment[..length].trim_end();
+        let joins = line.ends_with('\\') || line.ends_with("??/");
+        let next = comment[length..].lines().nth(1).unwrap_or_default().trim();
+        if !self.language.has_preprocessor() || !joins || next.is_empty() || next.starts_with("//")
+        {
+            return Ok(());
+        }
+        let message =
+            "this comment ends with `\\`, so that a compiler may take the next line as part of it";
+        let place = start + line.len() - 1..start + line.len();
+        Err(Diagnostic::new(self.source, place, message).with_help(
+            "end the comment with another character than `\\`, or make the next line a comment too",
+        ))
     }
 
     /// The length of a comment `/* … */`; Rust's may have others within.
@@ -137,6 +191,9 @@ impl<'a> Tokens<'a> {
 
     fn text_length(&self, quote: char) -> Result<usize, Diagnostic> {
         let rest = self.rest();
+        if quote == '`' {
+            return template_length(rest, 0).ok_or_else(|| self.no_end(1));
+        }
         let triple: String = std::iter::repeat_n(quote, 3).collect();
         let open = if self.language == Language::Python && rest.starts_with(&triple) {
             triple.as_str()
@@ -149,34 +206,32 @@ impl<'a> Tokens<'a> {
             if after.starts_with(open) {
                 return Ok(at + open.len());
             }
+            if after.starts_with('\n') && open.len() == 1 && self.language != Language::Rust {
+                break;
+            }
             let mut characters = after.chars();
             let first = characters.next().map_or(0, char::len_utf8);
             at += first;
-            if after.starts_with('\\') {
+            if after.starts_with("\\\r\n") {
+                at += 2;
+            } else if after.starts_with('\\') {
                 at += characters.next().map_or(0, char::len_utf8);
             }
         }
-        let span = self.at..self.at + open.len();
+        Err(self.no_end(open.len()))
+    }
+
+    fn no_end(&self, length: usize) -> Diagnostic {
         let message = "a text in quotes has no end";
-        Err(Diagnostic::new(self.source, span, message).with_label("it begins here"))
+        Diagnostic::new(self.source, self.at..self.at + length, message)
+            .with_label("it begins here")
+            .with_help("if the language reads it otherwise, cut the file to the table")
     }
 }
 
 /// How many bytes of a text have this property.
 fn length(text: &str, has: impl Fn(char) -> bool) -> usize {
     text.find(|c| !has(c)).unwrap_or(text.len())
-}
-
-/// A line for the preprocessor, with the lines that `\` joins to it.
-fn directive_length(rest: &str) -> usize {
-    let mut length = 0;
-    for line in rest.split_inclusive('\n') {
-        length += line.len();
-        if !line.trim_end().ends_with('\\') {
-            break;
-        }
-    }
-    length
 }
 
 /// A number takes all letters, digits and separators that follow, one point, and signs after an exponent. Two

@@ -93,6 +93,25 @@ impl Reader<'_> {
             }
         };
         let table = read_literals(&source, language, after.get_ref(), &shape)?;
+        let wanted_type = match kind {
+            NumberType::Single => Some(Precision::Single),
+            NumberType::Double => Some(Precision::Double),
+            NumberType::Decimal(_) => None,
+        };
+        if let (Some(wanted), Some((held, span))) = (wanted_type, &table.declared)
+            && wanted != *held
+        {
+            let name = |precision| if precision == Precision::Single { "f32" } else { "f64" };
+            let [held, wanted] = [name(*held), name(wanted)];
+            let message = format!(
+                "the numbers of `{}` have the type {held} here, and the claim says {wanted}",
+                after.get_ref()
+            );
+            let help = format!(
+                "write type = \"{held}\" in the claim file; where the program converts them later, type the numbers into it, as `cells`"
+            );
+            return Err(Diagnostic::new(&source, span.clone(), message).with_help(help));
+        }
         let entries = table.entries.get(skipped..).and_then(|rest| rest.get(..wanted));
         let entries = entries.ok_or_else(|| {
             let found = table.entries.len();
