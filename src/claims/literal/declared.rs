@@ -36,14 +36,13 @@ pub(super) fn element(word: &str, language: Language) -> Option<(Element, usize)
     let typed = word.strip_suffix("Array").filter(|_| language == Language::JavaScript);
     let bits = |rest: &str| rest.strip_suffix("_t").unwrap_or(rest).parse().ok();
     match (typed.unwrap_or(word), language) {
-        ("Float32", Language::JavaScript) | ("f32", Language::Rust) => return Some((single, 1)),
+        ("Float32", Language::JavaScript)
+        | ("f32", Language::Rust)
+        | ("float32" | "float32_t" | "GLfloat" | "single", _) => return Some((single, 1)),
         ("Float64", Language::JavaScript)
         | ("f64", Language::Rust)
-        | ("float", Language::Python) => {
-            return Some((double, 1));
-        }
-        ("float32" | "float32_t" | "GLfloat" | "single", _) => return Some((single, 1)),
-        ("float64" | "float64_t" | "GLdouble", _) => return Some((double, 1)),
+        | ("float", Language::Python)
+        | ("float64" | "float64_t" | "GLdouble", _) => return Some((double, 1)),
         ("auto", Language::C) => return Some((Deduced, 1)),
         (
             "lowp" | "mediump" | "bool" | "_Bool" | "fixed" | "f16" | "bf16" | "Float16"
@@ -134,21 +133,16 @@ pub(super) fn declared(
         // An annotation converts nothing.
         Language::Python => return Vec::new(),
     };
+    let native = matches!(language, Language::C | Language::Shader);
     let mut found = Vec::new();
     // Neither sizes nor other names' values count.
     let (mut inside, mut size, mut value) = (0_usize, false, false);
     for token in &tokens[range] {
         match token.kind {
-            Kind::Sign('(') => inside += 1,
-            Kind::Sign(')') => inside = inside.saturating_sub(1),
-            Kind::Sign('[') if language == Language::C || language == Language::Shader => {
-                inside += 1
-            }
-            Kind::Sign(']') if language == Language::C || language == Language::Shader => {
-                inside = inside.saturating_sub(1);
-            }
-            Kind::Sign('{') => inside += 1,
-            Kind::Sign('}') => inside = inside.saturating_sub(1),
+            Kind::Sign('(' | '{') => inside += 1,
+            Kind::Sign(')' | '}') => inside = inside.saturating_sub(1),
+            Kind::Sign('[') if native => inside += 1,
+            Kind::Sign(']') if native => inside = inside.saturating_sub(1),
             // `[f32; N as usize]`
             Kind::Sign(';') => size = true,
             Kind::Sign(']') => size = false,

@@ -21,6 +21,7 @@ mod expression;
 mod language;
 mod locate;
 mod number;
+mod place;
 mod quoted;
 mod reader;
 mod table;
