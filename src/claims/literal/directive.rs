@@ -4,37 +4,6 @@ use super::token::{Kind, Token};
 use crate::diagnostic::SourceText;
 use std::ops::Range;
 
-/// The length of a line for the preprocessor, with the lines that `\` or a comment joins to it.
-pub(super) fn directive_length(rest: &str) -> usize {
-    let bytes = rest.as_bytes();
-    let (mut at, mut comment) = (0, false);
-    while at < bytes.len() {
-        let after = &bytes[at..];
-        at += match after[0] {
-            b'\n' => return at + 1,
-            b'\\' => {
-                let blanks = after[1..].iter().take_while(|b| matches!(b, b' ' | b'\t' | b'\r'));
-                let length = 1 + blanks.count();
-                length + usize::from(after.get(length) == Some(&b'\n'))
-            }
-            b'/' if !comment && after.starts_with(b"//") => {
-                comment = true;
-                2
-            }
-            b'/' if !comment && after.starts_with(b"/*") => {
-                rest[at + 2..].find("*/").map_or(after.len(), |length| length + 4)
-            }
-            quote @ (b'"' | b'\'') if !comment => {
-                let closes =
-                    after[1..].iter().take_while(|&&b| b != b'\n').position(|&b| b == quote);
-                closes.map_or(1, |length| length + 2)
-            }
-            _ => 1,
-        };
-    }
-    at
-}
-
 /// The words of a line for the preprocessor: `#ifndef A` gives `ifndef` and `A`.
 pub(super) fn words<'a>(source: &'a SourceText, token: &Token) -> Vec<&'a str> {
     let line = &source.text[token.span.clone()];

@@ -1,4 +1,4 @@
-//! Texts in quotes with rules of their own.
+//! Lengths of what is no code: texts in quotes with rules of their own, and lines for the preprocessor.
 
 use super::language::Language;
 
@@ -75,4 +75,35 @@ pub(super) fn regex_length(rest: &str) -> Option<usize> {
         }
         at += 1;
     }
+}
+
+/// The length of a line for the preprocessor, with the lines that `\` or a comment joins to it.
+pub(super) fn directive_length(rest: &str) -> usize {
+    let bytes = rest.as_bytes();
+    let (mut at, mut comment) = (0, false);
+    while at < bytes.len() {
+        let after = &bytes[at..];
+        at += match after[0] {
+            b'\n' => return at + 1,
+            b'\\' => {
+                let blanks = after[1..].iter().take_while(|b| matches!(b, b' ' | b'\t' | b'\r'));
+                let length = 1 + blanks.count();
+                length + usize::from(after.get(length) == Some(&b'\n'))
+            }
+            b'/' if !comment && after.starts_with(b"//") => {
+                comment = true;
+                2
+            }
+            b'/' if !comment && after.starts_with(b"/*") => {
+                rest[at + 2..].find("*/").map_or(after.len(), |length| length + 4)
+            }
+            quote @ (b'"' | b'\'') if !comment => {
+                let closes =
+                    after[1..].iter().take_while(|&&b| b != b'\n').position(|&b| b == quote);
+                closes.map_or(1, |length| length + 2)
+            }
+            _ => 1,
+        };
+    }
+    at
 }

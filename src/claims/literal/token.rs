@@ -1,8 +1,7 @@
 //! The words of a source file.
 
-use super::directive::directive_length;
 use super::language::Language;
-use super::quoted::{raw_length, regex_length, template_length};
+use super::quoted::{directive_length, raw_length, regex_length, template_length};
 use crate::diagnostic::{Diagnostic, SourceText};
 use std::ops::Range;
 use std::sync::Arc;
