@@ -158,7 +158,6 @@ fn what_has_no_valences_is_refused() {
         ("scheme = 'loop'\ncontinuous = '1'\nvalences = '3..1000'", "no valences"),
         ("scheme = 'loop:N=5'\ncontinuous = '1'\nvalences = '5'", "valence"),
         ("scheme = 'loop'\ncontinuous = '1'", "N"),
-        ("scheme = 'loop:N=100000'\ncontinuous = '1'", "an integer from 1 to 600"),
     ] {
         let source = format!("{HEAD}[[smoothness]]\nid = 'c'\nlocus = ''\n{claim}\n");
         let source = subcert::diagnostic::SourceText::new("k.toml", source);

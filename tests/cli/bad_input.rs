@@ -44,7 +44,7 @@ fn numbers_and_flags() {
     assert_parts(&depth("0"), &["--tolerance must be positive"]);
     assert_parts(&depth("-1"), &["--tolerance must be positive"]);
     assert_parts(&depth("1e"), &["--tolerance", "digit"]);
-    assert_parts(&depth("1e99999"), &["--tolerance", "10000"]);
+    assert_parts(&depth("1e99999"), &["--tolerance", "±1000"]);
     assert_parts(&depth("abc"), &["--tolerance", "unexpected `a`"]);
     assert_parts(&refused(["constants", "chaikin", "-c", "0"]), &["1..=256"]);
     assert_parts(&refused(["constants", "chaikin", "-c", "257"]), &["1..=256"]);

@@ -223,7 +223,7 @@ fn luck_is_counted_quickly() {
 /// Numbers that differ by powers of ten alone are one, as a header that scales makes them from one.
 #[test]
 fn powers_of_ten_are_one_number() {
-    let cells: Vec<String> = (-3..=9).map(|power| format!("37e{power}")).collect();
+    let cells: Vec<String> = (-9..=2).map(|power| format!("37e{power}")).collect();
     searched(&identity(&cells, &cells), |search, verdicts| {
         assert!(search.best.is_empty() && search.chance >= Rational::new(1, 1_000));
         assert!(verdicts.iter().all(|verdict| *verdict == Verdict::Refuted));

@@ -26,6 +26,8 @@ proptest! {
             0 => Rounding::Truncated,
             1 if exact => Rounding::Neither,
             1 if twice >= d => Rounding::Nearest,
+            // No value below half a unit is rounded to one unit.
+            1 if quotient == BigInt::ZERO => Rounding::Neither,
             1 => Rounding::Up,
             _ => Rounding::Neither,
         };
@@ -69,7 +71,8 @@ fn hand_values() {
         ("0.26", 1, 4, Neither),
         ("-0.25", 1, 4, Neither),
         ("0.0", 7, 100, Truncated),
-        ("0.1", 2, 100, Up),
+        ("0.1", 2, 100, Neither),
+        ("0.2", 12, 100, Up),
         ("0.1", 0, 1, Neither),
         ("7e-6", 695, 100_000_000, Nearest),
     ] {

@@ -281,7 +281,6 @@ fn what_is_outside_the_class_stays_outside() {
         quotient.clone(),
         quotient.minus(&quotient),
         one.plus(&quotient).times(&Parametric::zero()),
-        high,
         quotient.magnitude(),
         quotient.greater(&one),
         one.lesser(&quotient),
@@ -291,6 +290,8 @@ fn what_is_outside_the_class_stays_outside() {
         assert_ne!(poisoned, poisoned.clone());
         assert_eq!(poisoned.to_string(), "a function that is not piecewise polynomial");
     }
+    assert!(high.function().is_none());
+    assert_eq!(high.to_string(), "a function beyond the caps");
     assert_eq!(x.over(&one.plus(&one)).plus(&x.over(&one.plus(&one))), x);
 }
 

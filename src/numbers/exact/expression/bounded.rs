@@ -1,7 +1,7 @@
 //! Signs that are looked for with a bounded number of digits.
 
 use super::node::{Operation, RealExpression};
-use super::order::power_of_half;
+use super::rounded::power_of_half;
 use crate::exact::{Rational, RealCyclotomic, Scalar};
 use std::cmp::Ordering;
 

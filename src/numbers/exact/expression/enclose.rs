@@ -1,6 +1,7 @@
 //! Enclosures of expressions.
 
 use super::node::{Generator, Operation, RealExpression};
+use super::rounded::outward;
 use super::square::floor_root;
 use crate::exact::{Enclosed, Enclosure, Integer, Rational};
 
@@ -55,16 +56,6 @@ impl RealExpression {
 
 fn places(level: u32) -> u32 {
     64_u32.checked_shl(level).filter(|&places| places > 0).expect("a precision that fits in memory")
-}
-
-/// The enclosure with ends that are multiples of 2^−`places`.
-pub(super) fn outward(value: &Enclosure, places: u32) -> Enclosure {
-    let unit = Integer::one().shifted_left(places);
-    let scale = Rational::from(unit.clone());
-    Enclosure::new(
-        Rational::new((value.lower() * &scale).floor(), unit.clone()),
-        Rational::new((value.upper() * &scale).ceil(), unit),
-    )
 }
 
 /// √x for all x ≥ 0 of an interval that contains such a number.

@@ -1,7 +1,6 @@
 //! A real root of a polynomial with cyclotomic coefficients.
 
-use super::enclose::outward;
-use super::order::power_of_half;
+use super::rounded::{outward, power_of_half};
 use crate::exact::sturm::changes;
 use crate::exact::{Enclosed, Enclosure, Integer, Rational, Real, RealCyclotomic, Scalar};
 

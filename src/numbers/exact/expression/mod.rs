@@ -28,6 +28,7 @@ mod minimal;
 mod node;
 mod order;
 mod roots;
+mod rounded;
 mod size;
 mod square;
 

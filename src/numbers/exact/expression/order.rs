@@ -1,7 +1,8 @@
 //! Sign, equality and order of expressions, and whether one is rational.
 
 use super::node::{Operation, RealExpression};
-use crate::exact::{Enclosure, Integer, Rational, Scalar};
+use super::rounded::power_of_half;
+use crate::exact::{Enclosure, Rational, Scalar};
 use std::cmp::Ordering;
 use std::sync::Arc;
 
@@ -56,12 +57,6 @@ impl RealExpression {
         };
         self.0.rational.get_or_init(find).as_ref()
     }
-}
-
-/// 2^−`bits`.
-pub(super) fn power_of_half(bits: u64) -> Rational {
-    let bits = u32::try_from(bits).expect("a bound that fits in memory");
-    Rational::new(1, Integer::one().shifted_left(bits))
 }
 
 /// The fraction with the least denominator in an interval, by continued fractions.
