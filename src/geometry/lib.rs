@@ -14,6 +14,7 @@
 use subcert_numbers::{diagnostic, exact, suggestion};
 use subcert_schemes::{bound, float, limit, scheme};
 
+mod grouped;
 pub mod mesh;
 pub mod net;
 pub mod oracle;

@@ -30,7 +30,7 @@ const CRATES: [(&str, &str, &[&str]); 7] = [
             "facts",
         ],
     ),
-    ("src/geometry", "subcert_geometry", &["mesh", "net", "solid", "patch", "oracle"]),
+    ("src/geometry", "subcert_geometry", &["grouped", "mesh", "net", "solid", "patch", "oracle"]),
     (
         "src/claims",
         "subcert_claims",

@@ -2,7 +2,9 @@
 
 use crate::common::{int, r};
 use subcert::exact::Rational;
-use subcert::limit::{ControlPolygon, Distances, Limit, LimitError, Parametrisation, determined};
+use subcert::limit::{
+    ControlPolygon, Distances, Limit, LimitError, Parametrisation, Window, determined,
+};
 use subcert::scheme::{AnyScheme, Mask, Scheme, catalogue, parse_any_scheme};
 
 /// Every curve of the catalogue that is shown to converge.
@@ -74,6 +76,44 @@ fn is_known(limit: &Limit, points: &[Rational], t: &Rational, s: &Rational) -> b
 fn has_part(limit: &Limit, points: &[Rational], s: &Rational) -> bool {
     let known: Vec<bool> = (-140..140).map(|j| is_known(limit, points, &r(j, 7), s)).collect();
     known.windows(2).any(|pair| pair[0] && pair[1])
+}
+
+/// The window by its definition: the points of the polygon on a cell, and all that those of the next level in the windows
+/// of its parts are made of.
+fn window(mask: &Mask, s: &Rational) -> [i64; 2] {
+    let whole = |x: Rational| x.floor().to_i64().expect("small");
+    let n = int(mask.arity());
+    let mut ends = [whole(-s), -whole(s - Rational::one())];
+    loop {
+        let mut wider = ends;
+        for row in ends[0]..ends[1] + n {
+            let rule = &mask.rules().rows()[usize::try_from(row.rem_euclid(n)).expect("a residue")];
+            for (j, entry) in (row.div_euclid(n) + mask.offset()..).zip(rule) {
+                if !entry.is_zero() {
+                    wider = [wider[0].min(j), wider[1].max(j)];
+                }
+            }
+        }
+        if wider == ends {
+            return ends;
+        }
+        ends = wider;
+    }
+}
+
+/// For every curve of the catalogue and for shifts near and far.
+#[test]
+fn windows_are_those_of_the_definition() {
+    let mut seen = 0;
+    for (name, limit) in curves() {
+        for shift in [r(0, 1), r(-1, 2), r(2, 3), r(-9, 4), r(5, 1), r(13, 5)] {
+            let own = window(limit.mask(), &shift);
+            let found = Window::of(limit.mask(), &shift).expect("narrow");
+            assert_eq!([found.first, found.last], own, "{name}, {shift}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 200, "{seen}");
 }
 
 /// Whether the mask is the same from both sides.

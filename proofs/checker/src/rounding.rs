@@ -59,9 +59,14 @@ pub fn is_rounded(end: &Decimal) -> bool {
     !end.digits.is_zero() && end.digits.abs().to_string().len() >= 2
 }
 
-/// The number of digits of a decimal without leading and trailing zeros.
+/// The digits of a decimal without leading and trailing zeros.
+pub fn telling_digits(decimal: &Decimal) -> String {
+    decimal.digits.abs().to_string().trim_matches('0').to_owned()
+}
+
+/// Their number.
 pub fn telling(decimal: &Decimal) -> usize {
-    decimal.digits.abs().to_string().trim_matches('0').len()
+    telling_digits(decimal).len()
 }
 
 /// Whether a decimal has enough digits for this kind of slip, or for a `rounding` that differs from

@@ -72,7 +72,7 @@ pub(crate) fn exchanged(
     second: &Decimal,
     second_exact: &RealCyclotomic,
 ) -> bool {
-    let (digits, other) = (telling_digits(first), telling_digits(second));
+    let (digits, other) = (first.telling_digits().len(), second.telling_digits().len());
     digits.min(other) > 0
         && digits + other >= DIGITS_FOR_EXCHANGED
         && !matches(first, first_exact)
@@ -86,14 +86,9 @@ pub(crate) fn matches(printed: &Decimal, exact: &RealCyclotomic) -> bool {
     printed.rounding_of(exact) != Rounding::Neither
 }
 
-/// The significant digits without the zeros at the end.
-fn telling_digits(printed: &Decimal) -> usize {
-    printed.mantissa().abs().to_string().trim_matches('0').len()
-}
-
 /// Whether a number that agrees up to its last place agrees by more than luck.
 pub(crate) fn says_enough(printed: &Decimal) -> bool {
-    telling_digits(printed) >= DIGITS_FOR_ROUNDING
+    printed.telling_digits().len() >= DIGITS_FOR_ROUNDING
 }
 
 fn find_slip(
@@ -101,7 +96,7 @@ fn find_slip(
     exact: &RealCyclotomic,
     neighbours: &[((i32, i32), &RealCyclotomic)],
 ) -> Option<Slip> {
-    let digits = telling_digits(printed);
+    let digits = printed.telling_digits().len();
     if digits < DIGITS_FOR_SLIP {
         return None;
     }

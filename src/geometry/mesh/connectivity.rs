@@ -3,6 +3,7 @@
 use super::MAX_POINTS;
 use super::error::MeshError;
 use super::star::Star;
+use crate::grouped::Grouped;
 
 /// The room for the edges of a vertex that most have.
 const USUAL: usize = 8;
@@ -203,7 +204,7 @@ fn check_face(face: usize, vertices: &[usize], points: usize) -> Result<(), Mesh
     if let Some(&point) = vertices.iter().find(|point| **point >= points) {
         return Err(MeshError::NoPoint { face, point, count: points });
     }
-    // Most faces are triangles or quadrilaterals.
+    // Triangles, of which meshes have most, need no list.
     let twice = if let [a, b, c] = vertices {
         [(a, b), (b, c), (a, c)].into_iter().find(|(x, y)| x == y).map(|(x, _)| *x)
     } else {
@@ -249,29 +250,15 @@ fn edges(points: usize, faces: &[Vec<usize>]) -> Result<(Vec<Edge>, Vec<Vec<usiz
 
 /// For each edge of each face, in this order, which of them has the same ends and is met first.
 fn first_meetings(points: usize, faces: &[Vec<usize>]) -> Vec<usize> {
-    let ends = || {
-        faces.iter().flat_map(|face| {
-            let next = face.iter().cycle().skip(1);
-            face.iter().zip(next).map(|(&x, &y)| (x.min(y), x.max(y)))
-        })
-    };
-    // The edges by their lesser ends: those of point i begin at starts[i].
-    let mut starts = vec![0_usize; points + 1];
-    for (low, _) in ends() {
-        starts[low + 1] += 1;
-    }
-    for point in 0..points {
-        starts[point + 1] += starts[point];
-    }
-    let mut next = starts.clone();
-    let mut sorted = vec![(0, 0); starts[points]];
-    for (half, (low, high)) in ends().enumerate() {
-        sorted[next[low]] = (high, half);
-        next[low] += 1;
-    }
-    let mut first = vec![0; sorted.len()];
-    for point in 0..points {
-        let own = &mut sorted[starts[point]..starts[point + 1]];
+    let halves = faces.iter().flat_map(|face| {
+        let next = face.iter().cycle().skip(1);
+        face.iter().zip(next).map(|(&x, &y)| (x.min(y), x.max(y)))
+    });
+    // Each edge at its lesser end.
+    let halves = halves.enumerate().map(|(half, (low, high))| (low, (high, half)));
+    let mut grouped = Grouped::new(points, halves);
+    let mut first = vec![0; grouped.len()];
+    grouped.each_mut(|own| {
         own.sort_unstable();
         let mut met = (usize::MAX, 0);
         for &(high, half) in &*own {
@@ -280,6 +267,6 @@ fn first_meetings(points: usize, faces: &[Vec<usize>]) -> Vec<usize> {
             }
             first[half] = met.1;
         }
-    }
+    });
     first
 }

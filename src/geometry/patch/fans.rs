@@ -9,7 +9,9 @@ const MOST: [usize; 2] = [4, 6];
 
 /// The faces around the vertices of a regular face, from the face itself on, and which of their vertices these are.
 pub(super) struct Fans {
+    /// How many vertices each face has, and how many faces each vertex.
     count: usize,
+    valence: usize,
     faces: [[(usize, usize); MOST[1]]; MOST[0]],
 }
 
@@ -26,7 +28,7 @@ impl Fans {
         if !tags.is_plain() {
             return None;
         }
-        let mut fans = Fans { count, faces: [[(face, 0); MOST[1]]; MOST[0]] };
+        let mut fans = Fans { count, valence, faces: [[(face, 0); MOST[1]]; MOST[0]] };
         for (corner, fan) in fans.faces[..count].iter_mut().enumerate() {
             let start = (face, corner);
             let mut at = start;
@@ -66,8 +68,7 @@ impl Regular {
         neighbourhood: &Neighbourhood,
         shape: usize,
     ) -> Option<Regular> {
-        let count = fans.count;
-        let valence = if count == 3 { 6 } else { 4 };
+        let (count, valence) = (fans.count, fans.valence);
         let all = || {
             (0..count).flat_map(|fan| {
                 (0..valence).flat_map(move |r| (0..count).map(move |turn| [fan, r, turn]))

@@ -81,6 +81,12 @@ impl Decimal {
         if self.mantissa.is_zero() { 0 } else { self.mantissa.abs().to_string().len() }
     }
 
+    /// The digits without zeros at both ends; none where all are 0.
+    #[must_use]
+    pub fn telling_digits(&self) -> String {
+        self.mantissa.abs().to_string().trim_matches('0').to_owned()
+    }
+
     /// The closed interval of the values that round to this decimal: half a
     /// unit in the last place to either side.
     #[must_use]

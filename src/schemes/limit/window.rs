@@ -1,8 +1,7 @@
 //! The points that one piece of a curve depends on, and what an open polygon determines.
 
 use super::error::{LimitError, MAX_WINDOW};
-use super::functional::rule_at;
-use crate::exact::Rational;
+use crate::exact::{Integer, Rational};
 use crate::scheme::Mask;
 
 /// The points x_{i+first}, …, x_{i+last}, which the curve and the polygons of all levels, with x^k_j at
@@ -35,28 +34,13 @@ impl Window {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn of(mask: &Mask, shift: &Rational) -> Result<Window, LimitError> {
-        let integer = |x: Rational| x.floor().to_i64().ok_or(LimitError::Offset(mask.offset()));
-        let mut window =
-            Window { first: integer(-shift)?, last: -integer(shift - Rational::one())? };
-        let arity = i64::try_from(mask.arity()).unwrap_or(i64::MAX);
-        loop {
-            if window.size() > MAX_WINDOW {
-                return Err(LimitError::Window(window.size()));
-            }
-            let mut wider = window;
-            for row in window.first..window.last + arity {
-                for (column, entry) in rule_at(mask.rules(), row) {
-                    if !entry.is_zero() {
-                        wider.first = wider.first.min(column);
-                        wider.last = wider.last.max(column);
-                    }
-                }
-            }
-            if wider == window {
-                return Ok(window);
-            }
-            window = wider;
+        let [start, short] = ends(mask, shift);
+        let whole = |x: Integer| x.to_i64().ok_or(LimitError::Offset(mask.offset()));
+        let window = Window { first: whole((-start).floor())?, last: whole((-short).ceil())? };
+        if window.size() > MAX_WINDOW {
+            return Err(LimitError::Window(window.size()));
         }
+        Ok(window)
     }
 
     /// How many points there are.
@@ -104,6 +88,17 @@ pub fn determined(
     shift: &Rational,
     count: usize,
 ) -> Result<[Rational; 2], LimitError> {
+    let [start, short] = ends(mask, shift);
+    let range = [start, Rational::from(count) + &short];
+    if range[0] < range[1] {
+        return Ok(range);
+    }
+    let more = (&range[0] - short).floor().to_i64().and_then(|most| usize::try_from(most).ok());
+    Err(LimitError::TooFew { needed: more.map_or(usize::MAX, |most| most.saturating_add(1)) })
+}
+
+/// max(B − 1, s) and min(A, s − 1).
+fn ends(mask: &Mask, shift: &Rational) -> [Rational; 2] {
     // y_{ni + α} has the coefficient a_m of x_{i + j} for m = α − nj, and φ(t) = Σ_m a_mφ(nt − m).
     let arity = i64::try_from(mask.arity()).expect("the arity is capped");
     let used = (0..).zip(mask.rules().rows()).flat_map(|(alpha, row)| {
@@ -112,13 +107,7 @@ pub fn determined(
     });
     let (least, greatest) =
         used.fold((i64::MAX, i64::MIN), |(least, greatest), m| (least.min(m), greatest.max(m)));
-    let end = |m: i64| Rational::new(m, arity - 1);
-    let start = (end(greatest) - Rational::one()).max(shift.clone());
-    let short = end(least).min(shift - Rational::one());
-    let range = [start, Rational::from(count) + &short];
-    if range[0] < range[1] {
-        return Ok(range);
-    }
-    let more = (&range[0] - short).floor().to_i64().and_then(|most| usize::try_from(most).ok());
-    Err(LimitError::TooFew { needed: more.map_or(usize::MAX, |most| most.saturating_add(1)) })
+    let [a, b] = [least, greatest].map(|m| Rational::new(m, arity - 1));
+    let one = Rational::one();
+    [(b - &one).max(shift.clone()), a.min(shift - one)]
 }

@@ -2,9 +2,10 @@
 
 use crate::decimal::Q;
 use crate::reject::Stop;
+use crate::rounding::telling_digits;
 use crate::table::{Cells, Place, Table};
 use num_bigint::BigInt;
-use num_traits::{Signed, ToPrimitive};
+use num_traits::ToPrimitive;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Wrong depths are often a level or two off.
@@ -26,12 +27,14 @@ pub struct Evidence {
     silent: usize,
 }
 
-/// One of how many unrelated values is printed like this.
-fn rarity(digits: &BigInt, value: &Q, is_depth: bool) -> u64 {
-    if is_depth {
-        return value.floor().to_i64().unwrap_or(DEPTHS).clamp(1, DEPTHS).unsigned_abs();
-    }
-    let first: String = telling(digits).chars().take(MAX_DIGITS).collect();
+/// One of how many unrelated values is a depth of so many levels.
+fn rarity_of_depth(value: &Q) -> u64 {
+    value.floor().to_i64().unwrap_or(DEPTHS).clamp(1, DEPTHS).unsigned_abs()
+}
+
+/// One of how many unrelated values has these digits.
+fn rarity(digits: &str) -> u64 {
+    let first: String = digits.chars().take(MAX_DIGITS).collect();
     match first.parse::<u64>() {
         Ok(integer) => 2 * integer,
         // There are no digits.
@@ -39,25 +42,23 @@ fn rarity(digits: &BigInt, value: &Q, is_depth: bool) -> u64 {
     }
 }
 
-/// Digits without zeros at their end.
-fn telling(digits: &BigInt) -> String {
-    digits.abs().to_string().trim_end_matches('0').to_owned()
-}
-
 impl Evidence {
-    /// The evidence of cells. Decimals with the same digits, up to zeros at their ends, are one number; equal depths are if they are in one row or
-    /// column, or joined by such pairs.
+    /// The evidence of cells. Decimals with the same digits, up to zeros at their ends, are one number; equal depths are if they
+    /// are in one row or column, or joined by such pairs.
     pub fn new(table: &Table<'_>, cells: &Cells) -> Evidence {
         let is_depth = table.tolerance.is_some();
         let (mut places, mut silent) = (BTreeMap::<String, (u64, Vec<Place>)>::new(), 0);
         for (place, decimal) in cells {
-            let rarity = rarity(&decimal.digits, &decimal.value, is_depth);
+            let (rarity, number) = if is_depth {
+                (rarity_of_depth(&decimal.value), decimal.value.to_string())
+            } else {
+                let digits = telling_digits(decimal);
+                (rarity(&digits), digits)
+            };
             if rarity == 1 {
                 silent += 1;
             } else {
-                let of =
-                    if is_depth { decimal.value.to_string() } else { telling(&decimal.digits) };
-                places.entry(of).or_insert((rarity, Vec::new())).1.push(*place);
+                places.entry(number).or_insert((rarity, Vec::new())).1.push(*place);
             }
         }
         let mut numbers = Vec::new();

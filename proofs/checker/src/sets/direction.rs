@@ -38,14 +38,12 @@ pub struct Direction {
     pub greatest: Q,
     /// The points x_{i + first}, …, x_{i + last} determine all on the parameters from i to i + 1.
     pub window: [i64; 2],
+    /// FROM, and TO less COUNT.
+    ends: [Q; 2],
     /// C: |P^k − P^0| and |P^∞ − P^0| are at most C·max|Δ_j − b| over the window.
     pub distance: Q,
     /// K: the coefficients of P^k and P^∞ at a parameter sum to at most K, in absolute values.
     pub sum: Q,
-}
-
-fn floor(x: &Q) -> i64 {
-    x.floor().to_i64().unwrap_or(0)
 }
 
 impl Direction {
@@ -57,7 +55,8 @@ impl Direction {
         let own = Rules::of(meter, &given.rules, given.offset)?;
         let shift = own.natural_shift().ok_or(DepthReason::NoLines)?;
         // Before any functional of points: in a window, all of them are short.
-        let window = window(&rules, &shift, n)?;
+        let ends = ends(&rules, &shift, n);
+        let window = window(&ends)?;
         // P^1 − P^0 is linear between the points of both.
         let mut moved = Q::zero();
         let steps: Vec<Q> = (0..n).map(|i| (int(i) + &shift) / int(n)).collect();
@@ -80,6 +79,7 @@ impl Direction {
             over,
             greatest,
             window,
+            ends,
             distance,
             sum,
         };
@@ -90,18 +90,9 @@ impl Direction {
     /// of all levels; a net between whole ones.
     fn check_range(&self, is_net: bool) -> Checked<()> {
         let Some([from, to]) = &self.range else { return Ok(()) };
-        let n = self.arity;
-        let used = (0..).zip(&self.rules).flat_map(|(alpha, rule)| {
-            rule.iter().map(move |(j, _)| (int(alpha) - int(n) * int(*j)) / int(n - 1))
-        });
-        let used: Vec<Q> = used.collect();
-        let start = used.iter().max().map(|end| end - int(1)).max(Some(self.shift.clone()));
-        let short = used.iter().min().cloned().into_iter().chain([&self.shift - int(1)]).min();
-        let (Some(start), Some(short)) = (start, short) else {
-            return Err(DepthReason::Range.into());
-        };
+        let [start, short] = &self.ends;
         let end = int(self.count) + short;
-        let own = if is_net { [start.ceil(), end.floor()] } else { [start, end] };
+        let own = if is_net { [start.ceil(), end.floor()] } else { [start.clone(), end] };
         require([from, to] == [&own[0], &own[1]], DepthReason::Range)
     }
 }
@@ -143,25 +134,21 @@ fn falls(rules: &Rules<'_>, width: usize, meter: &Meter) -> Checked<Q> {
     Ok(sum)
 }
 
+/// max(B − 1, s) and min(A, s − 1), where A and B are the least and the greatest (α − nj)/(n − 1).
+fn ends(rules: &[Rule], shift: &Q, n: i64) -> [Q; 2] {
+    let used = (0..).zip(rules).flat_map(|(alpha, rule)| {
+        rule.iter().map(move |(j, _)| (int(alpha) - int(n) * int(*j)) / int(n - 1))
+    });
+    let start = [shift.clone(), shift - int(1)];
+    used.fold(start, |[start, short], end| [start.max(&end - int(1)), short.min(end)])
+}
+
 /// The window of the cell from 0 to 1: it has the points of the polygon there, and all that those of the next level in
-/// the windows of its parts are made of.
-fn window(rules: &[Rule], shift: &Q, n: i64) -> Checked<[i64; 2]> {
-    let mut window = [floor(&-shift), -floor(&(shift - int(1)))];
-    loop {
-        if window[1] - window[0] >= MAX_WINDOW {
-            return Err(Stop::Capped("the size of a window").into());
-        }
-        let mut wider = window;
-        for row in window[0]..window[1] + n {
-            let rule = &rules[usize::try_from(row.rem_euclid(n)).unwrap_or(0)];
-            for (j, _) in rule {
-                let at = row.div_euclid(n) + j;
-                wider = [wider[0].min(at), wider[1].max(at)];
-            }
-        }
-        if wider == window {
-            return Ok(window);
-        }
-        window = wider;
+/// the windows of its parts are made of (THEOREMS.md, 98).
+fn window([start, short]: &[Q; 2]) -> Checked<[i64; 2]> {
+    let ends = [(-start).floor(), (-short).ceil()].map(|end| end.to_i64());
+    match ends {
+        [Some(first), Some(last)] if last.saturating_sub(first) < MAX_WINDOW => Ok([first, last]),
+        _ => Err(Stop::Capped("the size of a window").into()),
     }
 }

@@ -31,18 +31,17 @@ pub(crate) fn one_in(printed: &Printed, is_depth: bool) -> u64 {
         let depth = printed.decimal.value().floor().to_i64();
         return depth.unwrap_or(LIKELY_DEPTHS).clamp(1, LIKELY_DEPTHS).unsigned_abs();
     }
-    let digits = digits(printed);
+    rarity(&printed.decimal.telling_digits())
+}
+
+/// The same for the digits of a decimal that is no depth.
+fn rarity(digits: &str) -> u64 {
     let digits = &digits[..digits.len().min(MOST_DIGITS)];
     match digits.parse::<u64>() {
         Ok(digits) => 2 * digits,
         // There are none.
         Err(_) => 1,
     }
-}
-
-/// The digits of a decimal without zeros at both ends.
-fn digits(printed: &Printed) -> String {
-    printed.decimal.mantissa().abs().to_string().trim_end_matches('0').to_owned()
 }
 
 /// What cells tell of a reading that explains so many of them.
@@ -78,12 +77,15 @@ impl Evidence {
     ) -> Evidence {
         let (mut all, mut silent) = (Vec::new(), 0);
         for (printed, is_depth, place) in cells {
-            match one_in(printed, is_depth) {
+            let (one_in, number) = if is_depth {
+                (one_in(printed, true), printed.decimal.value().to_string())
+            } else {
+                let digits = printed.decimal.telling_digits();
+                (rarity(&digits), digits)
+            };
+            match one_in {
                 1 => silent += 1,
-                one_in if is_depth => {
-                    all.push((one_in, printed.decimal.value().to_string(), is_depth, place));
-                }
-                one_in => all.push((one_in, digits(printed), is_depth, place)),
+                _ => all.push((one_in, number, is_depth, place)),
             }
         }
         // For each cell an earlier one with the same number, or itself.

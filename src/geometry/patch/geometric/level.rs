@@ -52,7 +52,7 @@ pub(super) struct Geometry<'a> {
     /// The control mesh as the model has it.
     control: PolygonMesh<f64>,
     stencils: Stencils<f64>,
-    /// What each thread knows of shapes.
+    /// What each thread knows of shapes; there is one at least.
     shapes: Vec<Shapes>,
 }
 
@@ -93,10 +93,6 @@ impl<'a> Geometry<'a> {
             MeshScheme::CatmullClark | MeshScheme::Bajaj => self.surface == FaceSurface::Bilinear,
             MeshScheme::DooSabin => self.surface == FaceSurface::Bilinear && fours(),
         }
-    }
-
-    fn new_shapes(&self) -> Shapes {
-        Shapes::new(Kind::Surface(self.scheme))
     }
 
     fn judge(&self) -> Rounded {
@@ -289,7 +285,8 @@ impl<'a> Geometry<'a> {
         Ok(far.into_iter().collect())
     }
 
-    /// Some faces; `None` where they are too many at once.
+    /// Some faces, in halves where they are too many at once. Where `all` is false, what comes after a half with a face
+    /// that is far is left out.
     fn group(
         &self,
         shapes: &mut Shapes,
@@ -297,10 +294,24 @@ impl<'a> Geometry<'a> {
         group: &[usize],
         whole: &Whole<MeshSets>,
         all: bool,
-    ) -> Result<Option<Vec<(usize, Known)>>, MeshError> {
+    ) -> Result<Vec<(usize, Known)>, MeshError> {
         let this = self.place_maker(level);
         let work = self.distances.work();
-        let Some((scene, owners)) = self.scene(shapes, level, group)? else { return Ok(None) };
+        let open = || group.iter().map(|&face| (face, Known::Open)).collect();
+        if work.is_stopped() {
+            return Ok(open());
+        }
+        let Some((scene, owners)) = self.scene(shapes, level, group)? else {
+            if group.len() == 1 {
+                return Ok(open());
+            }
+            let (first, second) = group.split_at(group.len() / 2);
+            let mut known = self.group(shapes, level, first, whole, all)?;
+            if all || !has_far(&known) {
+                known.extend(self.group(shapes, level, second, whole, all)?);
+            }
+            return Ok(known);
+        };
         let tolerance = nearest(&(&this.tolerance / &this.scale));
         let own: Vec<usize> =
             (0..scene.units.len()).filter(|&unit| owners[unit].is_some()).collect();
@@ -314,41 +325,37 @@ impl<'a> Geometry<'a> {
             let place = |far: &_| this.place(whole, &scene, group[owner], number, far);
             known[owner].add(nearness, place);
         }
-        Ok(Some(group.iter().copied().zip(known).collect()))
+        Ok(group.iter().copied().zip(known).collect())
     }
 
-    /// Some faces, in halves where they are too many at once. Where `all` is false it ends with a part that has a face
-    /// that is far.
-    fn parts(
+    /// What is known of the faces that wait, with what each thread knows of shapes.
+    fn known(
         &self,
-        shapes: &mut Shapes,
+        shapes: &mut Vec<Shapes>,
         level: u32,
-        group: &[usize],
-        whole: &Whole<MeshSets>,
+        waiting: &[usize],
         all: bool,
     ) -> Result<Vec<(usize, Known)>, MeshError> {
-        let mut known = Vec::new();
-        let mut left = vec![group];
-        while let Some(group) = left.pop() {
-            if self.distances.work.is_stopped() {
-                known.extend(group.iter().map(|&face| (face, Known::Open)));
-                continue;
-            }
-            let Some(found) = self.group(shapes, level, group, whole, all)? else {
-                if let [face] = group[..] {
-                    known.push((face, Known::Open));
-                } else {
-                    let (first, second) = group.split_at(group.len() / 2);
-                    left.extend([second, first]);
-                }
-                continue;
-            };
-            known.extend(found);
-            if !all && has_far(&known) {
-                break;
+        let sets = MeshSets::new(&self.distances.model, &self.judge(), self.surface, level);
+        let whole = Whole::new(sets);
+        if !all {
+            let first = self.first_points(&mut shapes[0], level, waiting, &whole)?;
+            if !first.is_empty() {
+                return Ok(first);
             }
         }
-        Ok(known)
+        let size = (GROUP >> (2 * level).min(20)).max(1);
+        let groups = groups(self.control.connectivity(), waiting, size);
+        let count = threads(groups.len(), 1);
+        shapes.resize_with(shapes.len().max(count), || Shapes::new(Kind::Surface(self.scheme)));
+        let found = in_threads_until(
+            &mut shapes[..count],
+            &groups,
+            |shapes, group| self.group(shapes, level, group, &whole, all),
+            |found| found.as_ref().map_or(true, |known| !all && has_far(known)),
+        );
+        let found = found.into_iter().collect::<Result<Vec<_>, MeshError>>()?;
+        Ok(found.into_iter().flatten().collect())
     }
 
     fn place_maker(&self, level: u32) -> Places<'a> {
@@ -377,34 +384,11 @@ impl Levels for Geometry<'_> {
         all: bool,
     ) -> Result<Vec<(usize, Known)>, MeshError> {
         let waiting = self.waiting(level, wanted);
-        let work = self.distances.work();
-        work.begin(level, waiting.len());
-        let sets = MeshSets::new(&self.distances.model, &self.judge(), self.surface, level);
-        let whole = Whole::new(sets);
-        if !all {
-            let mut shapes = self.shapes.pop().unwrap_or_else(|| self.new_shapes());
-            let first = self.first_points(&mut shapes, level, &waiting, &whole);
-            self.shapes.push(shapes);
-            let first = first?;
-            if !first.is_empty() {
-                return Ok(first);
-            }
-        }
-        let size = (GROUP >> (2 * level).min(20)).max(1);
-        let groups = groups(self.control.connectivity(), &waiting, size);
+        self.distances.work().begin(level, waiting.len());
         let mut shapes = std::mem::take(&mut self.shapes);
-        let count = threads(groups.len(), 1);
-        shapes.resize_with(shapes.len().max(count), || self.new_shapes());
-        let this = &*self;
-        let found = in_threads_until(
-            &mut shapes[..count],
-            &groups,
-            |shapes, group| this.parts(shapes, level, group, &whole, all),
-            |found| found.as_ref().map_or(true, |known| !all && has_far(known)),
-        );
+        let known = self.known(&mut shapes, level, &waiting, all);
         self.shapes = shapes;
-        let found = found.into_iter().collect::<Result<Vec<_>, MeshError>>()?;
-        Ok(found.into_iter().flatten().collect())
+        known
     }
 
     fn is_stopped(&self) -> bool {

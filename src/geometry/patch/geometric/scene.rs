@@ -5,6 +5,7 @@ use super::patch::length;
 use super::pieces::{Unit, Units};
 use super::place::SetKind;
 use super::shadow::Segment;
+use crate::grouped::Grouped;
 use crate::mesh::Point;
 use std::collections::HashMap;
 use std::sync::OnceLock;
@@ -13,9 +14,8 @@ use std::sync::OnceLock;
 pub(in crate::patch) struct Scene<P> {
     pub(in crate::patch) pieces: P,
     pub(in crate::patch) units: Vec<Unit>,
-    /// The units at the corners, one corner after the other, and where those of each begin.
-    at_corners: Vec<usize>,
-    begins: Vec<usize>,
+    /// The units at each corner.
+    at_corner: Grouped<usize>,
     /// How far lengths may be off.
     pub(super) slack: f64,
     moved: Vec<OnceLock<f64>>,
@@ -30,22 +30,12 @@ pub(super) struct Ring {
 impl<P: Units> Scene<P> {
     pub(in crate::patch) fn new(pieces: P, units: Vec<Unit>, slack: f64) -> Scene<P> {
         let count = units.iter().flat_map(|unit| &unit.corners).max().map_or(0, |most| most + 1);
-        let mut begins = vec![0; count + 1];
-        for corner in units.iter().flat_map(|unit| &unit.corners) {
-            begins[corner + 1] += 1;
-        }
-        for corner in 0..count {
-            begins[corner + 1] += begins[corner];
-        }
-        let (mut next, mut at_corners) = (begins.clone(), vec![0; begins[count]]);
-        for (number, unit) in units.iter().enumerate() {
-            for &corner in &unit.corners {
-                at_corners[next[corner]] = number;
-                next[corner] += 1;
-            }
-        }
+        let corners = units.iter().enumerate();
+        let corners =
+            corners.flat_map(|(number, unit)| unit.corners.iter().map(move |&at| (at, number)));
+        let at_corner = Grouped::new(count, corners);
         let moved = units.iter().map(|_| OnceLock::new()).collect();
-        Scene { pieces, units, at_corners, begins, slack, moved }
+        Scene { pieces, units, at_corner, slack, moved }
     }
 
     pub(super) fn is_near_by_parameter(&self, unit: usize) -> bool {
@@ -64,7 +54,7 @@ impl<P: Units> Scene<P> {
             let end = units.len();
             for at in begin..end {
                 for corner in &self.units[units[at]].corners {
-                    for &other in &self.at_corners[self.begins[*corner]..self.begins[corner + 1]] {
+                    for &other in self.at_corner.of(*corner) {
                         if !units.contains(&other) {
                             units.push(other);
                         }
