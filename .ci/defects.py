@@ -79,7 +79,7 @@ DEFECTS = [
     ("src/reports/certificate/coq/numbers.rs", "number.is_integer() && number.sign() >= 0", "number.is_integer()",
      "certificate::coq"),
     ("src/reports/certificate/witness.rs", "axis + 1", "axis + 0", "certificate::theorems certificate::papers"),
-    ("src/cli/jsr.rs", "!is_comment && !last.is_empty()", "!last.is_empty()", "cli::smoothness"),
+    ("src/cli/smoothness/jsr.rs", "!is_comment && !last.is_empty()", "!last.is_empty()", "cli::smoothness"),
     ("src/cli/depth/mod.rs", "arguments.boundary != Some(DepthBoundary::Polygon(BoundaryArgument::Open))", "true",
      "cli::bad_input"),
     ("proofs/checker/src/sets/near.rs", "distance + radius + more <= TOLERANCE", "distance + more <= TOLERANCE",

@@ -1,65 +1,21 @@
 //! The command line: the only user of clap and of the standard output.
 
 mod arguments;
-mod atlas;
-mod atlas_pages;
-mod audit;
-mod audit_output;
-mod certified;
-mod certify;
-mod claim_files;
-mod columns;
+mod console;
 mod constants;
-mod coverage;
-mod csv;
-mod curve;
 mod depth;
-mod errata;
-mod explain;
-mod finding;
-mod flags;
-mod forms;
 mod geometry;
-mod interrupt;
 mod json;
-mod jsr;
-mod listing;
-mod local_constants;
-mod man;
-mod mesh;
-mod net;
-mod new;
-mod offset;
-mod oracle;
-mod output;
-mod pages;
 mod papers;
-mod plot;
-mod polygon;
-mod progress;
-mod projects;
-mod prove;
-mod radius;
-mod range;
-mod save;
-#[cfg(feature = "schema")]
-mod schemas;
-mod scheme;
+mod program;
+mod ranges;
 mod schemes;
-mod sector;
-mod sets;
-mod smooth_map;
-mod smooth_range;
 mod smoothness;
-mod solid;
 mod spectrum;
-mod table;
-mod terminal;
-mod vertex;
-mod vertex_range;
 
 use arguments::{Arguments, Command, grouped};
 use clap::{CommandFactory as _, FromArgMatches as _};
+use console::{output, terminal};
 use std::process::ExitCode;
 
 /// The exit code of an internal fault.
@@ -88,35 +44,35 @@ pub(crate) fn run() -> ExitCode {
     };
     terminal::set(arguments.color, arguments.quiet);
     let result = match arguments.command {
-        Command::Audit(command) => audit::audit(&command),
-        Command::Explain(command) => explain::explain(&command),
-        Command::Errata(command) => errata::errata(&command),
-        Command::Coverage(command) => coverage::coverage(&command),
+        Command::Audit(command) => papers::audit(&command),
+        Command::Explain(command) => papers::explain(&command),
+        Command::Errata(command) => papers::errata(&command),
+        Command::Coverage(command) => papers::coverage(&command),
         Command::Constants(command) => constants::constants(&command),
         Command::Depth(command) => depth::depth(&command),
-        Command::Range(command) => range::range(&command),
+        Command::Range(command) => ranges::range(&command),
         Command::Smoothness(command) => smoothness::smoothness(&command),
         Command::Spectrum(command) => match command.sector {
-            Some(faces) => sector::sector(&command, faces),
+            Some(faces) => spectrum::sector(&command, faces),
             None => spectrum::spectrum(&command),
         },
-        Command::Table(command) => table::table(&command),
-        Command::Jsr(command) => jsr::jsr(&command),
-        Command::Certify(command) => certify::certify(&command),
-        Command::Prove(command) => prove::prove(&command),
-        Command::New(command) => new::new(&command),
-        Command::Oracle(command) => oracle::oracle(&command),
+        Command::Table(command) => spectrum::table(&command),
+        Command::Jsr(command) => smoothness::jsr(&command),
+        Command::Certify(command) => constants::certify(&command),
+        Command::Prove(command) => papers::prove(&command),
+        Command::New(command) => papers::new(&command),
+        Command::Oracle(command) => geometry::oracle(&command),
         Command::Refine(command) => geometry::refine(&command),
         Command::Limit(command) => geometry::limit(&command),
         Command::Schemes(command) => schemes::schemes(&command),
-        Command::Scheme(command) => scheme::scheme(&command),
-        Command::Plot(command) => plot::plot(&command),
-        Command::Atlas(command) => atlas::atlas(&command),
-        Command::Flags(output) => flags::flags(&output),
+        Command::Scheme(command) => schemes::scheme(&command),
+        Command::Plot(command) => schemes::plot(&command),
+        Command::Atlas(command) => schemes::atlas(&command),
+        Command::Flags(output) => program::flags(&output),
         #[cfg(feature = "schema")]
-        Command::Schemas { folder } => schemas::schemas(&folder),
-        Command::Man { folder } => man::man(&folder),
-        Command::Completions { shell } => man::completions(shell),
+        Command::Schemas { folder } => program::schemas(&folder),
+        Command::Man { folder } => program::man(&folder),
+        Command::Completions { shell } => program::completions(shell),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -2,7 +2,7 @@
 
 use super::exact::{Asked, Exact};
 use super::polygon::{OfPolygon, Points};
-use crate::cli::output::Failure;
+use crate::cli::console::output::Failure;
 use subcert::bound::Budget;
 use subcert::limit::{Distances, Limit, LimitError, Parametrisation};
 use subcert::scheme::{Mask, Scheme};

@@ -1,7 +1,7 @@
 //! The certificate of a depth as a set of points.
 
-use crate::cli::output::{Failure, Outcome};
-use crate::cli::save::save;
+use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::console::save::save;
 use std::path::Path;
 use subcert::certificate::{DepthDirection, DepthFar, depth_certificate};
 use subcert::exact::Rational;

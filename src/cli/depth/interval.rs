@@ -1,7 +1,7 @@
 //! Intervals in a report.
 
+use crate::cli::console::output::with_decimal;
 use crate::cli::json::depth as form;
-use crate::cli::output::with_decimal;
 use subcert::exact::{Enclosure, Integer, Rational, format::short};
 use subcert::report::json::Exact;
 

@@ -3,9 +3,9 @@
 use super::exact::points_text;
 use super::numbers::{levels, too_few};
 use crate::cli::arguments::DepthArguments;
-use crate::cli::finding::{Destination, command};
+use crate::cli::console::destination::{Destination, command};
+use crate::cli::console::output::{Failure, Outcome, positive, with_decimal};
 use crate::cli::json::{SCHEMA, depth as form};
-use crate::cli::output::{Failure, Outcome, positive, with_decimal};
 use subcert::audit::{Attained, Control, Place, Refiner};
 use subcert::exact::{Rational, RealCyclotomic, format::short};
 use subcert::float::nearest;

@@ -4,35 +4,27 @@ mod answer;
 mod bound;
 mod certified;
 mod exact;
-mod faces;
-mod geometric;
 mod interval;
-mod kind;
 mod local_rules;
-mod mesh;
-mod net;
+mod meshes;
 mod numbers;
-mod pictures;
 mod place;
 mod polygon;
-mod promise;
-mod refined;
 mod scheme_pictures;
 mod sets;
-mod solid;
 mod surface;
 
-use super::arguments::{
+use crate::cli::arguments::{
     BoundaryArgument, DepthArguments, DepthBoundary, DistanceArgument, FacesArgument, FindingFormat,
 };
-use super::finding::{Destination, command};
-use super::geometry::Geometry;
-use super::json::{SCHEMA, depth as form};
-use super::net::NetInput;
-use super::offset::OfFile;
-use super::output::{Failure, Outcome, positive};
-use super::polygon::{Caps, read_polygon};
-use super::progress::Progress;
+use crate::cli::console::destination::{Destination, command};
+use crate::cli::console::output::{Failure, Outcome, positive};
+use crate::cli::console::progress::Progress;
+use crate::cli::constants::offset::OfFile;
+use crate::cli::geometry::commands::Geometry;
+use crate::cli::geometry::net::NetInput;
+use crate::cli::geometry::polygon::{Caps, read_polygon};
+use crate::cli::json::{SCHEMA, depth as form};
 use answer::{Answer, MAX_STEPS};
 use bound::{Bounds, MAX_NORM_STEPS};
 use exact::{Asked, Exact};
@@ -61,9 +53,9 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
             Geometry::Mesh | Geometry::Solid if arguments.certificate.is_some() => {
                 Err(certified::none("polygon meshes and solids have none"))
             }
-            Geometry::Mesh => mesh::mesh_depth(path, arguments, &to),
-            Geometry::Net => net::net_depth(&net, arguments, &to),
-            Geometry::Solid => solid::solid_depth(path, arguments, &to),
+            Geometry::Mesh => meshes::mesh_depth(path, arguments, &to),
+            Geometry::Net => meshes::net_depth(&net, arguments, &to),
+            Geometry::Solid => meshes::solid_depth(path, arguments, &to),
         };
     }
     only_its_boundary(arguments, false)?;

@@ -3,8 +3,8 @@
 use super::certified;
 use super::numbers::{depth_text, digits, point as point_text};
 use super::polygon::Points;
+use crate::cli::console::output::Failure;
 use crate::cli::json::depth as form;
-use crate::cli::output::Failure;
 use std::path::Path;
 use subcert::bound::Budget;
 use subcert::exact::Rational;

@@ -1,0 +1,43 @@
+//! Files that are written whole or not at all.
+
+use std::fs::{File, create_dir_all, remove_file, rename};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+/// Writes a file; if that fails, a file that was there before is unchanged. A link is followed, and what is no regular
+/// file, such as a pipe, is written into.
+pub(crate) fn save(path: &Path, text: &str) -> io::Result<()> {
+    let path = &target(path)?;
+    if path.metadata().is_ok_and(|data| !data.is_file() && !data.is_dir()) {
+        return File::options().write(true).open(path)?.write_all(text.as_bytes());
+    }
+    let folder = path.parent().unwrap_or(Path::new("."));
+    create_dir_all(folder)?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let draft = folder.join(format!(".{name}.{}", std::process::id()));
+    let mut file = File::create_new(&draft)?;
+    let written = file.write_all(text.as_bytes()).and_then(|()| file.sync_all());
+    drop(file);
+    let done = written.and_then(|()| rename(&draft, path));
+    if done.is_err() {
+        // The error of writing is reported, not that of cleaning up.
+        let _ = remove_file(&draft);
+    }
+    done
+}
+
+/// As many links are followed, one from the other, as Linux follows.
+const MAX_LINKS: usize = 40;
+
+/// What a path leads to, also if nothing is there yet.
+fn target(path: &Path) -> io::Result<PathBuf> {
+    if let Ok(found) = path.canonicalize() {
+        return Ok(found);
+    }
+    let mut path = path.to_path_buf();
+    for _ in 0..MAX_LINKS {
+        let Ok(next) = path.read_link() else { return Ok(path) };
+        path = path.parent().unwrap_or(Path::new("")).join(next);
+    }
+    Err(io::Error::other("the link leads to itself"))
+}

@@ -1,0 +1,10 @@
+//! `subcert constants` and `certify`.
+
+mod certify;
+mod columns;
+pub(super) mod offset;
+mod ring;
+mod uniform;
+
+pub(super) use certify::certify;
+pub(super) use uniform::constants;

@@ -1,0 +1,76 @@
+//! `subcert refine` and `limit`, and `oracle --mesh`: for polygon meshes, tensor nets and hexahedral
+//! solids.
+
+use super::mesh;
+use super::net;
+use super::net::NetInput;
+use super::solid;
+use crate::cli::arguments::{LimitArguments, OracleArguments, RefineArguments};
+use crate::cli::console::output::{Failure, Outcome, deliver};
+use std::path::Path;
+
+/// What is refined.
+pub(crate) enum Geometry {
+    Mesh,
+    Net,
+    Solid,
+}
+
+impl Geometry {
+    /// The same, where options are given that polygon meshes alone have.
+    fn with(input: &NetInput<'_>, given: [(bool, &str); 2]) -> Result<Geometry, Failure> {
+        let geometry = Geometry::of(input)?;
+        match given.into_iter().find(|(given, _)| *given) {
+            Some((_, option)) if !matches!(geometry, Geometry::Mesh) => {
+                Err(Failure::Input(format!("{option} is for polygon meshes")))
+            }
+            _ => Ok(geometry),
+        }
+    }
+
+    /// The scheme decides on solids, the file or `--closed` on nets.
+    pub(crate) fn of(input: &NetInput<'_>) -> Result<Geometry, Failure> {
+        if solid::takes(input.scheme) {
+            if input.closed.is_some() {
+                let message = "--closed is for nets in .csv or .json, and bajaj refines solids";
+                return Err(Failure::Input(message.to_owned()));
+            }
+            return Ok(Geometry::Solid);
+        }
+        Ok(if input.is_net() { Geometry::Net } else { Geometry::Mesh })
+    }
+}
+
+pub(crate) fn refine(arguments: &RefineArguments) -> Outcome {
+    let RefineArguments { scheme, mesh, closed, level, output, boundary, isolated } = arguments;
+    let net = NetInput { scheme, path: mesh, closed: *closed };
+    let given = [(boundary.is_some(), "--boundary"), (isolated.is_some(), "--isolated")];
+    match Geometry::with(&net, given)? {
+        Geometry::Mesh => mesh::refine(arguments),
+        Geometry::Net => net::refine(&net, *level, output),
+        Geometry::Solid => solid::refine(arguments),
+    }
+}
+
+pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
+    let LimitArguments { scheme, mesh, closed, level, output, boundary, isolated } = arguments;
+    let net = NetInput { scheme, path: mesh, closed: *closed };
+    let given = [(boundary.is_some(), "--boundary"), (isolated.is_some(), "--isolated")];
+    match Geometry::with(&net, given)? {
+        Geometry::Mesh => mesh::limit(arguments),
+        Geometry::Net => net::limit(&net, *level, output),
+        Geometry::Solid => solid::limit(arguments),
+    }
+}
+
+/// What `subcert oracle --mesh` writes.
+pub(crate) fn reference_values(arguments: &OracleArguments, path: &Path) -> Outcome {
+    let OracleArguments { scheme, closed, level, .. } = arguments;
+    let net = NetInput { scheme, path, closed: *closed };
+    let text = match Geometry::of(&net)? {
+        Geometry::Mesh => mesh::reference_values(scheme, path, *level)?,
+        Geometry::Net => net::reference_values(&net, *level)?,
+        Geometry::Solid => solid::reference_values(path, *level)?,
+    };
+    deliver(&text, arguments.file.as_deref())
+}

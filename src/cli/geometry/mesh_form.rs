@@ -1,0 +1,59 @@
+//! The forms in which meshes, nets and solids are written.
+
+use crate::cli::arguments::{MeshOutput, MeshOutputFormat};
+use crate::cli::console::output::Failure;
+
+/// The forms of one kind of geometry.
+pub(crate) struct Forms {
+    /// The first one is the default.
+    pub(crate) all: &'static [MeshOutputFormat],
+    /// In words, as in `polygon meshes are written as obj, ply or json`.
+    pub(crate) words: &'static str,
+}
+
+pub(crate) const OF_MESHES: Forms = Forms {
+    all: &[
+        MeshOutputFormat::Obj,
+        MeshOutputFormat::Ply,
+        MeshOutputFormat::Usda,
+        MeshOutputFormat::Json,
+    ],
+    words: "polygon meshes are written as obj, ply, usda or json",
+};
+
+pub(crate) const OF_NETS: Forms = Forms {
+    all: &[
+        MeshOutputFormat::Obj,
+        MeshOutputFormat::Ply,
+        MeshOutputFormat::Csv,
+        MeshOutputFormat::Json,
+    ],
+    words: "nets are written as obj, ply, csv or json",
+};
+
+pub(crate) const OF_SOLIDS: Forms = Forms {
+    all: &[MeshOutputFormat::Vtk, MeshOutputFormat::Medit, MeshOutputFormat::Json],
+    words: "solids are written as vtk, medit or json",
+};
+
+impl Forms {
+    /// The form that is asked for by `--format`, or else by the extension of the file.
+    pub(crate) fn chosen(&self, output: &MeshOutput) -> Result<MeshOutputFormat, Failure> {
+        let extension = output.file.as_ref().and_then(|path| path.extension()).unwrap_or_default();
+        let by_extension = match extension.to_ascii_lowercase().to_str() {
+            Some("obj") => Some(MeshOutputFormat::Obj),
+            Some("ply") => Some(MeshOutputFormat::Ply),
+            Some("usda") => Some(MeshOutputFormat::Usda),
+            Some("json") => Some(MeshOutputFormat::Json),
+            Some("csv") => Some(MeshOutputFormat::Csv),
+            Some("vtk") => Some(MeshOutputFormat::Vtk),
+            Some("mesh") => Some(MeshOutputFormat::Medit),
+            _ => None,
+        };
+        let format = output.format.or(by_extension).unwrap_or(self.all[0]);
+        if self.all.contains(&format) {
+            return Ok(format);
+        }
+        Err(Failure::Input(format!("{}; take one of these with --format", self.words)))
+    }
+}

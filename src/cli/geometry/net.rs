@@ -1,0 +1,148 @@
+//! Tensor nets for `subcert refine`, `limit`, `oracle` and `depth`.
+
+use super::mesh::{deliver, input, text_of};
+use super::mesh_form::OF_NETS;
+use crate::cli::arguments::{ClosedArgument, MeshOutput, MeshOutputFormat};
+use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::json::SCHEMA;
+use std::path::Path;
+use subcert::diagnostic::SourceText;
+use subcert::exact::{Rational, RealCyclotomic};
+use subcert::mesh::{LimitPoint, to_json, to_obj, to_ply};
+use subcert::net::{
+    Closed, Net, NetError, NetFormat, NetScheme, limit_net, net_limits, read_net, refine_net,
+    to_csv,
+};
+
+/// What is asked of a net.
+pub(crate) struct NetInput<'a> {
+    pub(crate) scheme: &'a str,
+    pub(crate) path: &'a Path,
+    pub(crate) closed: Option<ClosedArgument>,
+}
+
+/// A net with its scheme, and the name of its file.
+pub(crate) struct NetFile {
+    pub(crate) scheme: NetScheme,
+    pub(crate) name: String,
+    pub(crate) net: Net,
+}
+
+impl NetInput<'_> {
+    /// Whether this is a net: by the extension of the file, or because it is said which directions are
+    /// closed.
+    pub(crate) fn is_net(&self) -> bool {
+        self.closed.is_some() || NetFormat::of(self.path).is_some()
+    }
+
+    pub(crate) fn read(&self) -> Result<NetFile, Failure> {
+        let path = self.path;
+        let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+        if ["obj", "off", "ply"].iter().any(|mesh| extension == *mesh) {
+            return Err(Failure::Input(format!(
+                "--closed is for nets in .csv or .json, and `{}` is a polygon mesh: its faces say what \
+                 is closed",
+                path.display()
+            )));
+        }
+        let scheme = NetScheme::parse(self.scheme).map_err(failure)?;
+        let (name, text) = text_of(path)?;
+        let format = NetFormat::of(path).unwrap_or_else(|| NetFormat::of_text(&text));
+        let closed = self.closed.map(|closed| match closed {
+            ClosedArgument::None => Closed { u: false, v: false },
+            ClosedArgument::U => Closed { u: true, v: false },
+            ClosedArgument::V => Closed { u: false, v: true },
+            ClosedArgument::Uv => Closed { u: true, v: true },
+        });
+        let net = read_net(&SourceText::new(name.clone(), text), format, closed)?;
+        Ok(NetFile { scheme, name, net })
+    }
+}
+
+pub(crate) fn failure(error: NetError) -> Failure {
+    match error {
+        NetError::Scheme(error) => error.into(),
+        error => Failure::Input(error.to_string()),
+    }
+}
+
+pub(crate) fn refine(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> Outcome {
+    let file = asked.read()?;
+    let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
+    let title = file.title(level, "refined");
+    let text = match OF_NETS.chosen(output)? {
+        MeshOutputFormat::Json => file.json(&net, level, None)?,
+        format => text(&net, format, &title)?,
+    };
+    deliver(output, &text)
+}
+
+pub(crate) fn limit(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> Outcome {
+    let file = asked.read()?;
+    let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
+    let title = file.title(level, "limit points of its points");
+    let text = match OF_NETS.chosen(output)? {
+        MeshOutputFormat::Json => file.json(&net, level, Some(&file.limits(&net)?))?,
+        format => text(&limit_net(&net, &file.scheme).map_err(failure)?, format, &title)?,
+    };
+    deliver(output, &text)
+}
+
+/// What `subcert oracle --mesh` writes.
+pub(crate) fn reference_values(asked: &NetInput<'_>, level: u32) -> Result<String, Failure> {
+    let file = asked.read()?;
+    let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
+    file.json(&net, level, Some(&file.limits(&net)?))
+}
+
+fn text(net: &Net, format: MeshOutputFormat, title: &str) -> Result<String, Failure> {
+    if format == MeshOutputFormat::Csv {
+        return to_csv(net, title).map_err(|error| input(&error));
+    }
+    let mesh = net.mesh().map_err(|error| input(&error))?.map(real);
+    match format {
+        MeshOutputFormat::Ply => to_ply(&mesh, title),
+        _ => to_obj(&mesh, title, &[]),
+    }
+    .map_err(|error| input(&error))
+}
+
+fn real(x: &Rational) -> RealCyclotomic {
+    x.clone().into()
+}
+
+impl NetFile {
+    fn title(&self, level: u32, what: &str) -> String {
+        format!("{}, {}, level {level}: {what}", self.name, self.scheme.name())
+    }
+
+    fn limits(&self, net: &Net) -> Result<Vec<Option<LimitPoint>>, Failure> {
+        let limits = net_limits(net, &self.scheme).map_err(failure)?.into_iter();
+        let limit = |point: [Rational; 3]| LimitPoint {
+            position: point.each_ref().map(real),
+            normal: None,
+            sectors: Vec::new(),
+        };
+        Ok(limits.map(|point| point.map(limit)).collect())
+    }
+
+    fn json(
+        &self,
+        net: &Net,
+        level: u32,
+        limits: Option<&[Option<LimitPoint>]>,
+    ) -> Result<String, Failure> {
+        let text = |text: &str| serde_json::Value::from(text).to_string();
+        let head = [
+            ("schema", SCHEMA.to_string()),
+            ("scheme", text(self.scheme.name())),
+            ("mesh", text(&self.name)),
+            ("level", level.to_string()),
+            ("rows", net.rows().to_string()),
+            ("columns", net.columns().to_string()),
+            ("closed", text(net.closed().name())),
+        ];
+        let mesh = net.mesh().map_err(|error| input(&error))?.map(real);
+        Ok(to_json(&mesh, &head, limits))
+    }
+}

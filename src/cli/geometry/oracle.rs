@@ -1,0 +1,101 @@
+//! `subcert oracle`.
+
+use super::commands;
+use super::polygon::{Caps, read_grid, read_polygon};
+use crate::cli::arguments::{BoundaryArgument, OracleArguments, OracleFormat};
+use crate::cli::console::output::{Failure, Outcome, deliver};
+use std::path::Path;
+use subcert::oracle::{
+    Boundary, Control, LocalRequest, MAX_VALUES, OracleError, OracleRequest, OracleValues,
+    reference_values, ring_reference_values, to_csv, to_json, to_matlab, to_table,
+};
+use subcert::scheme::{AnyScheme, LocalRules, Scheme, parse_any_scheme};
+
+/// The largest control polygon that is read.
+const CAPS: Caps = Caps { bytes: 16 << 20, points: MAX_VALUES, bits: u64::MAX };
+
+/// The number of points of a seeded polygon, where none is given.
+const SEEDED_POINTS: usize = 8;
+
+pub(crate) fn oracle(arguments: &OracleArguments) -> Outcome {
+    if let Some(path) = &arguments.mesh {
+        if arguments.format != OracleFormat::Json {
+            let message = "--mesh writes JSON only; `subcert refine` writes other forms too";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        return commands::reference_values(arguments, path);
+    }
+    let values = match parse_any_scheme(&arguments.scheme)? {
+        AnyScheme::Uniform(scheme) => uniform(&scheme, arguments)?,
+        AnyScheme::LocalRules(ring) => of_ring(&ring, arguments)?,
+    };
+    let text = match arguments.format {
+        OracleFormat::Json => to_json(&values),
+        OracleFormat::Csv => to_csv(&values),
+        OracleFormat::Table => to_table(&values),
+        OracleFormat::Matlab => to_matlab(&values),
+    };
+    deliver(&text, arguments.file.as_deref())
+}
+
+fn refused(error: &OracleError) -> Failure {
+    Failure::Input(error.to_string())
+}
+
+fn uniform(scheme: &Scheme, arguments: &OracleArguments) -> Result<OracleValues, Failure> {
+    let request = OracleRequest {
+        scheme: arguments.scheme.clone(),
+        max_block: arguments.block.levels,
+        control: control(arguments, scheme)?,
+        level: arguments.level,
+        boundary: match arguments.boundary.unwrap_or(BoundaryArgument::Closed) {
+            BoundaryArgument::Closed => Boundary::Closed,
+            BoundaryArgument::Open => Boundary::Open,
+        },
+    };
+    reference_values(scheme, &request).map_err(|error| refused(&error))
+}
+
+fn of_ring(ring: &LocalRules, arguments: &OracleArguments) -> Result<OracleValues, Failure> {
+    let points = ring.point_count();
+    if arguments.points.is_some() || arguments.boundary.is_some() {
+        return Err(Failure::Input(format!(
+            "--points and --boundary are for polygons; this ring has {points} points, and no ends"
+        )));
+    }
+    let request = LocalRequest {
+        scheme: arguments.scheme.clone(),
+        max_block: arguments.block.levels,
+        control: match &arguments.polygon {
+            Some(path) => read_control(path, false)?,
+            None => Control::seeded_polygon(arguments.seed, points),
+        },
+        level: arguments.level,
+    };
+    ring_reference_values(ring, &request).map_err(|error| refused(&error))
+}
+
+/// The control polygon or grid: from a file, or seeded.
+fn control(arguments: &OracleArguments, scheme: &Scheme) -> Result<Control, Failure> {
+    let surface = matches!(scheme, Scheme::Tensor(..));
+    if let Some(path) = &arguments.polygon {
+        return read_control(path, surface);
+    }
+    let (seed, points) = (arguments.seed, arguments.points.unwrap_or(SEEDED_POINTS));
+    Ok(if surface {
+        Control::seeded_grid(seed, points, points)
+    } else {
+        Control::seeded_polygon(seed, points)
+    })
+}
+
+/// The control polygon or grid in a file.
+fn read_control(path: &Path, surface: bool) -> Result<Control, Failure> {
+    if !surface {
+        return Ok(Control::points(read_polygon(path, &CAPS)?));
+    }
+    let rows = read_grid(path, &CAPS)?;
+    let columns = rows.first().map_or(0, Vec::len);
+    let ragged = || Failure::Input("the rows have different lengths".to_owned());
+    Control::grid(rows.concat(), columns).ok_or_else(ragged)
+}

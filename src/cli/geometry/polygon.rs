@@ -1,0 +1,182 @@
+//! Control polygons and grids in files: one reader for `depth` and `oracle`.
+
+use crate::cli::console::output::Failure;
+use serde_json::value::RawValue;
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+use subcert::diagnostic::{Diagnostic, SourceText, json_elements, json_place, read_text};
+use subcert::exact::{Integer, Rational, parse_rational};
+
+/// How much a file may hold.
+pub(crate) struct Caps {
+    /// The largest file that is read, in bytes.
+    pub(crate) bytes: u64,
+    /// The most points.
+    pub(crate) points: usize,
+    /// The most binary digits of a numerator, and of the common denominator of a coordinate.
+    pub(crate) bits: u64,
+}
+
+/// The most coordinates of a point.
+const MAX_COORDINATES: usize = 16;
+
+/// A coordinate with its place in the file.
+type Placed = (Rational, Range<usize>);
+
+/// The control polygon in a file, coordinate by coordinate: all x, then all y, and so on.
+///
+/// A file that begins with `[` is a JSON array of numbers or of arrays of them, each a
+/// JSON number, which is read from its text, or a string such as "1/3". Any other has one
+/// point on a line, its coordinates separated by commas or white space; `#` begins a
+/// comment.
+pub(crate) fn read_polygon(path: &Path, caps: &Caps) -> Result<Vec<Vec<Rational>>, Failure> {
+    let source = source(path, caps)?;
+    Ok(coordinates(&source, entries(&source)?, caps)?)
+}
+
+/// The control grid in a file: its rows, all of one length. Its form is that of a polygon, with a
+/// row in place of a point.
+pub(crate) fn read_grid(path: &Path, caps: &Caps) -> Result<Vec<Vec<Rational>>, Failure> {
+    let source = source(path, caps)?;
+    let rows = entries(&source)?;
+    let columns = rows.first().map_or(0, Vec::len);
+    if columns == 0 {
+        let whole = 0..source.text.len();
+        let error = Diagnostic::new(&source, whole, "there is no number in this file");
+        return Err(error
+            .with_help("write one row of the grid on a line, such as `1/3, 0.25`")
+            .into());
+    }
+    if let Some(row) = rows.iter().find(|row| row.len() != columns) {
+        let message = format!("{} numbers in this row, and {columns} in the first", row.len());
+        return Err(Diagnostic::new(&source, extent(&source, row), message).into());
+    }
+    Ok(rows.into_iter().map(|row| row.into_iter().map(|(value, _)| value).collect()).collect())
+}
+
+fn source(path: &Path, caps: &Caps) -> Result<Arc<SourceText>, Failure> {
+    let name = path.display().to_string();
+    let text = read_text(path, caps.bytes)
+        .map_err(|reason| Failure::Input(format!("cannot read `{name}`: {reason}")))?;
+    Ok(SourceText::new(name, text))
+}
+
+/// The numbers of each point, or of each row of a grid.
+fn entries(source: &Arc<SourceText>) -> Result<Vec<Vec<Placed>>, Diagnostic> {
+    let json = source.text.trim_start().starts_with('[');
+    if json { json_points(source) } else { lines(source) }
+}
+
+/// Where these numbers stand.
+fn extent(source: &Arc<SourceText>, numbers: &[Placed]) -> Range<usize> {
+    match (numbers.first(), numbers.last()) {
+        (Some(first), Some(last)) => first.1.start..last.1.end,
+        _ => 0..source.text.len(),
+    }
+}
+
+fn lines(source: &Arc<SourceText>) -> Result<Vec<Vec<Placed>>, Diagnostic> {
+    let mut points = Vec::new();
+    let mut start = 0;
+    for line in source.text.split_inclusive('\n') {
+        let numbers = line.split('#').next().unwrap_or_default();
+        let mut point = Vec::new();
+        let mut at = start;
+        for piece in numbers.split(|c: char| c == ',' || c.is_whitespace()) {
+            if !piece.is_empty() {
+                point.push(number(source, piece, at..at + piece.len())?);
+            }
+            // Every separator that `split` takes away is one character.
+            at += piece.len();
+            at += source.text[at..].chars().next().map_or(0, char::len_utf8);
+        }
+        if !point.is_empty() {
+            points.push(point);
+        }
+        start += line.len();
+    }
+    Ok(points)
+}
+
+fn number(source: &Arc<SourceText>, text: &str, span: Range<usize>) -> Result<Placed, Diagnostic> {
+    match parse_rational(text) {
+        Ok(value) => Ok((value, span)),
+        Err(error) => Err(Diagnostic::new(source, span, error.to_string()).with_help(
+            "write one point on a line, such as `1/3, 0.25`, and `#` before what is no number",
+        )),
+    }
+}
+
+fn json_points(source: &Arc<SourceText>) -> Result<Vec<Vec<Placed>>, Diagnostic> {
+    let whole = 0..source.text.len();
+    let point = |raw: &RawValue| {
+        let span = json_place(source, raw);
+        if raw.get().starts_with('[') {
+            let numbers = json_elements(source, span, JSON_HELP)?;
+            numbers.into_iter().map(|raw| json_number(source, raw)).collect()
+        } else {
+            Ok(vec![json_number(source, raw)?])
+        }
+    };
+    json_elements(source, whole, JSON_HELP)?.into_iter().map(point).collect()
+}
+
+const JSON_HELP: &str = "write an array of numbers, or of points: [[0, \"1/3\"], [0.25, 1]]";
+
+fn json_number(source: &Arc<SourceText>, raw: &RawValue) -> Result<Placed, Diagnostic> {
+    let (text, span) = (raw.get(), json_place(source, raw));
+    let wrong =
+        |message: String| Diagnostic::new(source, span.clone(), message).with_help(JSON_HELP);
+    let parsed = match text.chars().next() {
+        Some('"') => {
+            let text: String = serde_json::from_str(text).map_err(|e| wrong(e.to_string()))?;
+            parse_rational(&text)
+        }
+        Some('-' | '0'..='9') => parse_rational(text),
+        _ => return Err(wrong("this is no number, nor a string that holds one".to_owned())),
+    };
+    let value = parsed.map_err(|error| wrong(error.to_string()))?;
+    Ok((value, span))
+}
+
+/// The points, turned into one sequence for each coordinate.
+fn coordinates(
+    source: &Arc<SourceText>,
+    points: Vec<Vec<Placed>>,
+    caps: &Caps,
+) -> Result<Vec<Vec<Rational>>, Diagnostic> {
+    let whole = 0..source.text.len();
+    let count = points.first().map_or(0, Vec::len);
+    if points.len() < 2 || points.len() > caps.points {
+        let (found, most) = (points.len(), caps.points);
+        let message = format!("a polygon has from 2 to {most} points; there are {found}");
+        return Err(Diagnostic::new(source, whole, message)
+            .with_help("write one point on a line, or a JSON array of them"));
+    }
+    let mut coordinates = vec![Vec::with_capacity(points.len()); count];
+    let mut common = vec![Integer::one(); count];
+    for point in points {
+        if point.len() != count || !(1..=MAX_COORDINATES).contains(&count) {
+            let message = format!(
+                "{} coordinates here, and {count} of the first point; all have the same number of \
+                 them, from 1 to {MAX_COORDINATES}",
+                point.len()
+            );
+            return Err(Diagnostic::new(source, extent(source, &point), message));
+        }
+        for (j, (value, span)) in point.into_iter().enumerate() {
+            common[j] = common[j].lcm(&value.denominator());
+            if common[j].bits().max(value.numerator().bits()) > caps.bits {
+                let message = format!(
+                    "with this number a numerator or the common denominator has more than \
+                     {} binary digits",
+                    caps.bits
+                );
+                return Err(Diagnostic::new(source, span, message).with_help("round the numbers"));
+            }
+            coordinates[j].push(value);
+        }
+    }
+    Ok(coordinates)
+}

@@ -1,0 +1,161 @@
+//! `subcert explain`.
+
+use super::claim_files::{Claims, claims};
+use super::judged::{judge_claim, select};
+use super::listing::{Listed, listing};
+use super::projects;
+use crate::cli::arguments::{ExplainArguments, FindingFormat, Format};
+use crate::cli::console::destination::Destination;
+use crate::cli::console::output::{Failure, Outcome, deliver};
+use subcert::audit::{self, by_hand, readings};
+use subcert::claim::{Paper, RegularityCell, Table};
+use subcert::report::html::explain_page;
+use subcert::report::json::Explained;
+use subcert::report::{Background, corrected_table, explain_sheet, table_of, to_the_eye};
+use subcert::suggestion::did_you_mean;
+
+pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
+    let id = &arguments.id;
+    let (key, claim) = match id.split_once(':') {
+        Some((key, claim)) => (key, claim),
+        None => (id.as_str(), ""),
+    };
+    check_order(arguments)?;
+    let papers = match claims(&arguments.files)? {
+        Claims::Papers(papers) => papers,
+        Claims::Projects(projects) => return projects::explain(arguments, projects),
+    };
+    let chosen = select(papers, Some(key))?;
+    let [paper] = &chosen[..] else { return Ok(()) };
+    if claim.is_empty() {
+        return list(paper, arguments);
+    }
+    let own = cell_of_smoothness(paper, claim).map(|name| format!("{key}:{name}"));
+    let id = own.as_ref().unwrap_or(id);
+    let claim = id.split_once(':').map_or("", |(_, claim)| claim);
+    check(paper, claim)?;
+    let name = claim.split(':').next().unwrap_or(claim);
+    let to = Destination::of(&arguments.output, &id.replace(':', "."))?;
+    let bar = arguments.output.format != FindingFormat::Json;
+    let audits = [judge_claim(paper, name, bar)?];
+    let audit = &audits[0];
+    let (mut tried, mut working, mut eye) = (Vec::new(), None, None);
+    if let Some((finding, at)) = table_of(&audits, id) {
+        let kind = at.map(|(row, column)| finding.cells[row][column].kind());
+        if let Some(kind) = kind.or_else(|| finding.kinds().first().copied()) {
+            tried = readings(audit.paper, finding, kind)?;
+        }
+        working = at.map(|at| audit::working(audit, finding, at)).transpose()?;
+        eye = at.map(|at| to_the_eye(audit.paper, finding, at)).transpose()?.flatten();
+    }
+    let by_hand = match audit.theorems.iter().find(|finding| finding.id == *id) {
+        Some(finding) => by_hand(audit, finding)?,
+        None => None,
+    };
+    let background = Background {
+        readings: &tried,
+        by_hand: by_hand.as_ref(),
+        working: working.as_ref(),
+        eye: eye.as_ref(),
+    };
+    let sheet = explain_sheet(&audits, id, background, arguments.all)
+        .ok_or_else(|| Failure::Input(format!("no claim has the id `{id}`")))?;
+    let source = &paper.source.name;
+    let file = (!arguments.files.is_empty()).then_some(source.as_str());
+    let page = || {
+        let page = explain_page(audit, id, background, arguments.all, file)?;
+        page.ok_or_else(|| Failure::Input(format!("no claim has the id `{id}`")))
+    };
+    if let (Destination::Output(output), Some((finding, None))) = (&to, table_of(&audits, id))
+        && output.format == Format::Latex
+    {
+        return deliver(&corrected_table(finding), output.file.as_deref());
+    }
+    to.deliver(|| sheet, || Explained::of(&audits, id, background), page)
+}
+
+/// Refuses a claim file in the place of the claim.
+fn check_order(arguments: &ExplainArguments) -> Outcome {
+    let ExplainArguments { id, files, .. } = arguments;
+    let is_file = |name: &str| std::path::Path::new(name).is_file();
+    match &files[..] {
+        [other] if is_file(id) && !other.exists() => {
+            let other = other.display();
+            Err(Failure::Input(format!(
+                "the claim stands before its file: subcert explain {other} {id}"
+            )))
+        }
+        [] if is_file(id) => Err(Failure::Input(format!(
+            "`{id}` is a file: write the claim before it, as in subcert explain KEY:CLAIM {id}"
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Lists the claims of a paper.
+fn list(paper: &Paper, arguments: &ExplainArguments) -> Outcome {
+    match Destination::of(&arguments.output, &paper.key)? {
+        Destination::Output(to) => listing(paper, &to),
+        _ => Err(Failure::Input(format!(
+            "a list of claims is no page; name a claim, or write the pages of all of them with \
+             `subcert audit --paper {} --format html -o DIR`",
+            paper.key
+        ))),
+    }
+}
+
+/// The id of the claim that is this cell of a table of smoothness: of `table-1:2:1`, `table-1.2.order`.
+fn cell_of_smoothness<'a>(paper: &'a Paper, claim: &str) -> Option<&'a str> {
+    let (table, at) = claim.split_once(':')?;
+    let is_at = |cell: &RegularityCell| at == format!("{}:{}", cell.row + 1, cell.column + 1);
+    let found = paper
+        .smoothness
+        .iter()
+        .find(|claim| claim.is_cell_of(table) && claim.cell.as_ref().is_some_and(is_at))?;
+    Some(&found.id)
+}
+
+/// Checks that the paper has this claim, before all of its claims are judged.
+fn check(paper: &Paper, claim: &str) -> Outcome {
+    let key = &paper.key;
+    let (name, cell) = match claim.split_once(':') {
+        Some((name, cell)) => (name, Some(cell)),
+        None => (claim, None),
+    };
+    let claims = Listed::all(paper);
+    if paper.smoothness.iter().any(|claim| claim.is_cell_of(name)) {
+        return cell.map_or(Ok(()), |cell| {
+            Err(Failure::Input(format!(
+                "`{key}:{name}` has no statement in a cell `{cell}`; `subcert explain {key}:{name}` has all of them"
+            )))
+        });
+    }
+    if !claims.iter().any(|listed| listed.id == name) {
+        let meant = did_you_mean(name, claims.iter().map(|listed| listed.id));
+        return Err(Failure::Input(format!(
+            "`{key}` has no claim `{name}`{meant}; `subcert explain {key}` lists its claims"
+        )));
+    }
+    let Some(cell) = cell else { return Ok(()) };
+    let Some(table) = paper.tables.iter().find(|table| table.id == name) else {
+        return Err(Failure::Input(format!("`{key}:{name}` is no table, and has no cells")));
+    };
+    if has_cell(table, cell) {
+        return Ok(());
+    }
+    let (rows, columns) = (table.cells.len(), table.columns.entries.len());
+    Err(Failure::Input(format!(
+        "`{key}:{name}` has no cell `{cell}`: write {key}:{name}:ROW:COLUMN, with a row from 1 to \
+         {rows} and a column from 1 to {columns}"
+    )))
+}
+
+/// Whether `cell` is a row and a column of the table.
+fn has_cell(table: &Table, cell: &str) -> bool {
+    let within = |text: &str, count: usize| {
+        text.parse::<usize>().is_ok_and(|number| (1..=count).contains(&number))
+    };
+    cell.split_once(':').is_some_and(|(row, column)| {
+        within(row, table.cells.len()) && within(column, table.columns.entries.len())
+    })
+}

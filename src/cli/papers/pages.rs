@@ -1,0 +1,84 @@
+//! Pages in files, and `subcert audit --format html`: a page for each paper, and their index.
+
+use super::certified::Certified;
+use crate::cli::console::output::{Failure, Outcome, write_results};
+use crate::cli::console::save::save;
+use std::io::ErrorKind;
+use std::path::Path;
+use subcert::audit::PaperAudit;
+use subcert::report::Sheet;
+use subcert::report::html::{audit_page, index_page};
+
+/// The name of the index, without its extension.
+pub(crate) const INDEX: &str = "index";
+
+/// The folder for pages, as far as it can be told before the papers are judged.
+pub(crate) fn folder(given: Option<&Path>) -> Result<&Path, Failure> {
+    let Some(folder) = given else {
+        let message = "--format html writes files: name a folder for them with -o DIR";
+        return Err(Failure::Input(message.to_owned()));
+    };
+    if folder.exists() && !folder.is_dir() {
+        return Err(Failure::Input(format!(
+            "`{}` is no folder, and stays as it is: name another one with -o DIR",
+            folder.display()
+        )));
+    }
+    Ok(folder)
+}
+
+/// Writes the pages into a folder, which is made if it is missing; `embedded` says that the papers
+/// come without claim files.
+pub(crate) fn pages(
+    audits: &[PaperAudit<'_>],
+    certified: Option<&Certified>,
+    embedded: bool,
+    folder: &Path,
+) -> Outcome {
+    write_pages(audits, certified, embedded, folder)?;
+    let (count, folder) = (audits.len(), folder.display());
+    let pages = if count == 1 { "page" } else { "pages" };
+    write_results(&format!("{folder}: {count} {pages}, and index.html, which leads to them\n"))
+}
+
+/// The same, without a word.
+pub(crate) fn write_pages(
+    audits: &[PaperAudit<'_>],
+    certified: Option<&Certified>,
+    embedded: bool,
+    folder: &Path,
+) -> Outcome {
+    if audits.iter().any(|audit| audit.paper.key == INDEX) {
+        let message =
+            "a paper of the key `index` would take the place of the index: give it another key";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    for audit in audits {
+        let name = &audit.paper.source.name;
+        let file = (!embedded).then_some(name.as_str());
+        write(folder, &audit.paper.key, &audit_page(audit, file)?)?;
+    }
+    let mut more = Sheet::default();
+    if let Some(certified) = certified {
+        certified.section(&mut more);
+    }
+    write(folder, INDEX, &index_page(audits, &more))
+}
+
+/// Writes the page of this name into a folder.
+pub(crate) fn write(folder: &Path, name: &str, text: &str) -> Outcome {
+    write_page(&folder.join(format!("{name}.html")), text)
+}
+
+/// Writes a page, whole or not at all.
+pub(crate) fn write_page(path: &Path, text: &str) -> Outcome {
+    save(path, text).map_err(|error| {
+        let path = path.display();
+        Failure::Input(match error.kind() {
+            ErrorKind::PermissionDenied => format!(
+                "cannot write `{path}`: this folder is not yours to write to; name another one with -o DIR"
+            ),
+            _ => format!("cannot write `{path}`: {error}; name another folder with -o DIR"),
+        })
+    })
+}

@@ -1,0 +1,57 @@
+//! `subcert flags`: which command takes which flags, as clap knows them.
+
+use crate::cli::arguments::{Arguments, Output};
+use crate::cli::console::output::{Outcome, show};
+use crate::cli::json::SCHEMA;
+use crate::cli::json::flags::{Command, Flags};
+use clap::CommandFactory as _;
+use subcert::report::{Grid, Sheet};
+
+/// The flags that every command has, and that stand in no row.
+const EVERYWHERE: [&str; 4] = ["help", "version", "color", "quiet"];
+
+pub(crate) fn flags(output: &Output) -> Outcome {
+    let commands = commands();
+    show(
+        output,
+        || {
+            let mut sheet = Sheet::default();
+            sheet.heading(1, "Flags of the commands");
+            sheet.text(
+                "Every command takes --help, --color and --quiet too. A flag means the same wherever it stands.",
+            );
+            let row = |command: &Command| {
+                let flags = command.flags.iter().map(|name| format!("--{name}"));
+                let flags: Vec<String> = flags.collect();
+                vec![command.name.clone(), flags.join(" "), command.formats.join(" ")]
+            };
+            let header = ["command", "flags", "values of --format"].map(str::to_owned);
+            let rows = commands.iter().map(row).collect();
+            sheet.grid(Grid { header: header.into(), rows, left_columns: 3 });
+            sheet
+        },
+        || Flags { schema: SCHEMA, commands: &commands },
+    )
+}
+
+/// The commands that are shown, in their order.
+fn commands() -> Vec<Command> {
+    let mut program = Arguments::command();
+    program.build();
+    let shown = program.get_subcommands().filter(|command| !command.is_hide_set());
+    let shown = shown.filter(|command| command.get_name() != "help");
+    shown
+        .map(|command| {
+            let named = command.get_arguments().filter_map(|flag| Some((flag, flag.get_long()?)));
+            let own = named.filter(|(_, name)| !EVERYWHERE.contains(name));
+            let flags: Vec<_> = own.collect();
+            let format = flags.iter().find(|(_, name)| *name == "format");
+            let values = format.map(|(flag, _)| flag.get_possible_values()).unwrap_or_default();
+            Command {
+                name: command.get_name().to_owned(),
+                flags: flags.iter().map(|(_, name)| (*name).to_owned()).collect(),
+                formats: values.iter().map(|value| value.get_name().to_owned()).collect(),
+            }
+        })
+        .collect()
+}

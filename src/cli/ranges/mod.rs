@@ -1,0 +1,9 @@
+//! `subcert range`.
+
+mod range;
+pub(super) mod sets;
+pub(super) mod smooth_map;
+mod smooth_range;
+mod vertex_range;
+
+pub(super) use range::range;

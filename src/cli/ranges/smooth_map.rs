@@ -1,0 +1,195 @@
+//! `subcert range --smoothness` in two parameters.
+
+use crate::cli::arguments::RangeArguments;
+use crate::cli::console::output::{Failure, Outcome, show};
+use crate::cli::console::progress::Progress;
+use crate::cli::json::{SCHEMA, range as form};
+use std::sync::Arc;
+use std::sync::atomic::AtomicUsize;
+use subcert::exact::{Polynomial, Rational, format::short, parse_rational};
+use subcert::report::Sheet;
+use subcert::scheme::parse_in_parameters;
+use subcert::smoothness::{Certain, MAX_BOXES, MapBox, Sides, SmoothMap, smooth_map as computed};
+
+/// How many boxes are looked at unless another number is asked for.
+const BOXES: usize = 1_000;
+
+/// The characters in a row of the map, and the rows.
+const PICTURE: [usize; 2] = [64, 32];
+
+pub(crate) fn smooth_map(arguments: &RangeArguments, parameters: [&String; 2]) -> Outcome {
+    let [first, second] = parameters;
+    let refuse = |message: String| Err(Failure::Input(message));
+    let Some(m) = arguments.smoothness else {
+        return refuse("two parameters make a map of smoothness: add `--smoothness M`".to_owned());
+    };
+    if first == second {
+        return refuse(format!("`--param {first}` is given twice; name two parameters"));
+    }
+    let most = arguments.boxes.unwrap_or(BOXES);
+    if !(1..=MAX_BOXES).contains(&most) {
+        return refuse(format!("`--boxes {most}`: from 1 to {MAX_BOXES} boxes are looked at"));
+    }
+    let region = region(arguments.bounds.as_deref(), parameters).map_err(Failure::Input)?;
+    let mask = parse_in_parameters(&arguments.scheme, &[first, second])?;
+    let polynomial = |entry: &Polynomial| entry.in_variables([first, second]);
+    if let Some(entry) = mask.rules().rows().iter().flatten().find(|c| polynomial(c).is_none()) {
+        return refuse(format!(
+            "the coefficient {entry} is no rational polynomial in `{first}` and `{second}`"
+        ));
+    }
+    let rules = mask.rules().map(|entry| polynomial(entry).expect("a polynomial"));
+    let done = Arc::new(AtomicUsize::new(0));
+    let progress = Progress::of_boxes(Arc::clone(&done), most, true);
+    let map = computed(&rules, m, &region, most, &done);
+    drop(progress);
+    let map = map.map_err(|error| Failure::Input(error.to_string()))?;
+    let report = Report { arguments, parameters: [first, second], m, region, map };
+    show(&arguments.output, || report.sheet(), || report.form())
+}
+
+/// The region that `a=-1..1,b=0..1/2` names.
+pub(crate) fn region(text: Option<&str>, parameters: [&String; 2]) -> Result<Sides, String> {
+    let mut sides = [None, None];
+    for part in text.unwrap_or_default().split(',').filter(|part| !part.trim().is_empty()) {
+        let wrong = |reason: &str| {
+            let part = part.trim();
+            format!(
+                "`{part}` in `--bounds`: {reason}; write {}=-1..1,{}=0..1/2",
+                parameters[0], parameters[1]
+            )
+        };
+        let (name, ends) = part.split_once('=').ok_or_else(|| wrong("there is no `=`"))?;
+        let which = parameters.iter().position(|parameter| *parameter == name.trim());
+        let which = which.ok_or_else(|| wrong("this is none of the two parameters"))?;
+        let (low, high) = ends.split_once("..").ok_or_else(|| wrong("there is no `..`"))?;
+        let number = |text: &str| parse_rational(text.trim()).map_err(|e| wrong(&e.to_string()));
+        let (low, high) = (number(low)?, number(high)?);
+        if low >= high {
+            return Err(wrong("the first end is not below the second"));
+        }
+        if sides[which].replace([low, high]).is_some() {
+            return Err(wrong("this parameter has bounds already"));
+        }
+    }
+    let default = || [-1, 1].map(Rational::from);
+    Ok(sides.map(|side| side.unwrap_or_else(default)))
+}
+
+struct Report<'a> {
+    arguments: &'a RangeArguments,
+    parameters: [&'a String; 2],
+    m: usize,
+    region: Sides,
+    map: SmoothMap,
+}
+
+impl Report<'_> {
+    fn sheet(&self) -> Sheet {
+        let [first, second] = self.parameters;
+        let mut sheet = Sheet::default();
+        sheet.heading(1, format!("{}: where the limits are C^{}", self.arguments.scheme, self.m));
+        let side = |which: usize| {
+            let [low, high] = &self.region[which];
+            format!("from {low} to {high}")
+        };
+        let counts = [
+            self.count(|certain| *certain == Certain::Inside),
+            self.count(|certain| matches!(certain, Certain::Outside(_))),
+            self.count(|certain| *certain == Certain::Open),
+        ];
+        let shares = self.map.shares();
+        let share = |i: usize| {
+            let percent = &shares[i] * Rational::from(100);
+            let boxes = if counts[i] == 1 { "box" } else { "boxes" };
+            format!("{} % of the area, {} {boxes}", short(&percent, 4), counts[i])
+        };
+        let facts = [
+            (first.clone(), side(0)),
+            (second.clone(), side(1)),
+            ("inside".to_owned(), share(0)),
+            ("outside".to_owned(), share(1)),
+            ("open".to_owned(), share(2)),
+        ];
+        sheet.facts(facts.to_vec());
+        sheet.heading(2, "Map");
+        sheet.facts(vec![(second.clone(), self.picture().join("\n"))]);
+        sheet.text(format!(
+            "# inside, . outside, ? open; {first} grows to the right, {second} upwards. A character that stands for \
+             several boxes is # or . where all are."
+        ));
+        sheet.text(
+            "Inside, all limits have this smoothness, in the whole box: by invariant hulls. Outside, at no point of the \
+             box all limits have it, or the scheme diverges: a product of matrices of the differences has too large an \
+             eigenvalue. Neither is shown for the open boxes.",
+        );
+        if self.map.but_exceptions {
+            sheet.text(
+                "Parameters outside may be exceptions where the shifts of the basic limit function are linearly \
+                 dependent: these are zeros of a polynomial.",
+            );
+        }
+        sheet
+    }
+
+    fn count(&self, which: fn(&Certain) -> bool) -> usize {
+        self.map.boxes.iter().filter(|found| which(&found.certain)).count()
+    }
+
+    /// The rows of the map, the greatest second parameter first.
+    fn picture(&self) -> Vec<String> {
+        let [columns, rows] = PICTURE;
+        let mut picture = vec![vec![None; columns]; rows];
+        for found in &self.map.boxes {
+            let sign = match found.certain {
+                Certain::Inside => '#',
+                Certain::Outside(_) => '.',
+                Certain::Open => '?',
+            };
+            let [across, up] = [0, 1].map(|which| self.cells(found, which));
+            for row in up {
+                for column in across.clone() {
+                    let cell = &mut picture[rows - 1 - row][column];
+                    *cell = Some(if cell.is_none_or(|old| old == sign) { sign } else { '?' });
+                }
+            }
+        }
+        let line = |row: &Vec<Option<char>>| row.iter().map(|cell| cell.unwrap_or('?')).collect();
+        picture.iter().map(line).collect()
+    }
+
+    /// The cells of the picture that a box meets, along one side.
+    fn cells(&self, found: &MapBox, which: usize) -> std::ops::Range<usize> {
+        let [low, high] = &self.region[which];
+        let [from, to] = &found.sides[which];
+        let scale = Rational::from(PICTURE[which]) / (high - low);
+        let start = ((from - low) * &scale).floor().to_i64();
+        let end = ((to - low) * &scale).ceil().to_i64();
+        let place = |x: Option<i64>| x.and_then(|x| usize::try_from(x).ok()).unwrap_or(0);
+        place(start)..place(end)
+    }
+
+    fn form(&self) -> form::SmoothMap<'_> {
+        let ends =
+            |sides: &Sides| sides.each_ref().map(|side| side.each_ref().map(Rational::to_string));
+        let found = |found: &MapBox| {
+            let (state, product) = match &found.certain {
+                Certain::Inside => ("inside", None),
+                Certain::Outside(word) => ("outside", Some(word.clone())),
+                Certain::Open => ("open", None),
+            };
+            form::MapBox { state, sides: ends(&found.sides), product }
+        };
+        let [inside, outside, open] = self.map.shares().map(|share| share.to_string());
+        form::SmoothMap {
+            schema: SCHEMA,
+            scheme: &self.arguments.scheme,
+            parameters: self.parameters.map(String::as_str),
+            smoothness: self.m,
+            bounds: ends(&self.region),
+            shares: form::Shares { inside, outside, open },
+            but_exceptions: self.map.but_exceptions,
+            boxes: self.map.boxes.iter().map(found).collect(),
+        }
+    }
+}

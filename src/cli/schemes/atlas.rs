@@ -1,0 +1,110 @@
+//! `subcert atlas`.
+
+use super::atlas_pages;
+use super::scheme::{
+    VALENCE_HEADER, continuity, depth, hoelder, number, valence_note, valence_row,
+};
+use crate::cli::arguments::AtlasArguments;
+use crate::cli::console::destination::no_page;
+use crate::cli::console::output::{Failure, Outcome, show};
+use crate::cli::console::progress::Progress;
+use crate::cli::json::{SCHEMA, facts as form};
+use subcert::audit::on_all_cores;
+use subcert::facts::{SchemeFacts, atlas_references};
+use subcert::report::json::{CurveForm, FactsForm};
+use subcert::report::{Grid, Sheet};
+use subcert::scheme::{SchemeError, find_in_catalogue};
+
+pub(crate) fn atlas(arguments: &AtlasArguments) -> Outcome {
+    let mut entries = atlas_references();
+    if !arguments.names.is_empty() {
+        let found = arguments.names.iter().map(|name| find_in_catalogue(name).map(|one| &one.name));
+        let found = found.collect::<Result<Vec<&String>, SchemeError>>()?;
+        entries.retain(|(entry, _)| found.contains(&&entry.name));
+    }
+    let all = entries.iter().flat_map(|(entry, references)| {
+        references.iter().map(move |reference| (*entry, reference))
+    });
+    let all: Vec<_> = all.collect();
+    let to = match arguments.format.of_text(arguments.file.as_ref()) {
+        None => return atlas_pages::pages(arguments, &entries),
+        Some(_) if !arguments.claims.is_empty() => {
+            let message = "--claims is for pages, which link to the claims: add --format html";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        Some(to) => no_page(to)?,
+    };
+    let progress = Progress::of_schemes(all.len(), true);
+    let found = on_all_cores(&all, |(entry, reference)| {
+        let facts = SchemeFacts::of(reference).map(|facts| FactsForm::of(reference, &facts));
+        progress.step();
+        facts.map(|facts| form::Entry { title: &entry.title, source: &entry.citation, facts })
+    });
+    drop(progress);
+    let schemes = found.into_iter().collect::<Result<Vec<form::Entry<'_>>, _>>();
+    let atlas = form::Atlas { schema: SCHEMA, schemes: schemes.map_err(Failure::from)? };
+    show(&to, || sheet(&atlas), || &atlas)
+}
+
+fn sheet(atlas: &form::Atlas<'_>) -> Sheet {
+    let mut sheet = Sheet::default();
+    sheet.heading(1, "The atlas of schemes");
+    sheet.heading(2, "Curves");
+    let header = [
+        "scheme",
+        "n",
+        "points",
+        "kind",
+        "support",
+        "sum rules",
+        "reproduces",
+        "limits",
+        "Hölder exponent",
+        "T_1",
+        "σ",
+        "depths",
+    ];
+    let curves =
+        atlas.schemes.iter().filter_map(|entry| Some((entry, entry.facts.curve.as_ref()?)));
+    let rows = curves.map(|(entry, curve)| curve_row(&entry.facts.scheme, curve)).collect();
+    sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 1 });
+    sheet.text(
+        "Points: of a rule, from the first to the last. Support: its length. Reproduces: the degree, at the \
+         natural shift. Depths: levels that polygons with differences up to 1 need for the tolerance 1/100, \
+         with x^k_i at i/n^k and at natural parameters. What is not decided is open; `subcert scheme NAME` \
+         gives the reasons, and all constants.",
+    );
+    sheet.heading(2, "Rules around a vertex or on a face");
+    let surfaces =
+        atlas.schemes.iter().filter_map(|entry| Some((entry, entry.facts.valences.as_ref()?)));
+    let rows = surfaces.flat_map(|(entry, valences)| {
+        valences.iter().map(|one| {
+            let name = std::iter::once(entry.facts.scheme.clone());
+            name.chain(valence_row(one)).collect::<Vec<String>>()
+        })
+    });
+    let header = std::iter::once("scheme").chain(VALENCE_HEADER).map(str::to_owned).collect();
+    sheet.grid(Grid { header, rows: rows.collect(), left_columns: 1 });
+    sheet.text(valence_note());
+    sheet
+}
+
+fn curve_row(name: &str, curve: &CurveForm) -> Vec<String> {
+    let kind = curve.kind.unwrap_or("neither");
+    let kind = if curve.interpolating { format!("{kind}, interpolating") } else { kind.to_owned() };
+    let [indexed, natural] = [&curve.depth_indexed, &curve.depth_natural];
+    vec![
+        name.to_owned(),
+        curve.arity.to_string(),
+        curve.points.to_string(),
+        kind,
+        number(&curve.support_length),
+        curve.sum_rules.to_string(),
+        if curve.natural_shift.is_some() { curve.reproduction.to_string() } else { "0".to_owned() },
+        continuity(curve),
+        hoelder(curve),
+        curve.contraction.first().map_or("open".to_owned(), number),
+        number(&curve.displacement),
+        format!("{}, {}", depth(indexed.as_ref()), depth(natural.as_ref())),
+    ]
+}

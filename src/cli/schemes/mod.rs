@@ -1,0 +1,12 @@
+//! The schemes of the catalogue: `subcert schemes`, `scheme`, `atlas` and `plot`.
+
+mod atlas;
+mod atlas_pages;
+mod list;
+mod plot;
+mod scheme;
+
+pub(super) use atlas::atlas;
+pub(super) use list::schemes;
+pub(super) use plot::plot;
+pub(super) use scheme::scheme;

@@ -1,0 +1,31 @@
+//! Masks of curve schemes, with rational or irrational coefficients.
+
+use crate::cli::console::output::Failure;
+use subcert::exact::FieldElement;
+use subcert::scheme::{AnyScheme, Mask, parse_algebraic, parse_any_scheme};
+
+/// The mask of a scheme for curves.
+pub(crate) enum Curve {
+    Rational(Mask),
+    Algebraic(Mask<FieldElement>),
+}
+
+pub(crate) fn curve(name: &str) -> Result<Curve, Failure> {
+    let Ok(scheme) = parse_any_scheme(name) else {
+        // What is wrong with the scheme is wrong in any field.
+        return Ok(Curve::Algebraic(parse_algebraic(name)?));
+    };
+    let reason = match scheme {
+        AnyScheme::Uniform(scheme) => match Mask::try_from(scheme) {
+            Ok(mask) => return Ok(Curve::Rational(mask)),
+            Err(_) => {
+                "is a tensor product; its limits are as smooth as those of its factors, one by one"
+            }
+        },
+        AnyScheme::LocalRules(_) => {
+            "has rules around one vertex or face, and `--certificate` here is for masks; `audit` writes certificates of \
+             claims about such rules"
+        }
+    };
+    Err(Failure::Input(format!("`{name}` {reason}")))
+}

@@ -1,0 +1,117 @@
+//! `subcert smoothness` of rules around a vertex or on a face.
+
+use crate::cli::arguments::{SmoothnessArguments, Valences};
+use crate::cli::console::destination::{Destination, command};
+use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::json::{SCHEMA, vertex as form};
+use crate::cli::spectrum::ring::{failure, failure_without_valence};
+use subcert::characteristic::{Family, ORDERED, Vertex, regular_for_all_valences};
+use subcert::report::html::{FindingPage, Picture};
+use subcert::report::json::VertexForm;
+use subcert::report::{
+    Grid, SCOPE, Sheet, VERTEX_HEADER, verdict_name, verdict_reason, vertex_facts, vertex_row,
+};
+
+pub(crate) fn vertex(arguments: &SmoothnessArguments, to: &Destination) -> Outcome {
+    let scheme = &arguments.scheme;
+    let (mut all, mut found) = (None, Vec::new());
+    match arguments.valences {
+        None => {
+            let vertex = Vertex::of(scheme, None);
+            found.push(vertex.map_err(|error| failure_without_valence(error, "--valences 5"))?);
+        }
+        Some(Valences::Some(first, last)) => {
+            for n in first..=last {
+                found.push(Vertex::of(scheme, Some(n)).map_err(failure)?);
+            }
+        }
+        Some(Valences::All) => {
+            let known = ORDERED.iter().find(|(name, _)| name == scheme);
+            let (_, family) = known.ok_or_else(|| {
+                let names = ORDERED.map(|(name, _)| name).join(", ");
+                Failure::Input(format!(
+                    "all valences at once are known of {names}; of other rules, give a range such as 3..50"
+                ))
+            })?;
+            all = Some((*family, regular_for_all_valences(*family)));
+        }
+    }
+    let page = || {
+        let (sheet, command) = (sheet(scheme, all, &found), command());
+        let pictures: Vec<Picture> = match &found[..] {
+            [vertex] => Picture::of_ring(vertex).into_iter().collect(),
+            _ => Vec::new(),
+        };
+        let sentence = sentence(all, &found);
+        let page = FindingPage {
+            sentence: &sentence,
+            sheet: &sheet,
+            pictures: &pictures,
+            command: &command,
+        };
+        Ok(page.to_html())
+    };
+    to.deliver(
+        || sheet(scheme, all, &found),
+        || form::Vertices {
+            schema: SCHEMA,
+            scheme,
+            scope: SCOPE,
+            all_valences: all.map(|(_, holds)| holds),
+            valences: found.iter().map(VertexForm::of).collect(),
+        },
+        page,
+    )
+}
+
+/// What is found, in a sentence.
+fn sentence(all: Option<(Family, bool)>, found: &[Vertex]) -> String {
+    match (all, found) {
+        (Some((_, true)), _) => "C^1 is proved for all valences n >= 3.".to_owned(),
+        (Some(_), _) => "It is open whether surfaces are C^1 for all valences.".to_owned(),
+        (None, [vertex]) => {
+            let verdict = &vertex.verdict;
+            format!(
+                "C^1 at valence {}: {}, as {}.",
+                vertex.spectrum.order,
+                verdict_name(verdict),
+                verdict_reason(verdict)
+            )
+        }
+        (None, _) => {
+            let proved = |vertex: &&Vertex| verdict_name(&vertex.verdict) == "proved";
+            format!(
+                "C^1 is proved at {} of {} valences.",
+                found.iter().filter(proved).count(),
+                found.len()
+            )
+        }
+    }
+}
+
+fn sheet(scheme: &str, all: Option<(Family, bool)>, found: &[Vertex]) -> Sheet {
+    let mut sheet = Sheet::default();
+    sheet.heading(1, format!("{scheme}: smoothness at the vertex or on the face"));
+    if let Some((family, holds)) = all {
+        let verdict = if holds { "proved for all valences n >= 3" } else { "open" };
+        let map = "all Bernstein coefficients of the Jacobian and of the half-plane are positive, as polynomials \
+                   in one variable, by Sturm's theorem";
+        let order = "0 < λ < 1, from the blocks 1 and n − 1, and above all others, for every n: theorem 135 of \
+                     proofs/THEOREMS.md";
+        let facts = [
+            ("C^1", verdict),
+            ("ring", family.pieces()),
+            ("characteristic map", if holds { map } else { "not decided" }),
+            ("eigenvalues", order),
+        ];
+        sheet.facts(facts.map(|(a, b)| (a.to_owned(), b.to_owned())).to_vec());
+    } else if let [vertex] = found {
+        sheet.facts(vertex_facts(vertex));
+    } else {
+        let rows = found.iter().map(vertex_row).collect();
+        let header = VERTEX_HEADER.map(str::to_owned).to_vec();
+        sheet.grid(Grid { header, rows, left_columns: 0 });
+    }
+    sheet.text(format!("{SCOPE}."));
+    sheet
+}

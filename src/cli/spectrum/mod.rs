@@ -1,0 +1,9 @@
+//! `subcert spectrum` and `table`.
+
+pub(super) mod ring;
+mod sector;
+pub(super) mod table;
+
+pub(super) use ring::spectrum;
+pub(super) use sector::sector;
+pub(super) use table::table;
