@@ -18,51 +18,28 @@
 //! Points are computed in f64 with a bound of all rounding errors. What that leaves open is
 //! decided exactly.
 
-mod apart;
-mod apriori;
-mod around;
-mod bezier;
-mod cell;
 mod curve;
-mod depth;
-mod descent;
-mod fans;
-mod far;
-mod formula;
+mod distance;
 mod geometric;
-mod greatest;
-mod growth;
 mod hexes;
-mod judge;
-mod kind;
-mod levels;
-mod measure;
 mod mesh;
-mod model;
-mod neighbourhood;
 mod net;
 mod number;
-mod regular;
-mod ring;
-mod roots;
-mod rules;
-mod search;
-mod shape;
+mod place;
+mod progress;
 mod shapes;
-mod surface;
 mod threads;
-mod work;
 
-pub use apriori::{APriori, a_priori};
 pub use curve::{CurveDepth, CurvePlace, CurveSets, MAX_CURVE_PIECES};
-pub use depth::{Distances, MAX_DEPTH_LEVEL, MeshDepth};
-pub use far::FarPlace;
-pub use formula::{FORMULA_PAPER, formula_level};
+pub use distance::depth::{Distances, MAX_DEPTH_LEVEL, MeshDepth};
 pub use geometric::{
     FaceDepth, FaceSurface, GeometricDepth, GeometricPlace, LEAST_SHARE, SetKind,
     relative_tolerance,
 };
 pub use hexes::{SOLID_FORMULA_PAPER, solid_a_priori, solid_formula_level};
-pub use mesh::MeshDistances;
+pub use mesh::apriori::{APriori, a_priori};
+pub use mesh::distances::MeshDistances;
+pub use mesh::formula::{FORMULA_PAPER, formula_level};
 pub use net::{NET_FORMULA_PAPER, NetAPriori, NetDistances, net_a_priori, net_formula_level};
-pub use work::MeshWork;
+pub use place::FarPlace;
+pub use progress::MeshWork;

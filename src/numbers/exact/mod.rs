@@ -23,86 +23,63 @@
 //! | [`natural_logarithm`], [`LogSum`] | enclosures of logarithms, and of rational combinations of them |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
-mod adjugate;
-mod algebraic;
 mod backend;
-mod bivariate;
-mod characteristic;
 mod common;
-mod comparable;
-mod cyclotomic;
-mod decimal;
-mod descartes;
-mod enclosure;
-mod expression;
-mod factor;
-pub mod format;
+mod enclosures;
 mod integer;
-mod interval;
-mod interval_set;
-mod linear;
-mod log_sum;
-mod logarithm;
-mod matrix;
-mod monomial;
-mod number_field;
-mod one_variable;
+mod matrices;
 mod ops;
-mod parametric;
-mod piecewise;
-mod polynomial;
+mod parameter;
+mod polynomials;
+mod printed;
 mod rational;
-mod rational_polynomial;
-mod read;
-mod roots;
+mod real;
 mod scalar;
-mod sign_at;
-mod sturm;
-mod univariate;
-mod vanishing;
+mod symbolic;
 mod word;
 
-pub use adjugate::Adjugate;
-pub use algebraic::RealAlgebraic;
-pub use bivariate::BivariatePolynomial;
-pub use characteristic::{
+pub use common::CommonDenominator;
+pub use common::common_denominator;
+pub use enclosures::enclosure::{Enclosed, Enclosure};
+pub use enclosures::format;
+pub use enclosures::log_sum::{LogSum, LogTerm};
+pub use enclosures::logarithm::natural_logarithm;
+pub use integer::Integer;
+pub use matrices::adjugate::Adjugate;
+pub use matrices::characteristic::{
     characteristic_coefficients, characteristic_polynomial, symmetric_square_coefficients,
     symmetric_square_polynomial,
 };
-pub use common::CommonDenominator;
-pub use common::common_denominator;
-pub use comparable::comparable;
-pub use cyclotomic::{
+pub use matrices::linear::{determinant, interpolated, solve};
+pub use matrices::matrix::{Matrix, Naming};
+pub use parameter::interval::Interval;
+pub use parameter::interval_set::IntervalSet;
+pub use parameter::parametric::Parametric;
+pub use parameter::piecewise::PiecewisePolynomial;
+pub use polynomials::rational_polynomial::RationalPolynomial;
+pub use polynomials::sturm::SturmSequence;
+pub use polynomials::univariate::IntegerPolynomial;
+pub use printed::decimal::{Decimal, Rounding};
+pub use printed::read::{MAX_DIGITS, MAX_EXPONENT, NumberError, parse_decimal, parse_rational};
+pub use rational::Rational;
+pub use real::algebraic::RealAlgebraic;
+pub use real::comparable::comparable;
+pub use real::cyclotomic::{
     CosineError, MAX_CONDUCTOR, RealCyclotomic, StoredForm, common_conductor, cosine_polynomial,
 };
-pub use decimal::{Decimal, Rounding};
-pub use enclosure::{Enclosed, Enclosure};
-pub use expression::floor_root;
-pub use expression::{MAX_ROOT_DEGREE, RealExpression, RootError};
-pub use integer::Integer;
-pub use interval::Interval;
-pub use interval_set::IntervalSet;
-pub use linear::{determinant, interpolated, solve};
-pub use log_sum::{LogSum, LogTerm};
-pub use logarithm::natural_logarithm;
-pub use matrix::{Matrix, Naming};
-pub use number_field::{
+pub use real::expression::floor_root;
+pub use real::expression::{MAX_ROOT_DEGREE, RealExpression, RootError};
+pub use real::number_field::{
     AlgebraicNumber, FieldElement, FieldError, MAX_FIELD_DEGREE, MAX_NORM_DEGREE,
 };
-pub use number_field::{divided, greatest_divisor, square_free, value_at};
-pub use parametric::Parametric;
-pub use piecewise::PiecewisePolynomial;
-pub use polynomial::Polynomial;
-pub use rational::Rational;
-pub use rational_polynomial::RationalPolynomial;
-pub use read::{MAX_DIGITS, MAX_EXPONENT, NumberError, parse_decimal, parse_rational};
+pub use real::number_field::{divided, greatest_divisor, square_free, value_at};
 pub use scalar::{Real, Scalar};
-pub use sturm::SturmSequence;
-pub use univariate::IntegerPolynomial;
+pub use symbolic::bivariate::BivariatePolynomial;
+pub use symbolic::polynomial::Polynomial;
 pub use word::within;
 
 /// Items for the tests of this crate; not part of its interface.
 #[doc(hidden)]
 pub mod internals {
-    pub use super::cyclotomic::{cosines, is_prime, pi, primes};
+    pub use super::real::cyclotomic::{cosines, is_prime, pi, primes};
 }

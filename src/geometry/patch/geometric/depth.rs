@@ -1,13 +1,13 @@
 //! The least level whose mesh is within a tolerance of the limit surface as a set of points.
 
-use super::super::levels::Source;
-use super::super::mesh::MeshDistances;
 use super::level::Geometry;
 use super::levels::{Levels as _, distances};
 use super::patch::FaceSurface;
 use super::place::{FaceDepth, GeometricDepth};
 use crate::exact::Rational;
 use crate::mesh::MeshError;
+use crate::patch::mesh::distances::MeshDistances;
+use crate::patch::mesh::levels::Source;
 
 impl MeshDistances {
     /// The least level k with H_k ≤ ε, where

@@ -1,14 +1,6 @@
 //! One level: whether its mesh, or the parts of it that belong to some faces, are within the tolerance.
 
-use super::super::far::Verdict;
-use super::super::judge::Rounded;
-use super::super::kind::Kind;
-use super::super::levels::Source;
-use super::super::mesh::MeshDistances;
-use super::super::roots::Root;
-use super::super::search::Search;
-use super::super::shapes::Shapes;
-use super::super::surface::{PieceSearch as _, Surface as _, TooMuch as _};
+use super::super::place::Verdict;
 use super::super::threads::{in_threads, in_threads_until, threads};
 use super::cover::FarPoint;
 use super::levels::{Known, Levels, check};
@@ -24,6 +16,14 @@ use crate::float::nearest;
 use crate::mesh::{
     MeshError, MeshScheme, PolygonMesh, Stencils, cut, groups, grown, step_with, weighted_valences,
 };
+use crate::patch::distance::judge::Rounded;
+use crate::patch::distance::surface::{PieceSearch as _, Surface as _, TooMuch as _};
+use crate::patch::mesh::distances::MeshDistances;
+use crate::patch::mesh::levels::Source;
+use crate::patch::mesh::roots::Root;
+use crate::patch::mesh::search::Search;
+use crate::patch::shapes::library::Shapes;
+use crate::patch::shapes::scheme::Kind;
 
 /// How many pieces are looked at by parameter in one piece of level 1 before its face is looked at closely.
 const FILTER_STEPS: u64 = 2_000;

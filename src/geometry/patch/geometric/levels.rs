@@ -1,11 +1,11 @@
 //! From one level to the next: the least level of all, and of each face.
 
-use super::super::surface::{TooMuch, positive};
 use super::place::{FaceDepth, GeometricDepth, GeometricPlace, Nearness};
 use super::relative::relative_tolerance;
 use crate::exact::Rational;
 use crate::float::upper;
 use crate::mesh::Point;
+use crate::patch::distance::surface::{TooMuch, positive};
 
 /// The highest level that is looked at as a set of points.
 pub(in crate::patch) const MAX_LEVEL: u32 = 14;

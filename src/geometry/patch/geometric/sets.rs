@@ -1,14 +1,14 @@
 //! A polygon mesh of a level, and its limit, as a whole.
 
-use super::super::cell::Cell;
-use super::super::judge::{Points as _, Rounded};
-use super::super::model::Model;
 use super::super::number::mean;
-use super::super::roots::Root;
 use super::patch::{FaceSurface, Patch};
 use super::pieces::{Hull, MeshPart, Pieces, Sets};
 use super::units::hull;
 use crate::mesh::Point;
+use crate::patch::distance::judge::{Points as _, Rounded};
+use crate::patch::mesh::model::Model;
+use crate::patch::mesh::piece::Cell;
+use crate::patch::mesh::roots::Root;
 
 /// The roots are the pieces of level 1.
 pub(super) struct MeshSets<'a> {

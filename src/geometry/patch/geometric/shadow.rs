@@ -2,9 +2,9 @@
 //! (`proofs/THEOREMS.md`, 160).
 
 use super::super::number::Vector as _;
-use super::super::shape::UP;
 use super::patch::{Patch, cross, dot, unit};
 use crate::mesh::Point;
+use crate::patch::shapes::shape::UP;
 
 type Flat = [f64; 2];
 

@@ -1,8 +1,8 @@
 //! One unit after the other, in all cores.
 
 use super::super::number::Vector as _;
+use super::super::progress::MeshWork;
 use super::super::threads::{in_threads, in_threads_until, threads};
-use super::super::work::MeshWork;
 use super::cover::{Cover, FarPoint};
 use super::patch::length;
 use super::pieces::{Sets, Units};

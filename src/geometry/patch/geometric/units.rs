@@ -1,17 +1,17 @@
 //! The units of a polygon mesh.
 
-use super::super::cell::Cell;
-use super::super::far::Verdict;
-use super::super::judge::{Judge as _, Points as _, Rounded};
 use super::super::number::combinations;
-use super::super::roots::{Root, Roots, corners};
-use super::super::search::Search;
-use super::super::shapes::Shapes;
-use super::super::surface::PieceSearch as _;
+use super::super::place::Verdict;
 use super::patch::{FaceSurface, Patch};
 use super::pieces::{Hull, Pieces, Unit, Units};
 use super::scene::Scene;
 use crate::mesh::{Connectivity, MeshError, MeshScheme, Point, PolygonMesh, Stencils, step_with};
+use crate::patch::distance::judge::{Judge as _, Points as _, Rounded};
+use crate::patch::distance::surface::PieceSearch as _;
+use crate::patch::mesh::piece::Cell;
+use crate::patch::mesh::roots::{Root, Roots, corners};
+use crate::patch::mesh::search::Search;
+use crate::patch::shapes::library::Shapes;
 
 /// How many pieces are looked at for the distance of a unit at equal parameters.
 const UNIT_STEPS: u64 = 400;

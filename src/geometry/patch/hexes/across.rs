@@ -4,7 +4,7 @@
 use super::grid::MASKS;
 use super::layers::Layers;
 use crate::patch::number::{Number, Row, index};
-use crate::patch::regular::number;
+use crate::patch::shapes::regular::number;
 use crate::solid::Complex;
 use std::collections::{BTreeMap, BTreeSet};
 

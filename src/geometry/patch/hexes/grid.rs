@@ -1,9 +1,9 @@
 //! Regular pieces of solids: tricubic B-splines, of 4 × 4 × 4 points inside, and one layer less at the
 //! boundary (`proofs/THEOREMS.md`, 101).
 
-use crate::patch::bezier::Bezier;
 use crate::patch::number::{Number, Row};
-use crate::patch::regular::{Bends, number};
+use crate::patch::shapes::bezier::Bezier;
+use crate::patch::shapes::regular::{Bends, number};
 use std::collections::BTreeMap;
 
 /// A point of a grid. The corners of the piece are at 0 and 1.

@@ -4,12 +4,12 @@
 use crate::exact::Rational;
 use crate::float::lower;
 use crate::mesh::MeshError;
-use crate::patch::apriori::{APriori, UP, longest_edge, real};
-use crate::patch::around::Around;
-use crate::patch::growth::LAST;
-use crate::patch::mesh::MeshDistances;
-use crate::patch::shape::Shape;
-use crate::patch::surface::{TooMuch as _, positive};
+use crate::patch::distance::surface::{TooMuch as _, positive};
+use crate::patch::mesh::apriori::{APriori, UP, longest_edge, real};
+use crate::patch::mesh::distances::MeshDistances;
+use crate::patch::shapes::convergence::LAST;
+use crate::patch::shapes::shape::Shape;
+use crate::patch::shapes::surroundings::Around;
 use crate::solid::HexMesh;
 use std::collections::BTreeSet;
 

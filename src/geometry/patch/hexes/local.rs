@@ -5,9 +5,9 @@ use super::grid::Grid;
 use super::layers::{Layers, layers};
 use super::neighbourhood::{Parts, least};
 use crate::exact::{Rational, RealCyclotomic};
-use crate::patch::neighbourhood::Neighbourhood;
 use crate::patch::number::{Number, Row, index};
-use crate::patch::rules::{Rules, mean_of, rows};
+use crate::patch::shapes::neighbourhood::Neighbourhood;
+use crate::patch::shapes::rules::{Rules, mean_of, rows};
 use crate::solid::{Complex, limit_rows, part_corners, refined_points};
 
 /// A hexahedron, which comes first, with all that share a corner with it. Corners 0 to 7 are its own.

@@ -2,7 +2,7 @@
 //! numbered.
 
 use super::grid::Grid;
-use crate::patch::neighbourhood::{Neighbourhood, Sharp};
+use crate::patch::shapes::neighbourhood::{Neighbourhood, Sharp};
 use crate::solid::{Complex, FACES, part_corners};
 
 /// Corner j of a hexahedron of a list is its own corner `frame[j]`.

@@ -1,9 +1,9 @@
 //! The pieces of level 1 of a solid.
 
 use super::neighbourhood::{Parts, frames, least};
-use crate::patch::neighbourhood::Neighbourhood;
-use crate::patch::roots::{Root, Roots};
-use crate::patch::shapes::Shapes;
+use crate::patch::mesh::roots::{Root, Roots};
+use crate::patch::shapes::library::Shapes;
+use crate::patch::shapes::neighbourhood::Neighbourhood;
 use crate::solid::{Complex, SolidError};
 use std::collections::HashMap;
 

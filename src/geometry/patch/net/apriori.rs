@@ -1,6 +1,5 @@
 //! What the greatest differences of a net guarantee, wherever its points are.
 
-use super::super::surface::positive;
 use super::constants::UP;
 use super::scaled::scaled;
 use crate::bound::{Budget, Constants, Operator, Order};
@@ -9,6 +8,7 @@ use crate::float::{exact, upper};
 use crate::limit::{Limit, Parametrisation, Spreads, SurfaceDistances, SurfaceError};
 use crate::mesh::Point;
 use crate::net::{Net, NetError, NetScheme};
+use crate::patch::distance::surface::positive;
 
 /// The most steps that the bounds of schemes with negative coefficients may take.
 const STEPS: u64 = 200_000_000;

@@ -1,12 +1,12 @@
 //! A piece with its points: how far the net is from the limit on it.
 
-use super::super::judge::Judge;
 use super::super::number::{Row, Vector as _};
 use super::constants::UP;
 use super::direction::{Direction, Weights};
 use super::points::{across, along, tensor};
 use super::rules::{Phase, Rules};
 use crate::mesh::Point;
+use crate::patch::distance::judge::Judge;
 
 /// A cell of a level with the points of its window, row by row.
 #[derive(Clone)]

@@ -1,10 +1,7 @@
 //! The distances of nets.
 
-use super::super::depth::{Distances, distances_of};
-use super::super::far::{FarPlace, Place, Verdict};
-use super::super::judge::{Exactly, Judge as _, Rounded};
 use super::super::number::Vector as _;
-use super::super::surface::{Ball, PieceSearch, Surface};
+use super::super::place::{FarPlace, Place, Verdict};
 use super::cell::{Cell, bound};
 use super::constants::{MAX_LATER, UP};
 use super::direction::Direction;
@@ -15,6 +12,9 @@ use crate::exact::Rational;
 use crate::float::nearest;
 use crate::mesh::Point;
 use crate::net::{Net, NetError, NetScheme};
+use crate::patch::distance::depth::{Distances, distances_of};
+use crate::patch::distance::judge::{Exactly, Judge as _, Rounded};
+use crate::patch::distance::surface::{Ball, PieceSearch, Surface};
 
 /// n^k is at most 2^this for all levels k.
 const MAX_BITS: f64 = 90.0;

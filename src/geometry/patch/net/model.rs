@@ -1,9 +1,9 @@
 //! A net as the search sees it: its pieces, in f64 and exactly.
 
-use super::super::surface::Surface as _;
 use super::super::threads::in_threads;
 use super::cell::Cell;
 use super::direction::Direction;
+use crate::patch::distance::surface::Surface as _;
 
 use super::rules::norm;
 use super::scaled::scaled;

@@ -1,10 +1,8 @@
 //! Nets for the distance of sets (`proofs/THEOREMS.md`, 166).
 
-use super::super::far::Verdict;
 use super::super::geometric::{Hull, MeshPart, Patch, Pieces, Sets, Unit, Units};
-use super::super::judge::{Judge as _, Rounded};
 use super::super::number::squared;
-use super::super::surface::{PieceSearch as _, Surface as _};
+use super::super::place::Verdict;
 use super::cell::Cell;
 use super::constants::UP;
 use super::direction::{Direction, Weights};
@@ -12,6 +10,8 @@ use super::model::Model;
 use super::points::tensor;
 use super::search::Search;
 use crate::mesh::Point;
+use crate::patch::distance::judge::{Judge as _, Rounded};
+use crate::patch::distance::surface::{PieceSearch as _, Surface as _};
 
 /// How many pieces are looked at for the distance of a unit at equal parameters.
 const UNIT_STEPS: u64 = 2_000;

@@ -1,8 +1,8 @@
 //! Nets in f64.
 
-use super::super::model::{moved, scale};
 use crate::exact::Rational;
 use crate::net::{Net, NetError};
+use crate::patch::mesh::model::{moved, scale};
 
 /// Coordinates, and differences of them that are not 0, are between these powers of two.
 const BITS: [i32; 2] = [-900, 900];

@@ -1,11 +1,11 @@
 //! Whether the net of a level is within a tolerance of the limit on a piece, and how far it is.
 
-use super::super::far::{Place, Verdict};
-use super::super::judge::Judge;
-use super::super::surface::PieceSearch;
+use super::super::place::{Place, Verdict};
 use super::cell::{Cell, Known, bound};
 use super::direction::{Direction, Weights};
 use crate::mesh::Point;
+use crate::patch::distance::judge::Judge;
+use crate::patch::distance::surface::PieceSearch;
 
 /// Node of a cell.
 #[derive(Clone, Debug)]

@@ -1,13 +1,11 @@
 //! The least level whose net is within a tolerance of the limit surface as a set of points.
 
-use super::super::far::{FarPlace, Place};
 use super::super::geometric::{
     FaceDepth, FarPoint, GeometricDepth, GeometricPlace, Known, Levels, MAX_LEVEL, Pieces as _,
     Scene, SetKind, Whole, check, distances, far_distance, first_far, sweep,
 };
-use super::super::judge::Judge as _;
 use super::super::number::squared;
-use super::super::surface::Surface as _;
+use super::super::place::{FarPlace, Place};
 use super::super::threads::in_threads;
 use super::cell::{Cell, bound};
 use super::direction::Direction;
@@ -18,6 +16,8 @@ use crate::exact::Rational;
 use crate::float::nearest;
 use crate::mesh::Point;
 use crate::net::NetError;
+use crate::patch::distance::judge::Judge as _;
+use crate::patch::distance::surface::Surface as _;
 use std::collections::{BTreeSet, HashMap};
 
 /// How many cells of a level are looked at together.

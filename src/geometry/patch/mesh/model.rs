@@ -1,0 +1,181 @@
+//! A mesh as the search sees it: its pieces, in f64 and exactly.
+
+use super::levels::{Levels, Source, solid, surface};
+use super::piece::Cell;
+use super::roots::{Root, Roots};
+use crate::exact::{Rational, RealCyclotomic};
+use crate::float::nearest;
+use crate::mesh::{
+    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_rules, check_tags, step_with,
+    weighted_valences,
+};
+use crate::patch::distance::judge::{Points, Rounded};
+use crate::patch::hexes::hex_roots;
+use crate::patch::number::Row;
+use crate::patch::shapes::library::Shapes;
+use crate::patch::shapes::rules::parts_of_face;
+use crate::patch::shapes::scheme::Kind;
+use crate::patch::threads::in_threads;
+use crate::solid::{HexMesh, MAX_POINTS, SolidError};
+use std::sync::OnceLock;
+
+/// A mesh or a solid as pieces.
+pub struct Model {
+    pub(in crate::patch) shapes: Shapes,
+    pub(in crate::patch) roots: Roots,
+    pub(in crate::patch) source: Source,
+    /// In f64: moved so that the first point is the origin, and multiplied by 2^−e.
+    rounded: Levels<Point<f64>>,
+    /// `None` where exact numbers are too much work.
+    exact: OnceLock<Option<Levels<Point<RealCyclotomic>>>>,
+    /// 2^e.
+    pub(in crate::patch) scale: Rational,
+    /// The greatest coordinate, and the most weights of a row.
+    size: f64,
+    terms: usize,
+    /// The sizes of the pieces of level 1.
+    pub(in crate::patch) sizes: Vec<f64>,
+    /// The corners of the parts of a bilinear or flat piece.
+    pub(in crate::patch) quarters: Vec<Vec<Row<f64>>>,
+}
+
+impl Model {
+    pub(in crate::patch) fn new(
+        control: PolygonMesh<Rational>,
+        scheme: MeshScheme,
+    ) -> Result<Model, MeshError> {
+        check_tags(&control, scheme)?;
+        let connectivity = control.connectivity();
+        check_rules(connectivity, scheme)?;
+        let stencils = Stencils::new(scheme, weighted_valences(connectivity, scheme));
+        let scale = scale(control.points());
+        let mesh = control.with_points(moved(control.points(), &scale));
+        let next = step_with(&mesh, scheme, &stencils.map(nearest))?;
+        let mut shapes = Shapes::new(Kind::Surface(scheme));
+        let roots = Roots::of(scheme, connectivity, &next, &mut shapes)?;
+        let rounded = surface(&mesh, scheme, next.points().to_vec());
+        let faces = connectivity.faces().iter().map(Vec::len).max().unwrap_or(0);
+        let valence = (0..connectivity.point_count()).map(|v| connectivity.star(v).valence());
+        // A blend of two rules has a few operations more.
+        let blends = if control.tags().has_sharp() { 8 } else { 0 };
+        let terms = 2 * valence.max().unwrap_or(0) + 2 * faces + blends;
+        let size = size(mesh.points());
+        let source = Source::Surface { mesh: control, scheme, stencils };
+        Ok(Model::of(shapes, roots, source, rounded, (scale, size, terms)))
+    }
+
+    /// # Errors
+    /// When there would be too many points, or there are too many shapes.
+    pub(in crate::patch) fn of_solid(control: HexMesh<Rational>) -> Result<Model, SolidError> {
+        let complex = control.complex();
+        let (edges, faces) = (complex.edges.len(), complex.faces.len());
+        let points = complex.points + edges + faces + complex.cells.len();
+        if points > MAX_POINTS {
+            return Err(SolidError::TooManyPoints { points });
+        }
+        let mut shapes = Shapes::new(Kind::Solid);
+        let roots = hex_roots(complex, &mut shapes)?;
+        let scale = scale(control.points());
+        let moved = moved(control.points(), &scale);
+        let rounded = solid(complex, &moved);
+        let mut counts = vec![0_usize; complex.points];
+        complex.cells.iter().flatten().for_each(|&point| counts[point] += 1);
+        // A vertex is a mean of the edges, faces and cells around it, fewer than four for each cell.
+        let terms = 4 * counts.into_iter().max().unwrap_or(0) + 32;
+        let size = size(&moved);
+        let source = Source::Solid(control);
+        Ok(Model::of(shapes, roots, source, rounded, (scale, size, terms)))
+    }
+
+    fn of(
+        shapes: Shapes,
+        roots: Roots,
+        source: Source,
+        rounded: Levels<Point<f64>>,
+        (scale, size, terms): (Rational, f64, usize),
+    ) -> Model {
+        let terms = terms.max(shapes.longest());
+        let (exact, sizes) = (OnceLock::new(), Vec::new());
+        let quarters = parts_of_face(if shapes.kind.is_triangular() { 3 } else { 4 });
+        let mut model =
+            Model { shapes, roots, source, rounded, exact, scale, size, terms, sizes, quarters };
+        let judge = model.rounded_judge_after(&Rational::one(), 0);
+        model.sizes = in_threads(&model.roots.all, |root| {
+            model.rounded_cell(root, 1).size(&model.shapes, &judge)
+        });
+        model
+    }
+
+    /// Lengths in f64, for the points of the levels after that many, counted from 0 again: the slack of level ℓ is at least
+    /// that of level ℓ + `level`.
+    pub(in crate::patch) fn rounded_judge_after(
+        &self,
+        tolerance: &Rational,
+        level: u32,
+    ) -> Rounded {
+        let size = self.size * f64::from(level + 1);
+        Rounded::new(&(tolerance / &self.scale), size, self.terms)
+    }
+
+    /// The points of a control mesh in f64: moved and scaled.
+    pub(in crate::patch) fn control(&self) -> Vec<Point<f64>> {
+        moved(self.source.points(), &self.scale)
+    }
+
+    /// How many vertices the face of a piece has.
+    pub(in crate::patch) fn face_size(&self, root: &Root) -> usize {
+        match &self.source {
+            Source::Surface { mesh, .. } => mesh.faces()[root.face].len(),
+            Source::Solid(_) => 0,
+        }
+    }
+
+    fn cell<V: Points>(&self, root: &Root, level: u32, points: &Levels<V>) -> Cell<V> {
+        let cell = self.roots.cell(root, &self.shapes, &points.refined);
+        if level > 0 {
+            return cell;
+        }
+        Cell { base: Some(points.start(root, &self.roots, &self.source)), ..cell }
+    }
+
+    /// A piece in f64, for the polygons of a level.
+    pub(in crate::patch) fn rounded_cell(&self, root: &Root, level: u32) -> Cell<Point<f64>> {
+        self.cell(root, level, &self.rounded)
+    }
+
+    /// The same exactly; `None` where exact numbers are too much work.
+    pub(in crate::patch) fn exact_cell(
+        &self,
+        root: &Root,
+        level: u32,
+    ) -> Option<Cell<Point<RealCyclotomic>>> {
+        let levels = self.exact.get_or_init(|| self.source.exact(self.rounded.refined.len()));
+        Some(self.cell(root, level, levels.as_ref()?))
+    }
+}
+
+/// The points in f64, the first one as the origin, in units of the scale.
+pub(in crate::patch) fn moved(points: &[Point<Rational>], scale: &Rational) -> Vec<Point<f64>> {
+    let origin = &points[0];
+    let moved =
+        |point: &Point<Rational>| [0, 1, 2].map(|i| nearest(&(&(&point[i] - &origin[i]) / scale)));
+    points.iter().map(moved).collect()
+}
+
+/// The greatest coordinate.
+fn size(points: &[Point<f64>]) -> f64 {
+    points.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()))
+}
+
+/// The power of two that is just above all differences of coordinates from those of the first
+/// point.
+pub(in crate::patch) fn scale(points: &[Point<Rational>]) -> Rational {
+    let bits = |x: &Rational| {
+        let [p, q] = [x.numerator(), x.denominator()];
+        i64::try_from(p.bits()).unwrap_or(i64::MAX) - i64::try_from(q.bits()).unwrap_or(0) + 1
+    };
+    let origin = &points[0];
+    let differences = points.iter().flat_map(|point| (0..3).map(|i| &point[i] - &origin[i]));
+    let greatest = differences.filter(|x| !x.is_zero()).map(|x| bits(&x)).max().unwrap_or(0);
+    Rational::from(2).pow(i32::try_from(greatest).unwrap_or(0))
+}

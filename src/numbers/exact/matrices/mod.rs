@@ -1,0 +1,6 @@
+//! Matrices, and what is computed from them.
+
+pub(super) mod adjugate;
+pub(super) mod characteristic;
+pub(super) mod linear;
+pub(super) mod matrix;

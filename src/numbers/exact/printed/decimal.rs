@@ -1,0 +1,142 @@
+//! A decimal as printed, and how it relates to an exact value.
+
+use crate::exact::{Enclosed, Integer, Rational, Real, RealAlgebraic};
+
+/// A printed decimal: `mantissa` · 10^`exponent`, where `exponent` is the place of its
+/// last printed digit. `0.0310` and `0.031` are equal in value but differ as decimals:
+/// the first is printed to one digit more.
+///
+/// ```
+/// use subcert::exact::{Rational, Rounding, parse_decimal};
+///
+/// let printed = parse_decimal("0.667")?;
+/// assert_eq!(printed.rounding_of(&Rational::new(2, 3)), Rounding::Nearest);
+/// assert_eq!(parse_decimal("0.666")?.rounding_of(&Rational::new(2, 3)), Rounding::Truncated);
+/// // Nobody rounds 1/16 away from zero to 1.
+/// assert_eq!(parse_decimal("1")?.rounding_of(&Rational::new(1, 16)), Rounding::Neither);
+/// # Ok::<(), subcert::exact::NumberError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Decimal {
+    mantissa: Integer,
+    exponent: i32,
+}
+
+/// How a printed decimal came from an exact value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Rounding {
+    /// The decimal is the exact value.
+    Exact,
+    /// The nearest decimal of its length; of two equally near ones, either.
+    Nearest,
+    /// Not the nearest; cut towards zero.
+    Truncated,
+    /// Not the nearest; rounded away from zero, and not to one unit of the last place.
+    Up,
+    /// None of these.
+    Neither,
+}
+
+impl Decimal {
+    /// `mantissa` · 10^`exponent`, printed to the place 10^`exponent`.
+    #[must_use]
+    pub fn new(mantissa: Integer, exponent: i32) -> Decimal {
+        Decimal { mantissa, exponent }
+    }
+
+    /// All printed digits, read as one integer.
+    #[must_use]
+    pub fn mantissa(&self) -> &Integer {
+        &self.mantissa
+    }
+
+    /// The place of the last printed digit, as an exponent of ten.
+    #[must_use]
+    pub fn exponent(&self) -> i32 {
+        self.exponent
+    }
+
+    /// The exact value of the printed digits.
+    #[must_use]
+    pub fn value(&self) -> Rational {
+        Rational::from(self.mantissa.clone()) * Rational::power_of_ten(self.exponent)
+    }
+
+    /// One unit in the last printed place.
+    #[must_use]
+    pub fn unit(&self) -> Rational {
+        Rational::power_of_ten(self.exponent)
+    }
+
+    /// Whether it is one unit of its last place, or its negative.
+    #[must_use]
+    pub fn is_one_unit(&self) -> bool {
+        self.mantissa.abs() == Integer::one()
+    }
+
+    /// The number of digits from the first that is not 0 to the last printed
+    /// one; 0 when all are 0.
+    #[must_use]
+    pub fn significant_digits(&self) -> usize {
+        if self.mantissa.is_zero() { 0 } else { self.mantissa.abs().to_string().len() }
+    }
+
+    /// The digits without zeros at both ends; none where all are 0.
+    #[must_use]
+    pub fn telling_digits(&self) -> String {
+        self.mantissa.abs().to_string().trim_matches('0').to_owned()
+    }
+
+    /// The closed interval of the values that round to this decimal: half a
+    /// unit in the last place to either side.
+    #[must_use]
+    pub fn interval(&self) -> (Rational, Rational) {
+        let half = self.unit() / Rational::from(2);
+        let value = self.value();
+        (&value - &half, value + half)
+    }
+
+    /// How this decimal came from the value `exact`, in exact arithmetic.
+    #[must_use]
+    pub fn rounding_of<R: Real + PartialOrd>(&self, exact: &R) -> Rounding {
+        // Most decimals are far from `exact`, and comparing is quicker than subtracting.
+        let (shown, place) = (self.value(), self.unit());
+        let above = |bound: Rational| *exact >= R::from_rational(&bound);
+        if above(&shown + &place) || !above(&shown - &place) {
+            return Rounding::Neither;
+        }
+        let value = R::from_rational(&shown);
+        let off = value.minus(exact).magnitude();
+        if off == R::zero() {
+            return Rounding::Exact;
+        }
+        let unit = R::from_rational(&place);
+        if off.plus(&off) <= unit {
+            return Rounding::Nearest;
+        }
+        if off >= unit {
+            return Rounding::Neither;
+        }
+        if value.magnitude() < exact.magnitude() {
+            return Rounding::Truncated;
+        }
+        // Nobody rounds a value below half a unit away from zero to one unit: 1/16 is no 1.
+        if self.is_one_unit() { Rounding::Neither } else { Rounding::Up }
+    }
+
+    /// How this decimal came from the real algebraic number `exact`, in exact arithmetic.
+    #[must_use]
+    pub fn rounding_of_algebraic(&self, exact: &RealAlgebraic) -> Rounding {
+        if let Some(exact) = exact.as_rational() {
+            return self.rounding_of(exact);
+        }
+        // The answer depends only on where the irrational number lies among these
+        // rational marks.
+        let half = self.unit() / Rational::from(2);
+        let marks: Vec<Rational> =
+            (-3..=3).map(|i| self.value() + &half * Rational::from(i)).collect();
+        let place = exact.step(|x| marks.partition_point(|mark| mark < x));
+        let next = marks.get(place).unwrap_or(&marks[marks.len() - 1]);
+        self.rounding_of(&(next - half / Rational::from(2)))
+    }
+}

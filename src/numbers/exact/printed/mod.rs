@@ -1,0 +1,4 @@
+//! Numbers as they are printed.
+
+pub(super) mod decimal;
+pub(super) mod read;

@@ -1,0 +1,163 @@
+//! Polynomials in two variables over the rationals.
+
+use crate::exact::{Integer, Polynomial, Rational, Scalar};
+
+/// A polynomial Σ c_{i,j} x^i y^j over the rationals.
+///
+/// ```
+/// use subcert::exact::{BivariatePolynomial, Polynomial, Rational};
+///
+/// let (v, w) = (Polynomial::variable("v"), Polynomial::variable("w"));
+/// let p = (&v * &w).in_variables(["v", "w"]).expect("a polynomial in these");
+/// assert_eq!(p.value_at([&Rational::from(2), &Rational::new(1, 4)]), Rational::new(1, 2));
+/// assert_eq!(p.degrees(), [1, 1]);
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BivariatePolynomial {
+    /// c_{i,j} as the member j of the row i. No row ends with 0, and the last one is not empty.
+    rows: Vec<Vec<Rational>>,
+}
+
+impl BivariatePolynomial {
+    fn new(mut rows: Vec<Vec<Rational>>) -> BivariatePolynomial {
+        for row in &mut rows {
+            let length = row.iter().rposition(|c| !c.is_zero()).map_or(0, |last| last + 1);
+            row.truncate(length);
+        }
+        let length = rows.iter().rposition(|row| !row.is_empty()).map_or(0, |last| last + 1);
+        rows.truncate(length);
+        BivariatePolynomial { rows }
+    }
+
+    /// The greatest exponents of x and of y; 0 for constants.
+    #[must_use]
+    pub fn degrees(&self) -> [usize; 2] {
+        let longest = self.rows.iter().map(Vec::len).max().unwrap_or(0);
+        [self.rows.len().saturating_sub(1), longest.saturating_sub(1)]
+    }
+
+    /// The value at a point.
+    #[must_use]
+    pub fn value_at(&self, [x, y]: [&Rational; 2]) -> Rational {
+        let inner = |row: &Vec<Rational>| horner(row, y);
+        self.rows.iter().rev().fold(Rational::zero(), |value, row| value * x + inner(row))
+    }
+
+    /// The coefficients C_{k,l}, k ≤ d, l ≤ e, with which this is Σ C_{k,l} b_k(s) b_l(t), where the point goes from one
+    /// corner of a box to the other as s and t go from 0 to 1, and the b are the Bernstein polynomials of the degrees d
+    /// and e. Since these are not negative and sum to 1, all values in the box are between the least and the greatest
+    /// coefficient.
+    ///
+    /// # Panics
+    /// When d or e is less than the degree.
+    ///
+    /// ```
+    /// use subcert::exact::{Polynomial, Rational};
+    ///
+    /// let p = Polynomial::variable("v").in_variables(["v", "w"]).expect("a polynomial");
+    /// let ends = [-1, 0].map(Rational::from);
+    /// let bernstein = p.bernstein([&ends, &ends], [1, 0]);
+    /// assert_eq!(bernstein, [[Rational::from(-1)], [Rational::zero()]]);
+    /// ```
+    #[must_use]
+    pub fn bernstein(&self, [x, y]: [&[Rational; 2]; 2], [d, e]: [usize; 2]) -> Vec<Vec<Rational>> {
+        let along_y = self.rows.iter().map(|row| bernstein(row, y, e));
+        let rows: Vec<Vec<Rational>> = along_y.collect();
+        let column = |l: usize| rows.iter().map(|row| row[l].clone()).collect::<Vec<Rational>>();
+        let columns: Vec<Vec<Rational>> = (0..=e).map(|l| bernstein(&column(l), x, d)).collect();
+        (0..=d).map(|k| columns.iter().map(|column| column[k].clone()).collect()).collect()
+    }
+}
+
+fn horner(c: &[Rational], x: &Rational) -> Rational {
+    c.iter().rev().fold(Rational::zero(), |value, c| value * x + c)
+}
+
+/// The Bernstein coefficients of Σ c_i x^i on an interval.
+fn bernstein(c: &[Rational], [low, high]: &[Rational; 2], degree: usize) -> Vec<Rational> {
+    assert!(c.len() <= degree + 1, "a degree of at least that of the polynomial");
+    // In t, where x = low + (high − low)t: Horner's rule, and the weights of 1, t, t², ….
+    let width = high - low;
+    let mut moved: Vec<Rational> = Vec::with_capacity(c.len());
+    for c in c.iter().rev() {
+        let above: Vec<Rational> = moved.iter().map(|m| m * &width).collect();
+        for m in &mut moved {
+            *m *= low;
+        }
+        moved.push(Rational::zero());
+        for (m, a) in moved[1..].iter_mut().zip(&above) {
+            *m += a;
+        }
+        moved[0] += c;
+    }
+    let choose = |top: usize, bottom: usize| {
+        let small = |x| u32::try_from(x).expect("a low degree");
+        Integer::binomial(small(top), small(bottom))
+    };
+    let weight = |k: usize, i: usize| Rational::new(choose(k, i), choose(degree, i));
+    let sum = |k: usize| moved.iter().enumerate().take(k + 1).map(|(i, m)| m * weight(k, i)).sum();
+    (0..=degree).map(sum).collect()
+}
+
+impl Scalar for BivariatePolynomial {
+    fn from_rational(value: &Rational) -> Self {
+        BivariatePolynomial::new(vec![vec![value.clone()]])
+    }
+    fn plus(&self, other: &Self) -> Self {
+        let mut sum = self.rows.clone();
+        sum.resize(sum.len().max(other.rows.len()), Vec::new());
+        for (row, others) in sum.iter_mut().zip(&other.rows) {
+            row.resize(row.len().max(others.len()), Rational::zero());
+            row.iter_mut().zip(others).for_each(|(x, y)| *x += y);
+        }
+        BivariatePolynomial::new(sum)
+    }
+    fn minus(&self, other: &Self) -> Self {
+        let negative = other.rows.iter().map(|row| row.iter().map(|c| -c).collect()).collect();
+        self.plus(&BivariatePolynomial { rows: negative })
+    }
+    fn times(&self, other: &Self) -> Self {
+        let ([a, b], [c, d]) = (self.degrees(), other.degrees());
+        let mut product = vec![vec![Rational::zero(); b + d + 1]; a + c + 1];
+        for (i, row) in self.rows.iter().enumerate() {
+            for (k, others) in other.rows.iter().enumerate() {
+                for (j, x) in row.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
+                    for (l, y) in others.iter().enumerate() {
+                        product[i + k][j + l] += &(x * y);
+                    }
+                }
+            }
+        }
+        BivariatePolynomial::new(product)
+    }
+}
+
+impl Polynomial {
+    /// Whether this variable occurs.
+    #[must_use]
+    pub fn has(&self, variable: &str) -> bool {
+        let is_here = |(name, _): &(std::sync::Arc<str>, u32)| **name == *variable;
+        self.other_terms().iter().any(|(monomial, _)| monomial.powers().iter().any(is_here))
+    }
+
+    /// This as a polynomial in two variables over the rationals; `None` when a third variable or an irrational
+    /// coefficient occurs.
+    #[must_use]
+    pub fn in_variables(&self, variables: [&str; 2]) -> Option<BivariatePolynomial> {
+        let constant = self.constant_term().as_rational()?;
+        let mut rows = vec![vec![constant.clone()]];
+        for (monomial, coefficient) in self.other_terms() {
+            let mut place = [0; 2];
+            for (name, exponent) in monomial.powers() {
+                let which = variables.iter().position(|variable| **variable == **name)?;
+                place[which] = usize::try_from(*exponent).ok()?;
+            }
+            let [i, j] = place;
+            rows.resize(rows.len().max(i + 1), Vec::new());
+            let length = rows[i].len().max(j + 1);
+            rows[i].resize(length, Rational::zero());
+            rows[i][j] = coefficient.as_rational()?.clone();
+        }
+        Some(BivariatePolynomial::new(rows))
+    }
+}

@@ -1,0 +1,4 @@
+//! The limit of a ring, and the distance from it.
+
+pub(super) mod distance;
+pub(super) mod limit;
