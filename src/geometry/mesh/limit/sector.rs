@@ -55,7 +55,7 @@ impl Rooted {
 }
 
 /// The points of a sector: e_0, …, e_k, and for Catmull–Clark the opposite vertices f_0, …, f_{k−1}.
-struct Around<'a> {
+struct SectorPoints<'a> {
     vertex: &'a Point<RealCyclotomic>,
     edges: Vec<&'a Point<RealCyclotomic>>,
     faces: Vec<&'a Point<RealCyclotomic>>,
@@ -88,7 +88,7 @@ pub(super) fn sectors(
             let face = &mesh.faces()[star.faces[i % n]];
             &points[face[(star.corners[i % n] + 2) % face.len()]]
         };
-        let around = Around {
+        let around = SectorPoints {
             vertex: &points[vertex],
             edges: (from..=to).map(neighbour).collect(),
             faces: (from..to).map(opposite).collect(),
@@ -105,7 +105,7 @@ pub(super) fn sectors(
     ends.map(sector).collect()
 }
 
-impl Around<'_> {
+impl SectorPoints<'_> {
     /// Whether the points and cos(π/k) are in one field that is not too large.
     fn has_field(&self) -> bool {
         let points = self.edges.iter().chain(&self.faces).copied().chain([self.vertex]);

@@ -3,7 +3,7 @@
 use super::super::geometric::{GeometricDepth, LEAST_SHARE, SetKind};
 use super::cells::{Cells, Shape};
 use super::find::{Finder, MAX_POINTS};
-use super::level::{Far, Known, LevelSearch};
+use super::level::{CurveNearness, Far, LevelSearch};
 use super::points::RefinedPoints;
 use crate::bound::Budget;
 use crate::exact::Rational;
@@ -143,10 +143,10 @@ impl CurveSets {
             self.finder.spend(4);
             let mut search = LevelSearch { finder: &mut self.finder, level, tolerance: scaled };
             match search.examine() {
-                Known::Near => return Ok(CurveDepth::new(level, places)),
-                Known::Far(far) if certain => places.push(self.place(&far)),
-                Known::Far(_) => {}
-                Known::Open => certain = false,
+                CurveNearness::Near => return Ok(CurveDepth::new(level, places)),
+                CurveNearness::Far(far) if certain => places.push(self.place(&far)),
+                CurveNearness::Far(_) => {}
+                CurveNearness::Open => certain = false,
             }
             self.finder.tidy();
             self.finder.rest = 0;
@@ -192,9 +192,9 @@ impl CurveSets {
         self.finder.tidy();
         let known = LevelSearch { finder: &mut self.finder, level, tolerance }.examine();
         Ok(match known {
-            Known::Near => Some(true),
-            Known::Far(_) => Some(false),
-            Known::Open => None,
+            CurveNearness::Near => Some(true),
+            CurveNearness::Far(_) => Some(false),
+            CurveNearness::Open => None,
         })
     }
 

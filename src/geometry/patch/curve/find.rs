@@ -17,7 +17,7 @@ pub(super) enum Set {
 
 /// What a search found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Found {
+pub(super) enum Answer {
     Yes,
     /// None is near enough.
     No,
@@ -98,14 +98,20 @@ impl Finder {
 
     /// Whether the set has a point, or a segment, that is at most `within` from all points `from`: for a segment each may be
     /// near to another point of it. Cells `hints` are looked at first.
-    pub(super) fn find(&mut self, set: Set, from: &[&[f64]], within: f64, hints: &[Name]) -> Found {
+    pub(super) fn find(
+        &mut self,
+        set: Set,
+        from: &[&[f64]],
+        within: f64,
+        hints: &[Name],
+    ) -> Answer {
         for &hint in hints {
             let hint = self.cells.named(hint);
-            if self.cells.has(hint) && self.search(set, hint, from, within) == Found::Yes {
-                return Found::Yes;
+            if self.cells.has(hint) && self.search(set, hint, from, within) == Answer::Yes {
+                return Answer::Yes;
             }
         }
-        let mut found = Found::No;
+        let mut found = Answer::No;
         let mut groups = vec![(self.balls.len() - 1, 0)];
         while let Some((height, at)) = groups.pop() {
             let Ball { centre, radius } = &self.balls[height][at];
@@ -120,21 +126,21 @@ impl Finder {
             }
             let root = self.cells.shape.roots.start + i64::try_from(at).unwrap_or(0);
             match self.search(set, (0, root), from, within) {
-                Found::Yes => return Found::Yes,
-                Found::No => {}
-                Found::Open => found = Found::Open,
+                Answer::Yes => return Answer::Yes,
+                Answer::No => {}
+                Answer::Open => found = Answer::Open,
             }
         }
         found
     }
 
     /// The search in one cell.
-    fn search(&mut self, set: Set, cell: Name, from: &[&[f64]], within: f64) -> Found {
-        let mut found = Found::No;
+    fn search(&mut self, set: Set, cell: Name, from: &[&[f64]], within: f64) -> Answer {
+        let mut found = Answer::No;
         let mut stack = vec![cell];
         while let Some(name) = stack.pop() {
             if self.is_at_its_end() || !self.budget.take(1) {
-                return Found::Open;
+                return Answer::Open;
             }
             let cell = self.cells.cell(name);
             let [u, v] = self.chord(&cell);
@@ -151,7 +157,7 @@ impl Finder {
             }
             if set == Set::Polygon(name.0) {
                 if greatest <= within {
-                    return Found::Yes;
+                    return Answer::Yes;
                 }
                 continue;
             }
@@ -161,12 +167,12 @@ impl Finder {
                     let number = self.cells.points.limit(level, i);
                     let point = self.cells.points.point(number);
                     if from.iter().all(|from| distance(from, point) <= within) {
-                        return Found::Yes;
+                        return Answer::Yes;
                     }
                 }
                 let small = radius + distance(&u, &v) < within * 1e-5;
                 if small || !self.cells.is_numbered(name.0 + 1) {
-                    found = Found::Open;
+                    found = Answer::Open;
                     continue;
                 }
             }

@@ -2,7 +2,7 @@
 
 use super::super::geometric::{Nearness, SetKind};
 use super::cells::Name;
-use super::find::{Finder, Found, Set, between, distance};
+use super::find::{Answer, Finder, Set, between, distance};
 use std::collections::BTreeSet;
 
 /// How many levels beyond that of the polygon the curve is divided.
@@ -21,7 +21,7 @@ const MORE_PIECES: u32 = 6;
 const MAX_OPEN: usize = 1 << 18;
 
 /// What is known of a level.
-pub(super) type Known = Nearness<Far>;
+pub(super) type CurveNearness = Nearness<Far>;
 
 /// A point that is far from the other set.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,19 +44,19 @@ pub(super) struct LevelSearch<'a> {
 }
 
 impl LevelSearch<'_> {
-    pub(super) fn examine(&mut self) -> Known {
+    pub(super) fn examine(&mut self) -> CurveNearness {
         let (cells, all) = self.left();
-        let mut result = Known::Near;
+        let mut result = CurveNearness::Near;
         let mut met = BTreeSet::new();
         // What is far shows in a few points, most often.
         let tried = cells.len().min(MAX_TRIED);
         for &name in &cells[..tried] {
             if let Some(far) = self.far_point(name) {
-                return Known::Far(far);
+                return CurveNearness::Far(far);
             }
         }
         if !all {
-            return Known::Open;
+            return CurveNearness::Open;
         }
         for &name in &cells {
             for part in [SetKind::Limit, SetKind::Mesh] {
@@ -65,13 +65,13 @@ impl LevelSearch<'_> {
                     SetKind::Mesh => self.segment(name),
                 };
                 match known {
-                    Known::Near => {}
-                    Known::Open => result = Known::Open,
-                    far @ Known::Far(_) => return far,
+                    CurveNearness::Near => {}
+                    CurveNearness::Open => result = CurveNearness::Open,
+                    far @ CurveNearness::Far(_) => return far,
                 }
             }
             if self.finder.is_at_its_end() {
-                return Known::Open;
+                return CurveNearness::Open;
             }
         }
         result
@@ -156,8 +156,8 @@ impl LevelSearch<'_> {
     }
 
     /// Whether the curve on a cell is near the polygon. `met` has the cells that were looked at.
-    fn curve(&mut self, name: Name, met: &mut BTreeSet<Name>) -> Known {
-        let mut result = Known::Near;
+    fn curve(&mut self, name: Name, met: &mut BTreeSet<Name>) -> CurveNearness {
+        let mut result = CurveNearness::Near;
         let mut stack = vec![name];
         while let Some(name) = stack.pop() {
             let name = self.finder.cells.named(name);
@@ -170,14 +170,14 @@ impl LevelSearch<'_> {
             if enough >= 0.0 {
                 // The distance from a segment is convex: all points between u and v are as near to it as these.
                 let (polygon, hints) = (Set::Polygon(self.level), self.hints(name));
-                if self.finder.find(polygon, &[&u, &v], enough, &hints) == Found::Yes {
+                if self.finder.find(polygon, &[&u, &v], enough, &hints) == Answer::Yes {
                     continue;
                 }
             }
             let limits: Vec<Name> = self.finder.cells.limits(name).collect();
             for at in limits {
                 if let Some(far) = self.far_limit(at, name) {
-                    return Known::Far(far);
+                    return CurveNearness::Far(far);
                 }
             }
             let small = cell.radius + distance(&u, &v) < self.tolerance * SMALL;
@@ -187,7 +187,7 @@ impl LevelSearch<'_> {
                 || self.finder.is_at_its_end()
                 || !self.finder.cells.is_numbered(name.0 + 1)
             {
-                result = Known::Open;
+                result = CurveNearness::Open;
                 continue;
             }
             stack.extend(self.finder.cells.parts(name));
@@ -202,7 +202,7 @@ impl LevelSearch<'_> {
             Set::Polygon(_) => self.hints(near).to_vec(),
             Set::Curve => vec![near],
         };
-        self.finder.find(set, &[point], enough, &hints) == Found::No
+        self.finder.find(set, &[point], enough, &hints) == Answer::No
     }
 
     /// Whether the segment from u to v, of the shares from `low` to `high` of a cell, has a piece of the curve beside it that
@@ -275,10 +275,10 @@ impl LevelSearch<'_> {
     }
 
     /// Whether a segment of the polygon is near the curve.
-    fn segment(&mut self, name: Name) -> Known {
+    fn segment(&mut self, name: Name) -> CurveNearness {
         let cell = self.finder.cells.cell(name);
         let [begin, end] = self.finder.chord(&cell);
-        let mut result = Known::Near;
+        let mut result = CurveNearness::Near;
         let mut stack = vec![[0.0, 1.0]];
         while let Some([low, high]) = stack.pop() {
             let (u, v) = (between(&begin, &end, low), between(&begin, &end, high));
@@ -291,16 +291,16 @@ impl LevelSearch<'_> {
             }
             if enough > half {
                 // All points between u and v are as near to a point of the curve as these.
-                if self.finder.find(Set::Curve, &[&u, &v], enough, &[name]) == Found::Yes {
+                if self.finder.find(Set::Curve, &[&u, &v], enough, &[name]) == Answer::Yes {
                     continue;
                 }
             }
             if self.is_beyond(Set::Curve, &middle, self.tolerance, name) {
                 let share = cell.place(0.5 * (low + high));
-                return Known::Far(self.far(SetKind::Mesh, middle, name, share, name));
+                return CurveNearness::Far(self.far(SetKind::Mesh, middle, name, share, name));
             }
             if half < self.tolerance * SMALL || self.finder.is_at_its_end() {
-                result = Known::Open;
+                result = CurveNearness::Open;
                 continue;
             }
             let half = 0.5 * (low + high);

@@ -1,6 +1,6 @@
 //! How many levels of refinement a mesh or a net needs.
 
-use super::descent::{Descent, Found, Left, descend};
+use super::descent::{Budget, Descent, LevelResult, descend};
 use super::judge::Judge as _;
 use super::surface::{PieceSearch as _, Surface, TooMuch as _, positive};
 use crate::exact::Rational;
@@ -138,12 +138,12 @@ impl<S: Surface> Distances<S> {
     }
 
     /// Whether a level is sufficient.
-    fn examine(&self, level: u32, tolerance: &Rational, left: &mut Left) -> Found {
+    fn examine(&self, level: u32, tolerance: &Rational, left: &mut Budget) -> LevelResult {
         let model = &self.model;
         let judge = model.rounded_judge(tolerance);
         let waiting = model.above(level, judge.tolerance());
         self.work.begin(level, waiting.len());
-        let mut found = Found::default();
+        let mut found = LevelResult::default();
         // Something is left for the levels below.
         let least = left.rounded / 2;
         let mut open = Vec::new();
@@ -183,8 +183,8 @@ impl<S: Surface> Distances<S> {
         level: u32,
         tolerance: &Rational,
         roots: &[usize],
-        left: &mut Left,
-        found: &mut Found,
+        left: &mut Budget,
+        found: &mut LevelResult,
     ) {
         let given = left.exact / 2;
         let mut steps = given;

@@ -7,14 +7,14 @@ pub(in crate::patch) const STEPS: u64 = 80_000_000;
 const EXACT_STEPS: u64 = 20_000;
 
 /// How many pieces may still be looked at, in f64 and exactly.
-pub(super) struct Left {
+pub(super) struct Budget {
     pub(in crate::patch) rounded: u64,
     pub(in crate::patch) exact: u64,
 }
 
 /// What was found at a level.
 #[derive(Default)]
-pub(in crate::patch) struct Found {
+pub(in crate::patch) struct LevelResult {
     /// A place that is beyond the tolerance.
     pub(in crate::patch) beyond: Option<FarPlace>,
     /// Whether some piece was not decided.
@@ -34,9 +34,12 @@ pub(super) struct Descent {
 
 /// Examines the levels below one that is sufficient with all later ones, the highest first, until
 /// one is not sufficient.
-pub(super) fn descend(sure: u32, mut examine: impl FnMut(u32, &mut Left) -> Found) -> Descent {
+pub(super) fn descend(
+    sure: u32,
+    mut examine: impl FnMut(u32, &mut Budget) -> LevelResult,
+) -> Descent {
     let mut descent = Descent { level: sure, beyond: None, exact_pieces: 0 };
-    let mut left = Left { rounded: STEPS, exact: EXACT_STEPS };
+    let mut left = Budget { rounded: STEPS, exact: EXACT_STEPS };
     let mut closed = true;
     for below in (0..sure).rev() {
         let found = examine(below, &mut left);

@@ -5,7 +5,7 @@ use crate::patch::progress::MeshWork;
 use crate::patch::threads::{in_rounds, in_threads};
 
 /// What is known of the greatest distance.
-pub(super) struct Greatest<P> {
+pub(super) struct Maximum<P> {
     pub(in crate::patch) lower: f64,
     pub(in crate::patch) upper: f64,
     /// Where the lower bound is attained; `None` where it is 0.
@@ -16,13 +16,13 @@ pub(super) struct Greatest<P> {
 /// greatest lower bound so far, which it raises, together with the place, where the piece has a
 /// greater distance. It returns an upper bound for the piece, and its steps. A piece with a bound of at most `width`
 /// above the lower bound, relative to that, is not measured.
-pub(super) fn greatest<R: Copy + Sync, P: Send>(
+pub(super) fn maximum<R: Copy + Sync, P: Send>(
     pieces: &[(f64, R)],
     width: f64,
     work: &MeshWork,
     measure: impl Fn(R, &mut f64, &mut Option<P>) -> (f64, u64) + Sync,
-) -> Greatest<P> {
-    let mut greatest = Greatest { lower: 0.0, upper: 0.0_f64, place: None };
+) -> Maximum<P> {
+    let mut greatest = Maximum { lower: 0.0, upper: 0.0_f64, place: None };
     let mut left = STEPS / 4;
     in_rounds(pieces, |round| {
         // Within a round no piece knows of the others, so that threads do not matter.

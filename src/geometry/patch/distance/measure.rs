@@ -2,7 +2,7 @@
 
 use super::depth::Distances;
 use super::judge::Judge as _;
-use super::maximum::greatest;
+use super::maximum::maximum;
 use super::surface::{PieceSearch as _, Surface};
 use super::whole_mesh::WholeMesh;
 use crate::exact::Rational;
@@ -58,7 +58,7 @@ impl<S: Surface> Distances<S> {
         let judge = model.rounded_judge(&Rational::one());
         let (width, waiting) = (model.width(), model.above(level, 0.0));
         self.work.begin(level, waiting.len());
-        let found = greatest(&waiting, width, &self.work, |root, best, place| {
+        let found = maximum(&waiting, width, &self.work, |root, best, place| {
             let mut search = model.search(&judge, level, S::STEPS);
             let mut own = None;
             let upper = search.measure(model.root(root, level), width, best, &mut own);

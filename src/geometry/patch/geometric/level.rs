@@ -3,7 +3,7 @@
 use super::super::place::Verdict;
 use super::super::threads::{in_threads, in_threads_until, threads};
 use super::cover::FarPoint;
-use super::levels::{Known, Levels, check};
+use super::levels::{Levels, MeshNearness, check};
 use super::patch::FaceSurface;
 use super::place::GeometricPlace;
 use super::scene::Scene;
@@ -23,7 +23,7 @@ use crate::patch::mesh::levels::Source;
 use crate::patch::mesh::roots::Root;
 use crate::patch::mesh::search::Search;
 use crate::patch::shapes::library::Shapes;
-use crate::patch::shapes::scheme::Kind;
+use crate::patch::shapes::scheme::PieceScheme;
 
 /// How many pieces are looked at by parameter in one piece of level 1 before its face is looked at closely.
 const FILTER_STEPS: u64 = 2_000;
@@ -75,7 +75,7 @@ impl<'a> Geometry<'a> {
         // Later levels have regular vertices and faces, whatever the first ones have.
         valences.insert(if scheme.is_triangular() { 6 } else { 4 });
         let stencils = Stencils::new(*scheme, valences).map(nearest);
-        let shapes = vec![Shapes::new(Kind::Surface(*scheme))];
+        let shapes = vec![Shapes::new(PieceScheme::Surface(*scheme))];
         let (scheme, tolerance) = (*scheme, tolerance.clone());
         Ok(Geometry { distances, scheme, surface, tolerance, control, stencils, shapes })
     }
@@ -265,7 +265,7 @@ impl<'a> Geometry<'a> {
         level: u32,
         waiting: &[usize],
         whole: &Whole<MeshSets>,
-    ) -> Result<Vec<(usize, Known)>, MeshError> {
+    ) -> Result<Vec<(usize, MeshNearness)>, MeshError> {
         let size = (2_048 >> (2 * level).min(20)).clamp(1, 64).min(waiting.len());
         let group = &waiting[..size];
         if group.is_empty() {
@@ -280,7 +280,7 @@ impl<'a> Geometry<'a> {
         let far = first_far(&scene, &own, whole).and_then(|far| {
             let owner = owners[far.unit]?;
             let face = group[owner.0];
-            Some((face, Known::Far(this.place(whole, &scene, face, owner.1, &far))))
+            Some((face, MeshNearness::Far(this.place(whole, &scene, face, owner.1, &far))))
         });
         Ok(far.into_iter().collect())
     }
@@ -294,10 +294,10 @@ impl<'a> Geometry<'a> {
         group: &[usize],
         whole: &Whole<MeshSets>,
         all: bool,
-    ) -> Result<Vec<(usize, Known)>, MeshError> {
+    ) -> Result<Vec<(usize, MeshNearness)>, MeshError> {
         let this = self.place_maker(level);
         let work = self.distances.work();
-        let open = || group.iter().map(|&face| (face, Known::Open)).collect();
+        let open = || group.iter().map(|&face| (face, MeshNearness::Open)).collect();
         if work.is_stopped() {
             return Ok(open());
         }
@@ -319,7 +319,7 @@ impl<'a> Geometry<'a> {
         for _ in group {
             work.step();
         }
-        let mut known: Vec<Known> = vec![Known::Near; group.len()];
+        let mut known: Vec<MeshNearness> = vec![MeshNearness::Near; group.len()];
         for (&unit, nearness) in own.iter().zip(&found) {
             let Some((owner, number)) = owners[unit] else { continue };
             let place = |far: &_| this.place(whole, &scene, group[owner], number, far);
@@ -335,7 +335,7 @@ impl<'a> Geometry<'a> {
         level: u32,
         waiting: &[usize],
         all: bool,
-    ) -> Result<Vec<(usize, Known)>, MeshError> {
+    ) -> Result<Vec<(usize, MeshNearness)>, MeshError> {
         let sets = MeshSets::new(&self.distances.model, &self.judge(), self.surface, level);
         let whole = Whole::new(sets);
         if !all {
@@ -347,7 +347,9 @@ impl<'a> Geometry<'a> {
         let size = (GROUP >> (2 * level).min(20)).max(1);
         let groups = groups(self.control.connectivity(), waiting, size);
         let count = threads(groups.len(), 1);
-        shapes.resize_with(shapes.len().max(count), || Shapes::new(Kind::Surface(self.scheme)));
+        shapes.resize_with(shapes.len().max(count), || {
+            Shapes::new(PieceScheme::Surface(self.scheme))
+        });
         let found = in_threads_until(
             &mut shapes[..count],
             &groups,
@@ -382,7 +384,7 @@ impl Levels for Geometry<'_> {
         level: u32,
         wanted: &[bool],
         all: bool,
-    ) -> Result<Vec<(usize, Known)>, MeshError> {
+    ) -> Result<Vec<(usize, MeshNearness)>, MeshError> {
         let waiting = self.waiting(level, wanted);
         self.distances.work().begin(level, waiting.len());
         let mut shapes = std::mem::take(&mut self.shapes);
@@ -402,8 +404,8 @@ impl Levels for Geometry<'_> {
 }
 
 /// Whether a face is far.
-fn has_far(known: &[(usize, Known)]) -> bool {
-    known.iter().any(|(_, known)| matches!(known, Known::Far(_)))
+fn has_far(known: &[(usize, MeshNearness)]) -> bool {
+    known.iter().any(|(_, known)| matches!(known, MeshNearness::Far(_)))
 }
 
 /// Says where a point is.

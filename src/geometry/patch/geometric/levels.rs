@@ -11,7 +11,7 @@ use crate::patch::distance::surface::{TooMuch, positive};
 pub(in crate::patch) const MAX_LEVEL: u32 = 14;
 
 /// What is known of a face at a level.
-pub(in crate::patch) type Known = Nearness<GeometricPlace>;
+pub(in crate::patch) type MeshNearness = Nearness<GeometricPlace>;
 
 /// As a distance of sets, a tolerance is at least 2 to the power of minus this, times the diagonal of the box around a
 /// mesh, or the greatest width of a control polygon in a coordinate.
@@ -48,7 +48,7 @@ pub(in crate::patch) trait Levels {
         level: u32,
         wanted: &[bool],
         all: bool,
-    ) -> Result<Vec<(usize, Known)>, Self::Error>;
+    ) -> Result<Vec<(usize, MeshNearness)>, Self::Error>;
 
     /// A level that is sufficient at equal parameters, where that bounds the distance of the sets.
     fn parametric(&self) -> Result<Option<u32>, Self::Error>;
@@ -68,10 +68,10 @@ pub(in crate::patch) trait Levels {
             }
             let found = self.examine(level, &wanted, false)?;
             let far = found.iter().find_map(|(_, known)| match known {
-                Known::Far(place) => Some(place.clone()),
+                MeshNearness::Far(place) => Some(place.clone()),
                 _ => None,
             });
-            let open = found.iter().any(|(_, known)| matches!(known, Known::Open));
+            let open = found.iter().any(|(_, known)| matches!(known, MeshNearness::Open));
             match far {
                 Some(place) if certain => places.push(place),
                 Some(_) => {}
@@ -103,10 +103,10 @@ pub(in crate::patch) trait Levels {
     /// Whether a level is sufficient; `None` where that is open.
     fn is_within(&mut self, level: u32) -> Result<Option<bool>, Self::Error> {
         let found = self.examine(level, &vec![true; self.count()], false)?;
-        if found.iter().any(|(_, known)| matches!(known, Known::Far(_))) {
+        if found.iter().any(|(_, known)| matches!(known, MeshNearness::Far(_))) {
             return Ok(Some(false));
         }
-        let open = found.iter().any(|(_, known)| matches!(known, Known::Open));
+        let open = found.iter().any(|(_, known)| matches!(known, MeshNearness::Open));
         Ok((!open).then_some(true))
     }
 
@@ -119,9 +119,9 @@ pub(in crate::patch) trait Levels {
             let mut next = vec![false; faces.len()];
             for (face, known) in self.examine(level, &wanted, true)? {
                 match known {
-                    Known::Near => continue,
-                    Known::Open => faces[face].is_least = false,
-                    Known::Far(place) => faces[face].too_far = Some((level, place.distance)),
+                    MeshNearness::Near => continue,
+                    MeshNearness::Open => faces[face].is_least = false,
+                    MeshNearness::Far(place) => faces[face].too_far = Some((level, place.distance)),
                 }
                 faces[face].level = level + 1;
                 next[face] = true;
@@ -159,9 +159,9 @@ pub(in crate::patch) trait Levels {
         let mut near = wanted.to_vec();
         for (face, known) in self.examine(level, wanted, true)? {
             match known {
-                Known::Near => continue,
-                Known::Open => {}
-                Known::Far(place) => bounds[face][0] = bounds[face][0].max(place.distance),
+                MeshNearness::Near => continue,
+                MeshNearness::Open => {}
+                MeshNearness::Far(place) => bounds[face][0] = bounds[face][0].max(place.distance),
             }
             near[face] = false;
         }

@@ -38,7 +38,7 @@ pub use place::{FaceDepth, GeometricDepth, GeometricPlace, SetKind};
 pub use relative::relative_tolerance;
 
 pub(in crate::patch) use cover::FarPoint;
-pub(in crate::patch) use levels::{Known, Levels, MAX_LEVEL, check, distances};
+pub(in crate::patch) use levels::{Levels, MAX_LEVEL, MeshNearness, check, distances};
 pub(in crate::patch) use patch::Patch;
 pub(in crate::patch) use pieces::{Hull, MeshPart, Pieces, Sets, Unit, Units};
 pub(in crate::patch) use place::Nearness;

@@ -7,7 +7,7 @@ use super::units::hull;
 use crate::mesh::Point;
 use crate::patch::distance::judge::{Points as _, Rounded};
 use crate::patch::mesh::model::Model;
-use crate::patch::mesh::piece::Cell;
+use crate::patch::mesh::piece::LevelPiece;
 use crate::patch::mesh::roots::Root;
 
 /// The roots are the pieces of level 1.
@@ -29,12 +29,12 @@ impl<'a> MeshSets<'a> {
     }
 
     /// The mesh of the level on a piece of that level.
-    fn patches(&self, root: &Root, cell: &Cell<Point<f64>>) -> Vec<Patch> {
+    fn patches(&self, root: &Root, cell: &LevelPiece<Point<f64>>) -> Vec<Patch> {
         let shapes = &self.model.shapes;
         if let Some(base) = &cell.base {
             return Patch::between(base, self.surface.is_bilinear(self.model.face_size(root)));
         }
-        if let Some(Cell { base: Some(own), .. }) = cell.begun(shapes) {
+        if let Some(LevelPiece { base: Some(own), .. }) = cell.begun(shapes) {
             if own.len() == 3 || self.surface.is_bilinear(own.len()) {
                 return Patch::between(&own, true);
             }
@@ -55,7 +55,7 @@ impl<'a> MeshSets<'a> {
 }
 
 impl Pieces for MeshSets<'_> {
-    type Piece = Cell<Point<f64>>;
+    type Piece = LevelPiece<Point<f64>>;
 
     fn hull(&self, piece: &Self::Piece) -> Hull {
         hull(piece, &self.model.shapes)

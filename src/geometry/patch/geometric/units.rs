@@ -8,7 +8,7 @@ use super::scene::Scene;
 use crate::mesh::{Connectivity, MeshError, MeshScheme, Point, PolygonMesh, Stencils, step_with};
 use crate::patch::distance::judge::{Judge as _, Points as _, Rounded};
 use crate::patch::distance::surface::PieceSearch as _;
-use crate::patch::mesh::piece::Cell;
+use crate::patch::mesh::piece::LevelPiece;
 use crate::patch::mesh::roots::{Root, Roots, corners};
 use crate::patch::mesh::search::Search;
 use crate::patch::shapes::library::Shapes;
@@ -96,7 +96,7 @@ fn corner_numbers(
 
 /// Where a piece is: in the hull of its Bézier coefficients if it is regular (93), of the points of its neighbourhood
 /// otherwise.
-pub(super) fn hull(cell: &Cell<Point<f64>>, shapes: &Shapes) -> Hull {
+pub(super) fn hull(cell: &LevelPiece<Point<f64>>, shapes: &Shapes) -> Hull {
     let rules = Point::<f64>::rules(shapes.get(cell.shape));
     let (points, limits) = if let Some((bezier, _)) = &rules.regular {
         let hull: Vec<Point<f64>> = combinations(bezier.iter().map(|(row, _)| row), &cell.points);
@@ -116,7 +116,7 @@ pub(super) fn hull(cell: &Cell<Point<f64>>, shapes: &Shapes) -> Hull {
 }
 
 impl Pieces for MeshUnits<'_> {
-    type Piece = Cell<Point<f64>>;
+    type Piece = LevelPiece<Point<f64>>;
 
     fn hull(&self, piece: &Self::Piece) -> Hull {
         hull(piece, self.shapes)
@@ -159,8 +159,8 @@ impl MeshUnits<'_> {
     }
 
     /// The piece of the limit of a unit, with the mesh that it is compared with.
-    fn based(&self, number: usize, unit: &Unit) -> Cell<Point<f64>> {
-        Cell { base: Some(unit.base.clone()), ..self.piece(number) }
+    fn based(&self, number: usize, unit: &Unit) -> LevelPiece<Point<f64>> {
+        LevelPiece { base: Some(unit.base.clone()), ..self.piece(number) }
     }
 
     /// Whether limit and mesh are near by parameter for a mesh that is so many levels later, at least one. `regular`: only

@@ -9,7 +9,7 @@ use crate::patch::mesh::apriori::{APriori, UP, longest_edge, real};
 use crate::patch::mesh::distances::MeshDistances;
 use crate::patch::shapes::convergence::LAST;
 use crate::patch::shapes::shape::Shape;
-use crate::patch::shapes::surroundings::Around;
+use crate::patch::shapes::surroundings::Surroundings;
 use crate::solid::HexMesh;
 use std::collections::BTreeSet;
 
@@ -55,8 +55,8 @@ pub fn solid_a_priori(
     let later = |level: u32| {
         let bound = |(shape, radius): &(&Shape, f64)| {
             // Second differences across layers are at most 2.
-            let bends = match shape.around.layers() {
-                Some(_) if !shape.is_regular() => 1.0 / (3.0 * shape.growth.bound(0)),
+            let bends = match shape.surroundings.layers() {
+                Some(_) if !shape.is_regular() => 1.0 / (3.0 * shape.convergence.bound(0)),
                 _ => 0.0,
             };
             let size = if shape.is_regular() { 1.0 } else { radius + bends };
@@ -79,7 +79,7 @@ pub fn solid_a_priori(
 
 /// The most edges from the first point of a piece to another one.
 fn radius(shape: &Shape) -> usize {
-    let Around::Solid(local) = &shape.around else { return 0 };
+    let Surroundings::Solid(local) = &shape.surroundings else { return 0 };
     let mut distances = vec![usize::MAX; local.complex.points];
     distances[0] = 0;
     let mut changed = true;

@@ -1,7 +1,7 @@
 //! The distances of meshes and solids.
 
 use super::model::Model;
-use super::piece::Cell;
+use super::piece::LevelPiece;
 use super::search::Search;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::float::nearest;
@@ -11,7 +11,7 @@ use crate::patch::distance::judge::{Exactly, Judge as _, Rounded};
 use crate::patch::distance::surface::{Ball, PieceSearch, Surface, WIDTH};
 use crate::patch::number::{Vector as _, combinations, mean};
 use crate::patch::place::{FarPlace, Place, Verdict};
-use crate::patch::shapes::scheme::Kind;
+use crate::patch::shapes::scheme::PieceScheme;
 use crate::patch::shapes::shape::UP;
 use crate::solid::{HexMesh, SolidError};
 
@@ -129,7 +129,7 @@ distances_of!(Model, MeshError);
 /// The roots are the pieces of level 1.
 impl Surface for Model {
     type Error = MeshError;
-    type Cell = Cell<Point<f64>>;
+    type Cell = LevelPiece<Point<f64>>;
     type At = u128;
     const FIRST: u32 = 1;
     const STEPS: u64 = 100_000;
@@ -229,7 +229,7 @@ impl Surface for Model {
     fn finer(&self, cell: Self::Cell, level: u32) -> Vec<Self::Cell> {
         if let Some(base) = &cell.base {
             // Of a bilinear or flat piece no points are needed but its corners.
-            let part = |rows| Cell {
+            let part = |rows| LevelPiece {
                 level: cell.level + 1,
                 points: Vec::new(),
                 base: Some(combinations(rows, base)),
@@ -245,12 +245,12 @@ impl Surface for Model {
 
     /// Irregular edges of solids have many pieces.
     fn width(&self) -> f64 {
-        if self.shapes.kind == Kind::Solid { 0.02 } else { WIDTH }
+        if self.shapes.scheme == PieceScheme::Solid { 0.02 } else { WIDTH }
     }
 }
 
 /// A ball around the points that the mesh of a level is in the hull of.
-fn ball(cell: &Cell<Point<f64>>, judge: &Rounded, centre: Point<f64>) -> Ball {
+fn ball(cell: &LevelPiece<Point<f64>>, judge: &Rounded, centre: Point<f64>) -> Ball {
     let ways = cell.of_mesh().iter().map(|x| x.minus(&centre));
     let radius = judge.greatest(ways, cell.level);
     // The mean of the corners is a point of the mesh.

@@ -1,7 +1,7 @@
 //! A mesh as the search sees it: its pieces, in f64 and exactly.
 
 use super::levels::{Levels, Source, solid, surface};
-use super::piece::Cell;
+use super::piece::LevelPiece;
 use super::roots::{Root, Roots};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::float::nearest;
@@ -14,7 +14,7 @@ use crate::patch::hexes::hex_roots;
 use crate::patch::number::Row;
 use crate::patch::shapes::library::Shapes;
 use crate::patch::shapes::rules::parts_of_face;
-use crate::patch::shapes::scheme::Kind;
+use crate::patch::shapes::scheme::PieceScheme;
 use crate::patch::threads::in_threads;
 use crate::solid::{HexMesh, MAX_POINTS, SolidError};
 use std::sync::OnceLock;
@@ -51,7 +51,7 @@ impl Model {
         let scale = scale(control.points());
         let mesh = control.with_points(moved(control.points(), &scale));
         let next = step_with(&mesh, scheme, &stencils.map(nearest))?;
-        let mut shapes = Shapes::new(Kind::Surface(scheme));
+        let mut shapes = Shapes::new(PieceScheme::Surface(scheme));
         let roots = Roots::of(scheme, connectivity, &next, &mut shapes)?;
         let rounded = surface(&mesh, scheme, next.points().to_vec());
         let faces = connectivity.faces().iter().map(Vec::len).max().unwrap_or(0);
@@ -73,7 +73,7 @@ impl Model {
         if points > MAX_POINTS {
             return Err(SolidError::TooManyPoints { points });
         }
-        let mut shapes = Shapes::new(Kind::Solid);
+        let mut shapes = Shapes::new(PieceScheme::Solid);
         let roots = hex_roots(complex, &mut shapes)?;
         let scale = scale(control.points());
         let moved = moved(control.points(), &scale);
@@ -96,7 +96,7 @@ impl Model {
     ) -> Model {
         let terms = terms.max(shapes.longest());
         let (exact, sizes) = (OnceLock::new(), Vec::new());
-        let quarters = parts_of_face(if shapes.kind.is_triangular() { 3 } else { 4 });
+        let quarters = parts_of_face(if shapes.scheme.is_triangular() { 3 } else { 4 });
         let mut model =
             Model { shapes, roots, source, rounded, exact, scale, size, terms, sizes, quarters };
         let judge = model.rounded_judge_after(&Rational::one(), 0);
@@ -130,16 +130,16 @@ impl Model {
         }
     }
 
-    fn cell<V: Points>(&self, root: &Root, level: u32, points: &Levels<V>) -> Cell<V> {
+    fn cell<V: Points>(&self, root: &Root, level: u32, points: &Levels<V>) -> LevelPiece<V> {
         let cell = self.roots.cell(root, &self.shapes, &points.refined);
         if level > 0 {
             return cell;
         }
-        Cell { base: Some(points.start(root, &self.roots, &self.source)), ..cell }
+        LevelPiece { base: Some(points.start(root, &self.roots, &self.source)), ..cell }
     }
 
     /// A piece in f64, for the polygons of a level.
-    pub(in crate::patch) fn rounded_cell(&self, root: &Root, level: u32) -> Cell<Point<f64>> {
+    pub(in crate::patch) fn rounded_cell(&self, root: &Root, level: u32) -> LevelPiece<Point<f64>> {
         self.cell(root, level, &self.rounded)
     }
 
@@ -148,7 +148,7 @@ impl Model {
         &self,
         root: &Root,
         level: u32,
-    ) -> Option<Cell<Point<RealCyclotomic>>> {
+    ) -> Option<LevelPiece<Point<RealCyclotomic>>> {
         let levels = self.exact.get_or_init(|| self.source.exact(self.rounded.refined.len()));
         Some(self.cell(root, level, levels.as_ref()?))
     }

@@ -4,12 +4,12 @@ use crate::patch::distance::judge::{Judge, Points};
 use crate::patch::hexes::{AcrossPart, Layers};
 use crate::patch::number::{Row, combinations};
 use crate::patch::shapes::library::Shapes;
-use crate::patch::shapes::scheme::Kind;
+use crate::patch::shapes::scheme::PieceScheme;
 use crate::patch::shapes::shape::{Part, Shape, UP, quarter};
 
 /// A piece of a level with its points.
 #[derive(Clone)]
-pub(in crate::patch) struct Cell<V> {
+pub(in crate::patch) struct LevelPiece<V> {
     pub(in crate::patch) shape: usize,
     /// The level, from 1 on.
     pub(in crate::patch) level: u32,
@@ -23,7 +23,7 @@ pub(in crate::patch) struct Cell<V> {
 }
 
 /// What is known of the distance on a piece.
-pub(in crate::patch) struct Known<V> {
+pub(in crate::patch) struct Estimate<V> {
     pub(in crate::patch) upper: f64,
     pub(in crate::patch) lower: f64,
     /// Whether all is within the tolerance.
@@ -35,7 +35,7 @@ pub(in crate::patch) struct Known<V> {
     pub(in crate::patch) beyond: bool,
 }
 
-impl<V: Points> Cell<V> {
+impl<V: Points> LevelPiece<V> {
     fn shape<'a>(&self, shapes: &'a Shapes) -> &'a Shape {
         shapes.get(self.shape)
     }
@@ -51,21 +51,27 @@ impl<V: Points> Cell<V> {
     }
 
     fn path_of(&self, shape: &Shape, part: usize) -> u128 {
-        if shape.kind == Kind::Solid { 0 } else { self.path << 2 | part as u128 }
+        if shape.scheme == PieceScheme::Solid { 0 } else { self.path << 2 | part as u128 }
     }
 
     /// One part, of a piece that has no polygon to be compared with yet.
-    pub(in crate::patch) fn part(&self, shapes: &Shapes, part: usize) -> Cell<V> {
+    pub(in crate::patch) fn part(&self, shapes: &Shapes, part: usize) -> LevelPiece<V> {
         let shape = self.shape(shapes);
         let Part { shape: next, points } = &shape.parts[part];
         let refined = &V::rules(shape).refined;
         let points = points.iter().map(|&point| V::combination(&refined[point], &self.points));
         let path = self.path_of(shape, part);
-        Cell { shape: *next, level: self.level + 1, points: points.collect(), base: None, path }
+        LevelPiece {
+            shape: *next,
+            level: self.level + 1,
+            points: points.collect(),
+            base: None,
+            path,
+        }
     }
 
     /// The parts. `begin`: the polygon that the limit is compared with is that of this level.
-    pub(in crate::patch) fn parts(&self, shapes: &Shapes, begin: bool) -> Vec<Cell<V>> {
+    pub(in crate::patch) fn parts(&self, shapes: &Shapes, begin: bool) -> Vec<LevelPiece<V>> {
         let shape = self.shape(shapes);
         let rules = V::rules(shape);
         let refined = combinations(&rules.refined, &self.points);
@@ -77,24 +83,24 @@ impl<V: Points> Cell<V> {
                 None => None,
             };
             let path = self.path_of(shape, i);
-            Cell { shape: part.shape, level: self.level + 1, points, base, path }
+            LevelPiece { shape: part.shape, level: self.level + 1, points, base, path }
         };
         shape.parts.iter().enumerate().map(part).collect()
     }
 
     /// This piece with its own polygon to be compared with; `None` where that is so on its parts only.
-    pub(in crate::patch) fn begun(&self, shapes: &Shapes) -> Option<Cell<V>> {
+    pub(in crate::patch) fn begun(&self, shapes: &Shapes) -> Option<LevelPiece<V>> {
         let own = V::rules(self.shape(shapes)).own.as_ref()?;
-        Some(Cell { base: Some(combinations(own, &self.points)), ..self.clone() })
+        Some(LevelPiece { base: Some(combinations(own, &self.points)), ..self.clone() })
     }
 
     /// What bounds of this piece are multiples of: of a regular piece the bound of 92, else N, or what 102
     /// has in its place.
     pub(in crate::patch) fn size(&self, shapes: &Shapes, judge: &impl Judge<V>) -> f64 {
         let shape = self.shape(shapes);
-        match shape.around.layers() {
+        match shape.surroundings.layers() {
             _ if shape.is_regular() => self.bend(shapes, judge),
-            Some(layers) => self.layered(layers, shape.growth.bound(0), judge),
+            Some(layers) => self.layered(layers, shape.convergence.bound(0), judge),
             None => self.spread(judge),
         }
     }
@@ -127,15 +133,15 @@ impl<V: Points> Cell<V> {
         &self,
         shapes: &Shapes,
         judge: &impl Judge<V>,
-    ) -> Option<Vec<Cell<V>>> {
+    ) -> Option<Vec<LevelPiece<V>>> {
         let shape = self.shape(shapes);
-        let (base, layers) = (self.base.as_ref()?, shape.around.layers()?);
+        let (base, layers) = (self.base.as_ref()?, shape.surroundings.layers()?);
         let across = V::rules(shape).across.as_ref()?;
         let [within, bends] = self.within_layers(layers, judge);
-        if shape.growth.bound(0) * within < bends / 6.0 {
+        if shape.convergence.bound(0) * within < bends / 6.0 {
             return None;
         }
-        let part = |part: &AcrossPart<V::Weight>| Cell {
+        let part = |part: &AcrossPart<V::Weight>| LevelPiece {
             shape: shape.parts[part.part].shape,
             level: self.level + 1,
             points: combinations(&part.points, &self.points),
@@ -160,7 +166,7 @@ impl<V: Points> Cell<V> {
         };
         let straight = bends.directions.iter().map(worst).sum();
         let across = if bends.across.is_empty() { 0.0 } else { worst(&bends.across) };
-        shape.kind.bend_bound(straight, across) * UP
+        shape.scheme.bend_bound(straight, across) * UP
     }
 
     /// The same, sharper where second differences of two directions cancel; not for triangles and solids.
@@ -175,7 +181,7 @@ impl<V: Points> Cell<V> {
         let (_, bends) = V::rules(shape).regular.as_ref()?;
         let [first, second] = &bends.directions[..] else { return None };
         let [first, second] = [first, second].map(|rows| combinations(rows, &self.points));
-        let unit = if shape.kind.is_cubic() { 6.0 } else { 8.0 };
+        let unit = if shape.scheme.is_cubic() { 6.0 } else { 8.0 };
         let pairs = first.iter().flat_map(|left| second.iter().map(move |right| (left, right)));
         let sums = pairs.flat_map(|(left, right)| {
             [
@@ -193,11 +199,11 @@ impl<V: Points> Cell<V> {
         &self,
         shapes: &Shapes,
         judge: &impl Judge<V>,
-    ) -> Option<Known<V>> {
+    ) -> Option<Estimate<V>> {
         let base = self.base.as_ref()?;
         let shape = self.shape(shapes);
         let rules = V::rules(shape);
-        let mut known: Option<Known<V>> = None;
+        let mut known: Option<Estimate<V>> = None;
         let mut at_corner = |limit: V, polygon: V| {
             let error = limit.minus(&polygon);
             let lower = judge.below(&error, self.level);
@@ -206,7 +212,7 @@ impl<V: Points> Cell<V> {
                 known.as_ref().is_none_or(|known| (beyond, lower) > (known.beyond, known.lower));
             if better {
                 let (upper, within) = (0.0, true);
-                known = Some(Known { upper, lower, within, limit, polygon, beyond });
+                known = Some(Estimate { upper, lower, within, limit, polygon, beyond });
             }
         };
         let (mut upper, mut within) = (0.0_f64, true);
@@ -225,7 +231,7 @@ impl<V: Points> Cell<V> {
             for (i, row) in rules.limits.iter().enumerate() {
                 at_corner(V::combination(row, &self.points), base[i].clone());
             }
-            let (nodes, size) = match (&rules.across, shape.around.layers()) {
+            let (nodes, size) = match (&rules.across, shape.surroundings.layers()) {
                 (Some(across), Some(layers)) => {
                     (&across.nodes, self.within_layers(layers, judge)[0])
                 }
@@ -235,7 +241,7 @@ impl<V: Points> Cell<V> {
                 V::combination(row, &self.points).minus(&V::combination(plain, base))
             });
             upper = judge.greatest(errors, self.level);
-            upper = (upper + shape.growth.bound(0) * size) * UP;
+            upper = (upper + shape.convergence.bound(0) * size) * UP;
             within = upper <= judge.tolerance();
         }
         let mut known = known?;

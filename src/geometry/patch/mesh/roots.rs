@@ -1,6 +1,6 @@
 //! A mesh as pieces of level 1.
 
-use super::piece::Cell;
+use super::piece::LevelPiece;
 use crate::mesh::{Connectivity, MeshError, MeshScheme, PolygonMesh};
 use crate::patch::number::{Number, Row, Vector, index};
 use crate::patch::shapes::fans::{Fans, Regular};
@@ -83,10 +83,10 @@ impl Roots {
         root: &Root,
         shapes: &Shapes,
         refined: &[V],
-    ) -> Cell<V> {
+    ) -> LevelPiece<V> {
         let numbers = &self.points[root.first..root.first + shapes.get(root.shape).points];
         let points = numbers.iter().map(|&point| refined[point as usize].clone()).collect();
-        Cell { shape: root.shape, level: 1, points, base: None, path: 0 }
+        LevelPiece { shape: root.shape, level: 1, points, base: None, path: 0 }
     }
 
     /// The numbers of the first points of a piece.

@@ -1,6 +1,6 @@
 //! Whether the polygons of a level are within a tolerance of the limit, and how far they are.
 
-use super::piece::{Cell, Known};
+use super::piece::{Estimate, LevelPiece};
 use crate::exact::{Rational, Scalar as _};
 use crate::patch::distance::judge::{Judge, Points};
 use crate::patch::distance::surface::PieceSearch;
@@ -24,14 +24,14 @@ pub(in crate::patch) struct Search<'a, V: Points, J> {
 impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
     pub(in crate::patch) fn new(shapes: &'a Shapes, judge: &'a J, level: u32, steps: u64) -> Self {
         // (1 − u)³ + u³ is from 1/4 to 1, and (1/2 − u)²·4 from 0 to 1.
-        let least = Rational::new(i64::from(shapes.kind.is_cubic()), 4);
+        let least = Rational::new(i64::from(shapes.scheme.is_cubic()), 4);
         let factors = [Rational::one(), least].map(|x| V::Weight::from_rational(&x));
         Search { shapes, judge, level, steps, factors }
     }
 
     /// An upper bound of the distance on a piece of this level or an earlier one, a sharper one where the
     /// first is above the threshold.
-    fn bound(&self, cell: &Cell<V>, size: f64, threshold: f64) -> f64 {
+    fn bound(&self, cell: &LevelPiece<V>, size: f64, threshold: f64) -> f64 {
         let later = self.level - cell.level;
         let bound = self.shapes.get(cell.shape).bound(size, later);
         if bound <= threshold {
@@ -42,7 +42,7 @@ impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
     }
 
     /// A piece with its size, if the polygons of the level are not yet linear or bilinear on it.
-    fn sized(&self, cell: Cell<V>) -> (f64, Cell<V>) {
+    fn sized(&self, cell: LevelPiece<V>) -> (f64, LevelPiece<V>) {
         let size = if cell.base.is_none() { cell.size(self.shapes, self.judge) } else { 0.0 };
         (size, cell)
     }
@@ -51,10 +51,10 @@ impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
     /// within the threshold, only that one: the result is a bound for those that are left out.
     fn divide(
         &self,
-        cell: &Cell<V>,
+        cell: &LevelPiece<V>,
         size: f64,
         threshold: f64,
-        stack: &mut Vec<(f64, Cell<V>)>,
+        stack: &mut Vec<(f64, LevelPiece<V>)>,
     ) -> f64 {
         if cell.base.is_none() {
             let shape = self.shapes.get(cell.shape);
@@ -67,25 +67,25 @@ impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
         let across = cell.parts_across(self.shapes, self.judge);
         let parts =
             across.unwrap_or_else(|| cell.parts(self.shapes, cell.level == self.level)).into_iter();
-        let mut parts: Vec<(f64, Cell<V>)> = parts.map(|part| self.sized(part)).collect();
+        let mut parts: Vec<(f64, LevelPiece<V>)> = parts.map(|part| self.sized(part)).collect();
         parts.sort_by(|left, right| left.0.total_cmp(&right.0));
         stack.extend(parts);
         0.0
     }
 }
 
-fn place<V>(cell: &Cell<V>, known: Known<V>) -> Place<u128, V> {
-    let Known { limit, polygon, .. } = known;
+fn place<V>(cell: &LevelPiece<V>, known: Estimate<V>) -> Place<u128, V> {
+    let Estimate { limit, polygon, .. } = known;
     Place { level: cell.level, at: cell.path, limit, polygon }
 }
 
 /// Where a place is is the path to its piece.
-impl<V: Points, J: Judge<V>> PieceSearch<Cell<V>, Place<u128, V>> for Search<'_, V, J> {
+impl<V: Points, J: Judge<V>> PieceSearch<LevelPiece<V>, Place<u128, V>> for Search<'_, V, J> {
     fn left(&self) -> u64 {
         self.steps
     }
 
-    fn examine(&mut self, piece: Cell<V>) -> Verdict<Place<u128, V>> {
+    fn examine(&mut self, piece: LevelPiece<V>) -> Verdict<Place<u128, V>> {
         let mut open = false;
         let tolerance = self.judge.tolerance();
         if tolerance < self.judge.floor() {
@@ -122,7 +122,7 @@ impl<V: Points, J: Judge<V>> PieceSearch<Cell<V>, Place<u128, V>> for Search<'_,
 
     fn measure(
         &mut self,
-        piece: Cell<V>,
+        piece: LevelPiece<V>,
         width: f64,
         best: &mut f64,
         at: &mut Option<Place<u128, V>>,

@@ -31,7 +31,7 @@ pub(super) struct Base<S> {
 }
 
 /// What is known of the distance on a cell.
-pub(super) struct Known<S> {
+pub(super) struct Estimate<S> {
     pub(super) upper: f64,
     pub(super) lower: f64,
     /// Whether all is within the tolerance.
@@ -48,7 +48,7 @@ pub(super) struct Known<S> {
     broken: [bool; 2],
 }
 
-impl<S> Known<S> {
+impl<S> Estimate<S> {
     /// The directions to divide: not one that adds much less than the other.
     pub(super) fn divided(&self) -> [bool; 2] {
         let [u, v] = self.tails;
@@ -161,13 +161,13 @@ impl<S: Weights> Cell<S> {
         &self,
         directions: &[Direction; 2],
         judge: &impl Judge<Point<S>>,
-    ) -> Option<Known<S>> {
+    ) -> Option<Estimate<S>> {
         let base = self.base.as_ref()?;
         let phases = base.phases(directions);
         let width = directions[1].window.size();
         let limits = tensor([&phases[0].limits, &phases[1].limits], &self.points, width);
         let columns = phases[1].nodes.len();
-        let mut known: Option<Known<S>> = None;
+        let mut known: Option<Estimate<S>> = None;
         let mut upper = 0.0_f64;
         for (at, (limit, polygon)) in limits.into_iter().zip(&base.points).enumerate() {
             let error = limit.minus(polygon);
@@ -178,7 +178,7 @@ impl<S: Weights> Cell<S> {
                 known.as_ref().is_none_or(|known| (beyond, lower) > (known.beyond, known.lower));
             if better {
                 let (nodes, polygon) = ([at / columns, at % columns], polygon.clone());
-                known = Some(Known {
+                known = Some(Estimate {
                     upper: 0.0,
                     lower,
                     within: false,

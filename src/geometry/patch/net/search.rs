@@ -1,7 +1,7 @@
 //! Whether the net of a level is within a tolerance of the limit on a piece, and how far it is.
 
 use super::super::place::{Place, Verdict};
-use super::cell::{Cell, Known, bound};
+use super::cell::{Cell, Estimate, bound};
 use super::direction::{Direction, Weights};
 use crate::mesh::Point;
 use crate::patch::distance::judge::Judge;
@@ -21,12 +21,12 @@ pub(in crate::patch) struct Node {
 struct Bounded<S> {
     bound: f64,
     cell: Cell<S>,
-    known: Option<Known<S>>,
+    known: Option<Estimate<S>>,
 }
 
 impl<S: Weights> Bounded<S> {
     fn parts(&self, directions: &[Direction; 2]) -> impl Iterator<Item = Cell<S>> {
-        let divided = self.known.as_ref().map_or([true; 2], Known::divided);
+        let divided = self.known.as_ref().map_or([true; 2], Estimate::divided);
         self.cell.parts(directions, divided).into_iter()
     }
 

@@ -1,8 +1,8 @@
 //! The least level whose net is within a tolerance of the limit surface as a set of points.
 
 use super::super::geometric::{
-    FaceDepth, FarPoint, GeometricDepth, GeometricPlace, Known, Levels, MAX_LEVEL, Pieces as _,
-    Scene, SetKind, Whole, check, distances, far_distance, first_far, sweep,
+    FaceDepth, FarPoint, GeometricDepth, GeometricPlace, Levels, MAX_LEVEL, MeshNearness,
+    Pieces as _, Scene, SetKind, Whole, check, distances, far_distance, first_far, sweep,
 };
 use super::super::number::squared;
 use super::super::place::{FarPlace, Place};
@@ -390,7 +390,7 @@ impl Levels for NetLevels<'_> {
         level: u32,
         wanted: &[bool],
         all: bool,
-    ) -> Result<Vec<(usize, Known)>, NetError> {
+    ) -> Result<Vec<(usize, MeshNearness)>, NetError> {
         let work = self.distances.work();
         let whole = Whole::new(self.pieces(level, Vec::new()));
         let limit = whole.sets.judge.tolerance();
@@ -399,7 +399,7 @@ impl Levels for NetLevels<'_> {
         let mut roots: Vec<usize> =
             waiting.into_iter().map(|(_, root)| root).filter(|root| wanted[*root]).collect();
         if level > most {
-            return Ok(roots.into_iter().map(|root| (root, Known::Open)).collect());
+            return Ok(roots.into_iter().map(|root| (root, MeshNearness::Open)).collect());
         }
         roots.sort_unstable();
         work.begin(level, roots.len());
@@ -422,14 +422,14 @@ impl Levels for NetLevels<'_> {
                 (0..owners.len()).filter(|unit| owners[*unit].is_some()).collect();
             if let Some(far) = first_far(&scene, &units, &whole) {
                 let root = owners[far.unit].map_or(0, |i| first[i].root);
-                return Ok(vec![(root, Known::Far(self.place(&scene, &whole, &far)))]);
+                return Ok(vec![(root, MeshNearness::Far(self.place(&scene, &whole, &far)))]);
             }
         }
         if !complete {
-            return Ok(roots.into_iter().map(|root| (root, Known::Open)).collect());
+            return Ok(roots.into_iter().map(|root| (root, MeshNearness::Open)).collect());
         }
         let tolerance = nearest(&(&self.tolerance / &self.distances.model.scale));
-        let mut known: HashMap<usize, Known> = HashMap::new();
+        let mut known: HashMap<usize, MeshNearness> = HashMap::new();
         let own: Vec<&Own> = own.iter().collect();
         let mut last = None;
         for chunk in own.chunks(CHUNK) {
@@ -439,7 +439,7 @@ impl Levels for NetLevels<'_> {
             let found = sweep(&scene, &units, &whole, tolerance, &work, all);
             for (unit, nearness) in units.iter().zip(&found) {
                 let root = owners[*unit].map_or(0, |i| chunk[i].root);
-                let entry = known.entry(root).or_insert(Known::Near);
+                let entry = known.entry(root).or_insert(MeshNearness::Near);
                 entry.add(nearness, |far| self.place(&scene, &whole, far));
             }
             for root in chunk.iter().map(|own| own.root) {
@@ -448,11 +448,11 @@ impl Levels for NetLevels<'_> {
                     last = Some(root);
                 }
             }
-            if !all && known.values().any(|known| matches!(known, Known::Far(_))) {
+            if !all && known.values().any(|known| matches!(known, MeshNearness::Far(_))) {
                 break;
             }
         }
-        let mut known: Vec<(usize, Known)> = known.into_iter().collect();
+        let mut known: Vec<(usize, MeshNearness)> = known.into_iter().collect();
         known.sort_by_key(|(root, _)| *root);
         Ok(known)
     }

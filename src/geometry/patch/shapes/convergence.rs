@@ -2,8 +2,8 @@
 //! (`proofs/THEOREMS.md`, 94).
 
 use super::regular::Bends;
-use super::scheme::Kind;
-use super::shape::{Growth, Shape};
+use super::scheme::PieceScheme;
+use super::shape::{Convergence, Shape};
 use crate::patch::number::{Row, Vector, combinations};
 
 /// What is added to a norm of a functional for the rounding of its coefficients, and for each of them.
@@ -24,7 +24,7 @@ const MOST_STATES: usize = 64;
 pub(in crate::patch) const LAST: usize = 80;
 
 /// Those of a shape, the parts of which have theirs.
-pub(super) fn growth(shapes: &[Shape], shape: usize) -> Growth {
+pub(super) fn convergence(shapes: &[Shape], shape: usize) -> Convergence {
     let parts = shapes[shape].parts.iter().enumerate();
     let repeats: Vec<usize> =
         parts.filter(|(_, part)| part.shape == shape).map(|(part, _)| part).collect();
@@ -33,7 +33,7 @@ pub(super) fn growth(shapes: &[Shape], shape: usize) -> Growth {
         [] => (by_parts(shapes, shape), Vec::new()),
         _ => repeated(shapes, shape, &repeats),
     };
-    if shapes[shape].around.layers().is_some() {
+    if shapes[shape].surroundings.layers().is_some() {
         let first = bounds.first().copied().unwrap_or(0.0);
         for (bound, least) in bounds.iter_mut().zip(falling(first)) {
             *bound = bound.max(least);
@@ -45,7 +45,7 @@ pub(super) fn growth(shapes: &[Shape], shape: usize) -> Growth {
         [part] if !others.is_empty() => Some((part, others)),
         _ => None,
     };
-    Growth { bounds, repeated }
+    Convergence { bounds, repeated }
 }
 
 /// Makes bounds hold from each level on.
@@ -63,7 +63,7 @@ fn unit(shape: &Shape) -> Vec<Vec<f64>> {
     let vector = |i: usize, count: usize| -> Vec<f64> {
         (0..count).map(|j| f64::from(u8::from(i == j))).collect()
     };
-    let Some(layers) = shape.around.layers() else {
+    let Some(layers) = shape.surroundings.layers() else {
         return (0..shape.points).map(|i| vector(i, shape.points)).collect();
     };
     let mut all = vec![Vec::new(); shape.points];
@@ -88,7 +88,7 @@ fn greatest(norms: impl IntoIterator<Item = f64>) -> f64 {
 /// N of points that are functionals, for N = 1; of a shape that is the same in each layer, what 102 has in
 /// its place.
 fn spread(shape: &Shape, points: &[Vec<f64>]) -> f64 {
-    let Some(layers) = shape.around.layers().filter(|_| !shape.is_regular()) else {
+    let Some(layers) = shape.surroundings.layers().filter(|_| !shape.is_regular()) else {
         return greatest(points.iter().map(|point| norm(&point.minus(&points[0]))));
     };
     let at = |layer: &Vec<u32>, column: usize| &points[layer[column] as usize];
@@ -103,23 +103,23 @@ fn spread(shape: &Shape, points: &[Vec<f64>]) -> f64 {
         })
     });
     // While its own bounds are being found, data are the same in each layer.
-    let growth = if shape.growth.is_known() { shape.growth.bound(0) } else { 1.0 };
+    let growth = if shape.convergence.is_known() { shape.convergence.bound(0) } else { 1.0 };
     greatest(within) + greatest(bends) / (6.0 * growth)
 }
 
 /// The bound of 92 for a regular piece at level 0, for N = 1; that of level i is 4^−i of it.
-fn bend(bends: &Bends<f64>, points: &[Vec<f64>], kind: Kind) -> f64 {
+fn bend(bends: &Bends<f64>, points: &[Vec<f64>], scheme: PieceScheme) -> f64 {
     let worst = |rows: &Vec<Row<f64>>| {
         greatest(rows.iter().map(|row| norm(&Vector::combination(row, points))))
     };
     let sum: f64 = bends.directions.iter().map(worst).sum();
-    kind.bend_bound(sum, worst(&bends.across))
+    scheme.bend_bound(sum, worst(&bends.across))
 }
 
 fn regular(shape: &Shape) -> Vec<f64> {
     let points = unit(shape);
     let Some((_, bends)) = &shape.rules.regular else { return Vec::new() };
-    let first = bend(bends, &points, shape.kind);
+    let first = bend(bends, &points, shape.scheme);
     falling(first)
 }
 
@@ -151,8 +151,8 @@ fn divided(
 /// Bézier coefficients, it is the sum of those of both from its own polygon.
 fn error(shape: &Shape, points: &[Vec<f64>], base: &[Vec<f64>]) -> f64 {
     let (rows, own) = match &shape.rules.regular {
-        Some((_, bends)) if shape.kind == Kind::Solid => {
-            (&shape.rules.nodes, bend(bends, points, shape.kind))
+        Some((_, bends)) if shape.scheme == PieceScheme::Solid => {
+            (&shape.rules.nodes, bend(bends, points, shape.scheme))
         }
         Some((bezier, _)) => (bezier, 0.0),
         None => (&shape.rules.nodes, 0.0),
@@ -165,12 +165,17 @@ fn error(shape: &Shape, points: &[Vec<f64>], base: &[Vec<f64>]) -> f64 {
 
 /// What a part of a shape of this kind with these points adds to the bound of its own level, and to those of all
 /// later ones.
-fn of_part(part: &Shape, points: &[Vec<f64>], base: &[Vec<f64>], kind: Kind) -> (f64, Vec<f64>) {
+fn of_part(
+    part: &Shape,
+    points: &[Vec<f64>],
+    base: &[Vec<f64>],
+    scheme: PieceScheme,
+) -> (f64, Vec<f64>) {
     let spread = spread(part, points);
-    let tail = if part.is_regular() { 0.0 } else { part.growth.bound(0) * spread };
+    let tail = if part.is_regular() { 0.0 } else { part.convergence.bound(0) * spread };
     let later = match &part.rules.regular {
-        Some((_, bends)) => falling(bend(bends, points, kind)),
-        None => (0_u32..).take(LAST).map(|i| part.growth.bound(i) * spread).collect(),
+        Some((_, bends)) => falling(bend(bends, points, scheme)),
+        None => (0_u32..).take(LAST).map(|i| part.convergence.bound(i) * spread).collect(),
     };
     (error(part, points, base) + tail, later)
 }
@@ -180,7 +185,7 @@ fn by_parts(shapes: &[Shape], shape: usize) -> Vec<f64> {
     let own = &shapes[shape];
     let mut bounds = vec![0.0_f64; LAST + 1];
     for (part, [points, base]) in own.parts.iter().zip(divided(own, &unit(own), None)) {
-        let (now, later) = of_part(&shapes[part.shape], &points, &base, own.kind);
+        let (now, later) = of_part(&shapes[part.shape], &points, &base, own.scheme);
         for (bound, now) in bounds.iter_mut().zip([now].into_iter().chain(later)) {
             *bound = bound.max(now);
         }
@@ -191,10 +196,10 @@ fn by_parts(shapes: &[Shape], shape: usize) -> Vec<f64> {
 /// How many levels a part of the same shape is followed: while that is not too much work, and for solids
 /// until points come nearer.
 fn followed(shape: &Shape, level: usize, spread: f64, states: usize) -> bool {
-    match shape.kind {
-        Kind::Surface(_) => level < if shape.points * shape.points > MANY { 6 } else { 12 },
-        Kind::Solid if spread < NEAR || states >= MOST_STATES => level < 2,
-        Kind::Solid => level < 12,
+    match shape.scheme {
+        PieceScheme::Surface(_) => level < if shape.points * shape.points > MANY { 6 } else { 12 },
+        PieceScheme::Solid if spread < NEAR || states >= MOST_STATES => level < 2,
+        PieceScheme::Solid => level < 12,
     }
 }
 
@@ -214,13 +219,13 @@ fn repeated(shapes: &[Shape], shape: usize, again: &[usize]) -> (Vec<f64>, Vec<f
             {
                 if again.contains(&i) {
                     // What is the same in each layer stays so: both halves of a layer are one.
-                    if own.around.layers().is_none() || again[0] == i {
+                    if own.surroundings.layers().is_none() || again[0] == i {
                         next.push((points, Some(base)));
                     }
                     continue;
                 }
                 let part = &shapes[own.parts[i].shape];
-                let (now, later) = of_part(part, &points, &base, own.kind);
+                let (now, later) = of_part(part, &points, &base, own.scheme);
                 first = first.max(now);
                 for (bound, later) in bounds.iter_mut().zip(later) {
                     *bound = bound.max(later);

@@ -1,24 +1,24 @@
 //! The shapes of pieces: all pieces with the same faces around them have the same weights.
 
-use super::convergence::growth;
+use super::convergence::convergence;
 use super::neighbourhood::Neighbourhood;
 use super::rules::Rules;
-use super::scheme::Kind;
-use super::shape::{Growth, Part, Shape};
-use super::surroundings::Around;
+use super::scheme::PieceScheme;
+use super::shape::{Convergence, Part, Shape};
+use super::surroundings::Surroundings;
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
 /// All shapes that have been met.
 pub(in crate::patch) struct Shapes {
-    pub(in crate::patch) kind: Kind,
+    pub(in crate::patch) scheme: PieceScheme,
     known: HashMap<Vec<u32>, usize>,
     all: Vec<Shape>,
 }
 
 impl Shapes {
-    pub(in crate::patch) fn new(kind: Kind) -> Shapes {
-        Shapes { kind, known: HashMap::new(), all: Vec::new() }
+    pub(in crate::patch) fn new(scheme: PieceScheme) -> Shapes {
+        Shapes { scheme, known: HashMap::new(), all: Vec::new() }
     }
 
     pub(in crate::patch) fn get(&self, shape: usize) -> &Shape {
@@ -36,7 +36,7 @@ impl Shapes {
         while next < self.all.len() {
             let mut wanted: Vec<usize> = Vec::new();
             let mut parts = Vec::new();
-            for part in self.all[next].around.parts() {
+            for part in self.all[next].surroundings.parts() {
                 let shape = match self.known.get(&part.key) {
                     Some(&shape) => shape,
                     None => self.add(&part),
@@ -54,7 +54,7 @@ impl Shapes {
             let shape = &mut self.all[next];
             shape.wanted = wanted;
             shape.parts = parts;
-            shape.rules = shape.around.rules(&shape.wanted, &shape.part_points());
+            shape.rules = shape.surroundings.rules(&shape.wanted, &shape.part_points());
             next += 1;
         }
         self.settle(first);
@@ -70,14 +70,14 @@ impl Shapes {
                 let known = |part: &Part| {
                     part.shape == *shape
                         || self.all[part.shape].is_regular()
-                        || self.all[part.shape].growth.is_known()
+                        || self.all[part.shape].convergence.is_known()
                 };
                 own.is_regular() || own.parts.iter().all(known)
             };
             let (now, later): (Vec<usize>, Vec<usize>) = open.iter().partition(|x| ready(x));
             assert!(!now.is_empty(), "parts of irregular shapes are regular sooner or later");
             for shape in now {
-                self.all[shape].growth = growth(&self.all, shape);
+                self.all[shape].convergence = convergence(&self.all, shape);
             }
             open = later;
         }
@@ -85,14 +85,14 @@ impl Shapes {
 
     fn add(&mut self, neighbourhood: &Neighbourhood) -> usize {
         let count = neighbourhood.points.len();
-        let around = Around::new(self.kind, neighbourhood);
+        let surroundings = Surroundings::new(self.scheme, neighbourhood);
         self.all.push(Shape {
             points: count,
             parts: Vec::new(),
             rules: Rules::default(),
-            growth: Growth::default(),
-            kind: self.kind,
-            around,
+            convergence: Convergence::default(),
+            scheme: self.scheme,
+            surroundings,
             wanted: Vec::new(),
             exact: OnceLock::new(),
         });

@@ -97,7 +97,7 @@ impl Local {
             rows(self.mesh.points().len(), wanted, |units| self.step(units).points().to_vec());
         if self.scheme == MeshScheme::DooSabin {
             let star = from_first(self.mesh.connectivity(), 0);
-            let around = Around { connectivity: self.mesh.connectivity(), star: &star };
+            let around = VertexFaces { connectivity: self.mesh.connectivity(), star: &star };
             let base = (0..star.faces.len()).map(|i| around.quarter(i)).collect();
             let squares = star.faces.len() == 4;
             let split = if squares { (0..4).map(turned_quarter).collect() } else { Vec::new() };
@@ -199,12 +199,12 @@ fn turned_quarter<W: Number>(i: usize) -> Vec<Row<W>> {
 }
 
 /// The faces around a vertex, of Doo and Sabin's scheme.
-struct Around<'a> {
+struct VertexFaces<'a> {
     connectivity: &'a Connectivity,
     star: &'a Star,
 }
 
-impl Around<'_> {
+impl VertexFaces<'_> {
     fn centroid<W: Number>(&self, i: usize) -> Row<W> {
         mean_of(&self.connectivity.faces()[self.star.faces[i]])
     }

@@ -4,23 +4,23 @@ use crate::mesh::MeshScheme;
 
 /// A surface of one of the schemes for polygon meshes, or a solid of Bajaj's scheme.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::patch) enum Kind {
+pub(in crate::patch) enum PieceScheme {
     Surface(MeshScheme),
     Solid,
 }
 
-impl Kind {
+impl PieceScheme {
     /// Whether regular pieces are bicubic or tricubic.
     pub(in crate::patch) fn is_cubic(self) -> bool {
         match self {
-            Kind::Surface(scheme) => scheme.is_bicubic(),
-            Kind::Solid => true,
+            PieceScheme::Surface(scheme) => scheme.is_bicubic(),
+            PieceScheme::Solid => true,
         }
     }
 
     /// Whether pieces are triangles.
     pub(in crate::patch) fn is_triangular(self) -> bool {
-        matches!(self, Kind::Surface(scheme) if scheme.is_triangular())
+        matches!(self, PieceScheme::Surface(scheme) if scheme.is_triangular())
     }
 
     /// The bound of 92 and 101 for a regular piece, from the sum of the greatest second differences of all

@@ -1,8 +1,8 @@
 //! The shape of a piece: what does not depend on its points.
 
 use super::rules::Rules;
-use super::scheme::Kind;
-use super::surroundings::Around;
+use super::scheme::PieceScheme;
+use super::surroundings::Surroundings;
 use crate::exact::RealCyclotomic;
 use std::sync::OnceLock;
 
@@ -30,9 +30,9 @@ pub(in crate::patch) struct Shape {
     pub(in crate::patch) parts: Vec<Part>,
     pub(in crate::patch) rules: Rules<f64>,
     /// How fast pieces of this shape tend to the limit.
-    pub(in crate::patch) growth: Growth,
-    pub(in crate::patch) kind: Kind,
-    pub(in crate::patch) around: Around,
+    pub(in crate::patch) convergence: Convergence,
+    pub(in crate::patch) scheme: PieceScheme,
+    pub(in crate::patch) surroundings: Surroundings,
     /// The points of the next level that the parts need.
     pub(in crate::patch) wanted: Vec<usize>,
     pub(in crate::patch) exact: OnceLock<Rules<RealCyclotomic>>,
@@ -41,7 +41,7 @@ pub(in crate::patch) struct Shape {
 impl Shape {
     /// The exact weights, computed when they are first needed.
     pub(in crate::patch) fn exact(&self) -> &Rules<RealCyclotomic> {
-        self.exact.get_or_init(|| self.around.rules(&self.wanted, &self.part_points()))
+        self.exact.get_or_init(|| self.surroundings.rules(&self.wanted, &self.part_points()))
     }
 
     /// The points of the parts, among all points that the next level makes.
@@ -56,14 +56,14 @@ impl Shape {
 
     /// The bound of a piece of this size, for the level that many levels later and all after it.
     pub(in crate::patch) fn bound(&self, size: f64, later: u32) -> f64 {
-        let factor = if self.is_regular() { quarter(later) } else { self.growth.bound(later) };
+        let factor = if self.is_regular() { quarter(later) } else { self.convergence.bound(later) };
         factor * size * UP
     }
 
     /// The part that has the same shape, and the bound of [`bound`](Self::bound) for all other parts
     /// together: the piece itself has this size, and the level is that many levels after its own.
     pub(in crate::patch) fn others(&self, size: f64, later: u32) -> Option<(usize, f64)> {
-        let (part, bounds) = self.growth.repeated.as_ref()?;
+        let (part, bounds) = self.convergence.repeated.as_ref()?;
         let bound = entry(bounds, later.checked_sub(1)?);
         Some((*part, bound * size * UP))
     }
@@ -78,7 +78,7 @@ impl Shape {
 /// i-th level after it from the limit on the piece, N the greatest distance of its points from its
 /// first point.
 #[derive(Clone, Debug, Default)]
-pub(in crate::patch) struct Growth {
+pub(in crate::patch) struct Convergence {
     pub(in crate::patch) bounds: Vec<f64>,
     /// The part that has the same shape, and the same bounds for all other parts.
     pub(super) repeated: Option<(usize, Vec<f64>)>,
@@ -89,7 +89,7 @@ fn entry(bounds: &[f64], i: u32) -> f64 {
     bounds.get(i as usize).copied().unwrap_or(f64::INFINITY)
 }
 
-impl Growth {
+impl Convergence {
     /// G_i; infinite beyond those that are known.
     pub(in crate::patch) fn bound(&self, i: u32) -> f64 {
         entry(&self.bounds, i)

@@ -2,22 +2,27 @@
 
 use super::neighbourhood::Neighbourhood;
 use super::rules::{Local, Rules};
-use super::scheme::Kind;
+use super::scheme::PieceScheme;
 use crate::patch::hexes::{HexLocal, Layers, parts_of};
 use crate::patch::number::Number;
 
 /// The faces or the cells around a piece.
-pub(in crate::patch) enum Around {
+pub(in crate::patch) enum Surroundings {
     Surface(Local),
     Solid(HexLocal),
 }
 
-impl Around {
-    pub(in crate::patch) fn new(kind: Kind, neighbourhood: &Neighbourhood) -> Around {
-        match kind {
-            Kind::Surface(scheme) => Around::Surface(Local::new(scheme, neighbourhood)),
-            Kind::Solid => {
-                Around::Solid(HexLocal::new(neighbourhood.points.len(), &neighbourhood.faces))
+impl Surroundings {
+    pub(in crate::patch) fn new(
+        scheme: PieceScheme,
+        neighbourhood: &Neighbourhood,
+    ) -> Surroundings {
+        match scheme {
+            PieceScheme::Surface(scheme) => {
+                Surroundings::Surface(Local::new(scheme, neighbourhood))
+            }
+            PieceScheme::Solid => {
+                Surroundings::Solid(HexLocal::new(neighbourhood.points.len(), &neighbourhood.faces))
             }
         }
     }
@@ -25,21 +30,21 @@ impl Around {
     /// The layers of a piece of a solid that is the same in each.
     pub(in crate::patch) fn layers(&self) -> Option<&Layers> {
         match self {
-            Around::Surface(_) => None,
-            Around::Solid(local) => local.layers.as_ref(),
+            Surroundings::Surface(_) => None,
+            Surroundings::Solid(local) => local.layers.as_ref(),
         }
     }
 
     /// The neighbourhoods of the parts of the piece at the next level.
     pub(in crate::patch) fn parts(&self) -> Vec<Neighbourhood> {
         match self {
-            Around::Surface(local) => {
+            Surroundings::Surface(local) => {
                 let refined = local.refined();
                 let parts = local.parts(&refined).into_iter();
                 let (connectivity, tags) = (refined.connectivity(), refined.tags());
                 parts.map(|piece| Neighbourhood::of(connectivity, tags, piece)).collect()
             }
-            Around::Solid(local) => parts_of(&local.complex),
+            Surroundings::Solid(local) => parts_of(&local.complex),
         }
     }
 
@@ -50,8 +55,8 @@ impl Around {
         parts: &[Vec<usize>],
     ) -> Rules<W> {
         match self {
-            Around::Surface(local) => local.rules(wanted),
-            Around::Solid(local) => local.rules(wanted, parts),
+            Surroundings::Surface(local) => local.rules(wanted),
+            Surroundings::Solid(local) => local.rules(wanted, parts),
         }
     }
 }

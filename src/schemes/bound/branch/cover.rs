@@ -1,6 +1,6 @@
 //! A cover of all rows by leaves that proves which norm is the greatest.
 
-use super::descent::{Descent, Space, product};
+use super::descent::{Descent, WorkingMemory, product};
 use super::number::Number;
 use super::search_tree::{Closed, Leaf};
 use crate::exact::Integer;
@@ -41,7 +41,7 @@ pub(super) fn cover<T: Number, const K: usize>(
 /// The bound, if there is one, that shows that no row below a node is above the limit.
 fn closed<T: Number, const K: usize>(
     descent: &Descent<'_, T, K>,
-    space: &mut Space<T, K>,
+    space: &mut WorkingMemory<T, K>,
     rows: &[Vec<T>; K],
     left: usize,
     limit: &T,

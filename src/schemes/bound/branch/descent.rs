@@ -65,7 +65,7 @@ pub(super) struct Descent<'a, T: Number, const K: usize> {
 }
 
 /// Working memory for splitting nodes, with rows for reuse.
-pub(super) struct Space<T, const K: usize> {
+pub(super) struct WorkingMemory<T, const K: usize> {
     estimators: [Estimator<T>; K],
     pub(super) pool: Vec<[Vec<T>; K]>,
 }
@@ -112,9 +112,9 @@ impl<'a, T: Number, const K: usize> Descent<'a, T, K> {
         })
     }
 
-    pub(super) fn space(&self) -> Space<T, K> {
+    pub(super) fn space(&self) -> WorkingMemory<T, K> {
         let estimators = self.trees.each_ref().map(|tree| Estimator::new(tree.size));
-        Space { estimators, pool: Vec::new() }
+        WorkingMemory { estimators, pool: Vec::new() }
     }
 
     pub(super) fn root(&self) -> Node<T, K> {
@@ -132,7 +132,7 @@ impl<'a, T: Number, const K: usize> Descent<'a, T, K> {
     /// last level.
     pub(super) fn split(
         &self,
-        space: &mut Space<T, K>,
+        space: &mut WorkingMemory<T, K>,
         nodes: &[Node<T, K>],
         best: Option<&Best<T>>,
     ) -> Parts<T, K> {
@@ -145,7 +145,7 @@ impl<'a, T: Number, const K: usize> Descent<'a, T, K> {
 
     fn split_one(
         &self,
-        space: &mut Space<T, K>,
+        space: &mut WorkingMemory<T, K>,
         node: &Node<T, K>,
         best: Option<&Best<T>>,
         (parts, greatest): &mut Parts<T, K>,
@@ -202,7 +202,7 @@ impl<'a, T: Number, const K: usize> Descent<'a, T, K> {
     /// node above it. Returns whether the bound closes the node.
     fn estimate(
         &self,
-        space: &mut Space<T, K>,
+        space: &mut WorkingMemory<T, K>,
         node: &mut Node<T, K>,
         above: Option<&T>,
         best: Option<&Best<T>>,
@@ -233,7 +233,7 @@ impl<'a, T: Number, const K: usize> Descent<'a, T, K> {
     /// operator in `bounds`. `None` if an operator has no line.
     pub(super) fn lines(
         &self,
-        space: &mut Space<T, K>,
+        space: &mut WorkingMemory<T, K>,
         rows: &[Vec<T>; K],
         left: usize,
         bounds: &mut [T; K],

@@ -3,7 +3,7 @@
 //! Several nodes are split at a time, and all are compared with the best row found before.
 //! So the tree of a search does not depend on the number of threads.
 
-use super::descent::{Best, Descent, Node, Space};
+use super::descent::{Best, Descent, Node, WorkingMemory};
 use super::number::Number;
 use super::problem::Greatest;
 use std::thread;
@@ -33,7 +33,7 @@ pub(super) struct Search<'a, T: Number, const K: usize> {
     /// The number of products of words that may still be computed.
     work: &'a mut u64,
     /// One space for each thread.
-    spaces: Vec<Space<T, K>>,
+    spaces: Vec<WorkingMemory<T, K>>,
     best: Option<Best<T>>,
     splits: u64,
 }

@@ -32,16 +32,16 @@ const POINTS: u64 = 1 << 10;
 const WIDTHS: [u32; 3] = [16, 1 << 10, 1 << 20];
 
 /// The known bounds of both curve schemes at a level, and the best net.
-struct Known {
+struct BestBounds {
     curves: [Constant; 2],
     /// The net of the extremal polygons.
     best: SurfaceWitness,
 }
 
-impl Known {
+impl BestBounds {
     /// Combines two results: for each curve scheme the smaller upper bound, and the net
     /// with the greater distance.
-    fn or(mut self, other: Option<Known>) -> Known {
+    fn or(mut self, other: Option<BestBounds>) -> BestBounds {
         let Some(other) = other else { return self };
         for (own, curve) in self.curves.iter_mut().zip(other.curves) {
             if curve.upper < own.upper {
@@ -99,7 +99,7 @@ impl SurfaceDistances {
             return Ok(Comparison::Within);
         }
         let mut widths = WIDTHS.iter().map(|part| threshold.abs() / Rational::from(*part));
-        let mut coarse: Option<Known> = None;
+        let mut coarse: Option<BestBounds> = None;
         let known = loop {
             let width = widths.next().unwrap_or_else(Rational::zero).max(Rational::new(1, 1 << 30));
             let known = self.known(level, &width, spreads, share)?.or(coarse);
@@ -241,7 +241,7 @@ impl SurfaceDistances {
         width: &Rational,
         spreads: &Spreads,
         share: &Share<'_>,
-    ) -> Result<Known, SurfaceError> {
+    ) -> Result<BestBounds, SurfaceError> {
         let widths = [0, 1].map(|axis| width / spreads.along(axis));
         let curve = |axis: usize| self.axes[axis].constant(level, &widths[axis], share);
         let first = curve(0)?;
@@ -250,7 +250,7 @@ impl SurfaceDistances {
         let curves = [first, second];
         let parameters = curves.each_ref().map(|curve| curve.parameter.clone());
         let best = self.separable(level, parameters, spreads)?;
-        Ok(Known { curves, best })
+        Ok(BestBounds { curves, best })
     }
 
     /// A bound of C_k from intervals of parameters, and the best net found at the pairs
@@ -258,12 +258,12 @@ impl SurfaceDistances {
     /// distance is above `enough`.
     fn narrowed(
         &self,
-        known: Known,
+        known: BestBounds,
         spreads: &Spreads,
         enough: Option<&Rational>,
         share: &Share<'_>,
     ) -> Result<(Rational, SurfaceWitness), SurfaceError> {
-        let Known { curves, mut best } = known;
+        let BestBounds { curves, mut best } = known;
         if !self.axes.iter().zip(&curves).all(|(axis, curve)| share.take(axis.cost(curve))) {
             return Ok((self.bound(&curves, spreads), best));
         }

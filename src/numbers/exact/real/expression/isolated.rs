@@ -30,7 +30,7 @@ pub(super) struct Isolated {
 }
 
 /// What is found at a place among the roots.
-pub(super) enum Found {
+pub(super) enum RootKind {
     Rational(Rational),
     Irrational(Isolated),
     /// There are only this many real roots.
@@ -39,13 +39,13 @@ pub(super) enum Found {
 
 impl Isolated {
     /// The root number `index`, counted from 1, of a polynomial of degree at least 1.
-    pub(super) fn find(given: Coefficients, index: usize) -> Found {
+    pub(super) fn find(given: Coefficients, index: usize) -> RootKind {
         let sturm = Sturm::new(&given);
         let bound = cauchy(&sturm.members[0]);
         let (mut lower, mut upper) = (-&bound, bound);
         let count = sturm.count(&lower, &upper);
         if !(1..=count).contains(&index) {
-            return Found::Missing(count);
+            return RootKind::Missing(count);
         }
         // Of the roots in (lower, upper], the wanted one is the one number `place`.
         let (mut place, mut count) = (index, count);
@@ -53,12 +53,12 @@ impl Isolated {
         loop {
             if count == 1 {
                 if sign_at(square_free, &upper) == 0 {
-                    return Found::Rational(upper);
+                    return RootKind::Rational(upper);
                 }
                 let sign = sign_at(square_free, &lower);
                 if sign != 0 {
                     let square_free = square_free.clone();
-                    return Found::Irrational(Isolated {
+                    return RootKind::Irrational(Isolated {
                         given,
                         index,
                         square_free,

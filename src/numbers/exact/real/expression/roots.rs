@@ -1,7 +1,7 @@
 //! Square roots, and roots of polynomials.
 
 use super::error::{MAX_ROOT_DEGREE, RootError};
-use super::isolated::{Found, Isolated, trimmed};
+use super::isolated::{Isolated, RootKind, trimmed};
 use super::node::{Field, Generator, Operation, RealExpression};
 use super::size::Size;
 use super::square::square_part;
@@ -94,9 +94,9 @@ impl RealExpression {
             return Ok(RealExpression::from(-&given[0].over(&given[1])));
         }
         let root = match Isolated::find(given, index) {
-            Found::Missing(count) => return Err(RootError::Index { index, count }),
-            Found::Rational(value) => return Ok(RealExpression::from(value)),
-            Found::Irrational(root) => root,
+            RootKind::Missing(count) => return Err(RootError::Index { index, count }),
+            RootKind::Rational(value) => return Ok(RealExpression::from(value)),
+            RootKind::Irrational(root) => root,
         };
         let bounds = integral_bounds(&root.given);
         let conductor = root.given.iter().fold(1, |n, c| num_integer::lcm(n, c.conductor()));
