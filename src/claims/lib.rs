@@ -3,6 +3,7 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`literal`] | tables of numbers in the source files of programs |
+//! | [`verdict`] | the words for verdicts, their marks and standings
 //! | [`claim`] | what a paper asserts |
 //! | [`shipped`] | tables of constants in programs: claim files about them, and verdicts |
 //! | `evaluation` | from the formulas of claims to values, under a reading |
@@ -27,3 +28,4 @@ mod finding;
 mod judge;
 pub mod literal;
 pub mod shipped;
+pub mod verdict;

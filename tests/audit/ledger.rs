@@ -11,9 +11,9 @@ use subcert::audit::{
 
 /// The verdict, what it would be under assumptions, the promise, the exact value and the reading.
 fn cell(cell: &CellFinding) -> String {
-    let mut line = format!("{} {}", cell.id, cell.verdict.name());
+    let mut line = format!("{} {}", cell.id, cell.verdict.word().name());
     if let Some(assumed) = &cell.verdict_if_assumed {
-        write!(line, "/{}", assumed.name()).expect("a text");
+        write!(line, "/{}", assumed.word().name()).expect("a text");
     }
     line += match &cell.kept {
         None => "",
@@ -30,7 +30,7 @@ fn cell(cell: &CellFinding) -> String {
 }
 
 fn theorem(finding: &TheoremFinding<'_>) -> String {
-    let mut line = format!("{} {}", finding.id, finding.verdict.name());
+    let mut line = format!("{} {}", finding.id, finding.verdict.word().name());
     if let Some(refutation) = &finding.refutation {
         let violation = &refutation.violation;
         let (value, bound) = (&violation.attained.value, &violation.bound);
@@ -51,7 +51,7 @@ fn lines(audit: &PaperAudit<'_>) -> Vec<String> {
             }
             EquationVerdict::NotCheckable(_) | EquationVerdict::BeyondCap(_) => String::new(),
         };
-        lines.push(format!("{} {} {detail}", finding.id, finding.verdict.name()));
+        lines.push(format!("{} {} {detail}", finding.id, finding.verdict.word().name()));
     }
     for finding in &audit.functions {
         let detail = match &finding.verdict {
@@ -60,14 +60,14 @@ fn lines(audit: &PaperAudit<'_>) -> Vec<String> {
             }
             FunctionVerdict::Holds | FunctionVerdict::BeyondCap(_) => String::new(),
         };
-        lines.push(format!("{} {} {detail}", finding.id, finding.verdict.name()));
+        lines.push(format!("{} {} {detail}", finding.id, finding.verdict.word().name()));
     }
     for finding in &audit.ranges {
         let exact = finding
             .found
             .as_ref()
             .map_or_else(ToString::to_string, |found| found.exact.to_string());
-        lines.push(format!("{} {} {exact}", finding.id, finding.verdict()));
+        lines.push(format!("{} {} {exact}", finding.id, finding.verdict().name()));
     }
     lines.extend(audit.theorems.iter().map(theorem));
     lines

@@ -38,7 +38,7 @@ fn said(audit: &PaperAudit<'_>, id: &str) -> String {
     let functions = audit.functions.iter().filter(|finding| finding.claim.id == id);
     let functions = functions.map(|finding| format!("{:?}", finding.verdict));
     let ranges = audit.ranges.iter().filter(|finding| finding.claim.id == id);
-    let ranges = ranges.map(|finding| finding.verdict().to_owned());
+    let ranges = ranges.map(|finding| String::from(finding.verdict()));
     let theorems = audit.theorems.iter().filter(|finding| finding.theorem.id == id);
     let theorems = theorems.map(|finding| {
         let hand = by_hand(audit, finding).expect("no error");

@@ -5,7 +5,8 @@ use crate::common::claims::{judged, paper};
 use crate::common::papers::AUDITS;
 use crate::common::r;
 use subcert::audit::{
-    CellFinding, Control, Direction, EquationVerdict, Kept, Missing, Slip, Sound, Verdict, audit,
+    CellFinding, Control, Direction, EquationVerdict, Kept, Missing, Slip, Sound, Verdict, Word,
+    audit,
 };
 use subcert::cap::Cap;
 use subcert::certificate::certificate;
@@ -241,7 +242,7 @@ fn equations_of_the_papers() {
                 "khan2019-newton:remark-3.1-ko-6" => "not-checkable",
                 _ => "holds",
             };
-            assert_eq!(finding.verdict.name(), expected, "{}", finding.id);
+            assert_eq!(finding.verdict.word().name(), expected, "{}", finding.id);
         }
     }
 }
@@ -370,10 +371,10 @@ fn a_name_for_a_scheme_sees_the_parameters_where_it_is_used() {
                 columns = { name = 'w', values = ['1/8', '1/4'] }\ncells = [['0.625', '0.75']]\n";
     let verdict = |text| {
         let paper = paper(text);
-        judged(&paper).cell_counts().get("confirmed").copied()
+        judged(&paper).cell_counts().of(Word::Confirmed)
     };
     // T_1 = 1/2 + 2w for the tension w, here half of the header.
-    assert_eq!(verdict(text), Some(2));
+    assert_eq!(verdict(text), 2);
 }
 
 /// A value that the program cannot reach says nothing about the printed number.

@@ -53,7 +53,7 @@ fn the_claims_of_the_papers_hold_and_are_certified() {
                 "kobbelt2000" | "peters1997" => "open",
                 _ => "confirmed",
             };
-            assert_eq!(finding.verdict.name(), expected, "{}", finding.id);
+            assert_eq!(finding.verdict.word().name(), expected, "{}", finding.id);
         }
         assert!(audit.errata().errata.is_empty());
         let certificate = certificate(&audit);
@@ -136,7 +136,7 @@ fn rounded_ends_of_ranges_have_one_rule() {
     // The verdict of the program, and whether the checker takes the certificate with this value.
     let says = |ends: &str, verdict: &str, (at, certificate): &(Rational, String), valid: bool| {
         let claim = claim(ends);
-        assert_eq!(judged(&paper(&claim)).smoothness[0].verdict.name(), verdict, "{ends}");
+        assert_eq!(judged(&paper(&claim)).smoothness[0].verdict.word().name(), verdict, "{ends}");
         let report = check(&format!("{HEAD}{claim}"), &[certificate]).expect("a claim file");
         assert_eq!(report.claims[0].2 == Outcome::Valid, valid, "{ends}: {at:?}");
     };
@@ -178,7 +178,7 @@ fn cells_of_tables_are_certified_one_by_one() {
     let own = paper(claims);
     let audit = judged(&own);
     let verdicts: Vec<_> =
-        audit.smoothness.iter().map(|one| (&one.id[2..], one.verdict.name())).collect();
+        audit.smoothness.iter().map(|one| (&one.id[2..], one.verdict.word().name())).collect();
     assert_eq!(
         verdicts,
         [

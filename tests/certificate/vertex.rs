@@ -119,7 +119,7 @@ fn claims_are_judged_and_certified_and_changed_certificates_are_rejected() {
     let audit = judged(&paper);
     for (finding, (scheme, valences, states, verdict, _)) in audit.smoothness.iter().zip(&CLAIMS) {
         assert_eq!(
-            finding.verdict.name(),
+            finding.verdict.word().name(),
             *verdict,
             "{scheme} {valences} {states}: {:?}",
             finding.known

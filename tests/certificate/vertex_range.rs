@@ -72,7 +72,12 @@ fn ranges_of_rules_are_judged_and_refutations_certified() {
     let paper = paper(&claims);
     let audit = judged(&paper);
     for (finding, (valences, states, verdict, _)) in audit.smoothness.iter().zip(&CLAIMS) {
-        assert_eq!(finding.verdict.name(), *verdict, "{valences}, {states}: {:?}", finding.known);
+        assert_eq!(
+            finding.verdict.word().name(),
+            *verdict,
+            "{valences}, {states}: {:?}",
+            finding.known
+        );
     }
     assert_eq!(witnesses(&audit.smoothness[2]), [(6, false)]);
     assert_eq!(witnesses(&audit.smoothness[3]), [(6, true)]);

@@ -3,15 +3,15 @@
 use crate::common::claims::{judged, paper};
 use crate::common::papers::AUDITS;
 use subcert::audit::{
-    AsRead, Beyond, Cause, CellFinding, CellGroup, CellSummary, Erratum, Harm, Standing, Subject,
-    Verdict,
+    AsRead, Beyond, Cause, CellFinding, CellGroup, CellStanding, CellSummary, Erratum, Harm,
+    Subject, Verdict, Word,
 };
 use subcert::claim::Cell;
 use subcert::exact::{Rational, RealCyclotomic, parse_decimal};
 use subcert::report::{differences_sheet, errata_sheet};
 
 /// The causes of a standing, with their numbers of cells.
-fn causes(summary: &CellSummary, standing: Standing) -> Vec<(String, usize)> {
+fn causes(summary: &CellSummary, standing: CellStanding) -> Vec<(String, usize)> {
     let groups = summary.groups.iter().filter(|group| group.outcome.standing == standing);
     let cause = |group: &CellGroup| group.outcome.cause.as_ref().map(Cause::to_string);
     groups.map(|group| (cause(group).unwrap_or_default(), group.count)).collect()
@@ -29,14 +29,17 @@ fn the_summary_adds_up() {
         let cells_of = |table: &subcert::claim::Table| table.cell_count();
         assert_eq!(summary.cells(), paper.tables.iter().map(cells_of).sum::<usize>());
         let counts = audit.cell_counts();
-        let count =
-            |names: &[&str]| names.iter().filter_map(|name| counts.get(name)).sum::<usize>();
-        assert_eq!(summary.count(Standing::Confirmed), count(&["confirmed"]));
-        assert_eq!(summary.count(Standing::Explained), count(&["rounding", "other-reading"]));
-        assert_eq!(summary.count(Standing::Misprinted), count(&["misprint"]));
-        assert_eq!(summary.count(Standing::Refuted), count(&["refuted"]));
-        assert_eq!(summary.count(Standing::NotCheckable), count(&["not-checkable"]));
-        for group in summary.groups.iter().filter(|g| g.outcome.standing == Standing::Explained) {
+        let count = |words: &[Word]| words.iter().map(|word| counts.of(*word)).sum::<usize>();
+        assert_eq!(summary.count(CellStanding::Confirmed), count(&[Word::Confirmed]));
+        assert_eq!(
+            summary.count(CellStanding::Explained),
+            count(&[Word::Rounding, Word::OtherReading])
+        );
+        assert_eq!(summary.count(CellStanding::Misprinted), count(&[Word::Misprint]));
+        assert_eq!(summary.count(CellStanding::Refuted), count(&[Word::Refuted]));
+        assert_eq!(summary.count(CellStanding::NotCheckable), count(&[Word::NotCheckable]));
+        for group in summary.groups.iter().filter(|g| g.outcome.standing == CellStanding::Explained)
+        {
             let why = group.outcome.cause.as_ref().map(Cause::to_string);
             let read = |cell: &&subcert::audit::CellFinding| {
                 cell.verdict_if_assumed.is_none()
@@ -45,7 +48,7 @@ fn the_summary_adds_up() {
             assert_eq!(group.count, cells.clone().filter(read).count(), "{why:?}");
         }
         let gone = printed.filter(|cell| matches!(cell, Cell::Lost)).count();
-        let groups = causes(&summary, Standing::NotCheckable).into_iter();
+        let groups = causes(&summary, CellStanding::NotCheckable).into_iter();
         let of_lost = groups.filter(|(cause, _)| *cause == "the cell is lost");
         assert_eq!(of_lost.map(|(_, count)| count).sum::<usize>(), gone);
         all += summary.cells();
@@ -69,13 +72,13 @@ fn every_standing_is_counted() {
     );
     let summary = judged(&paper).cell_summary();
     assert_eq!(summary.cells(), 10);
-    assert_eq!(summary.count(Standing::Confirmed), 1);
-    assert_eq!(causes(&summary, Standing::Explained), [("cut, not rounded".to_owned(), 1)]);
-    assert_eq!(causes(&summary, Standing::Misprinted), [("as printed".to_owned(), 1)]);
-    assert_eq!(summary.count(Standing::Refuted), 2);
+    assert_eq!(summary.count(CellStanding::Confirmed), 1);
+    assert_eq!(causes(&summary, CellStanding::Explained), [("cut, not rounded".to_owned(), 1)]);
+    assert_eq!(causes(&summary, CellStanding::Misprinted), [("as printed".to_owned(), 1)]);
+    assert_eq!(summary.count(CellStanding::Refuted), 2);
     let (lost, unstated) = ("the cell is lost".to_owned(), "the paper does not state y".to_owned());
     assert_eq!(
-        causes(&summary, Standing::NotCheckable),
+        causes(&summary, CellStanding::NotCheckable),
         [(lost, 2), (unstated.clone(), 2), (unstated, 1)]
     );
 }
@@ -112,10 +115,10 @@ fn errata_and_what_they_change() {
     else {
         panic!("cells first")
     };
-    assert_eq!((down.outcome.standing, &down.cells[..]), (Standing::Explained, &[(0, 0)][..]));
+    assert_eq!((down.outcome.standing, &down.cells[..]), (CellStanding::Explained, &[(0, 0)][..]));
     assert_eq!(
         (refuted.outcome.standing, &refuted.cells[..]),
-        (Standing::Refuted, &[(0, 1), (0, 3)][..])
+        (CellStanding::Refuted, &[(0, 1), (0, 3)][..])
     );
     let changes = &errata.errata[1].consequences;
     assert_eq!((changes.smaller, changes.larger), (1, 1));

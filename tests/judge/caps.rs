@@ -27,7 +27,9 @@ fn paper(text: &str) -> Paper {
 /// The verdicts of the claims.
 fn verdicts<'a>(audit: &PaperAudit<'a>) -> BTreeMap<&'a str, Vec<&'static str>> {
     let claims = audit.claims().into_iter();
-    claims.map(|claim| (claim.id, claim.verdicts.into_keys().collect())).collect()
+    claims
+        .map(|claim| (claim.id, claim.verdicts.iter().map(|(word, _)| word.name()).collect()))
+        .collect()
 }
 
 /// Whether a claim of the file is right: the first row of the table of orders is.

@@ -221,7 +221,7 @@ fn verdict(condition: &str, ends: &str) -> (&'static str, Vec<EndRelation>, bool
     let audit = judged(&paper);
     let finding = range(&audit, "r");
     let relations = finding.ends.iter().map(|end| end.relation).collect();
-    (finding.verdict.name(), relations, finding.kept)
+    (finding.verdict.word().name(), relations, finding.kept)
 }
 
 #[test]

@@ -67,7 +67,7 @@ fn depths_of_no_level_bound_the_spread_from_above_alone() {
 }
 
 fn verdicts(audit: &PaperAudit<'_>, table: usize) -> Vec<&'static str> {
-    audit.tables[table].cells.iter().flatten().map(|cell| cell.verdict.name()).collect()
+    audit.tables[table].cells.iter().flatten().map(|cell| cell.verdict.word().name()).collect()
 }
 
 /// τ = 7/20 by hand: 1.2345·τ = 0.432075, 2.3457·τ = 0.820995 and 3.4561·τ = 1.209635.

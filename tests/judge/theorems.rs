@@ -1,6 +1,6 @@
 //! Theorems as claims: reading, and what they rest on.
 
-use subcert::audit::{PaperAudit, TheoremFinding, audit};
+use subcert::audit::{PaperAudit, TheoremFinding, Word, audit};
 use subcert::claim::{Paper, Quantity, Statement, embedded, read_paper};
 use subcert::diagnostic::{Diagnostic, SourceText};
 
@@ -69,7 +69,7 @@ fn failing_premises_are_followed_through_theorems() {
     assert!(failing(&audit, "third").is_empty());
     assert_eq!(failing(&audit, "fifth"), ["wrong"]);
     assert_eq!(failing(&audit, "sixth"), ["table", "wrong"]);
-    assert_eq!(audit.theorem_counts().get("open"), Some(&6));
+    assert_eq!(audit.theorem_counts().of(Word::Open), 6);
 }
 
 #[test]

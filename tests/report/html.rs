@@ -76,7 +76,7 @@ fn every_claim_and_every_cell_has_its_anchor() {
             let element = within(&pieces, |piece| piece.attribute("id") == Some(anchor));
             let own = text(&element);
             assert!(own.contains(cell.printed.as_deref().unwrap_or("lost")), "{own}");
-            assert!(own.contains(cell.verdict.name()) && own.contains(&cell.id), "{own}");
+            assert!(own.contains(cell.verdict.word().name()) && own.contains(&cell.id), "{own}");
         }
     }
     let index = check(&index_page(&AUDITS, &Sheet::default()));

@@ -4,9 +4,9 @@ mod chosen;
 mod jobs;
 
 pub use crate::digest::{
-    Beyond, BeyondCap, Cause, CellErratum, CellGroup, CellOutcome, CellSummary, ClaimVerdict,
-    Consequences, Coverage, CoverageState, Errata, Erratum, Harm, HowRead, KernelCounts, NotSharp,
-    Share, Standing, Subject, Unchecked,
+    Beyond, BeyondCap, Cause, CellErratum, CellGroup, CellOutcome, CellStanding, CellSummary,
+    ClaimVerdict, Consequences, Coverage, CoverageState, Errata, Erratum, Harm, HowRead,
+    KernelCounts, NotSharp, Share, Subject, Unchecked,
 };
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
@@ -29,6 +29,7 @@ pub use crate::finding::{
 };
 pub use crate::judge::MAX_CASES;
 pub use crate::judge::parallel::map as on_all_cores;
+pub use crate::verdict::{Standing, Tally, Word};
 
 use crate::audit::chosen::Chosen;
 use crate::claim::Paper;

@@ -1,7 +1,7 @@
 //! The claims of a paper, whatever their kind, with their verdicts.
 
 use crate::finding::{PaperAudit, PromiseCounts, RangeFinding};
-use std::collections::BTreeMap;
+use crate::verdict::{Standing, Tally, Word};
 
 /// A claim and its verdict; for a table, the verdicts of its cells.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -11,26 +11,20 @@ pub struct ClaimVerdict<'a> {
     /// Where it stands.
     pub locus: &'a str,
     /// How often each verdict occurs: once, or for a table once for each cell with it.
-    pub verdicts: BTreeMap<&'static str, usize>,
+    pub verdicts: Tally,
 }
-
-/// The verdicts that say that a claim does not hold as printed.
-const FAILING: [&str; 3] = ["refuted", "fails", "inexact"];
-
-/// The verdicts that say that a claim holds as printed.
-const HOLDING: [&str; 4] = ["confirmed", "holds", "exact", "proved"];
 
 impl ClaimVerdict<'_> {
     /// Whether the claim is shown to hold: of a table, all of its cells.
     #[must_use]
     pub fn holds(&self) -> bool {
-        self.verdicts.keys().all(|verdict| HOLDING.contains(verdict))
+        self.verdicts.iter().all(|(word, _)| word.standing() == Standing::Holds)
     }
 
     /// Whether the claim does not hold: of a table, at least one of its cells.
     #[must_use]
     pub fn fails(&self) -> bool {
-        FAILING.iter().any(|verdict| self.verdicts.contains_key(verdict))
+        self.verdicts.iter().any(|(word, _)| word.standing() == Standing::Fails)
     }
 }
 
@@ -41,50 +35,42 @@ impl<'a> PaperAudit<'a> {
         let tables = self.tables.iter().map(|finding| ClaimVerdict {
             id: &finding.table.id,
             locus: &finding.table.locus,
-            verdicts: count(finding.cells.iter().flatten().map(|cell| cell.verdict.name())),
+            verdicts: finding.cells.iter().flatten().map(|cell| cell.verdict.word()).collect(),
         });
-        let one = |id: &'a str, locus: &'a str, verdict| {
-            let verdicts = BTreeMap::from([(verdict, 1)]);
-            ClaimVerdict { id, locus, verdicts }
+        let one = |id: &'a str, locus: &'a str, verdict: Word| ClaimVerdict {
+            id,
+            locus,
+            verdicts: Tally::from_iter([verdict]),
         };
         let equations = self.equations.iter().map(|finding| {
-            one(&finding.equation.id, &finding.equation.locus, finding.verdict.name())
+            one(&finding.equation.id, &finding.equation.locus, finding.verdict.word())
         });
         let functions = self
             .functions
             .iter()
-            .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict.name()));
+            .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict.word()));
         let ranges = self
             .ranges
             .iter()
             .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict()));
         let theorems = self.theorems.iter().map(|finding| {
-            one(&finding.theorem.id, &finding.theorem.locus, finding.verdict.name())
+            one(&finding.theorem.id, &finding.theorem.locus, finding.verdict.word())
         });
         let smoothness = self
             .smoothness
             .iter()
-            .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict.name()));
+            .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict.word()));
         let claims = tables.chain(equations).chain(functions).chain(ranges);
         claims.chain(smoothness).chain(theorems).collect()
     }
 }
 
-/// How many times each name occurs.
-pub(crate) fn count(names: impl Iterator<Item = &'static str>) -> BTreeMap<&'static str, usize> {
-    let mut counts = BTreeMap::new();
-    for name in names {
-        *counts.entry(name).or_insert(0) += 1;
-    }
-    counts
-}
-
 impl PaperAudit<'_> {
-    /// How many table cells have each verdict, in the order of [`Verdict::NAMES`](crate::finding::Verdict::NAMES).
+    /// How many table cells have each verdict.
     #[must_use]
-    pub fn cell_counts(&self) -> BTreeMap<&'static str, usize> {
+    pub fn cell_counts(&self) -> Tally {
         let cells = self.tables.iter().flat_map(|table| table.cells.iter().flatten());
-        count(cells.map(|cell| cell.verdict.name()))
+        cells.map(|cell| cell.verdict.word()).collect()
     }
 
     /// How many printed bounds and depths keep their promise for every control polygon, how many
@@ -97,26 +83,26 @@ impl PaperAudit<'_> {
     /// How many equations have each verdict, those between functions of a free
     /// parameter among them.
     #[must_use]
-    pub fn equation_counts(&self) -> BTreeMap<&'static str, usize> {
-        let equations = self.equations.iter().map(|finding| finding.verdict.name());
-        count(equations.chain(self.functions.iter().map(|finding| finding.verdict.name())))
+    pub fn equation_counts(&self) -> Tally {
+        let equations = self.equations.iter().map(|finding| finding.verdict.word());
+        equations.chain(self.functions.iter().map(|finding| finding.verdict.word())).collect()
     }
 
     /// How many ranges have each verdict.
     #[must_use]
-    pub fn range_counts(&self) -> BTreeMap<&'static str, usize> {
-        count(self.ranges.iter().map(RangeFinding::verdict))
+    pub fn range_counts(&self) -> Tally {
+        self.ranges.iter().map(RangeFinding::verdict).collect()
     }
 
     /// How many claims about smoothness have each verdict.
     #[must_use]
-    pub fn smoothness_counts(&self) -> BTreeMap<&'static str, usize> {
-        count(self.smoothness.iter().map(|finding| finding.verdict.name()))
+    pub fn smoothness_counts(&self) -> Tally {
+        self.smoothness.iter().map(|finding| finding.verdict.word()).collect()
     }
 
     /// How many theorems have each verdict.
     #[must_use]
-    pub fn theorem_counts(&self) -> BTreeMap<&'static str, usize> {
-        count(self.theorems.iter().map(|finding| finding.verdict.name()))
+    pub fn theorem_counts(&self) -> Tally {
+        self.theorems.iter().map(|finding| finding.verdict.word()).collect()
     }
 }

@@ -21,4 +21,4 @@ pub use errata::{
     Beyond, CellErratum, Consequences, Errata, Erratum, Harm, NotSharp, Subject, Unchecked,
 };
 pub use kernel::{KernelCounts, Share};
-pub use summary::{CellGroup, CellOutcome, CellSummary, Standing};
+pub use summary::{CellGroup, CellOutcome, CellStanding, CellSummary};

@@ -3,6 +3,7 @@
 use crate::claim::Theorem;
 use crate::digest::claims::ClaimVerdict;
 use crate::finding::{FailingPremise, PaperAudit, TheoremFinding, TheoremVerdict};
+use crate::verdict::Tally;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Finds the premises of theorems that do not hold, after all claims are judged.
@@ -20,7 +21,7 @@ fn find<'a>(audit: &PaperAudit<'a>, findings: &mut [TheoremFinding<'a>]) {
     let mut judged = audit.claims();
     judged.extend(findings.iter().map(|finding| {
         let Theorem { id, locus, .. } = finding.theorem;
-        ClaimVerdict { id, locus, verdicts: BTreeMap::from([(finding.verdict.name(), 1)]) }
+        ClaimVerdict { id, locus, verdicts: Tally::from_iter([finding.verdict.word()]) }
     }));
     for finding in findings {
         // A proof by hand counts only if every claim that it uses is shown to hold.

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 /// The standing of a cell: its verdict, where another rounding and another reading count as one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Standing {
+pub enum CellStanding {
     /// As printed.
     Confirmed,
     /// As printed, or by another reading, at values that were recovered.
@@ -22,17 +22,17 @@ pub enum Standing {
     NotCheckable,
 }
 
-impl Standing {
+impl CellStanding {
     /// Its name.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Standing::Confirmed => "confirmed",
-            Standing::Reproduced => "reproduced",
-            Standing::Explained => "explained",
-            Standing::Misprinted => "misprinted",
-            Standing::Refuted => "refuted",
-            Standing::NotCheckable => "not checkable",
+            CellStanding::Confirmed => "confirmed",
+            CellStanding::Reproduced => "reproduced",
+            CellStanding::Explained => "explained",
+            CellStanding::Misprinted => "misprinted",
+            CellStanding::Refuted => "refuted",
+            CellStanding::NotCheckable => "not checkable",
         }
     }
 }
@@ -41,7 +41,7 @@ impl Standing {
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct CellOutcome {
     /// The standing.
-    pub standing: Standing,
+    pub standing: CellStanding,
     /// The cause; `None` where there is nothing to say.
     pub cause: Option<Cause>,
 }
@@ -86,7 +86,7 @@ impl CellSummary {
 
     /// How many of them have this standing.
     #[must_use]
-    pub fn count(&self, standing: Standing) -> usize {
+    pub fn count(&self, standing: CellStanding) -> usize {
         let groups = self.groups.iter().filter(|group| group.outcome.standing == standing);
         groups.map(|group| group.count).sum()
     }
@@ -109,18 +109,22 @@ impl CellFinding {
     fn as_outcome(&self, verdict: &Verdict) -> CellOutcome {
         let read = || self.as_read.as_ref();
         let (standing, cause) = match verdict {
-            Verdict::Confirmed => (Standing::Confirmed, None),
+            Verdict::Confirmed => (CellStanding::Confirmed, None),
             Verdict::Reproduced => {
-                (Standing::Reproduced, Some(Cause::recovered(&self.assumed, read())))
+                (CellStanding::Reproduced, Some(Cause::recovered(&self.assumed, read())))
             }
-            Verdict::Rounding(direction) => (Standing::Explained, Some(Cause::Rounded(*direction))),
-            Verdict::OtherReading => (Standing::Explained, read().map(Cause::read)),
-            Verdict::Misprint(_) => (Standing::Misprinted, Some(Cause::slip(read()))),
-            Verdict::Refuted => (Standing::Refuted, self.undefined.clone().map(Cause::Undefined)),
+            Verdict::Rounding(direction) => {
+                (CellStanding::Explained, Some(Cause::Rounded(*direction)))
+            }
+            Verdict::OtherReading => (CellStanding::Explained, read().map(Cause::read)),
+            Verdict::Misprint(_) => (CellStanding::Misprinted, Some(Cause::slip(read()))),
+            Verdict::Refuted => {
+                (CellStanding::Refuted, self.undefined.clone().map(Cause::Undefined))
+            }
             Verdict::NotCheckable(missing) => {
                 // A lost cell has no other cause.
                 let missing = self.printed.as_ref().map_or(&Missing::Cell, |_| missing);
-                (Standing::NotCheckable, Some(Cause::Missing(missing.clone())))
+                (CellStanding::NotCheckable, Some(Cause::Missing(missing.clone())))
             }
         };
         CellOutcome { standing, cause }
@@ -131,12 +135,12 @@ impl PaperAudit<'_> {
     /// The cells of all tables by outcome.
     ///
     /// ```
-    /// use subcert::audit::{Standing, audit};
+    /// use subcert::audit::{CellStanding, audit};
     /// use subcert::claim::embedded_papers;
     ///
     /// let papers = embedded_papers()?;
     /// let khan = audit(&papers[2])?.cell_summary();
-    /// assert_eq!((khan.cells(), khan.count(Standing::Confirmed)), (54, 6));
+    /// assert_eq!((khan.cells(), khan.count(CellStanding::Confirmed)), (54, 6));
     /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
     /// ```
     #[must_use]

@@ -5,6 +5,7 @@ use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::kernel::KernelProof;
 use crate::finding::promise::Kept;
 use crate::finding::reading::{Difference, Explanation, Solved, differs};
+use crate::verdict::Word;
 use std::fmt;
 
 /// The verdict on a printed number.
@@ -31,28 +32,17 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// The names of the verdicts of numbers, best first.
-    pub const NAMES: [&'static str; 7] = [
-        "confirmed",
-        "reproduced",
-        "rounding",
-        "misprint",
-        "other-reading",
-        "refuted",
-        "not-checkable",
-    ];
-
-    /// The verdict's name.
+    /// The word for it.
     #[must_use]
-    pub fn name(&self) -> &'static str {
+    pub fn word(&self) -> Word {
         match self {
-            Verdict::Confirmed => "confirmed",
-            Verdict::Reproduced => "reproduced",
-            Verdict::Rounding(_) => "rounding",
-            Verdict::Misprint(_) => "misprint",
-            Verdict::OtherReading => "other-reading",
-            Verdict::Refuted => "refuted",
-            Verdict::NotCheckable(_) => "not-checkable",
+            Verdict::Confirmed => Word::Confirmed,
+            Verdict::Reproduced => Word::Reproduced,
+            Verdict::Rounding(_) => Word::Rounding,
+            Verdict::Misprint(_) => Word::Misprint,
+            Verdict::OtherReading => Word::OtherReading,
+            Verdict::Refuted => Word::Refuted,
+            Verdict::NotCheckable(_) => Word::NotCheckable,
         }
     }
 }

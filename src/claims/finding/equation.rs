@@ -3,6 +3,7 @@
 use crate::cap::Cap;
 use crate::claim::Equation;
 use crate::exact::{Polynomial, Rational};
+use crate::verdict::Word;
 
 /// The finding about an equation.
 #[derive(Clone, Debug)]
@@ -39,13 +40,13 @@ pub enum EquationVerdict {
 }
 
 impl EquationVerdict {
-    /// The verdict's name.
+    /// The word for it.
     #[must_use]
-    pub fn name(&self) -> &'static str {
+    pub fn word(&self) -> Word {
         match self {
-            EquationVerdict::Holds { .. } => "holds",
-            EquationVerdict::Fails { .. } => "fails",
-            EquationVerdict::NotCheckable(_) | EquationVerdict::BeyondCap(_) => "not-checkable",
+            EquationVerdict::Holds { .. } => Word::Holds,
+            EquationVerdict::Fails { .. } => Word::Fails,
+            EquationVerdict::NotCheckable(_) | EquationVerdict::BeyondCap(_) => Word::NotCheckable,
         }
     }
 }

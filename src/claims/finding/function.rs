@@ -3,6 +3,7 @@
 use crate::cap::Cap;
 use crate::claim::FunctionClaim;
 use crate::exact::{IntervalSet, Rational};
+use crate::verdict::Word;
 
 /// The finding about a closed form in a free parameter.
 #[derive(Clone, Debug)]
@@ -34,13 +35,13 @@ pub enum FunctionVerdict {
 }
 
 impl FunctionVerdict {
-    /// The verdict's name.
+    /// The word for it.
     #[must_use]
-    pub fn name(&self) -> &'static str {
+    pub fn word(&self) -> Word {
         match self {
-            FunctionVerdict::Holds => "holds",
-            FunctionVerdict::Fails { .. } => "fails",
-            FunctionVerdict::BeyondCap(_) => "not-checkable",
+            FunctionVerdict::Holds => Word::Holds,
+            FunctionVerdict::Fails { .. } => Word::Fails,
+            FunctionVerdict::BeyondCap(_) => Word::NotCheckable,
         }
     }
 }

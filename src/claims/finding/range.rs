@@ -4,6 +4,7 @@ use crate::cap::Cap;
 use crate::claim::RangeClaim;
 use crate::exact::{IntervalSet, Rational, RealAlgebraic};
 use crate::finding::cell::Direction;
+use crate::verdict::Word;
 use std::fmt;
 
 /// The finding about a range of a free parameter.
@@ -18,10 +19,10 @@ pub struct RangeFinding<'a> {
 }
 
 impl RangeFinding<'_> {
-    /// The verdict's name.
+    /// The word for its verdict.
     #[must_use]
-    pub fn verdict(&self) -> &'static str {
-        self.found.as_ref().map_or("not-checkable", |found| found.verdict.name())
+    pub fn verdict(&self) -> Word {
+        self.found.as_ref().map_or(Word::NotCheckable, |found| found.verdict.word())
     }
 }
 
@@ -58,13 +59,13 @@ pub enum RangeVerdict {
 }
 
 impl RangeVerdict {
-    /// The verdict's name.
+    /// The word for it.
     #[must_use]
-    pub fn name(self) -> &'static str {
+    pub fn word(self) -> Word {
         match self {
-            RangeVerdict::Exact => "exact",
-            RangeVerdict::Rounding => "rounding",
-            RangeVerdict::Inexact => "inexact",
+            RangeVerdict::Exact => Word::Exact,
+            RangeVerdict::Rounding => Word::Rounding,
+            RangeVerdict::Inexact => Word::Inexact,
         }
     }
 }

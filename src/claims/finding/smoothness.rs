@@ -7,6 +7,7 @@ use crate::exact::{IntervalSet, Rational};
 use crate::finding::cell::Direction;
 use crate::scheme::Mask;
 use crate::smoothness::{SmoothRange, Smoothness};
+use crate::verdict::Word;
 
 /// The finding about a claim of smoothness.
 #[derive(Clone, Debug)]
@@ -52,15 +53,15 @@ impl SmoothnessVerdict {
         }
     }
 
-    /// The verdict's name.
+    /// The word for it.
     #[must_use]
-    pub fn name(self) -> &'static str {
+    pub fn word(self) -> Word {
         match self {
-            SmoothnessVerdict::Confirmed => "confirmed",
-            SmoothnessVerdict::Rounding(_) | SmoothnessVerdict::RoundedEnds => "rounding",
-            SmoothnessVerdict::Refuted => "refuted",
-            SmoothnessVerdict::Open => "open",
-            SmoothnessVerdict::NotCheckable => "not-checkable",
+            SmoothnessVerdict::Confirmed => Word::Confirmed,
+            SmoothnessVerdict::Rounding(_) | SmoothnessVerdict::RoundedEnds => Word::Rounding,
+            SmoothnessVerdict::Refuted => Word::Refuted,
+            SmoothnessVerdict::Open => Word::Open,
+            SmoothnessVerdict::NotCheckable => Word::NotCheckable,
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::finding::kernel::KernelProof;
 use crate::finding::levels::Levels;
 use crate::finding::reading::numbered;
 use crate::finding::witness::{Supremum, Unshiftable, Violation};
+use crate::verdict::Word;
 use std::fmt;
 
 /// How a reader may try to save a theorem that is refuted.
@@ -102,13 +103,13 @@ pub enum TheoremVerdict {
 }
 
 impl TheoremVerdict {
-    /// The verdict's name.
+    /// The word for it.
     #[must_use]
-    pub fn name(self) -> &'static str {
+    pub fn word(self) -> Word {
         match self {
-            TheoremVerdict::Proved => "proved",
-            TheoremVerdict::Refuted => "refuted",
-            TheoremVerdict::Open => "open",
+            TheoremVerdict::Proved => Word::Proved,
+            TheoremVerdict::Refuted => Word::Refuted,
+            TheoremVerdict::Open => Word::Open,
         }
     }
 }

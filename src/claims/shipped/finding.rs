@@ -3,6 +3,7 @@
 use super::claim::{Project, ShippedClaim};
 use crate::cap::Cap;
 use crate::exact::{Rational, RealExpression};
+use crate::verdict::Word;
 
 /// The findings of a project.
 #[derive(Clone, Debug)]
@@ -201,17 +202,17 @@ impl Outcome {
         Outcome::Refuted,
     ];
 
-    /// Its name, as in `--deny` and in certificates.
+    /// The word for it, as in `--deny` and in certificates.
     #[must_use]
-    pub fn name(self) -> &'static str {
+    pub fn word(self) -> Word {
         match self {
-            Outcome::Nearest => "nearest",
-            Outcome::Cut => "cut",
-            Outcome::Ulps => "ulps",
-            Outcome::Otherwise => "otherwise",
-            Outcome::Open => "open",
-            Outcome::Misprint => "misprint",
-            Outcome::Refuted => "refuted",
+            Outcome::Nearest => Word::Nearest,
+            Outcome::Cut => Word::Cut,
+            Outcome::Ulps => Word::Ulps,
+            Outcome::Otherwise => Word::Otherwise,
+            Outcome::Open => Word::Open,
+            Outcome::Misprint => Word::Misprint,
+            Outcome::Refuted => Word::Refuted,
         }
     }
 }

@@ -17,7 +17,7 @@ pub(super) use meshes::{
     RefineArguments,
 };
 pub(super) use papers::{
-    AuditArguments, BROKEN, CoverageArguments, ErrataArguments, ErrataFormat, ExplainArguments,
+    AuditArguments, CoverageArguments, ErrataArguments, ErrataFormat, ExplainArguments,
     NewArguments, ProveArguments, is_of_papers,
 };
 pub(super) use schemes::{

@@ -4,7 +4,7 @@ use super::{FindingFormat, FindingOutput, Output};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
-use subcert::audit::Verdict;
+use subcert::audit::Word;
 use subcert::shipped::Outcome;
 
 #[derive(Debug, Args)]
@@ -32,21 +32,22 @@ pub(in crate::cli) struct AuditArguments {
     pub(in crate::cli) file: Option<PathBuf>,
 }
 
-/// The value of `--deny` for promises of tables that are not kept.
-pub(in crate::cli) const BROKEN: &str = "broken";
-
 /// What is said of claims of papers other than numbers: of equations, ranges and theorems, and of promises.
-const OTHERS: [&str; 7] = ["holds", "fails", "exact", "inexact", "proved", "open", BROKEN];
+const OTHERS: [Word; 7] =
+    [Word::Holds, Word::Fails, Word::Exact, Word::Inexact, Word::Proved, Word::Open, Word::Broken];
 
 /// Whether this is said of claims of papers.
 pub(in crate::cli) fn is_of_papers(verdict: &str) -> bool {
-    Verdict::NAMES.contains(&verdict) || OTHERS.contains(&verdict)
+    Word::OF_CELLS.iter().chain(&OTHERS).any(|word| word.name() == verdict)
 }
 
 /// The verdicts of claims of papers, then those of constants that programs ship.
 fn verdicts() -> PossibleValuesParser {
-    let shipped = Outcome::ALL.map(Outcome::name).into_iter().filter(|name| !is_of_papers(name));
-    PossibleValuesParser::new(Verdict::NAMES.into_iter().chain(OTHERS).chain(shipped))
+    let shipped = Outcome::ALL.map(Outcome::word).into_iter();
+    let shipped = shipped.filter(|word| !is_of_papers(word.name()));
+    PossibleValuesParser::new(
+        Word::OF_CELLS.into_iter().chain(OTHERS).chain(shipped).map(Word::name),
+    )
 }
 
 #[derive(Debug, Args)]

@@ -71,7 +71,7 @@ pub(crate) fn cells(audits: &[PaperAudit<'_>]) -> String {
         let printed = cell.printed.as_deref().unwrap_or_default();
         let exact = cell.exact.as_ref().map(ToString::to_string).unwrap_or_default();
         let decimal = cell.exact.as_ref().map(|exact| short(exact, DIGITS)).unwrap_or_default();
-        out.row(&[&cell.id, printed, &exact, &decimal, cell.verdict.name()]);
+        out.row(&[&cell.id, printed, &exact, &decimal, cell.verdict.word().name()]);
     }
     out.text
 }

@@ -6,11 +6,11 @@ use super::claim_files::{Claims, claims};
 use super::judged::{judge_all, select};
 use super::pages;
 use super::projects;
-use crate::cli::arguments::{AuditArguments, BROKEN, FindingFormat, Format, Output, is_of_papers};
+use crate::cli::arguments::{AuditArguments, FindingFormat, Format, Output, is_of_papers};
 use crate::cli::console::csv;
 use crate::cli::console::output::{Failure, Outcome, denied, show_table};
 use crate::cli::console::terminal;
-use subcert::audit::PaperAudit;
+use subcert::audit::{PaperAudit, Word};
 use subcert::report::json::AuditReport;
 use subcert::report::{Sheet, audit_sheet, overview_sheet};
 
@@ -34,7 +34,14 @@ pub(crate) fn audit(arguments: &AuditArguments) -> Outcome {
     }
     denied(&arguments.deny, |verdict| {
         let count = audits.iter().map(|audit| count(audit, verdict)).sum();
-        (count, if verdict == BROKEN { ["promise", "promises"] } else { ["claim", "claims"] })
+        (
+            count,
+            if verdict == Word::Broken.name() {
+                ["promise", "promises"]
+            } else {
+                ["claim", "claims"]
+            },
+        )
     })
 }
 
@@ -80,11 +87,13 @@ fn is_longer_than_a_screen(sheet: &Sheet) -> bool {
     sheet.to_text(terminal::width()).lines().count() > terminal::height()
 }
 
-/// How many claims, or cells of tables, have this verdict; for [`BROKEN`], how many promises are
+/// How many claims, or cells of tables, have this verdict; for [`Word::Broken`], how many promises are
 /// broken.
 fn count(audit: &PaperAudit<'_>, verdict: &str) -> usize {
-    if verdict == BROKEN {
+    if verdict == Word::Broken.name() {
         return audit.promise_counts().broken;
     }
-    audit.claims().iter().filter_map(|claim| claim.verdicts.get(verdict)).sum()
+    let claims = audit.claims();
+    let verdicts = claims.iter().flat_map(|claim| claim.verdicts.iter());
+    verdicts.filter(|(word, _)| word.name() == verdict).map(|(_, count)| count).sum()
 }

@@ -167,7 +167,7 @@ fn claims(name: &str, audits: &[PaperAudit<'_>]) -> Vec<(String, String)> {
                 .verdicts
                 .iter()
                 .map(|(verdict, count)| match count {
-                    1 => (*verdict).to_owned(),
+                    1 => verdict.into(),
                     _ => format!("{verdict} {count} times"),
                 })
                 .collect();

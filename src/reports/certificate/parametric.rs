@@ -2,7 +2,7 @@
 
 use super::block::{Block, words};
 use crate::audit::{
-    Direction, EndFinding, EndRelation, FunctionFinding, FunctionVerdict, RangeFinding,
+    Direction, EndFinding, EndRelation, FunctionFinding, FunctionVerdict, RangeFinding, Word,
 };
 use crate::claim::{Limit, LocatedReference};
 use crate::exact::{IntervalSet, RealAlgebraic};
@@ -18,7 +18,7 @@ pub(super) fn function(finding: &FunctionFinding<'_>) -> Block {
     match &finding.verdict {
         FunctionVerdict::Holds => {
             pieces(&mut block, &IntervalSet::default(), &IntervalSet::default());
-            block.line("holds");
+            block.line(Word::Holds);
         }
         FunctionVerdict::Fails { larger, smaller, example } => {
             pieces(&mut block, smaller, larger);
@@ -53,7 +53,7 @@ pub(super) fn range(finding: &RangeFinding<'_>) -> Block {
         let exact = end.exact.as_ref().map_or("none".to_owned(), place);
         block.line(format!("end {side} \"{}\" {exact} {}", end.printed, self::relation(end)));
     }
-    block.line(found.verdict.name());
+    block.line(found.verdict.word());
     block
 }
 

@@ -2,6 +2,7 @@
 
 use super::block::{Block, words};
 use super::{Certificate, Omission, VERSION};
+use crate::audit::Word;
 use crate::shipped::{Early, ProjectAudit, Reading, ShippedFinding, Verdict};
 
 /// How fine the checker's enclosures have to be, beyond what the digits of a type ask for.
@@ -77,7 +78,7 @@ fn block(finding: &ShippedFinding<'_>) -> Block {
         let at: String = at.collect();
         block.line(format!("cell {at}\"{text}\" {}", verdict(cell.verdict)));
     }
-    block.line(format!("outcome {}", finding.outcome.name()));
+    block.line(format!("outcome {}", finding.outcome.word()));
     block
 }
 
@@ -100,6 +101,6 @@ fn verdict(verdict: Verdict) -> String {
         Verdict::Ulps(units) => format!("ulps {units}"),
         Verdict::Misprint(slip) => format!("misprint {}", slip.name()),
         Verdict::Refuted(agree) => format!("refuted {agree}"),
-        Verdict::Open => "open".to_owned(),
+        Verdict::Open => Word::Open.into(),
     }
 }

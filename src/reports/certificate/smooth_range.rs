@@ -3,7 +3,7 @@
 use super::block::Block;
 use super::limits::radius;
 use super::parametric::pieces;
-use crate::audit::{RangeOfLimits, SmoothnessVerdict};
+use crate::audit::{RangeOfLimits, SmoothnessVerdict, Word};
 use crate::claim::SmoothRangeStatement;
 
 pub(super) fn lines(
@@ -24,7 +24,7 @@ pub(super) fn lines(
                 block.line(format!("shifts {}", g.join(" ")));
             }
             pieces(block, &contraction.below, &contraction.above);
-            block.line("confirmed");
+            block.line(Word::Confirmed);
         }
         (SmoothnessVerdict::Confirmed, ..) if said.only => {
             block.give_up("that the limits are less smooth for all other values is not certified");
@@ -46,7 +46,7 @@ pub(super) fn lines(
                     );
                 }
             }
-            block.line("refuted");
+            block.line(Word::Refuted);
         }
         (SmoothnessVerdict::RoundedEnds, ..) => {
             block.give_up("that a range is right up to rounding is not certified");

@@ -91,11 +91,6 @@ fn of_limits(
     verdict: SmoothnessVerdict,
 ) {
     let Some(lines) = radius(block, known) else { return };
-    let said = match verdict {
-        SmoothnessVerdict::Rounding(Direction::Cut) => "rounding cut",
-        SmoothnessVerdict::Rounding(_) => "rounding away",
-        other => other.name(),
-    };
     let shown = match statement {
         SmoothnessStatement::Continuity { continuous, not_continuous, .. } => {
             let [yes, no] = [continuous, not_continuous].map(|m| {
@@ -106,14 +101,14 @@ fn of_limits(
             });
             let refuted = yes.is_some_and(|(_, fails)| fails) || no.is_some_and(|(holds, _)| holds);
             let confirmed = yes.is_none_or(|(holds, _)| holds) && no.is_none_or(|(_, fails)| fails);
-            if refuted { Some("refuted") } else { confirmed.then_some("confirmed") }
+            judged(refuted, confirmed)
         }
         SmoothnessStatement::Exponent { exponent, attained } => {
             let arity = known.mask.arity();
             let found = Exponent::of(&lines, arity).judged(exponent);
             let diverges = lines.not_continuous == Some(0);
-            let found = if diverges { Some("refuted") } else { found };
-            found.filter(|found| attained.is_none() || *found == "refuted")
+            let found = if diverges { Some(SmoothnessVerdict::Refuted) } else { found };
+            found.filter(|found| attained.is_none() || *found == SmoothnessVerdict::Refuted)
         }
         SmoothnessStatement::Range(_) => None,
     };
@@ -122,7 +117,7 @@ fn of_limits(
     {
         block.give_up("logarithms to another base than the arity are not certified");
     }
-    if shown != Some(said) {
+    if shown != Some(verdict) {
         let attained = matches!(statement, SmoothnessStatement::Exponent { attained: Some(_), .. });
         block.give_up(if attained {
             "whether an exponent is attained is not certified"
@@ -130,7 +125,16 @@ fn of_limits(
             NOT_SHOWN
         });
     }
-    block.line(said);
+    block.line(match verdict {
+        SmoothnessVerdict::Rounding(Direction::Cut) => "rounding cut".to_owned(),
+        SmoothnessVerdict::Rounding(_) => "rounding away".to_owned(),
+        other => other.word().into(),
+    });
+}
+
+fn judged(refuted: bool, confirmed: bool) -> Option<SmoothnessVerdict> {
+    let confirmed = confirmed.then_some(SmoothnessVerdict::Confirmed);
+    if refuted { Some(SmoothnessVerdict::Refuted) } else { confirmed }
 }
 
 /// The bases of the logarithms of a printed exponent.
@@ -174,13 +178,13 @@ impl Exponent {
         order == Some(Ordering::Less) || !strictly && order == Some(Ordering::Equal)
     }
 
-    fn judged(&self, statement: &ExponentStatement) -> Option<&'static str> {
+    fn judged(&self, statement: &ExponentStatement) -> Option<SmoothnessVerdict> {
         let bounds = |low: Option<&PrintedExponent>, high: Option<&PrintedExponent>| {
             let refuted = low.is_some_and(|value| self.at_most(&value.value, true))
                 || high.is_some_and(|value| self.at_least(&value.value, true));
             let confirmed = low.is_none_or(|value| self.at_least(&value.value, false))
                 && high.is_none_or(|value| self.at_most(&value.value, false));
-            if refuted { Some("refuted") } else { confirmed.then_some("confirmed") }
+            judged(refuted, confirmed)
         };
         match statement {
             ExponentStatement::Value(value) => bounds(Some(value), Some(value)),
@@ -191,20 +195,20 @@ impl Exponent {
         }
     }
 
-    fn rounded(&self, decimal: &Decimal) -> Option<&'static str> {
+    fn rounded(&self, decimal: &Decimal) -> Option<SmoothnessVerdict> {
         let half = decimal.unit() / Rational::from(2);
         let place = |halves: i64| LogSum::from(decimal.value() + &half * Rational::from(halves));
         let between = |low, high, strictly| {
             self.at_least(&place(low), strictly) && self.at_most(&place(high), strictly)
         };
         if self.at_least(&place(2), false) || self.at_most(&place(-2), false) {
-            Some("refuted")
+            Some(SmoothnessVerdict::Refuted)
         } else if between(-1, 1, false) {
-            Some("confirmed")
+            Some(SmoothnessVerdict::Confirmed)
         } else if between(1, 2, true) {
-            Some("rounding cut")
+            Some(SmoothnessVerdict::Rounding(Direction::Cut))
         } else {
-            between(-2, -1, true).then_some("rounding away")
+            between(-2, -1, true).then_some(SmoothnessVerdict::Rounding(Direction::Away))
         }
     }
 }

@@ -5,7 +5,7 @@ use super::reading::Readings;
 use super::{constant, family, promise};
 use crate::audit::{
     CellFinding, CellKind, Direction, Missing, RecoveredFrom, Search, Slip, SoundCell,
-    TableFinding, Verdict, evidence, promise_evidence, readings,
+    TableFinding, Verdict, Word, evidence, promise_evidence, readings,
 };
 use crate::claim::{Cell, Paper, Promise};
 
@@ -136,20 +136,20 @@ fn verdict(
         Ok::<String, String>(format!("other-reading {}{rounding}{slip}{by}", closed(&read.value)))
     };
     Ok(match verdict {
-        Verdict::Confirmed => "confirmed".to_owned(),
+        Verdict::Confirmed => Word::Confirmed.into(),
         Verdict::Rounding(direction) => format!("rounding {}", way(*direction)),
         Verdict::Misprint(slip) if cell.as_read.is_some() => read(Some(slip))?,
         Verdict::Misprint(slip) => format!("misprint {}", name(slip)),
         Verdict::OtherReading => read(None)?,
         Verdict::Reproduced => match &cell.as_read {
-            None => "reproduced".to_owned(),
+            None => Word::Reproduced.into(),
             Some(read) => {
                 let (_, by) = readings.by(read, None, at)?;
                 format!("reproduced {}{by}", closed(&read.value))
             }
         },
         Verdict::Refuted if cell.verdict_if_assumed.is_some() => "differs".to_owned(),
-        Verdict::Refuted => "refuted".to_owned(),
+        Verdict::Refuted => Word::Refuted.into(),
         Verdict::NotCheckable(_) if cell.unknown.is_some() => "unknown".to_owned(),
         Verdict::NotCheckable(Missing::Capacity(cap)) => return Err(cap.to_string()),
         Verdict::NotCheckable(missing) => return Err(format!("a cell is not judged: {missing}")),

@@ -6,7 +6,7 @@ use super::promise::{flows, later};
 use super::witness::{attained, list, unshiftable};
 use crate::audit::{
     EveryShift, LevelEvidence, Levels, Naturally, Refutation, TheoremFinding, TheoremVerdict,
-    Violation, theorem_evidence,
+    Violation, Word, theorem_evidence,
 };
 use crate::claim::{Paper, Statement, Theorem};
 use crate::exact::{Rational, RealCyclotomic};
@@ -30,9 +30,9 @@ pub(super) fn block(paper: &Paper, finding: &TheoremFinding<'_>) -> Block {
             restate(&mut block, theorem);
             let word = if hand.refutes { "refuted-by" } else { "proved-by" };
             block.restate(word, &hand.text);
-            block.line(finding.verdict.name());
+            block.line(finding.verdict.word());
         }
-        _ if finding.verdict == TheoremVerdict::Open => block.line("open"),
+        _ if finding.verdict == TheoremVerdict::Open => block.line(Word::Open),
         _ => {
             restate(&mut block, theorem);
             match &finding.levels {
@@ -74,7 +74,7 @@ fn proved(block: &mut Block, theorem: &Theorem, levels: &Levels) {
             }
         }
     }
-    block.line("proved");
+    block.line(Word::Proved);
 }
 
 fn restate(block: &mut Block, theorem: &Theorem) {
@@ -106,7 +106,7 @@ fn refuted(block: &mut Block, theorem: &Theorem, refutation: &Refutation) {
         }
         unshiftable(block, data);
     }
-    block.line("refuted");
+    block.line(Word::Refuted);
 }
 
 fn case(block: &mut Block, (scheme, values): (&str, &[(String, Rational)])) {

@@ -1,7 +1,7 @@
 //! Surfaces at a vertex or on a face: the eigenvalue, and the signs of the Jacobian.
 
 use super::block::Block;
-use crate::audit::{RangeAtValence, SmoothnessVerdict, Vertices};
+use crate::audit::{RangeAtValence, SmoothnessVerdict, Vertices, Word};
 use crate::characteristic::{Refutation, Second, Verdict, Vertex};
 use crate::claim::SmoothRangeStatement;
 use crate::exact::{Enclosed as _, Integer, Rational, RealExpression};
@@ -22,7 +22,7 @@ pub(super) fn lines(
 ) {
     if found.all.is_some() {
         block.line("proved-by THEOREMS 135");
-        block.line("confirmed");
+        block.line(Word::Confirmed);
         return;
     }
     let [continuous, not_continuous] = orders;
@@ -47,7 +47,7 @@ pub(super) fn lines(
             block.give_up(why);
         }
     }
-    block.line(if refuted { "refuted" } else { "confirmed" });
+    block.line(if refuted { Word::Refuted } else { Word::Confirmed });
 }
 
 /// The lines about a range that a value refutes.
@@ -72,7 +72,7 @@ pub(super) fn range_lines(
             if let Err(why) = of_vertex(block, &witness.vertex) {
                 block.give_up(why);
             }
-            block.line("refuted");
+            block.line(Word::Refuted);
         }
         (SmoothnessVerdict::Refuted, None) => {
             block.give_up("there is no rational value that refutes it");

@@ -6,13 +6,13 @@ use super::function;
 use super::headers;
 use super::kernel;
 use super::overview::overview;
-use super::parts::{mark, titled};
+use super::parts::titled;
 use super::promise;
 use super::reading;
 use super::sheet::{Grid, Sheet};
 use super::smoothness;
 use super::theorem;
-use crate::audit::{CellFinding, Direction, PaperAudit, TableFinding, Verdict};
+use crate::audit::{CellFinding, Direction, PaperAudit, TableFinding, Verdict, Word};
 use crate::exact::{Rational, format::short};
 
 /// The most single cells or cases that a list names.
@@ -125,8 +125,8 @@ fn cell_text(cell: &CellFinding) -> String {
     // A cell that another reading reproduces gets a second mark: the value below it is that of the
     // printed definition.
     let otherwise = cell.verdict == Verdict::Reproduced && cell.as_read.is_some();
-    let otherwise = if otherwise { mark("other-reading") } else { "" };
-    let mut lines = vec![format!("{printed} {}{otherwise}", mark(cell.verdict.name()))];
+    let otherwise = if otherwise { Word::OtherReading.mark() } else { "" };
+    let mut lines = vec![format!("{printed} {}{otherwise}", cell.verdict.word().mark())];
     if cell.verdict != Verdict::Confirmed {
         match (&cell.exact, &cell.undefined) {
             (Some(exact), _) => lines.push(short(exact, digits_beside(cell))),
@@ -149,18 +149,18 @@ fn digits_beside(cell: &CellFinding) -> u32 {
 /// assumptions, how many promises are kept, and what Coq checks.
 pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     let mut lines = Vec::new();
-    let listed = |name: &str, what: &dyn Fn(&CellFinding) -> Option<String>| {
+    let listed = |word: Word, what: &dyn Fn(&CellFinding) -> Option<String>| {
         let mut all: Vec<String> = cells(finding).filter_map(what).collect();
         let more = all.len().saturating_sub(MAX_LISTED);
         all.truncate(MAX_LISTED);
         let more = if more > 0 { format!("; and {more} more") } else { String::new() };
-        (!all.is_empty()).then(|| format!("{} {name}: {}{more}.", mark(name), all.join("; ")))
+        (!all.is_empty()).then(|| format!("{} {word}: {}{more}.", word.mark(), all.join("; ")))
     };
-    lines.extend(listed("misprint", &|cell| match &cell.verdict {
+    lines.extend(listed(Word::Misprint, &|cell| match &cell.verdict {
         Verdict::Misprint(slip) => Some(format!("{} ({slip})", cell.printed.as_deref()?)),
         _ => None,
     }));
-    lines.extend(listed("rounding", &|cell| match &cell.verdict {
+    lines.extend(listed(Word::Rounding, &|cell| match &cell.verdict {
         Verdict::Rounding(direction) => Some(format!("{} ({direction})", cell.printed.as_deref()?)),
         _ => None,
     }));

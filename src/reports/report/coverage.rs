@@ -1,7 +1,6 @@
 //! The numbered items of papers, the claims about them, and what Coq checks.
 
 use super::kernel;
-use super::parts::mark;
 use super::sheet::{Grid, Sheet};
 use crate::audit::{ClaimVerdict, Coverage, CoverageState, PaperAudit};
 
@@ -67,9 +66,9 @@ fn what(coverage: &Coverage<'_>) -> String {
 fn verdict(claim: &ClaimVerdict<'_>) -> String {
     let mut verdicts = claim.verdicts.iter();
     if let (Some((verdict, 1)), None) = (verdicts.next(), verdicts.next()) {
-        return format!("{} {} {verdict}", mark(verdict), claim.id);
+        return format!("{} {} {verdict}", verdict.mark(), claim.id);
     }
     let counts = claim.verdicts.iter();
-    let counts = counts.map(|(verdict, count)| format!("{} {count} {verdict}", mark(verdict)));
+    let counts = counts.map(|(verdict, count)| format!("{} {count} {verdict}", verdict.mark()));
     format!("{}: {}", claim.id, counts.collect::<Vec<String>>().join(", "))
 }

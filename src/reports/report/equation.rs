@@ -1,7 +1,7 @@
 //! The report of equations.
 
 use super::function::beyond;
-use super::parts::{mark, titled};
+use super::parts::titled;
 use super::sheet::Sheet;
 use crate::audit::{EquationFinding, EquationVerdict};
 use crate::claim::{EquationBody, Identity, Index, Left};
@@ -18,7 +18,7 @@ pub(super) fn equations(sheet: &mut Sheet, findings: &[EquationFinding<'_>], all
     }
     sheet.heading(2, "Equations");
     let fact = |finding: &EquationFinding<'_>| {
-        let mark = mark(finding.verdict.name());
+        let mark = finding.verdict.word().mark();
         let equation = finding.equation;
         let lines = [titled(&[&equation.title, &equation.id]), outcome(finding)].join("\n");
         (format!("{mark} {}", equation.locus), lines)

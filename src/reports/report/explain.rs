@@ -6,7 +6,7 @@ use super::eye::{self, Eye};
 use super::function;
 use super::headers;
 use super::kernel;
-use super::parts::{definitions, mark};
+use super::parts::definitions;
 use super::promise;
 use super::reading;
 use super::sheet::Sheet;
@@ -60,7 +60,7 @@ pub fn explain_sheet(
         if let EquationBody::Identity(identity) = &equation.body {
             sheet.facts(sides(identity));
         }
-        sheet.text(format!("{} {}", mark(finding.verdict.name()), outcome(finding)));
+        sheet.text(format!("{} {}", finding.verdict.word().mark(), outcome(finding)));
         if let EquationVerdict::Fails { failures, .. } = &finding.verdict {
             let fact = |failure: &Failure| {
                 let sides = format!("left  = {}\nright = {}", failure.left, failure.right);
@@ -209,5 +209,5 @@ fn verdict_text(verdict: &Verdict) -> String {
         Verdict::NotCheckable(missing) => format!(": {missing}"),
         _ => String::new(),
     };
-    format!("{} {}{reason}", mark(verdict.name()), verdict.name())
+    format!("{} {}{reason}", verdict.word().mark(), verdict.word())
 }

@@ -2,6 +2,7 @@
 
 use super::parts::is_mark;
 use super::sheet::Grid;
+use crate::audit::Word;
 use crate::diagnostic::wrap::fill;
 pub use crate::diagnostic::wrap::{width_of, wrapped};
 
@@ -35,7 +36,8 @@ fn words(line: &str) -> Vec<String> {
             }
             _ => words.push((*piece).to_owned()),
         }
-        open = is_mark(piece);
+        // Within a line `=` is the sign of an equation.
+        open = is_mark(piece) && (i == 0 || *piece != Word::Reproduced.mark());
     }
     words
 }

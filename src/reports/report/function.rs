@@ -1,10 +1,10 @@
 //! Findings about a free parameter.
 
-use super::parts::{definitions, mark, titled};
+use super::parts::{definitions, titled};
 use super::sheet::Sheet;
 use crate::audit::{
     EndFinding, EndRelation, FoundRange, FunctionFinding, FunctionVerdict, PaperAudit,
-    RangeFinding, RangeVerdict,
+    RangeFinding, RangeVerdict, Word,
 };
 use crate::exact::format::short;
 
@@ -16,16 +16,15 @@ pub(super) fn sections(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
         let claim = finding.claim;
         let title = titled(&[&claim.title, &claim.id]);
         let lines = lines(title, function_outcome(finding), claim.note.as_deref());
-        (format!("{} {}", mark(finding.verdict.name()), claim.locus), lines)
+        (format!("{} {}", finding.verdict.word().mark(), claim.locus), lines)
     });
     section(sheet, "Functions of a parameter", facts.collect());
-    let wrong =
-        |finding: &&RangeFinding<'_>| all || finding.verdict() != RangeVerdict::Exact.name();
+    let wrong = |finding: &&RangeFinding<'_>| all || finding.verdict() != Word::Exact;
     let facts = audit.ranges.iter().filter(wrong).map(|finding| {
         let claim = finding.claim;
         let title = titled(&[&claim.title, &claim.id]);
         let lines = lines(title, range_outcome(finding), claim.note.as_deref());
-        (format!("{} {}", mark(finding.verdict()), claim.locus), lines)
+        (format!("{} {}", finding.verdict().mark(), claim.locus), lines)
     });
     section(sheet, "Parameter ranges", facts.collect());
 }
@@ -57,7 +56,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
         facts.push(("left".to_owned(), claim.left.text.clone()));
         facts.push(("right".to_owned(), claim.right.text.clone()));
         facts.extend(definitions(audit, &claim.left));
-        facts.push((verdict(finding.verdict.name()), function_outcome(finding).join("\n")));
+        facts.push((verdict(finding.verdict.word()), function_outcome(finding).join("\n")));
         facts.extend(claim.note.clone().map(|note| ("note".to_owned(), note)));
         sheet.facts(facts);
         return Some(sheet);
@@ -77,8 +76,8 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     Some(sheet)
 }
 
-fn verdict(name: &str) -> String {
-    format!("{} {name}", mark(name))
+fn verdict(word: Word) -> String {
+    format!("{} {word}", word.mark())
 }
 
 pub(super) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {

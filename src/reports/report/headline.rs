@@ -1,6 +1,6 @@
 //! The findings of an audit, in a few sentences for each paper.
 
-use crate::audit::{CellFinding, PaperAudit, PromiseCounts, UnstatedOffset, Verdict};
+use crate::audit::{CellFinding, PaperAudit, PromiseCounts, Tally, UnstatedOffset, Verdict, Word};
 use crate::bound::BetterOffset;
 use crate::exact::format::short;
 use crate::report::reading::capital;
@@ -13,7 +13,7 @@ const MAX_PLACES: usize = 3;
 const MAX_PLACE_WORDS: usize = 12;
 
 /// The verdicts of cells that are not what the paper's own definition gives.
-const WRONG_CELLS: [&str; 3] = ["refuted", "misprint", "other-reading"];
+const WRONG_CELLS: [Word; 3] = [Word::Refuted, Word::Misprint, Word::OtherReading];
 
 /// What matters most in one sentence of up to 25 words, and then the counts: of the cells of a paper, of their
 /// promises, and of the other claims.
@@ -65,7 +65,7 @@ fn first(audit: &PaperAudit<'_>) -> (About, String) {
         };
         return (About::Promises, format!("{said}: {broken} of {}.", audit.promise_counts().all()));
     }
-    let wrong = |cell: &&CellFinding| WRONG_CELLS.contains(&cell.verdict.name());
+    let wrong = |cell: &&CellFinding| WRONG_CELLS.contains(&cell.verdict.word());
     let cells = || audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
     let count = cells().filter(wrong).count();
     if count > 0 {
@@ -84,7 +84,7 @@ fn first(audit: &PaperAudit<'_>) -> (About, String) {
     }
     if let Some(kind) = kinds(audit).into_iter().find(|kind| kind.wrong() > 0) {
         let claims = audit.claims();
-        let wrong = claims.iter().filter(|claim| claim.verdicts.contains_key(kind.verdict));
+        let wrong = claims.iter().filter(|claim| claim.verdicts.of(kind.verdict) > 0);
         let wrong = wrong.filter(|claim| (kind.is_one)(audit, claim.id));
         let places = places(wrong.map(|claim| claim.locus), kind.one);
         let is = kind.words[usize::from(kind.wrong() != 1)];
@@ -135,18 +135,18 @@ fn cells(audit: &PaperAudit<'_>) -> Vec<String> {
     let lost = all().count() - printed.len();
     let mut sentences = Vec::new();
     if !printed.is_empty() {
-        let count = |name: &str| printed.iter().filter(|cell| cell.verdict.name() == name).count();
+        let counts: Tally = printed.iter().map(|cell| cell.verdict.word()).collect();
         let mut parts = Vec::new();
-        for (name, said) in [
-            ("confirmed", "confirmed"),
-            ("reproduced", "reproduced"),
-            ("rounding", "rounded otherwise"),
-            ("other-reading", "given by another reading"),
-            ("misprint", "a slip away"),
-            ("refuted", "refuted"),
-            ("not-checkable", "not checkable"),
+        for (word, said) in [
+            (Word::Confirmed, "confirmed"),
+            (Word::Reproduced, "reproduced"),
+            (Word::Rounding, "rounded otherwise"),
+            (Word::OtherReading, "given by another reading"),
+            (Word::Misprint, "a slip away"),
+            (Word::Refuted, "refuted"),
+            (Word::NotCheckable, "not checkable"),
         ] {
-            parts.extend(Some((count(name), said)).filter(|(count, _)| *count > 0));
+            parts.extend(Some((counts.of(word), said)).filter(|(count, _)| *count > 0));
         }
         // The largest part comes first.
         parts.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
@@ -166,7 +166,7 @@ fn cells(audit: &PaperAudit<'_>) -> Vec<String> {
         let read = printed
             .iter()
             .filter(|cell| cell.verdict == Verdict::Reproduced && cell.as_read.is_some());
-        match (read.count(), count("reproduced")) {
+        match (read.count(), counts.of(Word::Reproduced)) {
             (0, _) => {}
             (read, all) if read == all => sentences.push(match all {
                 1 => "This one takes another reading too.".to_owned(),
@@ -257,11 +257,11 @@ fn open_promises(audit: &PaperAudit<'_>) -> Option<String> {
 
 /// A kind of claim other than cells.
 struct Kind {
-    counts: BTreeMap<&'static str, usize>,
+    counts: Tally,
     several: &'static str,
     one: &'static str,
     /// The verdict of a wrong claim.
-    verdict: &'static str,
+    verdict: Word,
     /// The words for it in the singular and in the plural.
     words: [&'static str; 2],
     /// Whether the claim of this id is of this kind.
@@ -270,11 +270,11 @@ struct Kind {
 
 impl Kind {
     fn all(&self) -> usize {
-        self.counts.values().sum()
+        self.counts.total()
     }
 
     fn wrong(&self) -> usize {
-        self.counts.get(self.verdict).copied().unwrap_or(0)
+        self.counts.of(self.verdict)
     }
 }
 
@@ -285,7 +285,7 @@ fn kinds(audit: &PaperAudit<'_>) -> Vec<Kind> {
             counts: audit.theorem_counts(),
             several: "theorems",
             one: "theorem",
-            verdict: "refuted",
+            verdict: Word::Refuted,
             words: ["is refuted", "are refuted"],
             is_one: |audit, id| audit.theorems.iter().any(|found| found.theorem.id == id),
         },
@@ -293,7 +293,7 @@ fn kinds(audit: &PaperAudit<'_>) -> Vec<Kind> {
             counts: audit.smoothness_counts(),
             several: "statements about smoothness",
             one: "statement",
-            verdict: "refuted",
+            verdict: Word::Refuted,
             words: ["is refuted", "are refuted"],
             is_one: |audit, id| audit.smoothness.iter().any(|found| found.claim.id == id),
         },
@@ -301,7 +301,7 @@ fn kinds(audit: &PaperAudit<'_>) -> Vec<Kind> {
             counts: audit.equation_counts(),
             several: "equations",
             one: "equation",
-            verdict: "fails",
+            verdict: Word::Fails,
             words: ["fails", "fail"],
             is_one: |audit, id| {
                 audit.equations.iter().any(|found| found.equation.id == id)
@@ -312,7 +312,7 @@ fn kinds(audit: &PaperAudit<'_>) -> Vec<Kind> {
             counts: audit.range_counts(),
             several: "ranges",
             one: "range",
-            verdict: "inexact",
+            verdict: Word::Inexact,
             words: ["is wrong", "are wrong"],
             is_one: |audit, id| audit.ranges.iter().any(|found| found.claim.id == id),
         },

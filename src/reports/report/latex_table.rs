@@ -2,7 +2,7 @@
 
 use super::errata::cells::correct;
 use super::latex::escape;
-use crate::audit::{CellFinding, Sound, TableFinding};
+use crate::audit::{CellFinding, Sound, TableFinding, Verdict};
 use crate::claim::Cell;
 use crate::exact::{Rational, RealCyclotomic, format::short};
 use std::fmt::Write as _;
@@ -88,8 +88,8 @@ pub fn corrected_table(finding: &TableFinding<'_>) -> String {
 fn corrected(cell: &CellFinding, printed: &Cell, promises: bool) -> Corrected {
     let Some(number) = printed.printed() else { return Corrected::Lost };
     let text = number.text.clone();
-    let is_right = ["confirmed", "reproduced"].contains(&cell.verdict.name());
-    let exact = cell.exact.as_ref().filter(|_| cell.verdict.name() != "not-checkable");
+    let is_right = matches!(cell.verdict, Verdict::Confirmed | Verdict::Reproduced);
+    let exact = cell.exact.as_ref().filter(|_| !matches!(cell.verdict, Verdict::NotCheckable(_)));
     match exact {
         None => Corrected::Open(text),
         Some(_) if is_right && (!promises || cell.keeps_promise() == Some(true)) => {

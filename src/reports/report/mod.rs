@@ -45,7 +45,6 @@ pub use explain::{Background, explain_sheet, table_of};
 pub use eye::{Eye, to_the_eye};
 pub use latex_table::corrected_table;
 pub use overview::overview_sheet;
-pub use parts::mark;
 pub use set::interval_texts;
 pub use sheet::{Block, Grid, Sheet};
 pub use shipped::{finding_sheet, headline as shipped_headline, issue_sheet, projects_sheet};

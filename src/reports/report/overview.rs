@@ -1,19 +1,14 @@
 //! The head of an audit's report: the counts of each paper's claims.
 
 use super::headline::headline;
-use super::parts::mark;
 use super::sheet::{Grid, Sheet};
-use crate::audit::{PaperAudit, Verdict};
-use std::collections::BTreeMap;
+use crate::audit::{PaperAudit, Tally, Word};
 
 /// The text in place of a count of 0.
 const NONE: &str = "·";
 
-/// How many findings have each verdict.
-type Counts = BTreeMap<&'static str, usize>;
-
 /// A kind of claim other than cells: its heading, and its counts in a paper.
-type Kind = (&'static str, fn(&PaperAudit<'_>) -> Counts);
+type Kind = (&'static str, fn(&PaperAudit<'_>) -> Tally);
 
 const KINDS: [Kind; 5] = [
     ("promises\n✓ kept ✗ broken ? open", promises),
@@ -40,7 +35,7 @@ pub(super) fn overview(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
     if audits.iter().any(|audit| !audit.tables.is_empty()) {
         sheet.grid(cells(audits));
     }
-    let stated = |kind: &&Kind| audits.iter().any(|audit| !kind.1(audit).is_empty());
+    let stated = |kind: &&Kind| audits.iter().any(|audit| kind.1(audit).total() > 0);
     let kinds: Vec<&Kind> = KINDS.iter().filter(stated).collect();
     if !kinds.is_empty() {
         sheet.grid(others(audits, &kinds));
@@ -49,20 +44,24 @@ pub(super) fn overview(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
 
 fn cells(audits: &[PaperAudit<'_>]) -> Grid {
     let header = ["paper", "cells\n(+ lost)"].map(str::to_owned).into_iter();
-    let verdicts =
-        Verdict::NAMES.iter().map(|name| format!("{} {}", mark(name), name.replace('-', "-\n")));
+    let verdicts = Word::OF_CELLS
+        .iter()
+        .map(|word| format!("{} {}", word.mark(), word.name().replace('-', "-\n")));
     let rows = audits.iter().map(|audit| {
         let counts = audit.cell_counts();
         let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
         let lost = cells.filter(|cell| cell.printed.is_none()).count();
-        let printed = counts.values().sum::<usize>() - lost;
+        let printed = counts.total() - lost;
         let all = match (printed, lost) {
             (0, 0) => NONE.to_owned(),
             (printed, 0) => printed.to_string(),
             (printed, lost) => format!("{printed} + {lost}"),
         };
-        let count = |name| counts.get(name).map_or(NONE.to_owned(), usize::to_string);
-        let verdicts = Verdict::NAMES.iter().map(count);
+        let count = |word: Word| match counts.of(word) {
+            0 => NONE.to_owned(),
+            count => count.to_string(),
+        };
+        let verdicts = Word::OF_CELLS.map(count);
         [audit.paper.key.clone(), all].into_iter().chain(verdicts).collect()
     });
     Grid { header: header.chain(verdicts).collect(), rows: rows.collect(), left_columns: 1 }
@@ -81,17 +80,18 @@ fn others(audits: &[PaperAudit<'_>], kinds: &[&Kind]) -> Grid {
     }
 }
 
-fn promises(audit: &PaperAudit<'_>) -> Counts {
+fn promises(audit: &PaperAudit<'_>) -> Tally {
     let counts = audit.promise_counts();
-    let named = [("kept", counts.kept), ("broken", counts.broken), ("open", counts.open)];
-    named.into_iter().filter(|(_, count)| *count > 0).collect()
+    let named =
+        [(Word::Kept, counts.kept), (Word::Broken, counts.broken), (Word::Open, counts.open)];
+    named.into_iter().flat_map(|(word, count)| std::iter::repeat_n(word, count)).collect()
 }
 
 /// `55 ✓, 164 ✗, 1 ?`.
-fn tally(counts: &Counts) -> String {
+fn tally(counts: &Tally) -> String {
     let parts = ["✓", "≈", "✗", "?"].map(|sign| {
-        let count: usize =
-            counts.iter().filter(|(name, _)| mark(name) == sign).map(|(_, count)| count).sum();
+        let of_sign = counts.iter().filter(|(word, _)| word.mark() == sign);
+        let count: usize = of_sign.map(|(_, count)| count).sum();
         (count > 0).then(|| format!("{count} {sign}"))
     });
     let parts: Vec<String> = parts.into_iter().flatten().collect();

@@ -1,25 +1,11 @@
 //! Texts that several parts of a report share.
 
-use crate::audit::PaperAudit;
+use crate::audit::{PaperAudit, Word};
 use crate::formula::LocatedFormula;
-
-/// The mark of a verdict in a table.
-#[must_use]
-pub fn mark(verdict: &str) -> &'static str {
-    match verdict {
-        "confirmed" | "holds" | "exact" | "proved" | "kept" => "✓",
-        "reproduced" => "=",
-        "rounding" => "≈",
-        "misprint" => "±",
-        "other-reading" => "⇄",
-        "refuted" | "fails" | "inexact" | "broken" => "✗",
-        _ => "?",
-    }
-}
 
 /// Whether a word is the mark of a verdict.
 pub(super) fn is_mark(word: &str) -> bool {
-    matches!(word, "✓" | "≈" | "±" | "⇄" | "✗" | "?")
+    Word::ALL.iter().any(|verdict| verdict.mark() == word)
 }
 
 /// Joins parts by points and leaves out the empty ones, such as a claim's title and its id, by

@@ -1,7 +1,9 @@
 //! Whether printed bounds and depths keep their promise.
 
 use super::data::name;
-use crate::audit::{Broken, CellFinding, Control, Kept, Place, PromiseCounts, Sound, TableFinding};
+use crate::audit::{
+    Broken, CellFinding, Control, Kept, Place, PromiseCounts, Sound, TableFinding, Word,
+};
 use crate::claim::Promise;
 use crate::exact::format::short;
 
@@ -21,14 +23,14 @@ pub(super) fn count(counts: PromiseCounts) -> String {
 pub(super) fn line(cell: &CellFinding) -> Option<String> {
     let word = match cell.kept.as_ref()? {
         Kept::Yes => return None,
-        Kept::No(_) => "broken",
-        Kept::Open(_) => "open",
+        Kept::No(_) => Word::Broken,
+        Kept::Open(_) => Word::Open,
     };
     Some(match &cell.sound {
         Some(Sound::Depth { level, .. }) => format!("{word}, sound {level}"),
         Some(Sound::Least(level)) => format!("{word}, least {level}"),
         Some(Sound::Bound(bound)) => format!("{word}, sound {}", short(bound, 4)),
-        _ => word.to_owned(),
+        _ => word.into(),
     })
 }
 

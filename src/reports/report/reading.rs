@@ -1,9 +1,8 @@
 //! The report of what a search for readings has found.
 
-use super::parts::mark;
 use crate::audit::{
     CellFinding, Explanation, Fitting, Line, LineReading, MAX_DIFFERENCES, Recovered,
-    RecoveredFrom, Search, Slip, TableFinding, Verdict,
+    RecoveredFrom, Search, Slip, TableFinding, Verdict, Word,
 };
 use crate::claim::{Axis, Table};
 use crate::exact::{Rational, format::short};
@@ -28,9 +27,9 @@ pub(super) fn remark(search: &Search) -> String {
     let others = search.best[1..].iter().take(MAX_LISTED - 1);
     let others = others.map(|other| format!(" Or: {}.", named(other)));
     let mut text = if first.differences.is_empty() {
-        format!("{} As printed.", mark("reproduced"))
+        format!("{} As printed.", Word::Reproduced.mark())
     } else {
-        format!("{} Read otherwise: {}.", mark("other-reading"), first.differs())
+        format!("{} Read otherwise: {}.", Word::OtherReading.mark(), first.differs())
     };
     text.extend(others);
     text.push_str(" That explains ");
@@ -54,7 +53,7 @@ pub(super) fn line_remarks(table: &Table, search: &Search) -> Vec<String> {
     let remark = |line: &LineReading| {
         format!(
             "{} {}: {}. That explains {}",
-            mark(if line.shift == (0, 0) { "other-reading" } else { "misprint" }),
+            if line.shift == (0, 0) { Word::OtherReading } else { Word::Misprint }.mark(),
             capital(&place(table, line.line)),
             line_differs(line),
             line_strength(line)

@@ -1,6 +1,6 @@
 //! Tables of orders of smoothness and of exponents, in their own shape.
 
-use super::parts::{mark, titled};
+use super::parts::titled;
 use super::sheet::{Grid, Sheet};
 use crate::audit::{PaperAudit, SmoothnessFinding, SmoothnessVerdict};
 use crate::claim::RegularityTable;
@@ -61,7 +61,7 @@ pub(super) fn grid(sheet: &mut Sheet, Regularity { table, cells }: &Regularity<'
     let cell = |finding: Option<&SmoothnessFinding<'_>>| {
         finding.map_or_else(
             || "·".to_owned(),
-            |finding| format!("{} {}", printed(finding), mark(finding.verdict.name())),
+            |finding| format!("{} {}", printed(finding), finding.verdict.word().mark()),
         )
     };
     let row = |(header, cells): (&String, &Vec<Option<&SmoothnessFinding<'_>>>)| {

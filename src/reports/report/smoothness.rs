@@ -1,7 +1,7 @@
 //! Findings about the smoothness of limits.
 
 use super::function::beyond;
-use super::parts::{mark, titled};
+use super::parts::titled;
 use super::regularity;
 use super::set::set_text;
 use super::sheet::Sheet;
@@ -35,7 +35,7 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
         let states = statement(claim).map(|statement| format!("states: {statement}"));
         let lines = [title].into_iter().chain(states).chain(outcome(finding));
         let lines = lines.chain(claim.note.clone()).collect::<Vec<String>>().join("\n");
-        (format!("{} {}", mark(finding.verdict.name()), claim.locus), lines)
+        (format!("{} {}", finding.verdict.word().mark(), claim.locus), lines)
     });
     let facts: Vec<(String, String)> = facts.collect();
     if !facts.is_empty() {
@@ -72,8 +72,8 @@ fn in_full(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
     let mut facts = Vec::new();
     facts.extend(scheme(claim).map(|scheme| fact("scheme", scheme)));
     facts.extend(statement(claim).map(|statement| fact("states", statement)));
-    let name = finding.verdict.name();
-    facts.push((format!("{} {name}", mark(name)), outcome(finding).join("\n")));
+    let word = finding.verdict.word();
+    facts.push((format!("{} {word}", word.mark()), outcome(finding).join("\n")));
     facts.extend(details(finding));
     facts.extend(claim.note.clone().map(|note| fact("note", note)));
     facts

@@ -1,16 +1,15 @@
 //! The summary of the cells of a paper's tables, at the end of its report.
 
-use super::parts::mark;
 use super::sheet::Sheet;
-use crate::audit::{Cause, CellOutcome, CellSummary, PaperAudit, Standing};
+use crate::audit::{Cause, CellOutcome, CellStanding, CellSummary, PaperAudit, Word};
 
-const STANDINGS: [Standing; 6] = [
-    Standing::Confirmed,
-    Standing::Reproduced,
-    Standing::Explained,
-    Standing::Misprinted,
-    Standing::Refuted,
-    Standing::NotCheckable,
+const STANDINGS: [CellStanding; 6] = [
+    CellStanding::Confirmed,
+    CellStanding::Reproduced,
+    CellStanding::Explained,
+    CellStanding::Misprinted,
+    CellStanding::Refuted,
+    CellStanding::NotCheckable,
 ];
 
 /// The section that counts the cells, when there are any.
@@ -30,19 +29,20 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
     sheet.facts(facts);
 }
 
-pub(super) fn standing_mark(standing: Standing) -> &'static str {
-    mark(match standing {
-        Standing::Confirmed => "confirmed",
-        Standing::Reproduced => "reproduced",
-        Standing::Explained => "other-reading",
-        Standing::Misprinted => "misprint",
-        Standing::Refuted => "refuted",
-        Standing::NotCheckable => "not-checkable",
-    })
+pub(super) fn standing_mark(standing: CellStanding) -> &'static str {
+    match standing {
+        CellStanding::Confirmed => Word::Confirmed,
+        CellStanding::Reproduced => Word::Reproduced,
+        CellStanding::Explained => Word::OtherReading,
+        CellStanding::Misprinted => Word::Misprint,
+        CellStanding::Refuted => Word::Refuted,
+        CellStanding::NotCheckable => Word::NotCheckable,
+    }
+    .mark()
 }
 
 /// The number of cells of a standing, and then the number for each cause.
-fn lines(summary: &CellSummary, standing: Standing) -> Vec<String> {
+fn lines(summary: &CellSummary, standing: CellStanding) -> Vec<String> {
     let groups = || summary.groups.iter().filter(|group| group.outcome.standing == standing);
     let mut causes: Vec<&Option<Cause>> = groups().map(|group| &group.outcome.cause).collect();
     causes.sort_unstable();

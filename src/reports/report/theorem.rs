@@ -1,12 +1,12 @@
 //! Findings about theorems.
 
 use super::kernel::CHECKED;
-use super::parts::{definitions, mark, titled};
+use super::parts::{definitions, titled};
 use super::sheet::Sheet;
 use super::witness;
 use crate::audit::{
     ByHand, Correction, EveryShift, KernelProof, Naturally, Outcome, PaperAudit, Refutation,
-    TheoremFinding, TheoremVerdict, Unshiftable, Violation,
+    TheoremFinding, TheoremVerdict, Unshiftable, Violation, Word,
 };
 use crate::claim::Statement;
 use crate::exact::{RealCyclotomic, format::short};
@@ -21,7 +21,7 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
     }
     sheet.heading(2, "Theorems");
     let fact = |finding: &TheoremFinding<'_>| {
-        let name = format!("{} {}", mark(finding.verdict.name()), finding.theorem.locus);
+        let name = format!("{} {}", finding.verdict.word().mark(), finding.theorem.locus);
         let title = titled(&[&finding.theorem.title, &finding.theorem.id]);
         (name, format!("{title}\n{}", outcome(finding)))
     };
@@ -31,7 +31,7 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
 /// The verdict, its reason, the corrections that would save a false theorem, and the premises that
 /// fail.
 pub(super) fn outcome(finding: &TheoremFinding<'_>) -> String {
-    let name = finding.verdict.name();
+    let name = finding.verdict.word();
     let mut lines = match (&finding.refutation, &finding.proof) {
         (Some(refutation), _) => refuted(name, refutation, &finding.by_kernel),
         (None, Some(proof)) => vec![format!("{name} · {proof}")],
@@ -45,7 +45,7 @@ pub(super) fn outcome(finding: &TheoremFinding<'_>) -> String {
 
 /// The parametrisations in which a theorem is refuted, where every shift of the parameter comes
 /// first.
-fn refuted(name: &str, refutation: &Refutation, by_kernel: &[KernelProof]) -> Vec<String> {
+fn refuted(name: Word, refutation: &Refutation, by_kernel: &[KernelProof]) -> Vec<String> {
     let Refutation { case, violation, natural, every_shift, .. } = refutation;
     let Violation { level, attained, bound, .. } = violation;
     let checked = |proof| if by_kernel.contains(&proof) { CHECKED } else { "" };
@@ -182,7 +182,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str, hand: Option<&ByHand>) -
     if !theorem.rests.is_empty() {
         facts.push(("rests on".to_owned(), theorem.rests.join(", ")));
     }
-    let verdict = format!("{} {}", mark(finding.verdict.name()), outcome(finding));
+    let verdict = format!("{} {}", finding.verdict.word().mark(), outcome(finding));
     facts.push(("verdict".to_owned(), verdict));
     facts.extend(details(finding, hand));
     facts.extend(theorem.note.clone().map(|note| ("note".to_owned(), note)));

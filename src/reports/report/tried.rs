@@ -1,8 +1,7 @@
 //! The readings of a table that were tried, the best first.
 
-use super::parts::mark;
 use super::sheet::{Grid, Sheet};
-use crate::audit::{Explanation, TableFinding};
+use crate::audit::{Explanation, TableFinding, Word};
 use crate::exact::format::short;
 
 /// The order of the readings, in words.
@@ -64,11 +63,12 @@ pub(super) fn section(
         };
         let mut row = vec![differs];
         if let Some((row_place, column)) = at {
-            let name = if reading.explained[row_place][column] { "confirmed" } else { "refuted" };
+            let explained = reading.explained[row_place][column];
+            let verdict = if explained { Word::Confirmed } else { Word::Refuted };
             let value = reading.values[row_place][column].as_ref();
             let value = value.map_or_else(|| "no value".to_owned(), |value| short(value, 12));
             let luck = if finding.is_by_luck(reading, (row_place, column)) { LUCK } else { "" };
-            row.push(format!("{value} {}{luck}", mark(name)));
+            row.push(format!("{value} {}{luck}", verdict.mark()));
         }
         row.push(reading.count().to_string());
         row

@@ -10,13 +10,14 @@ pub use sharp::{Beyond, NotSharp};
 
 use crate::claim::{Printed, Promise};
 use crate::digest::cause::Cause;
-use crate::digest::summary::{CellOutcome, CellSummary, Standing};
+use crate::digest::summary::{CellOutcome, CellStanding, CellSummary};
 use crate::exact::Rounding;
 use crate::finding::{
     CellFinding, EquationFinding, EquationVerdict, FoundRange, FunctionFinding, FunctionVerdict,
     PaperAudit, RangeFinding, RangeVerdict, SmoothnessFinding, SmoothnessVerdict, TableFinding,
-    TheoremFinding,
+    TheoremFinding, TheoremVerdict,
 };
+use crate::verdict::Word;
 use std::collections::BTreeMap;
 
 /// The errata of a paper.
@@ -116,7 +117,8 @@ impl<'a> PaperAudit<'a> {
         });
         let smoothness = self.smoothness.iter();
         let smoothness = smoothness.filter(|finding| finding.verdict == SmoothnessVerdict::Refuted);
-        let theorems = self.theorems.iter().filter(|finding| finding.verdict.name() == "refuted");
+        let theorems =
+            self.theorems.iter().filter(|finding| finding.verdict == TheoremVerdict::Refuted);
         let subjects = tables
             .chain(equations.map(Subject::Equation))
             .chain(functions.map(Subject::Function))
@@ -163,18 +165,18 @@ impl<'a> Subject<'_, 'a> {
 }
 
 impl Subject<'_, '_> {
-    /// The name of its verdict; for cells, of the first cell's verdict.
+    /// The word for its verdict; for cells, of the first cell's verdict.
     #[must_use]
-    pub fn verdict(&self) -> &'static str {
+    pub fn verdict(&self) -> Word {
         match self {
             Subject::Cells(cells) => {
-                cells.findings().next().map_or("refuted", |cell| cell.verdict.name())
+                cells.findings().next().map_or(Word::Refuted, |cell| cell.verdict.word())
             }
-            Subject::Equation(finding) => finding.verdict.name(),
-            Subject::Function(finding) => finding.verdict.name(),
-            Subject::Range(_, found) => found.verdict.name(),
-            Subject::Smoothness(finding) => finding.verdict.name(),
-            Subject::Theorem(finding) => finding.verdict.name(),
+            Subject::Equation(finding) => finding.verdict.word(),
+            Subject::Function(finding) => finding.verdict.word(),
+            Subject::Range(_, found) => found.verdict.word(),
+            Subject::Smoothness(finding) => finding.verdict.word(),
+            Subject::Theorem(finding) => finding.verdict.word(),
         }
     }
 }
@@ -207,10 +209,10 @@ fn cell_errata<'e, 'a>(finding: &'e TableFinding<'a>) -> Vec<CellErratum<'e, 'a>
     let groups = grouped(finding, |cell, printed| {
         let CellOutcome { standing, cause } = cell.outcome();
         let as_defined = match standing {
-            Standing::NotCheckable => return None,
-            Standing::Confirmed => true,
-            Standing::Reproduced => has_digits(cell, printed),
-            Standing::Explained | Standing::Misprinted | Standing::Refuted => false,
+            CellStanding::NotCheckable => return None,
+            CellStanding::Confirmed => true,
+            CellStanding::Reproduced => has_digits(cell, printed),
+            CellStanding::Explained | CellStanding::Misprinted | CellStanding::Refuted => false,
         };
         let fails = cell.keeps_promise() == Some(false) || cell.may_break_promise();
         // Cells with the right digits need no reading as a cause.
@@ -232,7 +234,7 @@ fn has_digits(cell: &CellFinding, printed: Option<&Printed>) -> bool {
 fn unchecked<'e, 'a>(finding: &'e TableFinding<'a>) -> Vec<Unchecked<'e, 'a>> {
     let groups = grouped(finding, |cell, _| {
         let outcome = cell.outcome();
-        (outcome.standing == Standing::NotCheckable).then_some(outcome.cause)
+        (outcome.standing == CellStanding::NotCheckable).then_some(outcome.cause)
     });
     groups.into_iter().map(|(cause, cells)| Unchecked { finding, cause, cells }).collect()
 }

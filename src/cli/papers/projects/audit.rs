@@ -42,7 +42,7 @@ pub(in crate::cli) fn audit(
     }
     denied(&arguments.deny, |word| {
         let findings = audits.iter().flat_map(|audit| &audit.findings);
-        let has = |outcome: &Outcome| outcome.name() == word;
+        let has = |outcome: &Outcome| outcome.word().name() == word;
         let outcome = denies.iter().copied().find(has);
         let count = findings.filter(|finding| outcome.is_some_and(|one| finding.has(one))).count();
         (count, ["table", "tables"])
@@ -51,8 +51,8 @@ pub(in crate::cli) fn audit(
 
 /// The outcome that `--deny` names.
 fn outcome(word: &str) -> Result<Outcome, Failure> {
-    Outcome::ALL.into_iter().find(|outcome| outcome.name() == word).ok_or_else(|| {
-        let names: Vec<&str> = Outcome::ALL.iter().map(|outcome| outcome.name()).collect();
+    Outcome::ALL.into_iter().find(|outcome| outcome.word().name() == word).ok_or_else(|| {
+        let names: Vec<&str> = Outcome::ALL.iter().map(|outcome| outcome.word().name()).collect();
         Failure::Input(format!(
             "--deny {word}: of constants that programs ship, it takes {}",
             names.join(", ")

@@ -1,7 +1,8 @@
 //! Wrong cells, and those that could not be checked.
 
 use crate::audit::{
-    Cause, CellErratum, CellFinding, Errata, Sound, Standing, Subject, TableFinding, Verdict,
+    Cause, CellErratum, CellFinding, CellStanding, Errata, Sound, Subject, TableFinding, Verdict,
+    Word,
 };
 use crate::claim::{Printed, Table};
 use crate::exact::{
@@ -9,7 +10,6 @@ use crate::exact::{
     format::{fixed, scientific, short},
 };
 use crate::report::audit::{assumed, spelled_out};
-use crate::report::parts::mark;
 use crate::report::reading;
 use crate::report::sheet::{Grid, Sheet};
 use crate::report::summary::words;
@@ -39,15 +39,15 @@ pub(in crate::report) fn origin(cells: &CellErratum<'_, '_>) -> String {
         };
     }
     match cells.outcome.standing {
-        Standing::Reproduced => reproduced(cells),
-        Standing::Explained if cells.findings().any(|cell| cell.as_read.is_some()) => {
+        CellStanding::Reproduced => reproduced(cells),
+        CellStanding::Explained if cells.findings().any(|cell| cell.as_read.is_some()) => {
             let table = cells.finding.table;
             let evidence = |search| reading::evidence(table, search, &cells.findings());
             let evidence = cells.finding.searches().map(evidence).filter(|text| !text.is_empty());
             format!("read otherwise: {cause}\n{}", evidence.collect::<Vec<String>>().join("\n"))
         }
-        Standing::Confirmed | Standing::NotCheckable | Standing::Explained => cause,
-        Standing::Misprinted => {
+        CellStanding::Confirmed | CellStanding::NotCheckable | CellStanding::Explained => cause,
+        CellStanding::Misprinted => {
             let slip = |cell: &CellFinding| match &cell.verdict {
                 Verdict::Misprint(slip) => Some(format!("{} ({slip})", cell.printed.as_deref()?)),
                 _ => None,
@@ -55,7 +55,7 @@ pub(in crate::report) fn origin(cells: &CellErratum<'_, '_>) -> String {
             let slips: Vec<String> = cells.findings().filter_map(slip).collect();
             format!("slips, {cause}: {}", slips.join("; "))
         }
-        Standing::Refuted => {
+        CellStanding::Refuted => {
             let undefined = if cause.is_empty() { cause } else { format!(" no value: {cause}.") };
             // Only a cell that needs no assumption is refuted.
             let search = cells.finding.search.as_ref();
@@ -183,7 +183,7 @@ pub(super) fn unchecked(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
     for group in &errata.unchecked {
         let table = group.finding.table;
         let cause = group.cause.as_ref().map(Cause::to_string).unwrap_or_default();
-        sheet.heading(3, format!("{} · {} {cause}", table.locus, mark("not-checkable")));
+        sheet.heading(3, format!("{} · {} {cause}", table.locus, Word::NotCheckable.mark()));
         let value = spelled_out(errata.audit, &table.value.text);
         let mut facts = vec![
             ("said to equal".to_owned(), value),

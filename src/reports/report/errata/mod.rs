@@ -7,7 +7,6 @@ mod differences;
 pub use differences::differences_sheet;
 
 use super::headline::unstated_offsets;
-use super::parts::mark;
 use super::reading::capital;
 use super::sheet::{Block, Grid, Sheet};
 use super::{consistency, summary, theorem};
@@ -82,12 +81,12 @@ struct Entry {
 impl Entry {
     fn of(number: usize, erratum: &Erratum<'_, '_>) -> Entry {
         let subject = &erratum.subject;
-        let name = subject.verdict();
+        let word = subject.verdict();
         let name = match subject {
             Subject::Cells(cells) if cells.as_defined => {
                 "✗ a promise that is not kept, or not shown to be".to_owned()
             }
-            _ => format!("{} {name}", mark(name)),
+            _ => format!("{} {word}", word.mark()),
         };
         let (title, facts, origin) = match subject {
             Subject::Cells(cells) => (None, cells::facts(cells), cells::origin(cells)),
@@ -172,7 +171,7 @@ fn changes(subject: &Subject<'_, '_>, consequences: &Consequences<'_, '_>) -> St
     }
     if !consequences.theorems.is_empty() {
         let theorem = |finding: &&crate::audit::TheoremFinding<'_>| {
-            format!("{} ({})", finding.theorem.locus, finding.verdict.name())
+            format!("{} ({})", finding.theorem.locus, finding.verdict.word())
         };
         let theorems: Vec<String> = consequences.theorems.iter().map(theorem).collect();
         lines.push(format!("On it rest {}.", theorems.join("; ")));

@@ -23,7 +23,7 @@ pub(super) fn cell(
     cell: &CellFinding,
 ) -> Markup {
     let anchor = anchor(table, row, column);
-    let look = Look::of(cell.verdict.name());
+    let look = Look::of(cell.verdict.word());
     let broken = if is_broken(cell) { BROKEN } else { "" };
     let link = format!("#{anchor}");
     html! {
@@ -39,7 +39,7 @@ pub(super) fn cell(
                 (command::explain(context, &anchor))
             }
             a.open href=(link) {
-                (cell.printed.as_deref().unwrap_or("lost")) " " (badge(cell.verdict.name()))
+                (cell.printed.as_deref().unwrap_or("lost")) " " (badge(cell.verdict.word()))
                 @if is_broken(cell) {
                     span.flag aria-hidden="true" { "⚑" }
                     span.hidden { ", promise broken" }

@@ -9,7 +9,8 @@ use super::sheet::{facts, lines};
 use super::statement::{definitions, identity, quantity};
 use super::verdict::{Look, badge};
 use crate::audit::{
-    EquationFinding, FunctionFinding, RangeFinding, SmoothnessFinding, TheoremFinding, by_hand,
+    EquationFinding, FunctionFinding, RangeFinding, SmoothnessFinding, TheoremFinding, Word,
+    by_hand,
 };
 use crate::claim::{EquationBody, Quantity, Statement};
 use crate::diagnostic::Diagnostic;
@@ -22,7 +23,7 @@ struct Claim<'c> {
     id: &'c str,
     locus: &'c str,
     title: &'c str,
-    verdict: &'static str,
+    verdict: Word,
     note: Option<&'c str>,
 }
 
@@ -30,7 +31,7 @@ impl<'c> Claim<'c> {
     fn new(
         [id, locus, title]: [&'c String; 3],
         note: Option<&'c String>,
-        verdict: &'static str,
+        verdict: Word,
     ) -> Claim<'c> {
         Claim { id, locus, title, verdict, note: note.map(String::as_str) }
     }
@@ -39,9 +40,9 @@ impl<'c> Claim<'c> {
     fn section(&self, context: &Context<'_, '_>, contents: &Markup) -> Markup {
         let Claim { id, locus, title, verdict, note } = self;
         html! {
-            section.claim.(Look::of(verdict).class) id=(id) aria-labelledby={ "page:title-" (id) } {
+            section.claim.(Look::of(*verdict).class) id=(id) aria-labelledby={ "page:title-" (id) } {
                 h3 id={ "page:title-" (id) } {
-                    (badge(verdict)) " " a href={ "#" (id) } { (locus) } " " span.title { (title) }
+                    (badge(*verdict)) " " a href={ "#" (id) } { (locus) } " " span.title { (title) }
                 }
                 (contents)
                 @if let Some(note) = note { p.note { (lines(note)) } }
@@ -56,8 +57,8 @@ impl<'c> Claim<'c> {
 pub(super) fn equation(context: &Context<'_, '_>, finding: &EquationFinding<'_>) -> Markup {
     let own = finding.equation;
     // What fails or is not checkable says its note itself.
-    let verdict = finding.verdict.name();
-    let note = own.note.as_ref().filter(|_| verdict != "fails");
+    let verdict = finding.verdict.word();
+    let note = own.note.as_ref().filter(|_| verdict != Word::Fails);
     let claim = Claim::new([&own.id, &own.locus, &own.title], note, verdict);
     claim.section(
         context,
@@ -72,7 +73,7 @@ pub(super) fn equation(context: &Context<'_, '_>, finding: &EquationFinding<'_>)
 pub(super) fn function(context: &Context<'_, '_>, finding: &FunctionFinding<'_>) -> Markup {
     let own = finding.claim;
     let claim =
-        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.name());
+        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.word());
     claim.section(
         context,
         &html! {
@@ -113,7 +114,7 @@ pub(super) fn range(context: &Context<'_, '_>, finding: &RangeFinding<'_>) -> Ma
 pub(super) fn smoothness(context: &Context<'_, '_>, finding: &SmoothnessFinding<'_>) -> Markup {
     let own = finding.claim;
     let claim =
-        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.name());
+        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.word());
     let details = smoothness::details(finding);
     claim.section(
         context,
@@ -150,7 +151,7 @@ pub(super) fn theorem(
         picture::witness(&hand.refiner, &Exceeding::of_theorem(violation))
     });
     let claim =
-        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.name());
+        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.word());
     Ok(claim.section(
         context,
         &html! {

@@ -10,7 +10,7 @@ use super::picture::digits;
 use super::regularity as regularity_table;
 use super::sheet::blocks;
 use super::table;
-use crate::audit::{PaperAudit, SmoothnessVerdict, TableFinding};
+use crate::audit::{PaperAudit, SmoothnessVerdict, TableFinding, Verdict};
 use crate::diagnostic::Diagnostic;
 use crate::exact::format::short;
 use crate::report::explain::{Background, explain_sheet, table_of};
@@ -152,7 +152,8 @@ fn of_table(
     finding: &TableFinding<'_>,
 ) -> Result<Option<Shown>, Diagnostic> {
     let cells = || finding.cells.iter().flatten();
-    let good = cells().filter(|cell| ["confirmed", "reproduced"].contains(&cell.verdict.name()));
+    let good =
+        cells().filter(|cell| matches!(cell.verdict, Verdict::Confirmed | Verdict::Reproduced));
     let sentence = format!(
         "{} of the {} numbers of {} are as the printed definition gives them.",
         good.count(),
@@ -173,7 +174,7 @@ fn of_cell(
     };
     let printed = cell.printed.as_deref().unwrap_or("nothing that is left");
     let exact = cell.exact.as_ref().map(|exact| format!(", exactly {}", short(exact, DIGITS)));
-    let verdict = cell.verdict.name();
+    let verdict = cell.verdict.word();
     let sentence = format!("Printed {printed}{}: {verdict}.", exact.unwrap_or_default());
     let pictures = at.map(|at| broken_promise(context, finding, at)).transpose()?;
     let anchor = id.split_once(':').map_or(id, |(_, anchor)| anchor);

@@ -7,8 +7,8 @@ use maud::{Markup, html};
 /// How many cells and other claims have this look.
 fn count(audit: &PaperAudit<'_>, look: &Look) -> usize {
     let claims = audit.claims();
-    let verdicts = claims.iter().flat_map(|claim| &claim.verdicts);
-    verdicts.filter(|(name, _)| Look::of(name).class == look.class).map(|(_, count)| count).sum()
+    let verdicts = claims.iter().flat_map(|claim| claim.verdicts.iter());
+    verdicts.filter(|(word, _)| Look::of(*word).class == look.class).map(|(_, count)| count).sum()
 }
 
 /// Whether a printed number does not keep its promise.

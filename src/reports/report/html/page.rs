@@ -104,7 +104,7 @@ fn contents(audit: &PaperAudit<'_>) -> Markup {
                     @for claim in audit.claims() {
                         li {
                             @for look in &LOOKS {
-                                @if claim.verdicts.keys().any(|name| Look::of(name).class == look.class) {
+                                @if claim.verdicts.iter().any(|(word, _)| Look::of(word).class == look.class) {
                                     span class={ "sign " (look.class) } title=(look.says) { (look.sign()) }
                                 }
                             }

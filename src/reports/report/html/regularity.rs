@@ -40,7 +40,7 @@ pub(super) fn section(regularity: &Regularity<'_, '_>) -> Markup {
 
 fn cell(finding: Option<&SmoothnessFinding<'_>>) -> Markup {
     let Some(finding) = finding else { return html! { td { "·" } } };
-    let verdict = finding.verdict.name();
+    let verdict = finding.verdict.word();
     html! {
         td.cell.(Look::of(verdict).class) {
             a.leads href={ "#" (finding.claim.id) } { (printed(finding)) " " (badge(verdict)) }

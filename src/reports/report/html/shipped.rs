@@ -3,8 +3,9 @@
 use super::command::quoted;
 use super::document::document;
 use super::sheet::{blocks, facts, grid};
+use super::verdict::Look;
 use crate::report::sheet::Sheet;
-use crate::report::shipped::{counts, facts_of, headline, outcome_mark, rows, sentence, shown};
+use crate::report::shipped::{counts, facts_of, headline, rows, sentence, shown};
 use crate::shipped::{Outcome, Project, ProjectAudit, ShippedFinding};
 use maud::{Markup, html};
 
@@ -80,7 +81,7 @@ fn table(project: &Project, finding: &ShippedFinding<'_>) -> Markup {
     html! {
         section.claim id=(claim.id) {
             h3 {
-                span class={ "sign " (class(finding.outcome)) } { (outcome_mark(finding.outcome)) } " "
+                span class={ "sign " (class(finding.outcome)) } { (finding.outcome.word().mark()) } " "
                 a href={ "#" (claim.id) } { (claim.locus) } " " span.title { (claim.title) }
             }
             p { (headline(finding)) }
@@ -99,14 +100,7 @@ fn table(project: &Project, finding: &ShippedFinding<'_>) -> Markup {
 
 /// The class of an outcome, which has a colour.
 fn class(outcome: Outcome) -> &'static str {
-    match outcome {
-        Outcome::Nearest => "right",
-        Outcome::Cut | Outcome::Ulps => "rounding",
-        Outcome::Otherwise => "reading",
-        Outcome::Open => "open",
-        Outcome::Misprint => "misprint",
-        Outcome::Refuted => "wrong",
-    }
+    Look::of(outcome.word()).class
 }
 
 /// What the signs mean.
@@ -118,7 +112,7 @@ fn legend() -> Markup {
                 @for outcome in Outcome::ALL {
                     @if outcome != Outcome::Ulps {
                         li {
-                            span class={ "sign " (class(outcome)) } aria-hidden="true" { (outcome_mark(outcome)) } " "
+                            span class={ "sign " (class(outcome)) } aria-hidden="true" { (outcome.word().mark()) } " "
                             (crate::report::shipped::meaning(outcome))
                         }
                     }

@@ -88,7 +88,7 @@ fn grid(context: &Context<'_, '_>, finding: &TableFinding<'_>) -> Markup {
 fn tally(finding: &TableFinding<'_>) -> Markup {
     let cells = || finding.cells.iter().flatten();
     let count = |look: &Look| {
-        cells().filter(|cell| Look::of(cell.verdict.name()).class == look.class).count()
+        cells().filter(|cell| Look::of(cell.verdict.word()).class == look.class).count()
     };
     let broken = finding.promise_counts().broken;
     html! {

@@ -1,13 +1,13 @@
 //! An audit as JSON.
 
-use super::SCHEMA;
 use super::claim::Claim;
 use super::consistency::Contradiction;
 use super::offset::BetterOffset;
 use super::reading::Search;
 use super::recovered::{Fitting, Recovered};
 use super::summary::Summary;
-use crate::audit::{self, PaperAudit, PromiseCounts, TableFinding, Verdict};
+use super::{SCHEMA, counts};
+use crate::audit::{self, PaperAudit, PromiseCounts, TableFinding, Tally, Word};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -118,13 +118,11 @@ impl<'a> Paper<'a> {
         let claims = claims.chain(functions).chain(audit.ranges.iter().map(Claim::of_range));
         let claims = claims.chain(audit.smoothness.iter().map(Claim::of_smoothness));
         let claims = claims.chain(audit.theorems.iter().map(Claim::of_theorem)).collect();
+        let mut tally = Tally::default();
+        audit.claims().iter().for_each(|claim| tally += &claim.verdicts);
         let mut summary: BTreeMap<&str, usize> =
-            Verdict::NAMES.iter().map(|name| (*name, 0)).collect();
-        let counts = audit.cell_counts().into_iter().chain(audit.equation_counts());
-        let counts = counts.chain(audit.range_counts()).chain(audit.smoothness_counts());
-        for (name, count) in counts.chain(audit.theorem_counts()) {
-            *summary.entry(name).or_insert(0) += count;
-        }
+            Word::OF_CELLS.iter().map(|word| (word.name(), 0)).collect();
+        summary.extend(counts(&tally));
         let PromiseCounts { kept, broken, open } = audit.promise_counts();
         Paper {
             key: &audit.paper.key,

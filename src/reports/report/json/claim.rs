@@ -180,14 +180,17 @@ impl<'a> Claim<'a> {
             exact: cell.exact.as_ref().map(ToString::to_string),
             decimal: cell.exact.as_ref().map(decimal),
             trial: None,
-            verdict: cell.verdict.name(),
+            verdict: cell.verdict.word().name(),
             reading: cell.as_read.as_ref().map(AsRead::of),
             sound: sound.map(|sound| Sound::Cell(Box::new(CellSound::of(sound, cell)))),
             checked_by_coq: names(&cell.by_kernel),
             note: joined(why, cell.note.as_deref()),
             details: Details::Cell {
                 assumed: (!cell.assumed.is_empty()).then_some(Named(assumed)),
-                verdict_if_assumed: cell.verdict_if_assumed.as_ref().map(Verdict::name),
+                verdict_if_assumed: cell
+                    .verdict_if_assumed
+                    .as_ref()
+                    .map(|verdict| verdict.word().name()),
             },
             certificate: None,
         }
@@ -233,7 +236,7 @@ impl<'a> Claim<'a> {
             EquationVerdict::Holds { .. } => (None, None, None),
         };
         let details = Details::Equation { failures, mends };
-        let (title, verdict) = (equation.title.as_str(), finding.verdict.name());
+        let (title, verdict) = (equation.title.as_str(), finding.verdict.word().name());
         let claim = Claim::plain(&finding.id, &equation.locus, "equation", title, verdict, details);
         Claim { note: joined(absent, equation.note.as_deref()), ..claim }
     }
@@ -267,7 +270,7 @@ impl<'a> Claim<'a> {
         };
         let variable = &claim.variable;
         let details = Details::Function { variable, failures, printed_larger, printed_smaller };
-        let verdict = finding.verdict.name();
+        let verdict = finding.verdict.word().name();
         let plain = Claim::plain(&finding.id, &claim.locus, "equation", printed, verdict, details);
         Claim { note: joined(cap, claim.note.as_deref()), ..plain }
     }
@@ -277,7 +280,7 @@ impl<'a> Claim<'a> {
         let found = finding.found.as_ref().ok();
         let ends = found.iter().flat_map(|found| &found.ends).map(End::of).collect();
         let details = Details::Range { variable: &claim.variable, ends };
-        let (printed, verdict) = (printed(finding), finding.verdict());
+        let (printed, verdict) = (printed(finding), finding.verdict().name());
         let cap = finding.found.as_ref().err().map(ToString::to_string);
         Claim {
             exact: found.map(|found| found.exact.to_string()),
@@ -300,7 +303,7 @@ impl<'a> Claim<'a> {
         };
         let failing = finding.failing.iter().map(|premise| premise.id).collect();
         let details = Details::Theorem { bounds, from, rests: &theorem.rests, failing };
-        let (printed, verdict) = (printed.as_str(), finding.verdict.name());
+        let (printed, verdict) = (printed.as_str(), finding.verdict.word().name());
         Claim {
             trial: Some(Trial::of(finding)),
             checked_by_coq: names(&finding.by_kernel),

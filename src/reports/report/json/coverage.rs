@@ -1,6 +1,6 @@
 //! The numbered items of papers, and the claims about them, as JSON.
 
-use super::SCHEMA;
+use super::{SCHEMA, counts};
 use crate::audit::{self, ClaimVerdict, Coverage, KernelCounts, PaperAudit};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -103,8 +103,10 @@ impl<'a> CoverageReport<'a> {
     /// The JSON form of these audits.
     #[must_use]
     pub fn of(audits: &[PaperAudit<'a>]) -> CoverageReport<'a> {
-        let claim =
-            |claim: ClaimVerdict<'a>| CoveringClaim { id: claim.id, verdicts: claim.verdicts };
+        let claim = |claim: ClaimVerdict<'a>| CoveringClaim {
+            id: claim.id,
+            verdicts: counts(&claim.verdicts),
+        };
         let item = |coverage: Coverage<'a>| NumberedItem {
             item: coverage.item.label.to_string(),
             state: coverage.state().name(),

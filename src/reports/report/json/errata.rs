@@ -228,7 +228,7 @@ impl<'a> Erratum<'a> {
             number,
             id: format!("{}:{}", audit.paper.key, subject.id()),
             locus: subject.locus(),
-            verdict: subject.verdict(),
+            verdict: subject.verdict().name(),
             harm,
             detail: Detail::of(audit, subject),
             changes,

@@ -63,3 +63,8 @@ pub use working::Working;
 
 /// The version of the JSON form.
 const SCHEMA: u32 = 1;
+
+/// How often each verdict occurs, by its word.
+fn counts(tally: &crate::audit::Tally) -> std::collections::BTreeMap<&'static str, usize> {
+    tally.iter().map(|(word, count)| (word.name(), count)).collect()
+}

@@ -171,7 +171,7 @@ impl<'a> ProjectReport<'a> {
 fn tally(outcomes: impl Iterator<Item = Outcome>) -> BTreeMap<&'static str, usize> {
     let mut counts = BTreeMap::new();
     for outcome in outcomes {
-        *counts.entry(outcome.name()).or_insert(0) += 1;
+        *counts.entry(outcome.word().name()).or_insert(0) += 1;
     }
     counts
 }
@@ -198,7 +198,7 @@ impl<'a> ShippedTable<'a> {
                 Origin::Source { file, .. } => Some(file),
                 Origin::Typed(_) => None,
             },
-            outcome: finding.outcome.name(),
+            outcome: finding.outcome.word().name(),
             counts: tally(finding.cells.iter().map(|cell| cell.verdict.outcome())),
             reading: finding.reading.as_ref().map(|reading| shipped_reading(claim, reading)),
             farthest: finding.farthest,

@@ -12,4 +12,4 @@ pub use table::{finding_sheet, headline};
 
 pub(super) use overview::{counts, sentence};
 pub(super) use table::{facts_of, rows, shown};
-pub(super) use words::{meaning, outcome_mark, reading as shipped_reading};
+pub(super) use words::{meaning, reading as shipped_reading};

@@ -1,7 +1,7 @@
 //! The report about the tables of projects.
 
 use super::table::section;
-use super::words::{count, is_wrong, outcome_mark};
+use super::words::{count, is_wrong};
 use crate::report::sheet::{Grid, Sheet};
 use crate::shipped::{Outcome, Project, ProjectAudit, ShippedFinding, Verdict};
 
@@ -91,7 +91,7 @@ pub(in crate::report) fn counts(audits: &[ProjectAudit<'_>]) -> Grid {
             0 => NONE.to_owned(),
             count => count.to_string(),
         });
-        let name = format!("{} {}", outcome_mark(finding.outcome), finding.id);
+        let name = format!("{} {}", finding.outcome.word().mark(), finding.id);
         [name, finding.cells.len().to_string()].into_iter().chain(counted).collect()
     };
     Grid {

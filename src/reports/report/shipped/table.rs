@@ -1,7 +1,7 @@
 //! The section of a report about one table.
 
 use super::facts;
-use super::words::{self, at, count, is_wrong, mark, outcome_mark, type_name};
+use super::words::{self, at, count, is_wrong, type_name};
 use crate::report::parts::titled;
 use crate::report::sheet::{Grid, Sheet};
 use crate::shipped::{
@@ -35,7 +35,7 @@ pub(super) fn section(
 ) {
     let claim = finding.claim;
     let title = titled(&[&claim.locus, &claim.title, &claim.id]);
-    sheet.heading(level, format!("{} {title}", outcome_mark(finding.outcome)));
+    sheet.heading(level, format!("{} {title}", finding.outcome.word().mark()));
     sheet.text(headline(finding));
     sheet.facts(facts_of(project, finding));
     grid(sheet, finding, all);
@@ -232,7 +232,11 @@ pub(in crate::report) fn rows(finding: &ShippedFinding<'_>, places: &[usize]) ->
             let cell = &finding.cells[place];
             let written = claim.numbers[place].written.as_ref();
             let digits = written.and_then(|written| written.count).map(|(digits, _)| digits);
-            format!("{} {}", mark(cell.verdict), words::verdict(cell, kind, digits))
+            format!(
+                "{} {}",
+                cell.verdict.outcome().word().mark(),
+                words::verdict(cell, kind, digits)
+            )
         }),
     ];
     let columns = columns.iter().filter(|(is_there, ..)| *is_there);

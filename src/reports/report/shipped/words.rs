@@ -8,23 +8,6 @@ use crate::shipped::{
 /// The digits of an error.
 const ERROR_DIGITS: u32 = 3;
 
-/// The mark of a verdict.
-pub(super) fn mark(verdict: Verdict) -> &'static str {
-    outcome_mark(verdict.outcome())
-}
-
-/// The mark of what is said of a table.
-pub(in crate::report) fn outcome_mark(outcome: Outcome) -> &'static str {
-    match outcome {
-        Outcome::Nearest => "✓",
-        Outcome::Cut | Outcome::Ulps => "≈",
-        Outcome::Misprint => "±",
-        Outcome::Otherwise => "⇄",
-        Outcome::Refuted => "✗",
-        Outcome::Open => "?",
-    }
-}
-
 /// What a mark means.
 pub(in crate::report) fn meaning(outcome: Outcome) -> &'static str {
     match outcome {

@@ -2,7 +2,7 @@
 
 use super::frame::{Frame, WIDTH, picture, points};
 use super::scale::Scale;
-use crate::audit::{CellFinding, Sound, TableFinding};
+use crate::audit::{CellFinding, Sound, TableFinding, Verdict};
 use crate::claim::{Axis, Cell, Promise};
 use crate::float::nearest;
 use maud::{Markup, html};
@@ -159,11 +159,11 @@ fn drawn(place: usize, line: &Line<'_>, x: &Scale, y: &Scale) -> Markup {
 
 /// A printed number: a link to its cell.
 fn ring(mark: &Mark<'_>, x: f64, y: f64) -> Markup {
-    let wrong = matches!(mark.cell.verdict.name(), "refuted" | "misprint");
+    let wrong = matches!(mark.cell.verdict, Verdict::Refuted | Verdict::Misprint(_));
     let printed = mark.cell.printed.as_deref().unwrap_or_default();
     html! {
         a href={ "#" (mark.anchor) } tabindex="-1" {
-            circle.ring cx=(x) cy=(y) r="4.5" fill-opacity="0" { title { (mark.cell.locus) ": " (printed) ", " (mark.cell.verdict.name()) } }
+            circle.ring cx=(x) cy=(y) r="4.5" fill-opacity="0" { title { (mark.cell.locus) ": " (printed) ", " (mark.cell.verdict.word().name()) } }
             @if wrong {
                 path.bad d={ "M" (x - 5.0) " " (y - 5.0) "l10 10m0 -10l-10 10" } {}
             }
