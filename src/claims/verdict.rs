@@ -29,13 +29,13 @@ macro_rules! verdicts {
 
             /// The word as it stands in reports, in JSON and in certificates.
             #[must_use]
-            pub fn name(self) -> &'static str {
+            pub const fn name(self) -> &'static str {
                 match self { $(Word::$verdict => $name,)* }
             }
 
             /// Its mark, one character.
             #[must_use]
-            pub fn mark(self) -> &'static str {
+            pub const fn mark(self) -> &'static str {
                 match self { $(Word::$verdict => $mark,)* }
             }
 

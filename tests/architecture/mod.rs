@@ -35,6 +35,7 @@ const CRATES: [(&str, &str, &[&str]); 7] = [
         "src/claims",
         "subcert_claims",
         &[
+            "verdict",
             "literal",
             "claim",
             "shipped",

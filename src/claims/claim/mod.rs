@@ -9,11 +9,13 @@ mod contents;
 mod embedded;
 mod equation;
 mod function;
+mod kinds;
 mod paper;
 mod read;
 mod regularity;
 mod smoothness;
 mod table;
+mod target;
 mod theorem;
 
 pub use contents::{Item, Label, MAX_LABELS};
@@ -21,6 +23,8 @@ pub(crate) use embedded::embedded_paper;
 pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
 pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
 pub use function::{FunctionClaim, Limit, RangeClaim};
+pub(crate) use kinds::with_kinds;
+pub use kinds::{Claim, Kind};
 pub use paper::{Alternative, Bibliography, Paper, SchemeSource};
 #[cfg(feature = "schema")]
 pub use read::paper_schema;
@@ -34,4 +38,5 @@ pub use smoothness::{
 pub use table::{
     Axis, AxisEntry, Cell, Figure, Headers, LocatedReference, Printed, Promise, Table,
 };
+pub use target::Target;
 pub use theorem::{ByHand, Quantity, Rewriting, Statement, THEOREM_NAMES, Theorem, Trial};

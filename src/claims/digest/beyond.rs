@@ -1,7 +1,6 @@
 //! The claims that are open since a value is beyond a cap.
 
-use crate::finding::{EquationVerdict, FunctionVerdict, Known, PaperAudit};
-use std::fmt::Display;
+use crate::finding::PaperAudit;
 
 /// A claim other than a table or a theorem of which a value is beyond a cap.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,26 +17,10 @@ impl<'a> PaperAudit<'a> {
     /// The equations, closed forms, ranges and claims about smoothness of which a value is beyond a cap.
     #[must_use]
     pub fn beyond_caps(&self) -> Vec<BeyondCap<'a>> {
-        let one = |id: &'a String, locus: &'a String, cap: &dyn Display| {
-            Some(BeyondCap { id, locus, cap: cap.to_string() })
-        };
-        let equations = self.equations.iter().filter_map(|finding| match &finding.verdict {
-            EquationVerdict::BeyondCap(cap) => {
-                one(&finding.equation.id, &finding.equation.locus, cap)
-            }
-            _ => None,
+        let beyond = self.findings().filter_map(|finding| {
+            let (claim, cap) = (finding.claim(), finding.cap()?.to_string());
+            Some(BeyondCap { id: claim.id(), locus: claim.locus(), cap })
         });
-        let functions = self.functions.iter().filter_map(|finding| match &finding.verdict {
-            FunctionVerdict::BeyondCap(cap) => one(&finding.claim.id, &finding.claim.locus, cap),
-            _ => None,
-        });
-        let ranges = self.ranges.iter().filter_map(|finding| {
-            one(&finding.claim.id, &finding.claim.locus, finding.found.as_ref().err()?)
-        });
-        let smoothness = self.smoothness.iter().filter_map(|finding| match &finding.known {
-            Known::BeyondCap(cap) => one(&finding.claim.id, &finding.claim.locus, cap),
-            _ => None,
-        });
-        equations.chain(functions).chain(ranges).chain(smoothness).collect()
+        beyond.collect()
     }
 }

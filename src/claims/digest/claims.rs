@@ -1,7 +1,8 @@
 //! The claims of a paper, whatever their kind, with their verdicts.
 
-use crate::finding::{PaperAudit, PromiseCounts, RangeFinding};
-use crate::verdict::{Standing, Tally, Word};
+use crate::claim::Kind;
+use crate::finding::{Finding, PaperAudit, PromiseCounts};
+use crate::verdict::{Standing, Tally};
 
 /// A claim and its verdict; for a table, the verdicts of its cells.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,7 +15,12 @@ pub struct ClaimVerdict<'a> {
     pub verdicts: Tally,
 }
 
-impl ClaimVerdict<'_> {
+impl<'a> ClaimVerdict<'a> {
+    pub(crate) fn of(finding: Finding<'_, 'a>) -> ClaimVerdict<'a> {
+        let claim = finding.claim();
+        ClaimVerdict { id: claim.id(), locus: claim.locus(), verdicts: finding.verdicts() }
+    }
+
     /// Whether the claim is shown to hold: of a table, all of its cells.
     #[must_use]
     pub fn holds(&self) -> bool {
@@ -32,36 +38,7 @@ impl<'a> PaperAudit<'a> {
     /// Every claim of the paper with its verdict.
     #[must_use]
     pub fn claims(&self) -> Vec<ClaimVerdict<'a>> {
-        let tables = self.tables.iter().map(|finding| ClaimVerdict {
-            id: &finding.table.id,
-            locus: &finding.table.locus,
-            verdicts: finding.cells.iter().flatten().map(|cell| cell.verdict.word()).collect(),
-        });
-        let one = |id: &'a str, locus: &'a str, verdict: Word| ClaimVerdict {
-            id,
-            locus,
-            verdicts: Tally::from_iter([verdict]),
-        };
-        let equations = self.equations.iter().map(|finding| {
-            one(&finding.equation.id, &finding.equation.locus, finding.verdict.word())
-        });
-        let functions = self
-            .functions
-            .iter()
-            .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict.word()));
-        let ranges = self
-            .ranges
-            .iter()
-            .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict()));
-        let theorems = self.theorems.iter().map(|finding| {
-            one(&finding.theorem.id, &finding.theorem.locus, finding.verdict.word())
-        });
-        let smoothness = self
-            .smoothness
-            .iter()
-            .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict.word()));
-        let claims = tables.chain(equations).chain(functions).chain(ranges);
-        claims.chain(smoothness).chain(theorems).collect()
+        self.findings().map(ClaimVerdict::of).collect()
     }
 }
 
@@ -69,8 +46,7 @@ impl PaperAudit<'_> {
     /// How many table cells have each verdict.
     #[must_use]
     pub fn cell_counts(&self) -> Tally {
-        let cells = self.tables.iter().flat_map(|table| table.cells.iter().flatten());
-        cells.map(|cell| cell.verdict.word()).collect()
+        self.tally(&[Kind::Table])
     }
 
     /// How many printed bounds and depths keep their promise for every control polygon, how many
@@ -84,25 +60,24 @@ impl PaperAudit<'_> {
     /// parameter among them.
     #[must_use]
     pub fn equation_counts(&self) -> Tally {
-        let equations = self.equations.iter().map(|finding| finding.verdict.word());
-        equations.chain(self.functions.iter().map(|finding| finding.verdict.word())).collect()
+        self.tally(&[Kind::Equation, Kind::Function])
     }
 
     /// How many ranges have each verdict.
     #[must_use]
     pub fn range_counts(&self) -> Tally {
-        self.ranges.iter().map(RangeFinding::verdict).collect()
+        self.tally(&[Kind::Range])
     }
 
     /// How many claims about smoothness have each verdict.
     #[must_use]
     pub fn smoothness_counts(&self) -> Tally {
-        self.smoothness.iter().map(|finding| finding.verdict.word()).collect()
+        self.tally(&[Kind::Smoothness])
     }
 
     /// How many theorems have each verdict.
     #[must_use]
     pub fn theorem_counts(&self) -> Tally {
-        self.theorems.iter().map(|finding| finding.verdict.word()).collect()
+        self.tally(&[Kind::Theorem])
     }
 }

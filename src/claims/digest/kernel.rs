@@ -2,7 +2,8 @@
 
 use crate::claim::{Paper, embedded, embedded_paper};
 use crate::finding::{
-    CellFinding, Kept, KernelProof, Naturally, PaperAudit, Sound, TheoremFinding, TheoremVerdict,
+    CellFinding, Finding, Kept, KernelProof, Naturally, PaperAudit, Sound, TheoremFinding,
+    TheoremVerdict,
 };
 
 /// The key of a paper, the id of a claim, the row and column of a cell from 1, and what is proved.
@@ -98,10 +99,13 @@ impl PaperAudit<'_> {
             ] {
                 share.count(theorem_says(finding, proof), finding.by_kernel.contains(&proof));
             }
-            counts.others.all += usize::from(finding.verdict != TheoremVerdict::Refuted);
         }
-        counts.others.all +=
-            self.equations.len() + self.functions.len() + self.ranges.len() + self.smoothness.len();
+        let others = self.findings().filter(|finding| match finding {
+            Finding::Table(_) => false,
+            Finding::Theorem(finding) => finding.verdict != TheoremVerdict::Refuted,
+            _ => true,
+        });
+        counts.others.all += others.count();
         counts
     }
 }

@@ -2,8 +2,7 @@
 
 use crate::claim::Theorem;
 use crate::digest::claims::ClaimVerdict;
-use crate::finding::{FailingPremise, PaperAudit, TheoremFinding, TheoremVerdict};
-use crate::verdict::Tally;
+use crate::finding::{FailingPremise, Finding, PaperAudit, TheoremFinding, TheoremVerdict};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Finds the premises of theorems that do not hold, after all claims are judged.
@@ -19,10 +18,7 @@ fn find<'a>(audit: &PaperAudit<'a>, findings: &mut [TheoremFinding<'a>]) {
     let theorems = &audit.paper.theorems;
     let by_id: BTreeMap<&str, &Theorem> = theorems.iter().map(|t| (t.id.as_str(), t)).collect();
     let mut judged = audit.claims();
-    judged.extend(findings.iter().map(|finding| {
-        let Theorem { id, locus, .. } = finding.theorem;
-        ClaimVerdict { id, locus, verdicts: Tally::from_iter([finding.verdict.word()]) }
-    }));
+    judged.extend(findings.iter().map(|finding| ClaimVerdict::of(Finding::Theorem(finding))));
     for finding in findings {
         // A proof by hand counts only if every claim that it uses is shown to hold.
         if let Some(hand) = &finding.theorem.by_hand

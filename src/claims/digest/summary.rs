@@ -2,6 +2,7 @@
 
 use crate::digest::cause::Cause;
 use crate::finding::{CellFinding, Missing, PaperAudit, Verdict};
+use crate::verdict::Word;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -27,11 +28,11 @@ impl CellStanding {
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            CellStanding::Confirmed => "confirmed",
-            CellStanding::Reproduced => "reproduced",
+            CellStanding::Confirmed => Word::Confirmed.name(),
+            CellStanding::Reproduced => Word::Reproduced.name(),
             CellStanding::Explained => "explained",
             CellStanding::Misprinted => "misprinted",
-            CellStanding::Refuted => "refuted",
+            CellStanding::Refuted => Word::Refuted.name(),
             CellStanding::NotCheckable => "not checkable",
         }
     }

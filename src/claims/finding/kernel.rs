@@ -3,6 +3,7 @@
 use crate::bound::Operator;
 use crate::exact::Rational;
 use crate::scheme::{Mask, Rules};
+use crate::verdict::Word;
 
 /// What Coq's kernel accepts of a finding about a cell or a theorem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -43,9 +44,9 @@ impl KernelProof {
             KernelProof::Value => "value",
             KernelProof::Constant => "constant",
             KernelProof::Sound => "sound",
-            KernelProof::Broken => "broken",
+            KernelProof::Broken => Word::Broken.name(),
             KernelProof::BrokenNaturally => "broken-naturally",
-            KernelProof::Refuted => "refuted",
+            KernelProof::Refuted => Word::Refuted.name(),
             KernelProof::RefutedNaturally => "refuted-naturally",
         }
     }

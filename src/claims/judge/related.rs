@@ -14,9 +14,6 @@ use crate::judge::recovery::{self, Given, Values, combinations, reproduced};
 use crate::judge::table::{judge, judge_promises};
 use std::collections::BTreeSet;
 
-/// An error with the place of its table.
-type Placed<T> = Result<T, (usize, Diagnostic)>;
-
 /// Groups the tables of a paper, given by their places. Tables about schemes of the same name are
 /// judged together, since the numbers of one may determine a parameter of another.
 pub(crate) fn related(paper: &Paper) -> Vec<Vec<usize>> {
@@ -42,25 +39,25 @@ pub(crate) fn related(paper: &Paper) -> Vec<Vec<usize>> {
     groups.into_iter().map(sorted).collect()
 }
 
-/// Judges related tables, and gives the findings with their places. Parameters that the paper does
+/// Judges related tables. Parameters that the paper does
 /// not state are recovered in passes, each of which may use the values that earlier passes have
 /// found.
 ///
 /// # Errors
-/// The first, with the place of its table.
+/// The first.
 pub(crate) fn judge_all<'a>(
     paper: &'a Paper,
     places: &[usize],
     after_table: &(dyn Fn() + Sync),
-) -> Placed<Vec<(usize, TableFinding<'a>)>> {
+) -> Result<Vec<TableFinding<'a>>, Diagnostic> {
     let judged = parallel::map(places, |&place| {
         let table = &paper.tables[place];
         // Of these tables nothing is recovered.
         let known = open(table).next().is_none();
         let family = if known { Family::InTurn } else { Family::Plain };
-        judge(paper, table, Values::new(), family).map_err(|error| (place, error))
+        judge(paper, table, Values::new(), family)
     });
-    let mut findings = judged.into_iter().collect::<Placed<Vec<TableFinding<'a>>>>()?;
+    let mut findings = judged.into_iter().collect::<Result<Vec<TableFinding<'a>>, Diagnostic>>()?;
     let mut fitting = vec![None; findings.len()];
     let mut tried: Vec<Option<Offers>> = vec![None; findings.len()];
     // A pass may recover values that help the next one.
@@ -77,7 +74,7 @@ pub(crate) fn judge_all<'a>(
             }
             let found = recover(paper, &findings[i], &offers);
             (tried[i], fitting[i]) = (Some(offers), None);
-            match found.map_err(|error| (places[i], error))? {
+            match found? {
                 Given::Values(found) => (findings[i], more) = (*found, true),
                 Given::Fitting(values) => fitting[i] = Some(values),
                 Given::Nothing => {}
@@ -87,14 +84,14 @@ pub(crate) fn judge_all<'a>(
             break;
         }
     }
-    let judged: Vec<_> = findings.into_iter().zip(fitting).zip(places).collect();
-    let judged = parallel::map(&judged, |((finding, fitting), place)| {
+    let judged: Vec<_> = findings.into_iter().zip(fitting).collect();
+    let judged = parallel::map(&judged, |(finding, fitting)| {
         let mut finding = finding.clone();
-        widen(paper, &mut finding).map_err(|error| (**place, error))?;
+        widen(paper, &mut finding)?;
         finding.fitting.clone_from(fitting);
-        judge_promises(paper, &mut finding).map_err(|error| (**place, error))?;
+        judge_promises(paper, &mut finding)?;
         after_table();
-        Ok((**place, finding))
+        Ok(finding)
     });
     judged.into_iter().collect()
 }

@@ -4,6 +4,7 @@ use crate::cli::console::output::Failure;
 use std::collections::BTreeMap;
 use subcert::audit::PaperAudit;
 use subcert::certificate::certificate;
+use subcert::claim::Target;
 use subcert::report::json::{AuditReport, Certificate};
 use subcert::report::{Grid, Sheet};
 use subcert_check::{Outcome, check};
@@ -85,9 +86,7 @@ impl Certified {
             let states: BTreeMap<&str, &State> =
                 checked.claims.iter().map(|(id, state)| (id.as_str(), state)).collect();
             for claim in &mut paper.claims {
-                // The id of a cell is `key:table:row:column`.
-                let id = claim.id.split(':').nth(1);
-                let state = id.and_then(|id| states.get(id).copied());
+                let state = states.get(Target::of(claim.id).claim).copied();
                 claim.certificate = Some(Certificate {
                     certified: state == Some(&State::Certified),
                     certificate: match state {

@@ -2,13 +2,13 @@
 
 use super::claim_files::{Claims, claims};
 use super::judged::{judge_claim, select};
-use super::listing::{Listed, listing};
+use super::listing::listing;
 use super::projects;
 use crate::cli::arguments::{ExplainArguments, FindingFormat, Format};
 use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Failure, Outcome, deliver};
-use subcert::audit::{self, by_hand, readings};
-use subcert::claim::{Paper, RegularityCell, Table};
+use subcert::audit::{self, Finding, by_hand, readings};
+use subcert::claim::{Claim, Paper, RegularityCell, Target};
 use subcert::report::html::explain_page;
 use subcert::report::json::Explained;
 use subcert::report::{Background, corrected_table, explain_sheet, table_of, to_the_eye};
@@ -16,10 +16,8 @@ use subcert::suggestion::did_you_mean;
 
 pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
     let id = &arguments.id;
-    let (key, claim) = match id.split_once(':') {
-        Some((key, claim)) => (key, claim),
-        None => (id.as_str(), ""),
-    };
+    let mut target = Target::of(id);
+    let key = target.key;
     check_order(arguments)?;
     let papers = match claims(&arguments.files)? {
         Claims::Papers(papers) => papers,
@@ -27,17 +25,17 @@ pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
     };
     let chosen = select(papers, Some(key))?;
     let [paper] = &chosen[..] else { return Ok(()) };
-    if claim.is_empty() {
+    if target.claim.is_empty() {
         return list(paper, arguments);
     }
-    let own = cell_of_smoothness(paper, claim).map(|name| format!("{key}:{name}"));
-    let id = own.as_ref().unwrap_or(id);
-    let claim = id.split_once(':').map_or("", |(_, claim)| claim);
-    check(paper, claim)?;
-    let name = claim.split(':').next().unwrap_or(claim);
+    if let Some(claim) = cell_of_smoothness(paper, target) {
+        target = Target { key, claim, part: None };
+    }
+    check(paper, target)?;
+    let id = &target.to_string();
     let to = Destination::of(&arguments.output, &id.replace(':', "."))?;
     let bar = arguments.output.format != FindingFormat::Json;
-    let audits = [judge_claim(paper, name, bar)?];
+    let audits = [judge_claim(paper, target.claim, bar)?];
     let audit = &audits[0];
     let (mut tried, mut working, mut eye) = (Vec::new(), None, None);
     if let Some((finding, at)) = table_of(&audits, id) {
@@ -48,9 +46,9 @@ pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
         working = at.map(|at| audit::working(audit, finding, at)).transpose()?;
         eye = at.map(|at| to_the_eye(audit.paper, finding, at)).transpose()?.flatten();
     }
-    let by_hand = match audit.theorems.iter().find(|finding| finding.id == *id) {
-        Some(finding) => by_hand(audit, finding)?,
-        None => None,
+    let by_hand = match audit.find(target) {
+        Some(Finding::Theorem(finding)) => by_hand(audit, finding)?,
+        _ => None,
     };
     let background = Background {
         readings: &tried,
@@ -105,57 +103,42 @@ fn list(paper: &Paper, arguments: &ExplainArguments) -> Outcome {
 }
 
 /// The id of the claim that is this cell of a table of smoothness: of `table-1:2:1`, `table-1.2.order`.
-fn cell_of_smoothness<'a>(paper: &'a Paper, claim: &str) -> Option<&'a str> {
-    let (table, at) = claim.split_once(':')?;
-    let is_at = |cell: &RegularityCell| at == format!("{}:{}", cell.row + 1, cell.column + 1);
+fn cell_of_smoothness<'a>(paper: &'a Paper, target: Target<'_>) -> Option<&'a str> {
+    let at = target.cell()?;
+    let is_at = |cell: &RegularityCell| at == (cell.row, cell.column);
     let found = paper
         .smoothness
         .iter()
-        .find(|claim| claim.is_cell_of(table) && claim.cell.as_ref().is_some_and(is_at))?;
+        .find(|claim| claim.is_cell_of(target.claim) && claim.cell.as_ref().is_some_and(is_at))?;
     Some(&found.id)
 }
 
 /// Checks that the paper has this claim, before all of its claims are judged.
-fn check(paper: &Paper, claim: &str) -> Outcome {
-    let key = &paper.key;
-    let (name, cell) = match claim.split_once(':') {
-        Some((name, cell)) => (name, Some(cell)),
-        None => (claim, None),
-    };
-    let claims = Listed::all(paper);
+fn check(paper: &Paper, target: Target<'_>) -> Outcome {
+    let (key, name) = (&paper.key, target.claim);
     if paper.smoothness.iter().any(|claim| claim.is_cell_of(name)) {
-        return cell.map_or(Ok(()), |cell| {
+        return target.part.map_or(Ok(()), |cell| {
             Err(Failure::Input(format!(
                 "`{key}:{name}` has no statement in a cell `{cell}`; `subcert explain {key}:{name}` has all of them"
             )))
         });
     }
-    if !claims.iter().any(|listed| listed.id == name) {
-        let meant = did_you_mean(name, claims.iter().map(|listed| listed.id));
+    let Some(claim) = paper.claim(name) else {
+        let meant = did_you_mean(name, paper.claims().map(Claim::id));
         return Err(Failure::Input(format!(
             "`{key}` has no claim `{name}`{meant}; `subcert explain {key}` lists its claims"
         )));
-    }
-    let Some(cell) = cell else { return Ok(()) };
-    let Some(table) = paper.tables.iter().find(|table| table.id == name) else {
+    };
+    let Some(cell) = target.part else { return Ok(()) };
+    let Claim::Table(table) = claim else {
         return Err(Failure::Input(format!("`{key}:{name}` is no table, and has no cells")));
     };
-    if has_cell(table, cell) {
+    let (rows, columns) = (table.cells.len(), table.columns.entries.len());
+    if target.cell().is_some_and(|(row, column)| row < rows && column < columns) {
         return Ok(());
     }
-    let (rows, columns) = (table.cells.len(), table.columns.entries.len());
     Err(Failure::Input(format!(
         "`{key}:{name}` has no cell `{cell}`: write {key}:{name}:ROW:COLUMN, with a row from 1 to \
          {rows} and a column from 1 to {columns}"
     )))
-}
-
-/// Whether `cell` is a row and a column of the table.
-fn has_cell(table: &Table, cell: &str) -> bool {
-    let within = |text: &str, count: usize| {
-        text.parse::<usize>().is_ok_and(|number| (1..=count).contains(&number))
-    };
-    cell.split_once(':').is_some_and(|(row, column)| {
-        within(row, table.cells.len()) && within(column, table.columns.entries.len())
-    })
 }

@@ -22,8 +22,8 @@ mod theorem;
 mod vertex;
 mod witness;
 
-use crate::audit::PaperAudit;
-use block::{Block, words};
+use crate::audit::{Finding, PaperAudit};
+use block::words;
 pub use coq::{CoqFile, coq_files};
 pub use depth::{DepthDirection, DepthFar, depth_certificate};
 pub use radius::{radius_certificate, smoothness_certificate};
@@ -117,17 +117,18 @@ pub struct CertifiedClaim {
 #[must_use]
 pub fn certificate_lines(audit: &PaperAudit<'_>) -> Vec<CertifiedClaim> {
     let paper = audit.paper;
-    let tables = audit.tables.iter().map(|finding| table::block(paper, finding));
-    let equations = audit.equations.iter().map(equation::block);
-    let functions = audit.functions.iter().map(parametric::function);
-    let ranges = audit.ranges.iter().map(parametric::range);
-    let smooth = audit.smoothness.iter().map(smoothness::block);
-    let theorems = audit.theorems.iter().map(|finding| theorem::block(paper, finding));
-    let blocks = tables.chain(equations).chain(functions).chain(ranges);
-    let blocks = blocks.chain(smooth).chain(theorems);
-    let claim = |block: Block| {
+    let block = |finding: Finding<'_, '_>| match finding {
+        Finding::Table(finding) => table::block(paper, finding),
+        Finding::Equation(finding) => equation::block(finding),
+        Finding::Function(finding) => parametric::function(finding),
+        Finding::Range(finding) => parametric::range(finding),
+        Finding::Smoothness(finding) => smoothness::block(finding),
+        Finding::Theorem(finding) => theorem::block(paper, finding),
+    };
+    let claim = |finding| {
+        let block = block(finding);
         let id = block.id().to_owned();
         CertifiedClaim { id, lines: block.text().map_err(|why| words(&why)) }
     };
-    blocks.map(claim).collect()
+    audit.findings().map(claim).collect()
 }

@@ -15,10 +15,10 @@ use super::theorem;
 use super::tried;
 use super::working;
 use crate::audit::{
-    ByHand, CellFinding, EquationVerdict, Explanation, Failure, PaperAudit, Sound, TableFinding,
-    Verdict, Working,
+    ByHand, CellFinding, EquationFinding, EquationVerdict, Explanation, Failure, Finding,
+    PaperAudit, Sound, TableFinding, Verdict, Working,
 };
-use crate::claim::{EquationBody, Table};
+use crate::claim::{EquationBody, Table, Target};
 use crate::exact::format::short;
 
 /// The results, beyond those of the audit, that explain a claim.
@@ -45,36 +45,30 @@ pub fn explain_sheet(
     all: bool,
 ) -> Option<Sheet> {
     let Background { readings, by_hand, working, eye } = background;
-    let (key, rest) = id.split_once(':')?;
-    let audit = audits.iter().find(|audit| audit.paper.key == key)?;
-    let other = function::explain(audit, id).or_else(|| smoothness::explain(audit, id));
-    let other = other.or_else(|| theorem::explain(audit, id, by_hand));
-    if let Some(sheet) = other {
+    let target = Target::of(id);
+    let audit = audits.iter().find(|audit| audit.paper.key == target.key)?;
+    let Some(finding) = audit.find(target) else {
+        return smoothness::explain_table(audit, target);
+    };
+    let Finding::Table(finding) = finding else {
+        if target.part.is_some() {
+            return None;
+        }
+        let (claim, mut sheet) = (finding.claim(), Sheet::default());
+        sheet.heading(1, format!("{id} · {}", claim.locus()));
+        sheet.text(claim.title().to_owned());
+        match finding {
+            Finding::Table(_) => {}
+            Finding::Equation(finding) => equation(&mut sheet, finding),
+            Finding::Function(finding) => sheet.facts(function::function_facts(audit, finding)),
+            Finding::Range(finding) => sheet.facts(function::range_facts(finding)),
+            Finding::Smoothness(finding) => sheet.facts(smoothness::in_full(finding)),
+            Finding::Theorem(finding) => sheet.facts(theorem::in_full(audit, finding, by_hand)),
+        }
         return Some(sheet);
-    }
+    };
     let mut sheet = Sheet::default();
-    if let Some(finding) = audit.equations.iter().find(|finding| finding.id == id) {
-        let equation = finding.equation;
-        sheet.heading(1, format!("{} · {}", finding.id, equation.locus));
-        sheet.text(equation.title.clone());
-        if let EquationBody::Identity(identity) = &equation.body {
-            sheet.facts(sides(identity));
-        }
-        sheet.text(format!("{} {}", finding.verdict.word().mark(), outcome(finding)));
-        if let EquationVerdict::Fails { failures, .. } = &finding.verdict {
-            let fact = |failure: &Failure| {
-                let sides = format!("left  = {}\nright = {}", failure.left, failure.right);
-                (failure.at.clone(), sides)
-            };
-            sheet.facts(failures.iter().map(fact).collect());
-        } else if let Some(note) = &equation.note {
-            sheet.text(note.clone());
-        }
-        return Some(sheet);
-    }
-    let table_id = rest.split(':').next()?;
-    let finding = audit.tables.iter().find(|finding| finding.table.id == table_id)?;
-    if table_id == rest {
+    if target.part.is_none() {
         sheet.heading(1, format!("{id} · {}", finding.table.title));
         definition(&mut sheet, audit, finding, headers::schemes(finding.table));
         sheet.grid(table_values(finding));
@@ -90,8 +84,7 @@ pub fn explain_sheet(
     let cell = finding.cells.iter().flatten().find(|cell| cell.id == id)?;
     sheet.heading(1, format!("{id} · {}", cell.locus));
     sheet.text(finding.table.title.clone());
-    let place = place_of(id);
-    let scheme = place.and_then(|place| headers::scheme_at(finding.table, place));
+    let scheme = target.cell().and_then(|place| headers::scheme_at(finding.table, place));
     match working {
         Some(working) => {
             let facts = working::facts(audit, finding, scheme, working);
@@ -102,11 +95,28 @@ pub fn explain_sheet(
     let mut facts = cell_facts(cell);
     facts.extend(eye.map(eye::fact));
     sheet.facts(facts);
-    let at = cell_place(finding.table, id);
+    let at = cell_place(finding.table, target);
     if at.is_some() {
         tried::section(&mut sheet, finding, readings, at, all);
     }
     Some(sheet)
+}
+
+fn equation(sheet: &mut Sheet, finding: &EquationFinding<'_>) {
+    let equation = finding.equation;
+    if let EquationBody::Identity(identity) = &equation.body {
+        sheet.facts(sides(identity));
+    }
+    sheet.text(format!("{} {}", finding.verdict.word().mark(), outcome(finding)));
+    if let EquationVerdict::Fails { failures, .. } = &finding.verdict {
+        let fact = |failure: &Failure| {
+            let sides = format!("left  = {}\nright = {}", failure.left, failure.right);
+            (failure.at.clone(), sides)
+        };
+        sheet.facts(failures.iter().map(fact).collect());
+    } else if let Some(note) = &equation.note {
+        sheet.text(note.clone());
+    }
 }
 
 /// The table that an id names, or of which it names a cell, and the place of the cell,
@@ -116,23 +126,15 @@ pub fn table_of<'e, 'a>(
     audits: &'e [PaperAudit<'a>],
     id: &str,
 ) -> Option<(&'e TableFinding<'a>, Option<(usize, usize)>)> {
-    let (key, rest) = id.split_once(':')?;
-    let audit = audits.iter().find(|audit| audit.paper.key == key)?;
-    let table_id = rest.split(':').next()?;
-    let finding = audit.tables.iter().find(|finding| finding.table.id == table_id)?;
-    Some((finding, cell_place(finding.table, id)))
-}
-
-/// The place that an id names, counted from 0.
-fn place_of(id: &str) -> Option<(usize, usize)> {
-    let mut parts = id.split(':').skip(2);
-    let mut place = || parts.next()?.parse::<usize>().ok()?.checked_sub(1);
-    Some((place()?, place()?))
+    let target = Target::of(id);
+    let finding = audits.iter().find_map(|audit| audit.find(target))?;
+    let Finding::Table(finding) = finding else { return None };
+    Some((finding, cell_place(finding.table, target)))
 }
 
 /// The place of the printed cell of this id.
-fn cell_place(table: &Table, id: &str) -> Option<(usize, usize)> {
-    let at = place_of(id)?;
+pub(super) fn cell_place(table: &Table, target: Target<'_>) -> Option<(usize, usize)> {
+    let at = target.cell()?;
     table.cells.get(at.0)?.get(at.1)?.printed()?;
     Some(at)
 }

@@ -6,6 +6,7 @@ use crate::audit::{
     EndFinding, EndRelation, FoundRange, FunctionFinding, FunctionVerdict, PaperAudit,
     RangeFinding, RangeVerdict, Word,
 };
+use crate::claim::LocatedReference;
 use crate::exact::format::short;
 
 /// The sections on closed forms and on ranges; without `all`, on those where
@@ -44,36 +45,48 @@ fn lines(title: String, outcome: Vec<String>, note: Option<&str>) -> String {
         .join("\n")
 }
 
-/// The claim of this id in full, if it is one about a free parameter.
-pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
-    let mut sheet = Sheet::default();
-    if let Some(finding) = audit.functions.iter().find(|finding| finding.id == id) {
-        let claim = finding.claim;
-        sheet.heading(1, format!("{id} · {}", claim.locus));
-        sheet.text(claim.title.clone());
-        let mut facts = vec![("variable".to_owned(), claim.variable.clone())];
-        facts.extend(claim.scheme.as_ref().map(|s| ("scheme".to_owned(), s.reference.to_string())));
-        facts.push(("left".to_owned(), claim.left.text.clone()));
-        facts.push(("right".to_owned(), claim.right.text.clone()));
-        facts.extend(definitions(audit, &claim.left));
-        facts.push((verdict(finding.verdict.word()), function_outcome(finding).join("\n")));
-        facts.extend(claim.note.clone().map(|note| ("note".to_owned(), note)));
-        sheet.facts(facts);
-        return Some(sheet);
-    }
-    let finding = audit.ranges.iter().find(|finding| finding.id == id)?;
+/// What there is to say of a closed form in full.
+pub(super) fn function_facts(
+    audit: &PaperAudit<'_>,
+    finding: &FunctionFinding<'_>,
+) -> Vec<(String, String)> {
     let claim = finding.claim;
-    sheet.heading(1, format!("{id} · {}", claim.locus));
-    sheet.text(claim.title.clone());
-    let mut facts = vec![("variable".to_owned(), claim.variable.clone())];
-    facts.extend(claim.scheme.as_ref().map(|s| ("scheme".to_owned(), s.reference.to_string())));
+    let mut facts = head(&claim.variable, claim.scheme.as_ref());
+    facts.push(("left".to_owned(), claim.left.text.clone()));
+    facts.push(("right".to_owned(), claim.right.text.clone()));
+    facts.extend(definitions(audit, &claim.left));
+    facts.push((
+        verdict(finding.verdict.word()),
+        function_outcome(finding).join(
+            "
+",
+        ),
+    ));
+    facts.extend(claim.note.clone().map(|note| ("note".to_owned(), note)));
+    facts
+}
+
+/// What there is to say of a range in full.
+pub(super) fn range_facts(finding: &RangeFinding<'_>) -> Vec<(String, String)> {
+    let claim = finding.claim;
+    let mut facts = head(&claim.variable, claim.scheme.as_ref());
     let condition =
         format!("{} {} {}", claim.value.text, claim.limit.relation(), claim.limit.formula().text);
     facts.push(("condition".to_owned(), condition));
-    facts.push((verdict(finding.verdict()), range_outcome(finding).join("\n")));
+    facts.push((
+        verdict(finding.verdict()),
+        range_outcome(finding).join(
+            "
+",
+        ),
+    ));
     facts.extend(claim.note.clone().map(|note| ("note".to_owned(), note)));
-    sheet.facts(facts);
-    Some(sheet)
+    facts
+}
+
+fn head(variable: &str, scheme: Option<&LocatedReference>) -> Vec<(String, String)> {
+    let scheme = scheme.map(|scheme| ("scheme".to_owned(), scheme.reference.to_string()));
+    [("variable".to_owned(), variable.to_owned())].into_iter().chain(scheme).collect()
 }
 
 fn verdict(word: Word) -> String {

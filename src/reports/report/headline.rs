@@ -2,6 +2,7 @@
 
 use crate::audit::{CellFinding, PaperAudit, PromiseCounts, Tally, UnstatedOffset, Verdict, Word};
 use crate::bound::BetterOffset;
+use crate::claim::Kind;
 use crate::exact::format::short;
 use crate::report::reading::capital;
 use std::collections::{BTreeMap, BTreeSet};
@@ -82,11 +83,11 @@ fn first(audit: &PaperAudit<'_>) -> (About, String) {
         let all = cells().filter(|cell| cell.printed.is_some()).count();
         return (About::Cells, format!("{said}: {count} of {all}."));
     }
-    if let Some(kind) = kinds(audit).into_iter().find(|kind| kind.wrong() > 0) {
-        let claims = audit.claims();
-        let wrong = claims.iter().filter(|claim| claim.verdicts.of(kind.verdict) > 0);
-        let wrong = wrong.filter(|claim| (kind.is_one)(audit, claim.id));
-        let places = places(wrong.map(|claim| claim.locus), kind.one);
+    if let Some(kind) = groups(audit).into_iter().find(|kind| kind.wrong() > 0) {
+        let wrong = audit.findings().filter(|finding| {
+            kind.kinds.contains(&finding.claim().kind()) && finding.verdicts().of(kind.verdict) > 0
+        });
+        let places = places(wrong.map(|finding| finding.claim().locus()), kind.one);
         let is = kind.words[usize::from(kind.wrong() != 1)];
         let sentence =
             format!("{places} {is}: {} of {} {}.", kind.wrong(), kind.all(), kind.several);
@@ -137,15 +138,14 @@ fn cells(audit: &PaperAudit<'_>) -> Vec<String> {
     if !printed.is_empty() {
         let counts: Tally = printed.iter().map(|cell| cell.verdict.word()).collect();
         let mut parts = Vec::new();
-        for (word, said) in [
-            (Word::Confirmed, "confirmed"),
-            (Word::Reproduced, "reproduced"),
-            (Word::Rounding, "rounded otherwise"),
-            (Word::OtherReading, "given by another reading"),
-            (Word::Misprint, "a slip away"),
-            (Word::Refuted, "refuted"),
-            (Word::NotCheckable, "not checkable"),
-        ] {
+        for word in Word::OF_CELLS {
+            let said = match word {
+                Word::Rounding => "rounded otherwise",
+                Word::OtherReading => "given by another reading",
+                Word::Misprint => "a slip away",
+                Word::NotCheckable => "not checkable",
+                other => other.name(),
+            };
             parts.extend(Some((counts.of(word), said)).filter(|(count, _)| *count > 0));
         }
         // The largest part comes first.
@@ -255,8 +255,9 @@ fn open_promises(audit: &PaperAudit<'_>) -> Option<String> {
     }
 }
 
-/// A kind of claim other than cells.
-struct Kind {
+/// Claims other than cells.
+struct Group {
+    kinds: &'static [Kind],
     counts: Tally,
     several: &'static str,
     one: &'static str,
@@ -264,11 +265,9 @@ struct Kind {
     verdict: Word,
     /// The words for it in the singular and in the plural.
     words: [&'static str; 2],
-    /// Whether the claim of this id is of this kind.
-    is_one: fn(&PaperAudit<'_>, &str) -> bool,
 }
 
-impl Kind {
+impl Group {
     fn all(&self) -> usize {
         self.counts.total()
     }
@@ -279,45 +278,24 @@ impl Kind {
 }
 
 /// The kinds of claims that a paper has, those that weigh most first.
-fn kinds(audit: &PaperAudit<'_>) -> Vec<Kind> {
-    let kinds = [
-        Kind {
-            counts: audit.theorem_counts(),
-            several: "theorems",
-            one: "theorem",
-            verdict: Word::Refuted,
-            words: ["is refuted", "are refuted"],
-            is_one: |audit, id| audit.theorems.iter().any(|found| found.theorem.id == id),
-        },
-        Kind {
-            counts: audit.smoothness_counts(),
-            several: "statements about smoothness",
-            one: "statement",
-            verdict: Word::Refuted,
-            words: ["is refuted", "are refuted"],
-            is_one: |audit, id| audit.smoothness.iter().any(|found| found.claim.id == id),
-        },
-        Kind {
-            counts: audit.equation_counts(),
-            several: "equations",
-            one: "equation",
-            verdict: Word::Fails,
-            words: ["fails", "fail"],
-            is_one: |audit, id| {
-                audit.equations.iter().any(|found| found.equation.id == id)
-                    || audit.functions.iter().any(|found| found.claim.id == id)
-            },
-        },
-        Kind {
-            counts: audit.range_counts(),
-            several: "ranges",
-            one: "range",
-            verdict: Word::Inexact,
-            words: ["is wrong", "are wrong"],
-            is_one: |audit, id| audit.ranges.iter().any(|found| found.claim.id == id),
-        },
+fn groups(audit: &PaperAudit<'_>) -> Vec<Group> {
+    let refuted = (Word::Refuted, ["is refuted", "are refuted"]);
+    let groups: [(&[Kind], _, _, _); 4] = [
+        (&[Kind::Theorem], "theorems", "theorem", refuted),
+        (&[Kind::Smoothness], "statements about smoothness", "statement", refuted),
+        (
+            &[Kind::Equation, Kind::Function],
+            "equations",
+            "equation",
+            (Word::Fails, ["fails", "fail"]),
+        ),
+        (&[Kind::Range], "ranges", "range", (Word::Inexact, ["is wrong", "are wrong"])),
     ];
-    kinds.into_iter().filter(|kind| kind.all() > 0).collect()
+    let group = |(kinds, several, one, (verdict, words))| {
+        let counts = audit.tally(kinds);
+        Group { kinds, counts, several, one, verdict, words }
+    };
+    groups.into_iter().map(group).filter(|group| group.all() > 0).collect()
 }
 
 /// `2 claims need a value beyond a cap.`
@@ -331,7 +309,7 @@ fn beyond(audit: &PaperAudit<'_>) -> Option<String> {
 
 /// `15 of 43 equations fail and 8 of 10 theorems are refuted.`, without what is said already.
 fn claims(audit: &PaperAudit<'_>, said: About) -> Option<String> {
-    let kinds = kinds(audit);
+    let kinds = groups(audit);
     let rest = kinds.iter().filter(|kind| said != About::Claims(kind.several) && kind.wrong() > 0);
     let wrong: Vec<String> = rest
         .map(|kind| {

@@ -3,7 +3,7 @@
 use super::parts::titled;
 use super::sheet::{Grid, Sheet};
 use crate::audit::{PaperAudit, SmoothnessFinding, SmoothnessVerdict};
-use crate::claim::RegularityTable;
+use crate::claim::{RegularityTable, Target};
 use std::sync::Arc;
 
 /// A table with the finding of each cell; `None` where nothing is printed.
@@ -36,11 +36,13 @@ pub(super) fn printed<'f>(finding: &SmoothnessFinding<'f>) -> &'f str {
     finding.claim.cell.as_ref().map_or("", |cell| &cell.printed)
 }
 
-/// The table of this id, `key:table-1`.
-pub(super) fn table_of<'f, 'a>(audit: &'f PaperAudit<'a>, id: &str) -> Option<Regularity<'f, 'a>> {
-    let (key, name) = id.split_once(':')?;
-    let is_asked = |found: &Regularity<'_, '_>| found.table.id == name;
-    tables(audit).into_iter().find(is_asked).filter(|_| audit.paper.key == key)
+/// The table that is named.
+pub(super) fn table_of<'f, 'a>(
+    audit: &'f PaperAudit<'a>,
+    id: Target<'_>,
+) -> Option<Regularity<'f, 'a>> {
+    let own = audit.paper.key == id.key && id.part.is_none();
+    tables(audit).into_iter().find(|found| own && found.table.id == id.claim)
 }
 
 /// Appends the tables; without `all`, those that are not confirmed throughout.

@@ -12,7 +12,7 @@ use crate::audit::{
 };
 use crate::claim::{
     ExponentStatement, PrintedValences, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim,
-    SmoothnessStatement,
+    SmoothnessStatement, Target,
 };
 use crate::exact::{
     Enclosed as _, Integer, IntervalSet, Rational, RationalPolynomial, format::fixed,
@@ -45,16 +45,10 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
     }
 }
 
-/// The claim of this id in full, if it is one about smoothness; of a table of them, each cell.
-pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
-    let mut sheet = Sheet::default();
-    if let Some(finding) = audit.smoothness.iter().find(|finding| finding.id == id) {
-        sheet.heading(1, format!("{id} · {}", finding.claim.locus));
-        sheet.text(finding.claim.title.clone());
-        sheet.facts(in_full(finding));
-        return Some(sheet);
-    }
+/// A table of smoothness in full, with each cell.
+pub(super) fn explain_table(audit: &PaperAudit<'_>, id: Target<'_>) -> Option<Sheet> {
     let found = regularity::table_of(audit, id)?;
+    let mut sheet = Sheet::default();
     sheet.heading(1, format!("{id} · {}", found.table.locus));
     sheet.text(found.table.title.clone());
     regularity::grid(&mut sheet, &found);
@@ -66,7 +60,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
 }
 
 /// What is stated, what is known and how, and the verdict.
-fn in_full(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
+pub(super) fn in_full(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
     let claim = finding.claim;
     let fact = |name: &str, text: String| (name.to_owned(), text);
     let mut facts = Vec::new();

@@ -166,13 +166,13 @@ pub(super) fn statement(statement: &Statement) -> String {
     }
 }
 
-/// The theorem of this id in full, if it is one.
-pub(super) fn explain(audit: &PaperAudit<'_>, id: &str, hand: Option<&ByHand>) -> Option<Sheet> {
-    let finding = audit.theorems.iter().find(|finding| finding.id == id)?;
+/// What there is to say of a theorem in full.
+pub(super) fn in_full(
+    audit: &PaperAudit<'_>,
+    finding: &TheoremFinding<'_>,
+    hand: Option<&ByHand>,
+) -> Vec<(String, String)> {
     let theorem = finding.theorem;
-    let mut sheet = Sheet::default();
-    sheet.heading(1, format!("{id} · {}", theorem.locus));
-    sheet.text(theorem.title.clone());
     let mut facts = Vec::new();
     facts.extend(theorem.scheme.as_ref().map(|s| ("scheme".to_owned(), s.reference.to_string())));
     facts.push(("states".to_owned(), statement(&theorem.statement)));
@@ -186,8 +186,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str, hand: Option<&ByHand>) -
     facts.push(("verdict".to_owned(), verdict));
     facts.extend(details(finding, hand));
     facts.extend(theorem.note.clone().map(|note| ("note".to_owned(), note)));
-    sheet.facts(facts);
-    Some(sheet)
+    facts
 }
 
 /// The data that refute it, what was corrected, and what it was tried on.

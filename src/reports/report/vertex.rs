@@ -1,7 +1,7 @@
 //! Surfaces at a vertex or on a face in words.
 
 use super::numbers::DIGITS;
-use crate::audit::Vertices;
+use crate::audit::{Vertices, Word};
 use crate::characteristic::{
     Exponent, Hypothesis, MAX_BISECTIONS, Reason, Refutation, RingPoint, Verdict, Vertex,
 };
@@ -44,10 +44,10 @@ fn with_decimal(value: &(impl Enclosed + Display)) -> String {
 #[must_use]
 pub fn verdict_name(verdict: &Verdict) -> &'static str {
     match verdict {
-        Verdict::Proved { .. } => "proved",
-        Verdict::Refuted(_) => "refuted",
+        Verdict::Proved { .. } => Word::Proved.name(),
+        Verdict::Refuted(_) => Word::Refuted.name(),
         Verdict::Fails(_) => "a hypothesis fails",
-        Verdict::Open(_) => "open",
+        Verdict::Open(_) => Word::Open.name(),
     }
 }
 

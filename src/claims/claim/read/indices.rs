@@ -4,7 +4,7 @@
 use super::reader::Reader;
 use super::roles::{AllRoles, Role, Roles};
 use crate::claim::{
-    Equation, EquationBody, Index, Left, LocatedReference, Paper, Promise, SmoothnessBody,
+    Claim, Equation, EquationBody, Index, Left, LocatedReference, Paper, Promise, SmoothnessBody,
     Statement, THEOREM_NAMES, Table, Theorem,
 };
 use crate::diagnostic::Diagnostic;
@@ -24,30 +24,27 @@ impl Reader<'_> {
     /// of an equation may be hidden. When a formula of a theorem mentions a name of theorems that
     /// has no meaning there, such as `k` in a hypothesis.
     pub(super) fn formulas(&self, paper: &Paper, all: &AllRoles<'_>) -> Result<(), Diagnostic> {
-        for table in &paper.tables {
-            self.claim(paper, of_table(table), all.of(&table.id), all)?;
-        }
-        for equation in &paper.equations {
-            self.claim(paper, of_equation(equation), all.of(&equation.id), all)?;
-        }
-        for claim in &paper.functions {
-            let mut formulas = vec![placed(&claim.left), placed(&claim.right)];
-            formulas.extend(claim.scheme.iter().flat_map(of_reference));
-            self.claim(paper, formulas, all.of(&claim.id), all)?;
-        }
-        for claim in &paper.ranges {
-            let mut formulas = vec![placed(&claim.value)];
-            formulas.extend(claim.scheme.iter().flat_map(of_reference));
-            self.claim(paper, formulas, all.of(&claim.id), all)?;
-        }
-        for claim in &paper.smoothness {
-            if let SmoothnessBody::Statement(scheme, _) = &claim.body {
-                self.claim(paper, of_reference(scheme).collect(), all.of(&claim.id), all)?;
-            }
+        for claim in paper.claims() {
+            let formulas = match claim {
+                Claim::Table(table) => of_table(table),
+                Claim::Equation(equation) => of_equation(equation),
+                Claim::Function(claim) => {
+                    of_parameter([&claim.left, &claim.right], claim.scheme.as_ref())
+                }
+                Claim::Range(claim) => of_parameter([&claim.value], claim.scheme.as_ref()),
+                Claim::Smoothness(claim) => match &claim.body {
+                    SmoothnessBody::Statement(scheme, _) => of_reference(scheme).collect(),
+                    SmoothnessBody::NotCheckable(_) => continue,
+                },
+                Claim::Theorem(theorem) => {
+                    let (bound, others) = of_theorem(theorem);
+                    [bound, others].concat()
+                }
+            };
+            self.claim(paper, formulas, all.of(claim.id()), all)?;
         }
         for theorem in &paper.theorems {
             let (bound, others) = of_theorem(theorem);
-            self.claim(paper, [&bound[..], &others].concat(), all.of(&theorem.id), all)?;
             let known: &[&str] = match &theorem.statement {
                 Statement::Bound { .. } => &["k", "beta", "beta_1", "beta_2", "beta_3"],
                 Statement::Depth(_) => &["epsilon", "beta", "beta_1", "beta_2", "beta_3"],
@@ -136,6 +133,14 @@ fn placed(formula: &LocatedFormula) -> Placed<'_> {
 
 fn of_reference(located: &LocatedReference) -> impl Iterator<Item = Placed<'_>> {
     located.reference.formulas().map(|expr| (expr, located.span.clone()))
+}
+
+/// Of a claim about a free parameter.
+fn of_parameter<'p, const N: usize>(
+    formulas: [&'p LocatedFormula; N],
+    scheme: Option<&'p LocatedReference>,
+) -> Vec<Placed<'p>> {
+    formulas.into_iter().map(placed).chain(scheme.into_iter().flat_map(of_reference)).collect()
 }
 
 fn of_table(table: &Table) -> Vec<Placed<'_>> {

@@ -1,6 +1,7 @@
 //! How much harm a wrong claim does to those who rely on it.
 
 use super::{Erratum, Subject};
+use crate::verdict::Word;
 
 /// What may happen to those who rely on a claim that is not what it should be, the worst first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -29,8 +30,8 @@ impl Harm {
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Harm::Refuted => "refuted",
-            Harm::Broken => "broken",
+            Harm::Refuted => Word::Refuted.name(),
+            Harm::Broken => Word::Broken.name(),
             Harm::Unshown => "unshown",
             Harm::Formula => "formula",
             Harm::Number => "number",

@@ -13,11 +13,10 @@ use crate::digest::cause::Cause;
 use crate::digest::summary::{CellOutcome, CellStanding, CellSummary};
 use crate::exact::Rounding;
 use crate::finding::{
-    CellFinding, EquationFinding, EquationVerdict, FoundRange, FunctionFinding, FunctionVerdict,
-    PaperAudit, RangeFinding, RangeVerdict, SmoothnessFinding, SmoothnessVerdict, TableFinding,
-    TheoremFinding, TheoremVerdict,
+    CellFinding, EquationFinding, Finding, FoundRange, FunctionFinding, PaperAudit, RangeFinding,
+    SmoothnessFinding, TableFinding, TheoremFinding,
 };
-use crate::verdict::Word;
+use crate::verdict::{Standing, Word};
 use std::collections::BTreeMap;
 
 /// The errata of a paper.
@@ -106,25 +105,23 @@ impl<'a> PaperAudit<'a> {
     /// ```
     #[must_use]
     pub fn errata<'e>(&'e self) -> Errata<'e, 'a> {
-        let tables = self.tables.iter().flat_map(cell_errata).map(Subject::Cells);
-        let fails = |verdict: &EquationVerdict| matches!(verdict, EquationVerdict::Fails { .. });
-        let equations = self.equations.iter().filter(|finding| fails(&finding.verdict));
-        let fails = |verdict: &FunctionVerdict| matches!(verdict, FunctionVerdict::Fails { .. });
-        let functions = self.functions.iter().filter(|finding| fails(&finding.verdict));
-        let ranges = self.ranges.iter().filter_map(|finding| {
-            let found = finding.found.as_ref().ok()?;
-            (found.verdict == RangeVerdict::Inexact).then_some(Subject::Range(finding, found))
+        let subjects = self.findings().flat_map(|finding| -> Vec<Subject<'e, 'a>> {
+            let one = match finding {
+                Finding::Table(finding) => {
+                    return cell_errata(finding).into_iter().map(Subject::Cells).collect();
+                }
+                Finding::Equation(finding) => Subject::Equation(finding),
+                Finding::Function(finding) => Subject::Function(finding),
+                Finding::Range(finding) => match &finding.found {
+                    Ok(found) => Subject::Range(finding, found),
+                    Err(_) => return Vec::new(),
+                },
+                Finding::Smoothness(finding) => Subject::Smoothness(finding),
+                Finding::Theorem(finding) => Subject::Theorem(finding),
+            };
+            let fails = one.verdict().standing() == Standing::Fails;
+            fails.then_some(one).into_iter().collect()
         });
-        let smoothness = self.smoothness.iter();
-        let smoothness = smoothness.filter(|finding| finding.verdict == SmoothnessVerdict::Refuted);
-        let theorems =
-            self.theorems.iter().filter(|finding| finding.verdict == TheoremVerdict::Refuted);
-        let subjects = tables
-            .chain(equations.map(Subject::Equation))
-            .chain(functions.map(Subject::Function))
-            .chain(ranges)
-            .chain(smoothness.map(Subject::Smoothness))
-            .chain(theorems.map(Subject::Theorem));
         let errata = subjects.map(|subject| {
             let consequences = self.consequences(&subject);
             Erratum { subject, consequences }
@@ -136,51 +133,42 @@ impl<'a> PaperAudit<'a> {
     }
 }
 
-impl<'a> Subject<'_, 'a> {
+impl<'e, 'a> Subject<'e, 'a> {
+    /// The finding; for cells, that of their table.
+    #[must_use]
+    pub fn finding(&self) -> Finding<'e, 'a> {
+        match self {
+            Subject::Cells(cells) => Finding::Table(cells.finding),
+            Subject::Equation(finding) => Finding::Equation(finding),
+            Subject::Function(finding) => Finding::Function(finding),
+            Subject::Range(finding, _) => Finding::Range(finding),
+            Subject::Smoothness(finding) => Finding::Smoothness(finding),
+            Subject::Theorem(finding) => Finding::Theorem(finding),
+        }
+    }
+
     /// The id of the claim within the paper; for cells, the id of their table.
     #[must_use]
     pub fn id(&self) -> &'a str {
-        match self {
-            Subject::Cells(cells) => &cells.finding.table.id,
-            Subject::Equation(finding) => &finding.equation.id,
-            Subject::Function(finding) => &finding.claim.id,
-            Subject::Range(finding, _) => &finding.claim.id,
-            Subject::Smoothness(finding) => &finding.claim.id,
-            Subject::Theorem(finding) => &finding.theorem.id,
-        }
+        self.finding().claim().id()
     }
 
     /// Where it stands.
     #[must_use]
     pub fn locus(&self) -> &'a str {
-        match self {
-            Subject::Cells(cells) => &cells.finding.table.locus,
-            Subject::Equation(finding) => &finding.equation.locus,
-            Subject::Function(finding) => &finding.claim.locus,
-            Subject::Range(finding, _) => &finding.claim.locus,
-            Subject::Smoothness(finding) => &finding.claim.locus,
-            Subject::Theorem(finding) => &finding.theorem.locus,
-        }
+        self.finding().claim().locus()
     }
-}
 
-impl Subject<'_, '_> {
     /// The word for its verdict; for cells, of the first cell's verdict.
     #[must_use]
     pub fn verdict(&self) -> Word {
-        match self {
-            Subject::Cells(cells) => {
-                cells.findings().next().map_or(Word::Refuted, |cell| cell.verdict.word())
-            }
-            Subject::Equation(finding) => finding.verdict.word(),
-            Subject::Function(finding) => finding.verdict.word(),
-            Subject::Range(_, found) => found.verdict.word(),
-            Subject::Smoothness(finding) => finding.verdict.word(),
-            Subject::Theorem(finding) => finding.verdict.word(),
-        }
+        let word = match self {
+            Subject::Cells(cells) => cells.findings().next().map(|cell| cell.verdict.word()),
+            other => other.finding().verdicts().iter().next().map(|(word, _)| word),
+        };
+        word.unwrap_or(Word::Refuted)
     }
 }
-
 impl<'a> Erratum<'_, 'a> {
     /// The id of the claim within the paper; for cells, the id of their table.
     #[must_use]

@@ -5,6 +5,7 @@ use crate::cli::arguments::ExplainArguments;
 use crate::cli::console::destination::{Destination, command};
 use crate::cli::console::output::{Failure, Outcome, show};
 use crate::cli::json::{SCHEMA, listing as form};
+use subcert::claim::Target;
 use subcert::report::html::FindingPage;
 use subcert::report::json::ShippedTable;
 use subcert::report::{Grid, Sheet, finding_sheet, shipped_headline};
@@ -14,14 +15,15 @@ use subcert::suggestion::did_you_mean;
 /// Explains a table of a project, number by number; of a key alone, lists the tables.
 pub(in crate::cli) fn explain(arguments: &ExplainArguments, projects: Vec<Project>) -> Outcome {
     let id = &arguments.id;
-    let (key, name) = id.split_once(':').unwrap_or((id, ""));
+    let target = Target::of(id);
+    let (key, name) = (target.key, target.within());
     let chosen = select_project(projects, Some(key))?;
     let [project] = &chosen[..] else { return Ok(()) };
     if name.is_empty() {
         return list(project, arguments);
     }
     let Some(claim) = project.shipped.iter().find(|claim| claim.id == name) else {
-        let meant = did_you_mean(name, project.shipped.iter().map(|claim| claim.id.as_str()));
+        let meant = did_you_mean(&name, project.shipped.iter().map(|claim| claim.id.as_str()));
         return Err(Failure::Input(format!(
             "`{key}` has no table `{name}`{meant}; `subcert explain {key} {}` lists its tables",
             project.source.name

@@ -7,10 +7,11 @@ use super::math::formula;
 use super::picture::{self, Exceeding};
 use super::sheet::{facts, lines};
 use super::statement::{definitions, identity, quantity};
+use super::table;
 use super::verdict::{Look, badge};
 use crate::audit::{
-    EquationFinding, FunctionFinding, RangeFinding, SmoothnessFinding, TheoremFinding, Word,
-    by_hand,
+    EquationFinding, Finding, FunctionFinding, RangeFinding, SmoothnessFinding, TheoremFinding,
+    Word, by_hand,
 };
 use crate::claim::{EquationBody, Quantity, Statement};
 use crate::diagnostic::Diagnostic;
@@ -18,85 +19,69 @@ use crate::formula::LocatedFormula;
 use crate::report::{equation, function, smoothness, theorem};
 use maud::{Markup, html};
 
-/// What claims of all kinds have.
-struct Claim<'c> {
-    id: &'c str,
-    locus: &'c str,
-    title: &'c str,
-    verdict: Word,
-    note: Option<&'c str>,
-}
-
-impl<'c> Claim<'c> {
-    fn new(
-        [id, locus, title]: [&'c String; 3],
-        note: Option<&'c String>,
-        verdict: Word,
-    ) -> Claim<'c> {
-        Claim { id, locus, title, verdict, note: note.map(String::as_str) }
-    }
-
-    /// Its section, with what is particular to its kind.
-    fn section(&self, context: &Context<'_, '_>, contents: &Markup) -> Markup {
-        let Claim { id, locus, title, verdict, note } = self;
-        html! {
-            section.claim.(Look::of(*verdict).class) id=(id) aria-labelledby={ "page:title-" (id) } {
-                h3 id={ "page:title-" (id) } {
-                    (badge(*verdict)) " " a href={ "#" (id) } { (locus) } " " span.title { (title) }
-                }
-                (contents)
-                @if let Some(note) = note { p.note { (lines(note)) } }
-                (certified(context, id))
-                (command::explain(context, id))
-            }
+/// The section of a claim.
+///
+/// # Errors
+/// When a formula of the claim file is wrong.
+pub(super) fn section(
+    context: &Context<'_, '_>,
+    finding: Finding<'_, '_>,
+) -> Result<Markup, Diagnostic> {
+    let (claim, mut note) = (finding.claim(), finding.claim().note());
+    let (verdict, contents) = match finding {
+        Finding::Table(finding) => return table::section(context, finding),
+        Finding::Equation(finding) => {
+            // What fails says its note itself.
+            note = note.filter(|_| finding.verdict.word() != Word::Fails);
+            (finding.verdict.word(), equation(finding))
         }
-    }
+        Finding::Function(finding) => (finding.verdict.word(), function(context, finding)),
+        Finding::Range(finding) => (finding.verdict(), range(context, finding)),
+        Finding::Smoothness(finding) => (finding.verdict.word(), smoothness(finding)),
+        Finding::Theorem(finding) => (finding.verdict.word(), theorem(context, finding)?),
+    };
+    let (id, locus, title) = (claim.id(), claim.locus(), claim.title());
+    Ok(html! {
+        section.claim.(Look::of(verdict).class) id=(id) aria-labelledby={ "page:title-" (id) } {
+            h3 id={ "page:title-" (id) } {
+                (badge(verdict)) " " a href={ "#" (id) } { (locus) } " " span.title { (title) }
+            }
+            (contents)
+            @if let Some(note) = note { p.note { (lines(note)) } }
+            (certified(context, id))
+            (command::explain(context, id))
+        }
+    })
 }
 
 /// An equation.
-pub(super) fn equation(context: &Context<'_, '_>, finding: &EquationFinding<'_>) -> Markup {
-    let own = finding.equation;
-    // What fails or is not checkable says its note itself.
-    let verdict = finding.verdict.word();
-    let note = own.note.as_ref().filter(|_| verdict != Word::Fails);
-    let claim = Claim::new([&own.id, &own.locus, &own.title], note, verdict);
-    claim.section(
-        context,
-        &html! {
-            @if let EquationBody::Identity(body) = &own.body { (identity(body)) }
+fn equation(finding: &EquationFinding<'_>) -> Markup {
+    html! {
+            @if let EquationBody::Identity(body) = &finding.equation.body { (identity(body)) }
             p.outcome { (lines(&equation::outcome(finding))) }
-        },
-    )
+    }
 }
 
 /// A closed form in a free parameter.
-pub(super) fn function(context: &Context<'_, '_>, finding: &FunctionFinding<'_>) -> Markup {
+fn function(context: &Context<'_, '_>, finding: &FunctionFinding<'_>) -> Markup {
     let own = finding.claim;
-    let claim =
-        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.word());
-    claim.section(
-        context,
-        &html! {
+    html! {
             dl.formulas {
                 div { dt { "printed" } dd { (formula(&own.left.expr)) " = " (formula(&own.right.expr)) } }
                 (definitions(context.audit, &own.left))
             }
             p.outcome { (lines(&function::function_outcome(finding).join("\n"))) }
-        },
-    )
+    }
 }
 
 /// A range of a free parameter.
-pub(super) fn range(context: &Context<'_, '_>, finding: &RangeFinding<'_>) -> Markup {
+fn range(context: &Context<'_, '_>, finding: &RangeFinding<'_>) -> Markup {
     let own = finding.claim;
-    let claim = Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict());
     let relation = match own.limit.relation() {
         "<" => "<",
         _ => "≤",
     };
-    claim.section(
-        context,
-        &html! {
+    html! {
             dl.formulas {
                 div {
                     dt { "condition" }
@@ -106,19 +91,14 @@ pub(super) fn range(context: &Context<'_, '_>, finding: &RangeFinding<'_>) -> Ma
             }
             @if let Some(picture) = picture::range(finding) { (picture) }
             p.outcome { (lines(&function::range_outcome(finding).join("\n"))) }
-        },
-    )
+    }
 }
 
 /// A claim about the smoothness of limits.
-pub(super) fn smoothness(context: &Context<'_, '_>, finding: &SmoothnessFinding<'_>) -> Markup {
+fn smoothness(finding: &SmoothnessFinding<'_>) -> Markup {
     let own = finding.claim;
-    let claim =
-        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.word());
     let details = smoothness::details(finding);
-    claim.section(
-        context,
-        &html! {
+    html! {
             dl.formulas {
                 @if let Some(scheme) = smoothness::scheme(own) {
                     div { dt { "scheme" } dd { (scheme) } }
@@ -132,29 +112,21 @@ pub(super) fn smoothness(context: &Context<'_, '_>, finding: &SmoothnessFinding<
             @if !details.is_empty() {
                 details { summary { "Spectral radius" } (facts(&details)) }
             }
-        },
-    )
+    }
 }
 
 /// A theorem, a lemma or a corollary.
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.
-pub(super) fn theorem(
-    context: &Context<'_, '_>,
-    finding: &TheoremFinding<'_>,
-) -> Result<Markup, Diagnostic> {
+fn theorem(context: &Context<'_, '_>, finding: &TheoremFinding<'_>) -> Result<Markup, Diagnostic> {
     let own = finding.theorem;
     let hand = by_hand(context.audit, finding)?;
     let violation = finding.refutation.as_ref().map(|refutation| &refutation.violation);
     let drawing = violation.zip(hand.as_ref()).and_then(|(violation, hand)| {
         picture::witness(&hand.refiner, &Exceeding::of_theorem(violation))
     });
-    let claim =
-        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.word());
-    Ok(claim.section(
-        context,
-        &html! {
+    Ok(html! {
             dl.formulas {
                 div { dt { "states" } dd { (statement(&own.statement)) } }
                 @if let Statement::Bound { by, .. } | Statement::Depth(by) = &own.statement {
@@ -167,8 +139,7 @@ pub(super) fn theorem(
             @if !details.is_empty() && !context.is_whole {
                 details { summary { "Data and cases" } (facts(&details)) }
             }
-        },
-    ))
+    })
 }
 
 /// What is stated.

@@ -10,10 +10,12 @@ use super::picture::digits;
 use super::regularity as regularity_table;
 use super::sheet::blocks;
 use super::table;
-use crate::audit::{PaperAudit, SmoothnessVerdict, TableFinding, Verdict};
+use crate::audit::{Finding, PaperAudit, SmoothnessVerdict, TableFinding, Verdict};
+use crate::claim::Target;
 use crate::diagnostic::Diagnostic;
 use crate::exact::format::short;
-use crate::report::explain::{Background, explain_sheet, table_of};
+use crate::report::explain::{Background, cell_place, explain_sheet};
+use crate::report::regularity::Regularity;
 use crate::report::sheet::{Block, Sheet};
 use crate::report::{equation, function, regularity, smoothness, theorem};
 use maud::{Markup, html};
@@ -98,53 +100,33 @@ struct Shown {
 
 fn shown(context: &Context<'_, '_>, id: &str) -> Result<Option<Shown>, Diagnostic> {
     let audit = context.audit;
-    if let Some((finding, at)) = table_of(std::slice::from_ref(audit), id) {
-        let own = format!("{}:{}", audit.paper.key, finding.table.id);
-        return if id == own {
-            of_table(context, finding)
-        } else {
-            of_cell(context, finding, id, at)
-        };
-    }
-    let claim = |locus: &str, outcome: &str, contents: Markup| {
-        let sentence = format!("{locus}: {}", outcome.lines().next().unwrap_or_default());
-        Some(Shown { sentence, contents, grid: false })
+    let target = Target::of(id);
+    let Some(finding) = audit.find(target) else {
+        return Ok(regularity::table_of(audit, target).map(|found| of_regularity(&found)));
     };
-    if let Some(one) = audit.equations.iter().find(|one| one.id == id) {
-        return Ok(claim(
-            &one.equation.locus,
-            &equation::outcome(one),
-            claims::equation(context, one),
-        ));
-    }
-    if let Some(one) = audit.functions.iter().find(|one| one.id == id) {
-        let outcome = function::function_outcome(one).join("\n");
-        return Ok(claim(&one.claim.locus, &outcome, claims::function(context, one)));
-    }
-    if let Some(one) = audit.ranges.iter().find(|one| one.id == id) {
-        let outcome = function::range_outcome(one).join("\n");
-        return Ok(claim(&one.claim.locus, &outcome, claims::range(context, one)));
-    }
-    if let Some(one) = audit.smoothness.iter().find(|one| one.id == id) {
-        let outcome = smoothness::outcome(one).join("\n");
-        return Ok(claim(&one.claim.locus, &outcome, claims::smoothness(context, one)));
-    }
-    if let Some(found) = regularity::table_of(audit, id) {
-        let cells = || found.cells.iter().flatten().flatten();
-        let sentence = format!(
-            "{} of the {} statements of {} are confirmed.",
-            cells().filter(|one| one.verdict == SmoothnessVerdict::Confirmed).count(),
-            cells().count(),
-            found.table.locus
-        );
-        return Ok(Some(Shown {
-            sentence,
-            contents: regularity_table::section(&found),
-            grid: true,
-        }));
-    }
-    let Some(one) = audit.theorems.iter().find(|one| one.id == id) else { return Ok(None) };
-    Ok(claim(&one.theorem.locus, &theorem::outcome(one), claims::theorem(context, one)?))
+    let outcome = match finding {
+        Finding::Table(finding) if target.part.is_none() => return of_table(context, finding),
+        Finding::Table(finding) => return of_cell(context, finding, target),
+        Finding::Equation(finding) => equation::outcome(finding),
+        Finding::Function(finding) => function::function_outcome(finding).join("\n"),
+        Finding::Range(finding) => function::range_outcome(finding).join("\n"),
+        Finding::Smoothness(finding) => smoothness::outcome(finding).join("\n"),
+        Finding::Theorem(finding) => theorem::outcome(finding),
+    };
+    let first = outcome.lines().next().unwrap_or_default();
+    let sentence = format!("{}: {first}", finding.claim().locus());
+    Ok(Some(Shown { sentence, contents: claims::section(context, finding)?, grid: false }))
+}
+
+fn of_regularity(found: &Regularity<'_, '_>) -> Shown {
+    let cells = || found.cells.iter().flatten().flatten();
+    let sentence = format!(
+        "{} of the {} statements of {} are confirmed.",
+        cells().filter(|one| one.verdict == SmoothnessVerdict::Confirmed).count(),
+        cells().count(),
+        found.table.locus
+    );
+    Shown { sentence, contents: regularity_table::section(found), grid: true }
 }
 
 fn of_table(
@@ -166,9 +148,10 @@ fn of_table(
 fn of_cell(
     context: &Context<'_, '_>,
     finding: &TableFinding<'_>,
-    id: &str,
-    at: Option<(usize, usize)>,
+    target: Target<'_>,
 ) -> Result<Option<Shown>, Diagnostic> {
+    let id = target.to_string();
+    let at = cell_place(finding.table, target);
     let Some(cell) = finding.cells.iter().flatten().find(|cell| cell.id == id) else {
         return Ok(None);
     };
@@ -177,12 +160,11 @@ fn of_cell(
     let verdict = cell.verdict.word();
     let sentence = format!("Printed {printed}{}: {verdict}.", exact.unwrap_or_default());
     let pictures = at.map(|at| broken_promise(context, finding, at)).transpose()?;
-    let anchor = id.split_once(':').map_or(id, |(_, anchor)| anchor);
     let contents = html! {
         @if let Some(digits) = digits(cell) { (digits) }
         @for picture in pictures.iter().flatten() { (picture) }
         @if let Some(at) = at { (certified_cell(context, &finding.table.id, at)) }
-        (command::explain(context, anchor))
+        (command::explain(context, &target.within()))
     };
     Ok(Some(Shown { sentence, contents, grid: false }))
 }

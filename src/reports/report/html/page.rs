@@ -6,15 +6,16 @@ use super::document::document;
 use super::filter::buttons;
 use super::regularity as regularity_table;
 use super::sheet::{blocks, counts};
-use super::table;
 use super::verdict::{LOOKS, Look};
 use crate::audit::PaperAudit;
+use crate::claim::Kind;
 use crate::diagnostic::Diagnostic;
 use crate::report::headline::headline;
 use crate::report::overview::overview_sheet;
 use crate::report::sheet::{Block, Sheet};
 use crate::report::{consistency, regularity, summary};
 use maud::{Markup, html};
+use std::collections::BTreeMap;
 
 /// The page of a paper, in one file that loads nothing: what its claims come to, its tables in their
 /// own shape, its other claims, and for each the command that shows it again.
@@ -37,10 +38,11 @@ use maud::{Markup, html};
 /// When a formula of the claim file is wrong.
 pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, Diagnostic> {
     let context = Context::new(audit, file);
-    let tables = audit.tables.iter().map(|one| table::section(&context, one));
-    let tables = tables.collect::<Result<Vec<Markup>, Diagnostic>>()?;
-    let theorems = audit.theorems.iter().map(|one| claims::theorem(&context, one));
-    let theorems = theorems.collect::<Result<Vec<Markup>, Diagnostic>>()?;
+    let mut sections = BTreeMap::new();
+    for finding in audit.findings() {
+        let section = claims::section(&context, finding)?;
+        sections.entry(finding.claim().kind()).or_insert_with(Vec::new).push(section);
+    }
     let paper = audit.paper;
     let bibliography = &paper.bibliography;
     let main = html! {
@@ -58,13 +60,14 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
             p.headline { strong { (headline(audit)) } }
             (contents(audit))
             (buttons(audit))
-            (list("Tables", "tables", &tables, Markup::clone))
-            (list("Equations", "equations", &audit.equations, |one| claims::equation(&context, one)))
-            (list("Functions of a parameter", "functions", &audit.functions, |one| claims::function(&context, one)))
-            (list("Parameter ranges", "ranges", &audit.ranges, |one| claims::range(&context, one)))
-            (list("Tables of smoothness", "regularity", &regularity::tables(audit), regularity_table::section))
-            (list("Smoothness", "smoothness", &audit.smoothness, |one| claims::smoothness(&context, one)))
-            (list("Theorems", "theorems", &theorems, Markup::clone))
+            @for kind in Kind::ALL {
+                @if *kind == Kind::Smoothness {
+                    @let tables: Vec<Markup> = regularity::tables(audit).iter().map(regularity_table::section).collect();
+                    (list("Tables of smoothness", "regularity", &tables))
+                }
+                @let (heading, id) = heading(*kind);
+                (list(heading, id, sections.get(kind).map_or(&[], |list| list)))
+            }
             section.overview { (blocks(&rest(audit), 0)) h2 { "Counts" } (tallies(audit)) }
             (legend())
         }
@@ -82,13 +85,25 @@ fn tallies(audit: &PaperAudit<'_>) -> Markup {
     }
 }
 
+/// The heading of the claims of a kind, and its anchor.
+fn heading(kind: Kind) -> (&'static str, &'static str) {
+    match kind {
+        Kind::Table => ("Tables", "tables"),
+        Kind::Equation => ("Equations", "equations"),
+        Kind::Function => ("Functions of a parameter", "functions"),
+        Kind::Range => ("Parameter ranges", "ranges"),
+        Kind::Smoothness => ("Smoothness", "smoothness"),
+        Kind::Theorem => ("Theorems", "theorems"),
+    }
+}
+
 /// The claims of a kind.
-fn list<F>(heading: &str, id: &str, findings: &[F], one: impl Fn(&F) -> Markup) -> Markup {
+fn list(heading: &str, id: &str, sections: &[Markup]) -> Markup {
     html! {
-        @if !findings.is_empty() {
+        @if !sections.is_empty() {
             section.kind id={ "page:" (id) } {
                 h2 { (heading) }
-                @for finding in findings { (one(finding)) }
+                @for section in sections { (section) }
             }
         }
     }

@@ -17,19 +17,19 @@ pub(super) struct Look {
 pub(super) const LOOKS: [Look; 7] = [
     Look { class: "right", of: Word::Confirmed, says: "confirmed, holds, exact, proved" },
     Look {
-        class: "reproduced",
+        class: Word::Reproduced.name(),
         of: Word::Reproduced,
         says: "reproduced at values that the paper does not state",
     },
-    Look { class: "rounding", of: Word::Rounding, says: "rounded otherwise" },
-    Look { class: "misprint", of: Word::Misprint, says: "misprint" },
+    Look { class: Word::Rounding.name(), of: Word::Rounding, says: "rounded otherwise" },
+    Look { class: Word::Misprint.name(), of: Word::Misprint, says: Word::Misprint.name() },
     Look { class: "reading", of: Word::OtherReading, says: "another reading" },
     Look { class: "wrong", of: Word::Refuted, says: "refuted, fails, inexact" },
-    Look { class: "open", of: Word::NotCheckable, says: "not checkable, or open" },
+    Look { class: Word::Open.name(), of: Word::NotCheckable, says: "not checkable, or open" },
 ];
 
 /// The class of cells whose promise is broken.
-pub(super) const BROKEN: &str = "broken";
+pub(super) const BROKEN: &str = Word::Broken.name();
 
 impl Look {
     /// The look of a verdict.

@@ -7,7 +7,8 @@ use super::reading::Search;
 use super::recovered::{Fitting, Recovered};
 use super::summary::Summary;
 use super::{SCHEMA, counts};
-use crate::audit::{self, PaperAudit, PromiseCounts, TableFinding, Tally, Word};
+use crate::audit::{self, PaperAudit, PromiseCounts, TableFinding, Word};
+use crate::claim::Kind;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -111,15 +112,8 @@ impl<'a> AuditReport<'a> {
 
 impl<'a> Paper<'a> {
     fn of(audit: &'a PaperAudit<'_>) -> Paper<'a> {
-        let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
-        let claims =
-            cells.map(Claim::of_cell).chain(audit.equations.iter().map(Claim::of_equation));
-        let functions = audit.functions.iter().map(|finding| Claim::of_function(audit, finding));
-        let claims = claims.chain(functions).chain(audit.ranges.iter().map(Claim::of_range));
-        let claims = claims.chain(audit.smoothness.iter().map(Claim::of_smoothness));
-        let claims = claims.chain(audit.theorems.iter().map(Claim::of_theorem)).collect();
-        let mut tally = Tally::default();
-        audit.claims().iter().for_each(|claim| tally += &claim.verdicts);
+        let claims = audit.findings().flat_map(|finding| Claim::all(audit, finding)).collect();
+        let tally = audit.tally(Kind::ALL);
         let mut summary: BTreeMap<&str, usize> =
             Word::OF_CELLS.iter().map(|word| (word.name(), 0)).collect();
         summary.extend(counts(&tally));

@@ -5,7 +5,7 @@ use super::exact::{Named, decimal};
 use super::smoothness::SmoothnessDetails;
 use super::theorem::Trial;
 use crate::audit::{
-    self, CellFinding, EndFinding, EquationFinding, EquationVerdict, FunctionFinding,
+    self, CellFinding, EndFinding, EquationFinding, EquationVerdict, Finding, FunctionFinding,
     FunctionVerdict, KernelProof, PaperAudit, RangeFinding, TheoremFinding, Verdict,
 };
 use crate::claim::Statement;
@@ -162,7 +162,19 @@ pub struct Certificate {
 }
 
 impl<'a> Claim<'a> {
-    pub(super) fn of_cell(cell: &'a CellFinding) -> Claim<'a> {
+    /// The claims of a finding: those of a table are its cells.
+    pub(super) fn all(audit: &'a PaperAudit<'_>, finding: Finding<'a, '_>) -> Vec<Claim<'a>> {
+        match finding {
+            Finding::Table(finding) => finding.cells.iter().flatten().map(Claim::of_cell).collect(),
+            Finding::Equation(finding) => vec![Claim::of_equation(finding)],
+            Finding::Function(finding) => vec![Claim::of_function(audit, finding)],
+            Finding::Range(finding) => vec![Claim::of_range(finding)],
+            Finding::Smoothness(finding) => vec![Claim::of_smoothness(finding)],
+            Finding::Theorem(finding) => vec![Claim::of_theorem(finding)],
+        }
+    }
+
+    fn of_cell(cell: &'a CellFinding) -> Claim<'a> {
         let why = match &cell.verdict {
             Verdict::Rounding(direction) => Some(direction.to_string()),
             Verdict::Misprint(slip) => Some(slip.to_string()),
@@ -223,7 +235,7 @@ impl<'a> Claim<'a> {
         }
     }
 
-    pub(super) fn of_equation(finding: &'a EquationFinding<'_>) -> Claim<'a> {
+    fn of_equation(finding: &'a EquationFinding<'_>) -> Claim<'a> {
         let equation = finding.equation;
         let (failures, mends, absent) = match &finding.verdict {
             EquationVerdict::Fails { failures, mends, .. } => {
@@ -241,10 +253,7 @@ impl<'a> Claim<'a> {
         Claim { note: joined(absent, equation.note.as_deref()), ..claim }
     }
 
-    pub(super) fn of_function(
-        audit: &'a PaperAudit<'_>,
-        finding: &'a FunctionFinding<'_>,
-    ) -> Claim<'a> {
+    fn of_function(audit: &'a PaperAudit<'_>, finding: &'a FunctionFinding<'_>) -> Claim<'a> {
         let claim = finding.claim;
         let left = &claim.left.text;
         // If the printed form is the name of a definition, the definition's formula is what is
@@ -275,7 +284,7 @@ impl<'a> Claim<'a> {
         Claim { note: joined(cap, claim.note.as_deref()), ..plain }
     }
 
-    pub(super) fn of_range(finding: &'a RangeFinding<'_>) -> Claim<'a> {
+    fn of_range(finding: &'a RangeFinding<'_>) -> Claim<'a> {
         let claim = finding.claim;
         let found = finding.found.as_ref().ok();
         let ends = found.iter().flat_map(|found| &found.ends).map(End::of).collect();

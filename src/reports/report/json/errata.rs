@@ -238,15 +238,13 @@ impl<'a> Erratum<'a> {
 
 impl<'a> Detail<'a> {
     fn of(audit: &'a PaperAudit<'a>, subject: Subject<'a, 'a>) -> Detail<'a> {
-        let claim = match subject {
-            Subject::Cells(cells) => return Detail::Cells(WrongCells::of(&cells)),
-            Subject::Equation(finding) => Claim::of_equation(finding),
-            Subject::Function(finding) => Claim::of_function(audit, finding),
-            Subject::Range(finding, _) => Claim::of_range(finding),
-            Subject::Smoothness(finding) => Claim::of_smoothness(finding),
-            Subject::Theorem(finding) => Claim::of_theorem(finding),
-        };
-        Detail::Claim(Box::new(claim))
+        match subject {
+            Subject::Cells(cells) => Detail::Cells(WrongCells::of(&cells)),
+            other => {
+                let mut claims = Claim::all(audit, other.finding());
+                Detail::Claim(Box::new(claims.pop().expect("one claim of a finding without cells")))
+            }
+        }
     }
 }
 

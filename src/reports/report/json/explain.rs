@@ -7,6 +7,7 @@ use super::claim::Claim;
 use super::reading::Reading;
 use super::working::Working;
 use crate::audit::PaperAudit;
+use crate::claim::Target;
 use crate::report::explain::{Background, table_of};
 use crate::report::eye::Eye;
 use serde::Serialize;
@@ -62,11 +63,9 @@ impl<'a> Explained<'a> {
         let Background { readings, by_hand, working, eye } = background;
         let table = table_of(audits, id);
         let claims = AuditReport::of(audits).papers.into_iter().flat_map(|paper| paper.claims);
-        let own = audits
-            .iter()
-            .find_map(|audit| id.strip_prefix(&audit.paper.key[..])?.strip_prefix(':'));
+        let own = Target::of(id).within();
         let findings = audits.iter().flat_map(|audit| &audit.smoothness);
-        let cells = findings.filter(|finding| own.is_some_and(|own| finding.claim.is_cell_of(own)));
+        let cells = findings.filter(|finding| finding.claim.is_cell_of(&own));
         let cells: Vec<&str> = cells.map(|finding| &finding.id[..]).collect();
         let named = |claim: &Claim<'_>| {
             claim.id == id

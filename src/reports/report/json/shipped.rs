@@ -1,6 +1,7 @@
 //! The audit of shipped constants as JSON.
 
 use super::SCHEMA;
+use crate::audit::Word;
 use crate::exact::{Rational, format::short};
 use crate::report::shipped::shipped_reading;
 use crate::shipped::{
@@ -250,9 +251,9 @@ fn parts(verdict: Verdict) -> (&'static str, Option<u64>, Option<u64>, Option<&'
         Verdict::Rounded(digits) => ("rounded", u64::try_from(digits).ok(), None, None),
         Verdict::Truncated(digits) => ("truncated", u64::try_from(digits).ok(), None, None),
         Verdict::Ulps(units) => ("ulps", None, Some(units), None),
-        Verdict::Misprint(slip) => ("misprint", None, None, Some(slip.name())),
-        Verdict::Refuted(agree) => ("refuted", Some(u64::from(agree)), None, None),
-        Verdict::Open => ("open", None, None, None),
+        Verdict::Misprint(slip) => (Word::Misprint.name(), None, None, Some(slip.name())),
+        Verdict::Refuted(agree) => (Word::Refuted.name(), Some(u64::from(agree)), None, None),
+        Verdict::Open => (Word::Open.name(), None, None, None),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The trial of a theorem.
 
 use super::witness::Witness;
-use crate::audit::{self, CaseFinding, Outcome, TheoremFinding};
+use crate::audit::{self, CaseFinding, Outcome, TheoremFinding, Word};
 use serde::Serialize;
 
 /// The trial of a theorem.
@@ -62,9 +62,9 @@ impl<'a> Trial<'a> {
 impl<'a> Case<'a> {
     fn of(case: &'a CaseFinding) -> Case<'a> {
         let (outcome, level, why) = match &case.outcome {
-            Outcome::Refuted(violation) => ("refuted", Some(violation.level), None),
-            Outcome::Proved => ("proved", None, None),
-            Outcome::UpTo(level) => ("holds", Some(*level), None),
+            Outcome::Refuted(violation) => (Word::Refuted.name(), Some(violation.level), None),
+            Outcome::Proved => (Word::Proved.name(), None, None),
+            Outcome::UpTo(level) => (Word::Holds.name(), Some(*level), None),
             Outcome::Unknown(why) => ("unknown", None, Some(why.as_str())),
             Outcome::Outside(why) => ("outside", None, Some(why.as_str())),
         };
