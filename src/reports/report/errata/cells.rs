@@ -9,10 +9,10 @@ use crate::exact::{
     RealCyclotomic,
     format::{fixed, scientific, short},
 };
-use crate::report::audit::{assumed, spelled_out};
-use crate::report::reading;
-use crate::report::sheet::{Grid, Sheet};
-use crate::report::summary::words;
+use crate::report::papers::audit::{assumed, spelled_out};
+use crate::report::papers::summary::words;
+use crate::report::tables::reading;
+use crate::report::words::sheet::{Grid, Sheet};
 use std::collections::BTreeSet;
 
 /// The formula of the table, its title, and the number of the cells.

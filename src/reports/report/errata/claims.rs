@@ -5,9 +5,11 @@ use crate::audit::{
     TheoremFinding,
 };
 use crate::claim::{EquationBody, Left};
-use crate::report::theorem as theorems;
-use crate::report::witness::compared;
-use crate::report::{equation, function, smoothness};
+use crate::report::formulas::equation;
+use crate::report::formulas::function;
+use crate::report::smooth::smoothness;
+use crate::report::theorems::theorem as theorems;
+use crate::report::theorems::witness::compared;
 
 /// How many cases of a failing equation are listed.
 const MAX_CASES: usize = 6;

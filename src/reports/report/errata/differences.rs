@@ -7,8 +7,10 @@ use crate::audit::{
 };
 use crate::claim::{ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
 use crate::exact::{Enclosed as _, Rational, format::fixed};
-use crate::report::sheet::{Grid, Sheet};
-use crate::report::{function, smoothness, theorem};
+use crate::report::formulas::function;
+use crate::report::smooth::smoothness;
+use crate::report::theorems::theorem;
+use crate::report::words::sheet::{Grid, Sheet};
 use crate::smoothness::Hoelder;
 
 /// The longest text of a cell; longer ones are cut.

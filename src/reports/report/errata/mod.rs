@@ -3,15 +3,18 @@
 pub(super) mod cells;
 mod claims;
 mod differences;
+pub(in crate::report) mod latex_table;
 
 pub use differences::differences_sheet;
 
-use super::headline::unstated_offsets;
-use super::reading::capital;
-use super::sheet::{Block, Grid, Sheet};
-use super::{consistency, summary, theorem};
 use crate::audit::{Consequences, Errata, Erratum, PaperAudit, Subject};
 use crate::claim::Promise;
+use crate::report::papers::consistency;
+use crate::report::papers::headline::unstated_offsets;
+use crate::report::papers::summary;
+use crate::report::tables::reading::capital;
+use crate::report::theorems::theorem;
+use crate::report::words::sheet::{Block, Grid, Sheet};
 
 /// The errata of papers.
 #[must_use]

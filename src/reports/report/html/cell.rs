@@ -7,7 +7,7 @@ use super::picture::digits;
 use super::sheet::facts;
 use super::verdict::{BROKEN, Look, badge};
 use crate::audit::CellFinding;
-use crate::report::explain::cell_facts;
+use crate::report::papers::explain::cell_facts;
 use maud::{Markup, html};
 
 /// The anchor of a cell: the table's id, the row and the column, counted from 1.

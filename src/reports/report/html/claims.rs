@@ -16,7 +16,10 @@ use crate::audit::{
 use crate::claim::{EquationBody, Quantity, Statement};
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
-use crate::report::{equation, function, smoothness, theorem};
+use crate::report::formulas::equation;
+use crate::report::formulas::function;
+use crate::report::smooth::smoothness;
+use crate::report::theorems::theorem;
 use maud::{Markup, html};
 
 /// The section of a claim.

@@ -3,7 +3,7 @@
 use super::sheet::lines;
 use super::verdict::{Look, badge};
 use crate::audit::SmoothnessFinding;
-use crate::report::regularity::{Regularity, printed};
+use crate::report::smooth::regularity::{Regularity, printed};
 use maud::{Markup, html};
 
 /// The section of a table; each cell leads to its claim.

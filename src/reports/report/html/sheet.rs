@@ -1,6 +1,6 @@
 //! The blocks of a report as HTML.
 
-use crate::report::sheet::{Block, Grid, Sheet};
+use crate::report::words::sheet::{Block, Grid, Sheet};
 use maud::{Markup, html};
 
 /// The longest value that is shown whole; a longer one can be unfolded.

@@ -12,8 +12,8 @@ use super::statement::definitions;
 use super::verdict::{BROKEN, LOOKS, Look};
 use crate::audit::TableFinding;
 use crate::diagnostic::Diagnostic;
-use crate::report::audit::remarks;
-use crate::report::headers;
+use crate::report::papers::audit::remarks;
+use crate::report::tables::headers;
 use maud::{Markup, html};
 
 /// The section of a table.

@@ -3,12 +3,12 @@
 use super::claim::Claim;
 use super::consistency::Contradiction;
 use super::offset::BetterOffset;
-use super::reading::Search;
-use super::recovered::{Fitting, Recovered};
 use super::summary::Summary;
 use super::{SCHEMA, counts};
 use crate::audit::{self, PaperAudit, PromiseCounts, TableFinding, Word};
 use crate::claim::Kind;
+use crate::report::json::tables::reading::Search;
+use crate::report::json::tables::recovered::{Fitting, Recovered};
 use serde::Serialize;
 use std::collections::BTreeMap;
 

@@ -1,15 +1,15 @@
 //! A claim with its verdict.
 
-use super::cell::{AsRead, CellSound};
 use super::exact::{Named, decimal};
-use super::smoothness::SmoothnessDetails;
-use super::theorem::Trial;
 use crate::audit::{
     self, CellFinding, EndFinding, EquationFinding, EquationVerdict, Finding, FunctionFinding,
     FunctionVerdict, KernelProof, PaperAudit, RangeFinding, TheoremFinding, Verdict,
 };
 use crate::claim::Statement;
-use crate::report::function::printed;
+use crate::report::formulas::function::printed;
+use crate::report::json::smooth::smoothness::SmoothnessDetails;
+use crate::report::json::tables::cell::{AsRead, CellSound};
+use crate::report::json::theorems::theorem::Trial;
 use serde::Serialize;
 use std::borrow::Cow;
 

@@ -1,7 +1,7 @@
 //! Where the tables of a paper need different readings.
 
 use crate::audit::{self, PaperAudit};
-use crate::report::consistency::locus;
+use crate::report::papers::consistency::locus;
 use serde::Serialize;
 
 /// Tables that need different readings.

@@ -3,10 +3,10 @@
 use super::SCHEMA;
 use super::claim::Claim;
 use super::consistency::Contradiction;
-use super::recovered::Recovered;
 use super::summary::Summary;
 use crate::audit::{self, Cause, CellErratum, Errata, PaperAudit, Subject, TableFinding};
 use crate::report::errata::cells::{correct, origin};
+use crate::report::json::tables::recovered::Recovered;
 use serde::Serialize;
 
 /// What `subcert errata` finds.

@@ -2,14 +2,14 @@
 
 use super::SCHEMA;
 use super::audit::AuditReport;
-use super::by_hand::ByHand;
 use super::claim::Claim;
-use super::reading::Reading;
-use super::working::Working;
 use crate::audit::PaperAudit;
 use crate::claim::Target;
-use crate::report::explain::{Background, table_of};
-use crate::report::eye::Eye;
+use crate::report::json::tables::reading::Reading;
+use crate::report::json::tables::working::Working;
+use crate::report::json::theorems::by_hand::ByHand;
+use crate::report::papers::explain::{Background, table_of};
+use crate::report::tables::eye::Eye;
 use serde::Serialize;
 
 /// What `subcert explain` finds.

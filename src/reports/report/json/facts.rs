@@ -3,11 +3,11 @@
 use super::SCHEMA;
 use super::exact::Exact;
 use super::sets::Interval;
-use super::smoothness::HoelderForm;
-use super::vertex::VertexForm;
 use crate::exact::Rational;
 use crate::facts::{CurveFacts, FamilyFacts, Kind, ParameterFacts, SchemeFacts, ValenceFacts};
 use crate::limit::{Functional, TwoSidedDepth};
+use crate::report::json::smooth::smoothness::HoelderForm;
+use crate::report::json::smooth::vertex::VertexForm;
 use crate::smoothness::Coefficient;
 use serde::Serialize;
 

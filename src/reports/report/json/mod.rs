@@ -4,8 +4,6 @@
 //! is null there, unless its documentation says that the field is missing then.
 
 mod audit;
-mod by_hand;
-mod cell;
 mod claim;
 mod consistency;
 mod coverage;
@@ -14,23 +12,14 @@ mod exact;
 mod explain;
 mod facts;
 mod offset;
-mod promise;
-mod reading;
-mod recovered;
 mod sets;
-mod shift;
 mod shipped;
-mod smoothness;
-mod smoothness_claim;
+mod smooth;
 mod summary;
-mod theorem;
-mod vertex;
-mod witness;
-mod working;
+mod tables;
+mod theorems;
 
 pub use audit::{AuditReport, Paper, PromiseTally, Table, UnstatedOffset};
-pub use by_hand::{ByHand, Constant, HandMask, Level, Point, Side as HandSide, Weights};
-pub use cell::{AsRead, CellSound, SoundValue};
 pub use claim::{Certificate, Claim, Details, End, Failure, Sound};
 pub use consistency::{Contradiction, Side, TablePart};
 pub use coverage::{CoverageReport, CoveredPaper, CoveringClaim, NumberedItem};
@@ -45,21 +34,25 @@ pub use facts::{
     ValenceForm, WeightForm,
 };
 pub use offset::BetterOffset;
-pub use promise::{Broken, ControlData, Natural as NaturalPromise, Promise};
-pub use reading::{Explanation, Line, Reading, ReadingOfCell, Search, Shift, Solved};
-pub use recovered::{Fitting, Recovered};
 pub use sets::{Interval, Number as RootNumber, polynomial as root_polynomial};
-pub use shift::{EveryShift, Greatest, Polygon};
 pub use shipped::{
     Number, ProjectReport, ProjectsReport, ShippedTable, SplitValues, Sums,
     Tolerance as AcceptedError,
 };
-pub use smoothness::HoelderForm;
+pub use smooth::smoothness::HoelderForm;
+pub use smooth::vertex::{VertexForm, VerticesForm};
 pub use summary::{Group, Outcome, Summary};
-pub use theorem::{Case, Repair, Trial};
-pub use vertex::{VertexForm, VerticesForm};
-pub use witness::{Control, Exceeding, Natural as NaturalTheorem, Place, Supremum, Witness};
-pub use working::Working;
+pub use tables::cell::{AsRead, CellSound, SoundValue};
+pub use tables::promise::{Broken, ControlData, Natural as NaturalPromise, Promise};
+pub use tables::reading::{Explanation, Line, Reading, ReadingOfCell, Search, Shift, Solved};
+pub use tables::recovered::{Fitting, Recovered};
+pub use tables::working::Working;
+pub use theorems::by_hand::{ByHand, Constant, HandMask, Level, Point, Side as HandSide, Weights};
+pub use theorems::shift::{EveryShift, Greatest, Polygon};
+pub use theorems::theorem::{Case, Repair, Trial};
+pub use theorems::witness::{
+    Control, Exceeding, Natural as NaturalTheorem, Place, Supremum, Witness,
+};
 
 /// The version of the JSON form.
 const SCHEMA: u32 = 1;

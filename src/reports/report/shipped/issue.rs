@@ -3,7 +3,7 @@
 use super::facts;
 use super::table::{equals, headline, numbers, rows};
 use super::words::{self, after_at};
-use crate::report::sheet::Sheet;
+use crate::report::words::sheet::Sheet;
 use crate::shipped::{
     ExactValues, Outcome, Project, ProjectAudit, ShippedFinding, Verdict, decimal,
 };

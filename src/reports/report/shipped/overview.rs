@@ -2,7 +2,7 @@
 
 use super::table::section;
 use super::words::{count, is_wrong};
-use crate::report::sheet::{Grid, Sheet};
+use crate::report::words::sheet::{Grid, Sheet};
 use crate::shipped::{Outcome, Project, ProjectAudit, ShippedFinding, Verdict};
 
 /// The text in place of a count of 0.

@@ -2,8 +2,8 @@
 
 use super::facts;
 use super::words::{self, at, count, is_wrong, type_name};
-use crate::report::parts::titled;
-use crate::report::sheet::{Grid, Sheet};
+use crate::report::words::parts::titled;
+use crate::report::words::sheet::{Grid, Sheet};
 use crate::shipped::{
     ExactValues, Origin, Project, ShippedFinding, TableIndex, Verdict, decimal, nearest_text,
 };

@@ -1,11 +1,11 @@
 //! The basic limit function and its derivatives.
 
-use super::frame::{Frame, points};
-use super::panel::Panel;
-use super::scale::Scale;
 use crate::exact::Rational;
 use crate::facts::CurveShape;
 use crate::float::nearest;
+use crate::report::html::picture::plane::frame::{Frame, points};
+use crate::report::html::picture::plane::panel::Panel;
+use crate::report::html::picture::plane::scale::Scale;
 use crate::smoothness::{BasicValues, Coefficient};
 use maud::html;
 

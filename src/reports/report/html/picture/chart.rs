@@ -1,10 +1,10 @@
 //! The numbers of a table as lines: printed against exact, and the sound ones where there are some.
 
-use super::frame::{Frame, WIDTH, picture, points};
-use super::scale::Scale;
 use crate::audit::{CellFinding, Sound, TableFinding, Verdict};
 use crate::claim::{Axis, Cell, Promise};
 use crate::float::nearest;
+use crate::report::html::picture::plane::frame::{Frame, WIDTH, picture, points};
+use crate::report::html::picture::plane::scale::Scale;
 use maud::{Markup, html};
 
 /// The most lines of a picture: as many can be told apart.

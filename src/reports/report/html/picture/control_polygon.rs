@@ -1,14 +1,14 @@
 //! A control polygon with its limit, and the place where a level is farthest from it.
 
 use super::curve::{FINER, Level, Window, levels};
-use super::frame::{WIDTH, picture, points};
-use super::graph::{Graph, HEIGHT};
-use super::line::{Line, float, index};
-use super::scale::Scale;
 use super::space::{Scene, Views};
 use crate::exact::{Rational, format::short};
 use crate::float::nearest;
 use crate::limit::determined;
+use crate::report::html::picture::plane::frame::{WIDTH, picture, points};
+use crate::report::html::picture::plane::graph::{Graph, HEIGHT};
+use crate::report::html::picture::plane::line::{Line, float, index};
+use crate::report::html::picture::plane::scale::Scale;
 use crate::scheme::Mask;
 use maud::{Markup, html};
 

@@ -1,7 +1,7 @@
 //! Refined polygons for pictures, in f64: point i at (i + s)/n^k, constant beyond the control points.
 
-use super::line::{Line, float, index};
 use crate::float::nearest;
+use crate::report::html::picture::plane::line::{Line, float, index};
 use crate::scheme::{Mask, Rules};
 
 /// From this factor on, the points of a later level are as good as limit points: where those of level k move

@@ -1,9 +1,9 @@
 //! Faces in colours by a value, from two sides.
 
-use super::frame::{WIDTH, picture};
 use super::space::{Scene, Views};
 use crate::exact::{Rational, format::short};
 use crate::float::nearest;
+use crate::report::html::picture::plane::frame::{WIDTH, picture};
 use maud::{Markup, html};
 
 /// The most faces in colour, and as many of the others in grey at most.

@@ -1,13 +1,13 @@
 //! Where in the parameters of a family the limits are smooth.
 
-use super::frame::{Frame, WIDTH};
-use super::panel::Panel;
 use super::range::{bound, drawn};
-use super::scale::Scale;
 use crate::exact::{IntervalSet, Rational, format::short};
 use crate::facts::{FamilyDrawing, ParameterFacts};
 use crate::float::nearest;
-use crate::report::set::set_text;
+use crate::report::html::picture::plane::frame::{Frame, WIDTH};
+use crate::report::html::picture::plane::panel::Panel;
+use crate::report::html::picture::plane::scale::Scale;
+use crate::report::words::set::set_text;
 use crate::smoothness::{Certain, MapBox, Sides, SmoothMap};
 use maud::{Markup, html};
 

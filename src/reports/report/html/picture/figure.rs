@@ -1,11 +1,11 @@
 //! A figure of a paper that plots numbers of a table: as printed, beside what it should show.
 
 use super::chart::{Mark, labels, mark};
-use super::frame::{Frame, picture, points};
-use super::legend::legend;
-use super::scale::Scale;
 use crate::audit::TableFinding;
 use crate::claim::{Axis, Figure, Promise};
+use crate::report::html::picture::plane::frame::{Frame, picture, points};
+use crate::report::html::picture::plane::legend::legend;
+use crate::report::html::picture::plane::scale::Scale;
 use maud::{Markup, html};
 
 /// The most lines, as many as the legend has room for.

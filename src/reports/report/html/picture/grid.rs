@@ -2,8 +2,8 @@
 //! the piece the value of the nearest point of it.
 
 use super::curve::Window;
-use super::line::{Line, float, index};
 use crate::float::nearest;
+use crate::report::html::picture::plane::line::{Line, float, index};
 use crate::scheme::{Mask, Rules};
 
 /// From this factor on in both directions, the points of a later level are as good as limit points, at their

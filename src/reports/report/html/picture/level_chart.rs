@@ -1,7 +1,7 @@
 //! Values against the level, on a logarithmic scale.
 
-use super::frame::{Frame, picture, points};
-use super::scale::Scale;
+use crate::report::html::picture::plane::frame::{Frame, picture, points};
+use crate::report::html::picture::plane::scale::Scale;
 use maud::{Markup, html};
 
 const HEIGHT: f64 = 300.0;

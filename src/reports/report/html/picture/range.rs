@@ -1,12 +1,12 @@
 //! The set of a parameter range, with its ends, above the range as printed.
 
 use super::super::names::plain;
-use super::frame::{Frame, picture};
-use super::scale::Scale;
 use crate::audit::RangeFinding;
 use crate::claim::Printed;
 use crate::exact::RealAlgebraic;
 use crate::float::nearest;
+use crate::report::html::picture::plane::frame::{Frame, picture};
+use crate::report::html::picture::plane::scale::Scale;
 use maud::{Markup, html};
 use std::ops::Bound;
 
@@ -37,7 +37,7 @@ pub(in crate::report::html) fn range(finding: &RangeFinding<'_>) -> Option<Marku
     let title = format!("{}: the range as printed and the exact set", claim.locus);
     let says = format!(
         "Printed {}; exactly {}.",
-        crate::report::function::printed(finding),
+        crate::report::formulas::function::printed(finding),
         exact.describe(&claim.variable)
     );
     let drawing = html! {

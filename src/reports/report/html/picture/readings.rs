@@ -1,7 +1,7 @@
 //! Cells explained against readings: a small map of the table for each of them.
 
-use super::frame::WIDTH;
 use crate::audit::{CellFinding, Search, TableFinding, Verdict};
+use crate::report::html::picture::plane::frame::WIDTH;
 use maud::{Markup, html};
 
 /// The most readings that are drawn.

@@ -1,10 +1,10 @@
 //! The characteristic ring with lines of constant parameters.
 
-use super::frame::{WIDTH, points};
-use super::panel::Panel;
 use crate::characteristic::{Refutation, RingPoint, Verdict, Vertex};
 use crate::exact::Rational;
 use crate::float::nearest;
+use crate::report::html::picture::plane::frame::{WIDTH, points};
+use crate::report::html::picture::plane::panel::Panel;
 use maud::html;
 use std::f64::consts::PI;
 

@@ -1,14 +1,14 @@
 //! The values of a parameter for which limits are smooth, above the range as printed.
 
 use super::super::names::plain;
-use super::frame::{Frame, picture};
 use super::range::{bound, drawn};
-use super::scale::Scale;
 use crate::audit::{Known, SmoothnessFinding};
 use crate::exact::IntervalSet;
 use crate::float::nearest;
-use crate::report::set::set_text;
-use crate::report::smoothness::printed;
+use crate::report::html::picture::plane::frame::{Frame, picture};
+use crate::report::html::picture::plane::scale::Scale;
+use crate::report::smooth::smoothness::printed;
+use crate::report::words::set::set_text;
 use maud::{Markup, html};
 
 const HEIGHT: f64 = 150.0;

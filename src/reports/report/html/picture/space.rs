@@ -1,6 +1,6 @@
 //! Shapes in space, seen from two sides: those behind are drawn first.
 
-use super::frame::WIDTH;
+use crate::report::html::picture::plane::frame::WIDTH;
 use maud::{Markup, html};
 
 /// A point in space.

@@ -2,9 +2,7 @@
 //! parameters, and the place.
 
 use super::super::curve::Window;
-use super::super::frame::picture;
 use super::super::grid::{Grid, levels};
-use super::super::legend::legend;
 use super::super::space::{Scene, Views};
 use super::exceeding::{Exceeding, SEEN};
 use crate::audit::Place;
@@ -12,6 +10,8 @@ use crate::claim::Quantity;
 use crate::exact::Rational;
 use crate::float::nearest;
 use crate::limit::natural_shift;
+use crate::report::html::picture::plane::frame::picture;
+use crate::report::html::picture::plane::legend::legend;
 use crate::scheme::Mask;
 use maud::{Markup, html};
 

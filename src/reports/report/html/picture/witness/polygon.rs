@@ -1,15 +1,15 @@
 //! Data of a curve that exceed a bound: control polygon, level k, limit, and the place.
 
 use super::super::curve::{FINER, Level, Window, levels};
-use super::super::frame::picture;
-use super::super::graph::{Graph, HEIGHT};
-use super::super::line::{Line, float};
 use super::exceeding::{Exceeding, SEEN};
 use crate::audit::Place;
 use crate::claim::Quantity;
 use crate::exact::Rational;
 use crate::float::nearest;
 use crate::limit::ExtremalPolygon;
+use crate::report::html::picture::plane::frame::picture;
+use crate::report::html::picture::plane::graph::{Graph, HEIGHT};
+use crate::report::html::picture::plane::line::{Line, float};
 use crate::scheme::Mask;
 use maud::{Markup, html};
 

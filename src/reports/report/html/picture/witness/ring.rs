@@ -2,15 +2,15 @@
 //!
 //! Points of all levels stand above the same places, as they are compared by their names.
 
-use super::super::frame::picture;
-use super::super::legend::legend;
-use super::super::line::float;
 use super::super::ring_places::places;
 use super::super::space::{Scene, Views};
 use super::exceeding::Exceeding;
 use crate::audit::Place;
 use crate::claim::Quantity;
 use crate::float::nearest;
+use crate::report::html::picture::plane::frame::picture;
+use crate::report::html::picture::plane::legend::legend;
+use crate::report::html::picture::plane::line::float;
 use crate::scheme::LocalRules;
 use maud::{Markup, html};
 

@@ -1,0 +1,174 @@
+//! One finding as a page of its own.
+
+use crate::audit::{Finding, PaperAudit, SmoothnessVerdict, TableFinding, Verdict};
+use crate::claim::Target;
+use crate::diagnostic::Diagnostic;
+use crate::exact::format::short;
+use crate::report::formulas::equation;
+use crate::report::formulas::function;
+use crate::report::html::broken::of_cell as broken_promise;
+use crate::report::html::certified::of_cell as certified_cell;
+use crate::report::html::claims;
+use crate::report::html::command;
+use crate::report::html::context::Context;
+use crate::report::html::document::document;
+use crate::report::html::picture::digits;
+use crate::report::html::regularity as regularity_table;
+use crate::report::html::sheet::blocks;
+use crate::report::html::table;
+use crate::report::papers::explain::{Background, cell_place, explain_sheet};
+use crate::report::smooth::regularity;
+use crate::report::smooth::regularity::Regularity;
+use crate::report::smooth::smoothness;
+use crate::report::theorems::theorem;
+use crate::report::words::sheet::{Block, Sheet};
+use maud::{Markup, html};
+
+/// How many digits the exact value of a cell has in the sentence on top.
+const DIGITS: u32 = 9;
+
+/// The claim, table or cell of this id (`key:table-1`, `key:table-1:2:3`, `key:theorem-1`) as a page in one file
+/// that loads nothing: a sentence, its pictures, all that [`explain_sheet`] says, and the lines of its certificate.
+/// `None` where there is none. `file` is the claim file of a paper that is not embedded.
+///
+/// ```
+/// use subcert::audit::audit;
+/// use subcert::claim::embedded_papers;
+/// use subcert::report::Background;
+/// use subcert::report::html::explain_page;
+///
+/// let papers = embedded_papers()?;
+/// let audit = audit(&papers[2])?;
+/// let page = explain_page(&audit, "khan2019-newton:table-1:2:1", Background::default(), false, None)?;
+/// assert!(page.is_some_and(|page| page.contains("0.023863")));
+/// # Ok::<(), subcert::diagnostic::Diagnostic>(())
+/// ```
+///
+/// # Errors
+/// When a formula of the claim file is wrong.
+pub fn explain_page(
+    audit: &PaperAudit<'_>,
+    id: &str,
+    background: Background<'_>,
+    all: bool,
+    file: Option<&str>,
+) -> Result<Option<String>, Diagnostic> {
+    let audits = std::slice::from_ref(audit);
+    let Some(sheet) = explain_sheet(audits, id, background, all) else { return Ok(None) };
+    let context = Context { is_whole: true, ..Context::new(audit, file) };
+    let Some(Shown { sentence, contents, grid }) = shown(&context, id)? else { return Ok(None) };
+    let (title, rest) = parts(sheet, grid);
+    let bibliography = &audit.paper.bibliography;
+    let main = html! {
+        header {
+            h1 { (title) }
+            p {
+                (bibliography.short()) ", " (bibliography.title) "."
+                @if let Some(doi) = &bibliography.doi {
+                    " " a href={ "https://doi.org/" (doi) } { "doi:" (doi) }
+                }
+            }
+        }
+        main id="page:main" tabindex="-1" {
+            p.headline { strong { (sentence) } }
+            (contents)
+            @if !rest.blocks.is_empty() {
+                section.overview { h2 { "In full" } (blocks(&rest, 1)) }
+            }
+        }
+    };
+    Ok(Some(document(&format!("{title} · subcert"), &main)))
+}
+
+/// The heading of a sheet, and what stands below it; without the first grid, where this is shown already.
+fn parts(sheet: Sheet, mut grid: bool) -> (String, Sheet) {
+    let mut title = String::new();
+    let mut rest = Sheet::default();
+    for block in sheet.blocks {
+        match block {
+            Block::Heading(1, text) if title.is_empty() => title = text,
+            Block::Grid(_) if grid => grid = false,
+            block => rest.blocks.push(block),
+        }
+    }
+    (title, rest)
+}
+
+/// What a finding shows beyond its sheet.
+struct Shown {
+    sentence: String,
+    contents: Markup,
+    /// Whether the first grid of the sheet is among it.
+    grid: bool,
+}
+
+fn shown(context: &Context<'_, '_>, id: &str) -> Result<Option<Shown>, Diagnostic> {
+    let audit = context.audit;
+    let target = Target::of(id);
+    let Some(finding) = audit.find(target) else {
+        return Ok(regularity::table_of(audit, target).map(|found| of_regularity(&found)));
+    };
+    let outcome = match finding {
+        Finding::Table(finding) if target.part.is_none() => return of_table(context, finding),
+        Finding::Table(finding) => return of_cell(context, finding, target),
+        Finding::Equation(finding) => equation::outcome(finding),
+        Finding::Function(finding) => function::function_outcome(finding).join("\n"),
+        Finding::Range(finding) => function::range_outcome(finding).join("\n"),
+        Finding::Smoothness(finding) => smoothness::outcome(finding).join("\n"),
+        Finding::Theorem(finding) => theorem::outcome(finding),
+    };
+    let first = outcome.lines().next().unwrap_or_default();
+    let sentence = format!("{}: {first}", finding.claim().locus());
+    Ok(Some(Shown { sentence, contents: claims::section(context, finding)?, grid: false }))
+}
+
+fn of_regularity(found: &Regularity<'_, '_>) -> Shown {
+    let cells = || found.cells.iter().flatten().flatten();
+    let sentence = format!(
+        "{} of the {} statements of {} are confirmed.",
+        cells().filter(|one| one.verdict == SmoothnessVerdict::Confirmed).count(),
+        cells().count(),
+        found.table.locus
+    );
+    Shown { sentence, contents: regularity_table::section(found), grid: true }
+}
+
+fn of_table(
+    context: &Context<'_, '_>,
+    finding: &TableFinding<'_>,
+) -> Result<Option<Shown>, Diagnostic> {
+    let cells = || finding.cells.iter().flatten();
+    let good =
+        cells().filter(|cell| matches!(cell.verdict, Verdict::Confirmed | Verdict::Reproduced));
+    let sentence = format!(
+        "{} of the {} numbers of {} are as the printed definition gives them.",
+        good.count(),
+        cells().filter(|cell| cell.printed.is_some()).count(),
+        finding.table.locus
+    );
+    Ok(Some(Shown { sentence, contents: table::section(context, finding)?, grid: true }))
+}
+
+fn of_cell(
+    context: &Context<'_, '_>,
+    finding: &TableFinding<'_>,
+    target: Target<'_>,
+) -> Result<Option<Shown>, Diagnostic> {
+    let id = target.to_string();
+    let at = cell_place(finding.table, target);
+    let Some(cell) = finding.cells.iter().flatten().find(|cell| cell.id == id) else {
+        return Ok(None);
+    };
+    let printed = cell.printed.as_deref().unwrap_or("nothing that is left");
+    let exact = cell.exact.as_ref().map(|exact| format!(", exactly {}", short(exact, DIGITS)));
+    let verdict = cell.verdict.word();
+    let sentence = format!("Printed {printed}{}: {verdict}.", exact.unwrap_or_default());
+    let pictures = at.map(|at| broken_promise(context, finding, at)).transpose()?;
+    let contents = html! {
+        @if let Some(digits) = digits(cell) { (digits) }
+        @for picture in pictures.iter().flatten() { (picture) }
+        @if let Some(at) = at { (certified_cell(context, &finding.table.id, at)) }
+        (command::explain(context, &target.within()))
+    };
+    Ok(Some(Shown { sentence, contents, grid: false }))
+}

@@ -1,0 +1,29 @@
+//! Claims about smoothness as JSON.
+
+use super::smoothness::SmoothnessDetails;
+use crate::audit::{Known, SmoothnessFinding};
+use crate::report::json::claim::{Claim, Details};
+use crate::report::smooth::smoothness::statement;
+use std::borrow::Cow;
+
+impl<'a> Claim<'a> {
+    pub(in crate::report::json) fn of_smoothness(finding: &'a SmoothnessFinding<'_>) -> Claim<'a> {
+        let claim = finding.claim;
+        let details = SmoothnessDetails::of(&finding.known);
+        let why = match &finding.known {
+            Known::Absent(absent) => Some(format!("missing: {absent}")),
+            Known::Capped(reason) => Some(reason.clone()),
+            Known::BeyondCap(cap) => Some(cap.to_string()),
+            Known::Limits(_) | Known::Range(_) | Known::Vertices(_) | Known::VertexRanges(_) => {
+                None
+            }
+        };
+        let exact = details.exact().cloned();
+        let note = why.into_iter().chain(claim.note.clone()).collect::<Vec<String>>().join("; ");
+        let printed = statement(claim).map(Cow::Owned);
+        let (kind, verdict) = (claim.kind.name(), finding.verdict.word().name());
+        let details = Details::Smoothness(Box::new(details));
+        let plain = Claim::plain(&finding.id, &claim.locus, kind, "", verdict, details);
+        Claim { printed, exact, note: (!note.is_empty()).then_some(note.into()), ..plain }
+    }
+}

@@ -1,0 +1,165 @@
+//! What is known of limits, as JSON.
+
+use super::vertex::{VertexForm, VerticesForm};
+use crate::audit::{Known, Limits, RangeAtValence, RangeOfLimits};
+use crate::report::json::exact::decimal;
+use crate::report::smooth::smoothness::decimals;
+use crate::smoothness::Hoelder;
+use serde::Serialize;
+
+/// The fields that only claims about smoothness have.
+#[derive(Debug, Default, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SmoothnessDetails {
+    /// What is proved of the limits; null for a range without a value that refutes it.
+    pub limits: Option<LimitsForm>,
+    /// What is proved for all values of the parameter; null unless the claim is a range.
+    pub parameter: Option<RangeForm>,
+    /// What is known of surfaces at a vertex or on a face; only of rules there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vertices: Option<VerticesForm>,
+    /// What is proved of rules there for all values of a parameter, at each valence; only of a range of rules.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub valences: Option<Vec<RangeAtValenceForm>>,
+}
+
+/// What is proved of the limits of a mask.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct LimitsForm {
+    /// The greatest m for which they are C^m; null where convergence is not proved.
+    pub continuity: Option<usize>,
+    /// The least m for which not all of them are C^m, as far as that is proved.
+    pub continuity_fails: Option<usize>,
+    /// The Hölder exponent; null where convergence is not proved.
+    pub hoelder: Option<HoelderForm>,
+}
+
+/// The Hölder exponent.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct HoelderForm {
+    /// A decimal that is not above it.
+    pub lower: String,
+    /// A decimal that is not below it.
+    pub upper: String,
+    /// A formula; null where it is not known exactly.
+    pub exact: Option<String>,
+    /// Whether it is attained; null where that is open.
+    pub attained: Option<bool>,
+}
+
+/// What is proved at one valence for all values of a parameter.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct RangeAtValenceForm {
+    /// The valence.
+    pub valence: usize,
+    /// Where surfaces are C^1.
+    pub inside: String,
+    /// Where they are not.
+    pub outside: String,
+    /// The values of which the claim speaks and that are in neither set.
+    pub undecided: String,
+    /// A value that refutes the claim.
+    pub refuted_at: Option<String>,
+    /// What is known at that value.
+    pub vertex: Option<VertexForm>,
+}
+
+/// What is proved for all values of a parameter.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct RangeForm {
+    /// Where the limits are C^m.
+    pub inside: Option<String>,
+    /// Where not all of them are.
+    pub outside: Option<String>,
+    /// Whether finitely many values outside may be exceptions.
+    pub but_finitely_many: bool,
+    /// The values of which the claim speaks and that are in neither set.
+    pub undecided: String,
+    /// A value that refutes the claim.
+    pub refuted_at: Option<String>,
+    /// That value as a decimal.
+    pub refuted_at_decimal: Option<String>,
+}
+
+impl SmoothnessDetails {
+    pub(in crate::report::json) fn of(known: &Known) -> SmoothnessDetails {
+        match known {
+            Known::Limits(limits) => {
+                SmoothnessDetails { limits: Some(LimitsForm::of(limits)), ..Default::default() }
+            }
+            Known::Range(range) => {
+                let limits = range.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
+                let parameter = Some(RangeForm::of(range));
+                SmoothnessDetails { limits, parameter, ..Default::default() }
+            }
+            Known::Vertices(found) => {
+                SmoothnessDetails { vertices: Some(VerticesForm::of(found)), ..Default::default() }
+            }
+            Known::VertexRanges(found) => {
+                let valences = Some(found.iter().map(RangeAtValenceForm::of).collect());
+                SmoothnessDetails { valences, ..Default::default() }
+            }
+            Known::Absent(_) | Known::Capped(_) | Known::BeyondCap(_) => {
+                SmoothnessDetails::default()
+            }
+        }
+    }
+
+    /// The exponent as a formula.
+    pub(in crate::report::json) fn exact(&self) -> Option<&String> {
+        self.limits.as_ref()?.hoelder.as_ref()?.exact.as_ref()
+    }
+}
+
+impl RangeAtValenceForm {
+    fn of(found: &RangeAtValence) -> RangeAtValenceForm {
+        let RangeAtValence { range, undecided, witness } = found;
+        RangeAtValenceForm {
+            valence: range.order,
+            inside: range.inside.to_string(),
+            outside: range.outside.to_string(),
+            undecided: undecided.to_string(),
+            refuted_at: witness.as_ref().map(|witness| witness.at.to_string()),
+            vertex: witness.as_ref().map(|witness| VertexForm::of(&witness.vertex)),
+        }
+    }
+}
+
+impl LimitsForm {
+    fn of(limits: &Limits) -> LimitsForm {
+        let smoothness = &limits.smoothness;
+        LimitsForm {
+            continuity: smoothness.continuity,
+            continuity_fails: smoothness.continuity_fails,
+            hoelder: smoothness.hoelder.as_ref().map(HoelderForm::of),
+        }
+    }
+}
+
+impl HoelderForm {
+    /// The form of an exponent.
+    pub(in crate::report::json) fn of(hoelder: &Hoelder) -> HoelderForm {
+        let [lower, upper] = decimals(hoelder);
+        let exact = hoelder.formula.as_ref().map(ToString::to_string);
+        HoelderForm { lower, upper, exact, attained: hoelder.attained }
+    }
+}
+
+impl RangeForm {
+    fn of(range: &RangeOfLimits) -> RangeForm {
+        let sets = range.sets.as_ref();
+        let at = range.witness.as_ref().map(|witness| &witness.at);
+        RangeForm {
+            inside: sets.map(|sets| sets.inside.to_string()),
+            outside: sets.map(|sets| sets.outside.to_string()),
+            but_finitely_many: sets.is_some_and(|sets| sets.but_finitely_many),
+            undecided: range.undecided.to_string(),
+            refuted_at: at.map(ToString::to_string),
+            refuted_at_decimal: at.map(decimal),
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! Cells and readings of tables as JSON.
+
+pub(super) mod cell;
+pub(super) mod promise;
+pub(super) mod reading;
+pub(super) mod recovered;
+pub(super) mod working;

@@ -1,0 +1,39 @@
+//! Where the tables of a paper need different readings.
+
+use crate::audit::{Contradiction, PaperAudit, Side, TablePart};
+use crate::report::tables::reading::place;
+use crate::report::words::sheet::Sheet;
+
+/// The section on contradictions between tables, when there are any.
+pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
+    if audit.contradictions.is_empty() {
+        return;
+    }
+    sheet.heading(2, "Contradictions between tables");
+    sheet.text(
+        "What explains one table explains fewer cells of another, by more than one. In brackets: \
+         the cells explained, and those explained with what another line says.",
+    );
+    let fact = |contradiction: &Contradiction| {
+        let sides = contradiction.sides.iter().map(|side| line(audit, side));
+        (contradiction.about.clone(), sides.collect::<Vec<String>>().join("\n"))
+    };
+    sheet.facts(audit.contradictions.iter().map(fact).collect());
+}
+
+fn line(audit: &PaperAudit<'_>, side: &Side) -> String {
+    let one = |place: &TablePart| {
+        format!("{} ({}, {})", locus(audit, place), place.explained, place.otherwise)
+    };
+    let places: Vec<String> = side.places.iter().map(one).collect();
+    format!("{}: {}", side.needs, places.join("; "))
+}
+
+/// The locus of a table, or of a row or column of it.
+pub(in crate::report) fn locus(audit: &PaperAudit<'_>, at: &TablePart) -> String {
+    let Some(table) = at.table_of(audit.paper) else { return at.table.clone() };
+    match at.line {
+        None => table.locus.clone(),
+        Some(line) => format!("{}, {}", table.locus, place(table, line)),
+    }
+}

@@ -1,0 +1,321 @@
+//! The findings of an audit, in a few sentences for each paper.
+
+use crate::audit::{CellFinding, PaperAudit, PromiseCounts, Tally, UnstatedOffset, Verdict, Word};
+use crate::bound::BetterOffset;
+use crate::claim::Kind;
+use crate::exact::format::short;
+use crate::report::tables::reading::capital;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The most places that the first sentence names.
+const MAX_PLACES: usize = 3;
+
+/// The most words of the places that it names.
+const MAX_PLACE_WORDS: usize = 12;
+
+/// The verdicts of cells that are not what the paper's own definition gives.
+const WRONG_CELLS: [Word; 3] = [Word::Refuted, Word::Misprint, Word::OtherReading];
+
+/// What matters most in one sentence of up to 25 words, and then the counts: of the cells of a paper, of their
+/// promises, and of the other claims.
+pub(in crate::report) fn headline(audit: &PaperAudit<'_>) -> String {
+    let (about, first) = first(audit);
+    let promises = if about == About::Promises { open_promises(audit) } else { promises(audit) };
+    let claims = claims(audit, about);
+    let rest = cells(audit).into_iter().chain(promises).chain(claims).chain(beyond(audit));
+    let mut sentences: Vec<String> = unstated_offsets(audit).collect();
+    sentences.push(if sentences.is_empty() { first } else { capital(&first) });
+    sentences.extend(rest);
+    format!("{}: {}", audit.paper.key, sentences.join(" "))
+}
+
+/// For each scheme whose offset the claim file does not state, that another one is better.
+pub(in crate::report) fn unstated_offsets(audit: &PaperAudit<'_>) -> impl Iterator<Item = String> {
+    audit.unstated_offsets.iter().map(|UnstatedOffset { scheme, better }| {
+        let BetterOffset { offset, least, at_zero } = better;
+        format!(
+            "the claim file states no offset for the mask of `{scheme}`, and offset 0 is taken: there the displacement σ is \
+             {}, and at offset {offset} it is {}. If the paper numbers its points so, write beside the mask: offset = \
+             '{offset}'. Until then bounds and promises are judged at offset 0.",
+            short(at_zero, 9),
+            short(least, 9)
+        )
+    })
+}
+
+/// What the first sentence is about.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum About {
+    Promises,
+    Cells,
+    /// The claims of this kind, such as `equations`.
+    Claims(&'static str),
+    Nothing,
+}
+
+/// `164 of 220 promises are broken, in Table 2, Table 3 and 12 other tables.`: what does most harm.
+fn first(audit: &PaperAudit<'_>) -> (About, String) {
+    let PromiseCounts { broken, .. } = audit.promise_counts();
+    if broken > 0 {
+        let tables = audit.tables.iter().filter(|table| table.promise_counts().broken > 0);
+        let places = places(tables.map(|table| table.table.locus.as_str()), "table");
+        let said = if broken == 1 {
+            format!("a promise in {places} is broken")
+        } else {
+            format!("promises in {places} are broken")
+        };
+        return (About::Promises, format!("{said}: {broken} of {}.", audit.promise_counts().all()));
+    }
+    let wrong = |cell: &&CellFinding| WRONG_CELLS.contains(&cell.verdict.word());
+    let cells = || audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
+    let count = cells().filter(wrong).count();
+    if count > 0 {
+        let has = |table: &&crate::audit::TableFinding<'_>| {
+            table.cells.iter().flatten().any(|cell| wrong(&cell))
+        };
+        let tables = audit.tables.iter().filter(has);
+        let places = places(tables.map(|table| table.table.locus.as_str()), "table");
+        let said = if count == 1 {
+            format!("a number in {places} is not what its definition gives")
+        } else {
+            format!("numbers in {places} are not what their definitions give")
+        };
+        let all = cells().filter(|cell| cell.printed.is_some()).count();
+        return (About::Cells, format!("{said}: {count} of {all}."));
+    }
+    if let Some(kind) = groups(audit).into_iter().find(|kind| kind.wrong() > 0) {
+        let wrong = audit.findings().filter(|finding| {
+            kind.kinds.contains(&finding.claim().kind()) && finding.verdicts().of(kind.verdict) > 0
+        });
+        let places = places(wrong.map(|finding| finding.claim().locus()), kind.one);
+        let is = kind.words[usize::from(kind.wrong() != 1)];
+        let sentence =
+            format!("{places} {is}: {} of {} {}.", kind.wrong(), kind.all(), kind.several);
+        return (About::Claims(kind.several), sentence);
+    }
+    let judged = cells().any(|cell| cell.printed.is_some()) || !audit.claims().is_empty();
+    let sentence =
+        if judged { "nothing was found to be wrong." } else { "there is nothing to check." };
+    (About::Nothing, sentence.to_owned())
+}
+
+/// `Table 2, Table 3 and 10 other tables`, or `12 tables` where the names are long.
+fn places<'l>(loci: impl Iterator<Item = &'l str>, one: &str) -> String {
+    let mut seen = BTreeSet::new();
+    let loci: Vec<&str> = loci.filter(|locus| seen.insert(*locus)).collect();
+    let several = |count: usize| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
+    let named = if loci.len() <= MAX_PLACES { loci.len() } else { MAX_PLACES - 1 };
+    let words = |named: usize| {
+        loci[..named].iter().map(|locus| locus.split_whitespace().count()).sum::<usize>()
+    };
+    let named = (0..=named).rev().find(|named| words(*named) <= MAX_PLACE_WORDS).unwrap_or(0);
+    let others = loci.len() - named;
+    let mut parts: Vec<String> = loci[..named].iter().map(|locus| (*locus).to_owned()).collect();
+    if others > 0 {
+        parts.push(match named {
+            0 => several(others),
+            _ => format!("{others} other {one}{}", if others == 1 { "" } else { "s" }),
+        });
+    }
+    listed(&parts)
+}
+
+/// `a`, `a and b`, `a, b and c`.
+fn listed(parts: &[String]) -> String {
+    match parts.split_last() {
+        None => String::new(),
+        Some((last, [])) => last.clone(),
+        Some((last, others)) => format!("{} and {last}", others.join(", ")),
+    }
+}
+
+/// `Of 240 cells, 230 are reproduced with w = 39/2000, which the paper does not state, and 5 are confirmed.`
+fn cells(audit: &PaperAudit<'_>) -> Vec<String> {
+    let all = || audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
+    let printed: Vec<&CellFinding> = all().filter(|cell| cell.printed.is_some()).collect();
+    let lost = all().count() - printed.len();
+    let mut sentences = Vec::new();
+    if !printed.is_empty() {
+        let counts: Tally = printed.iter().map(|cell| cell.verdict.word()).collect();
+        let mut parts = Vec::new();
+        for word in Word::OF_CELLS {
+            let said = match word {
+                Word::Rounding => "rounded otherwise",
+                Word::OtherReading => "given by another reading",
+                Word::Misprint => "a slip away",
+                Word::NotCheckable => "not checkable",
+                other => other.name(),
+            };
+            parts.extend(Some((counts.of(word), said)).filter(|(count, _)| *count > 0));
+        }
+        // The largest part comes first.
+        parts.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+        let words: Vec<String> =
+            parts.into_iter().map(|(count, said)| format!("{} {said}", are(count))).collect();
+        let of = match printed.len() {
+            1 => "The only cell is".to_owned(),
+            count => format!("Of {count} cells, {}", listed(&words)),
+        };
+        let one = words.first().map(|words| words.trim_start_matches("1 is").to_owned());
+        sentences.push(if printed.len() == 1 {
+            format!("{of}{}.", one.unwrap_or_default())
+        } else {
+            format!("{of}.")
+        });
+        sentences.extend(recovered(audit));
+        let read = printed
+            .iter()
+            .filter(|cell| cell.verdict == Verdict::Reproduced && cell.as_read.is_some());
+        match (read.count(), counts.of(Word::Reproduced)) {
+            (0, _) => {}
+            (read, all) if read == all => sentences.push(match all {
+                1 => "This one takes another reading too.".to_owned(),
+                _ => format!("All {all} take another reading too."),
+            }),
+            (1, all) => sentences.push(format!("1 of these {all} takes another reading too.")),
+            (read, all) => {
+                sentences.push(format!("{read} of these {all} take another reading too."));
+            }
+        }
+        sentences.extend(if_assumed(&printed));
+    }
+    match lost {
+        0 => {}
+        1 => sentences.push("1 cell is lost.".to_owned()),
+        lost => sentences.push(format!("{lost} cells are lost.")),
+    }
+    sentences
+}
+
+/// `Of the cells that are not checkable, 7 differ and 1 is a slip away at the values shown.`: the verdicts that these
+/// have at the values that were put in.
+fn if_assumed(printed: &[&CellFinding]) -> Option<String> {
+    let judged = || printed.iter().filter_map(|cell| cell.verdict_if_assumed.as_ref());
+    let differ = judged().filter(|verdict| **verdict == Verdict::Refuted).count();
+    let slips = judged().filter(|verdict| matches!(verdict, Verdict::Misprint(_))).count();
+    let differ = (differ > 0)
+        .then(|| format!("{differ} {}", if differ == 1 { "differs" } else { "differ" }));
+    let slips = (slips > 0).then(|| format!("{} a slip away", are(slips)));
+    let parts: Vec<String> = differ.into_iter().chain(slips).collect();
+    let said = listed(&parts);
+    (!parts.is_empty())
+        .then(|| format!("Of the cells that are not checkable, {said} at the values shown."))
+}
+
+/// `5 are`, or `1 is`.
+fn are(count: usize) -> String {
+    format!("{count} {}", if count == 1 { "is" } else { "are" })
+}
+
+/// `This takes w = 39/2000 or 3/400, which the paper does not state.`: the values at which cells are reproduced, those
+/// of most cells first.
+fn recovered(audit: &PaperAudit<'_>) -> Option<String> {
+    let mut values: BTreeMap<&str, BTreeMap<String, usize>> = BTreeMap::new();
+    for table in &audit.tables {
+        let cells = table.cells.iter().flatten();
+        let count = cells.filter(|cell| cell.verdict == Verdict::Reproduced).count();
+        for (name, recovered) in table.recovered.iter().filter(|_| count > 0) {
+            let value = recovered.value.to_string();
+            *values.entry(name).or_default().entry(value).or_default() += count;
+        }
+    }
+    if values.is_empty() {
+        return None;
+    }
+    let named = values.into_iter().map(|(name, values)| {
+        let mut values: Vec<(String, usize)> = values.into_iter().collect();
+        values.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        let values: Vec<String> = values.into_iter().map(|(value, _)| value).collect();
+        format!("{name} = {}", values.join(" or "))
+    });
+    let named: Vec<String> = named.collect();
+    Some(format!("What is reproduced takes {}, which the paper does not state.", listed(&named)))
+}
+
+/// `Of 220 promises, none is broken and 1 is open.`
+fn promises(audit: &PaperAudit<'_>) -> Option<String> {
+    let counts = audit.promise_counts();
+    let open =
+        if counts.open > 0 { format!(" and {} open", are(counts.open)) } else { String::new() };
+    let said = match counts.all() {
+        0 => return None,
+        1 if counts.open == 1 => "The only promise is open.".to_owned(),
+        1 => "The only promise is kept.".to_owned(),
+        all => format!("Of {all} promises, none is broken{open}."),
+    };
+    Some(said)
+}
+
+/// `1 promise is open.`
+fn open_promises(audit: &PaperAudit<'_>) -> Option<String> {
+    match audit.promise_counts().open {
+        0 => None,
+        1 => Some("1 promise is open.".to_owned()),
+        open => Some(format!("{open} promises are open.")),
+    }
+}
+
+/// Claims other than cells.
+struct Group {
+    kinds: &'static [Kind],
+    counts: Tally,
+    several: &'static str,
+    one: &'static str,
+    /// The verdict of a wrong claim.
+    verdict: Word,
+    /// The words for it in the singular and in the plural.
+    words: [&'static str; 2],
+}
+
+impl Group {
+    fn all(&self) -> usize {
+        self.counts.total()
+    }
+
+    fn wrong(&self) -> usize {
+        self.counts.of(self.verdict)
+    }
+}
+
+/// The kinds of claims that a paper has, those that weigh most first.
+fn groups(audit: &PaperAudit<'_>) -> Vec<Group> {
+    let refuted = (Word::Refuted, ["is refuted", "are refuted"]);
+    let groups: [(&[Kind], _, _, _); 4] = [
+        (&[Kind::Theorem], "theorems", "theorem", refuted),
+        (&[Kind::Smoothness], "statements about smoothness", "statement", refuted),
+        (
+            &[Kind::Equation, Kind::Function],
+            "equations",
+            "equation",
+            (Word::Fails, ["fails", "fail"]),
+        ),
+        (&[Kind::Range], "ranges", "range", (Word::Inexact, ["is wrong", "are wrong"])),
+    ];
+    let group = |(kinds, several, one, (verdict, words))| {
+        let counts = audit.tally(kinds);
+        Group { kinds, counts, several, one, verdict, words }
+    };
+    groups.into_iter().map(group).filter(|group| group.all() > 0).collect()
+}
+
+/// `2 claims need a value beyond a cap.`
+fn beyond(audit: &PaperAudit<'_>) -> Option<String> {
+    match audit.beyond_caps().len() {
+        0 => None,
+        1 => Some("1 claim needs a value beyond a cap.".to_owned()),
+        count => Some(format!("{count} claims need a value beyond a cap.")),
+    }
+}
+
+/// `15 of 43 equations fail and 8 of 10 theorems are refuted.`, without what is said already.
+fn claims(audit: &PaperAudit<'_>, said: About) -> Option<String> {
+    let kinds = groups(audit);
+    let rest = kinds.iter().filter(|kind| said != About::Claims(kind.several) && kind.wrong() > 0);
+    let wrong: Vec<String> = rest
+        .map(|kind| {
+            let is = kind.words[usize::from(kind.wrong() != 1)];
+            format!("{} of {} {} {is}", kind.wrong(), kind.all(), kind.several)
+        })
+        .collect();
+    (!wrong.is_empty()).then(|| format!("{}.", listed(&wrong)))
+}

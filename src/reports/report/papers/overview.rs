@@ -1,0 +1,99 @@
+//! The head of an audit's report: the counts of each paper's claims.
+
+use super::headline::headline;
+use crate::audit::{PaperAudit, Tally, Word};
+use crate::report::words::sheet::{Grid, Sheet};
+
+/// The text in place of a count of 0.
+const NONE: &str = "·";
+
+/// A kind of claim other than cells: its heading, and its counts in a paper.
+type Kind = (&'static str, fn(&PaperAudit<'_>) -> Tally);
+
+const KINDS: [Kind; 5] = [
+    ("promises\n✓ kept ✗ broken ? open", promises),
+    ("equations\n✓ hold ✗ fail", |audit| audit.equation_counts()),
+    ("ranges\n✓ exact ≈ ✗", |audit| audit.range_counts()),
+    ("smoothness\n✓ confirmed ≈ ✗ ?", |audit| audit.smoothness_counts()),
+    ("theorems\n✓ proved ✗ refuted ? open", |audit| audit.theorem_counts()),
+];
+
+/// The head of an audit's report by itself.
+#[must_use]
+pub fn overview_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
+    let mut sheet = Sheet::default();
+    overview(&mut sheet, audits);
+    sheet
+}
+
+/// A sentence for each paper, the cells of the papers' tables by verdict, and then their other
+/// claims, by the kinds that occur.
+pub(in crate::report) fn overview(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
+    for audit in audits {
+        sheet.text(headline(audit));
+    }
+    if audits.iter().any(|audit| !audit.tables.is_empty()) {
+        sheet.grid(cells(audits));
+    }
+    let stated = |kind: &&Kind| audits.iter().any(|audit| kind.1(audit).total() > 0);
+    let kinds: Vec<&Kind> = KINDS.iter().filter(stated).collect();
+    if !kinds.is_empty() {
+        sheet.grid(others(audits, &kinds));
+    }
+}
+
+fn cells(audits: &[PaperAudit<'_>]) -> Grid {
+    let header = ["paper", "cells\n(+ lost)"].map(str::to_owned).into_iter();
+    let verdicts = Word::OF_CELLS
+        .iter()
+        .map(|word| format!("{} {}", word.mark(), word.name().replace('-', "-\n")));
+    let rows = audits.iter().map(|audit| {
+        let counts = audit.cell_counts();
+        let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
+        let lost = cells.filter(|cell| cell.printed.is_none()).count();
+        let printed = counts.total() - lost;
+        let all = match (printed, lost) {
+            (0, 0) => NONE.to_owned(),
+            (printed, 0) => printed.to_string(),
+            (printed, lost) => format!("{printed} + {lost}"),
+        };
+        let count = |word: Word| match counts.of(word) {
+            0 => NONE.to_owned(),
+            count => count.to_string(),
+        };
+        let verdicts = Word::OF_CELLS.map(count);
+        [audit.paper.key.clone(), all].into_iter().chain(verdicts).collect()
+    });
+    Grid { header: header.chain(verdicts).collect(), rows: rows.collect(), left_columns: 1 }
+}
+
+fn others(audits: &[PaperAudit<'_>], kinds: &[&Kind]) -> Grid {
+    let header = kinds.iter().map(|(heading, _)| (*heading).to_owned());
+    let rows = audits.iter().map(|audit| {
+        let tallies = kinds.iter().map(|(_, counts)| tally(&counts(audit)));
+        std::iter::once(audit.paper.key.clone()).chain(tallies).collect()
+    });
+    Grid {
+        header: std::iter::once("paper".to_owned()).chain(header).collect(),
+        rows: rows.collect(),
+        left_columns: 1,
+    }
+}
+
+fn promises(audit: &PaperAudit<'_>) -> Tally {
+    let counts = audit.promise_counts();
+    let named =
+        [(Word::Kept, counts.kept), (Word::Broken, counts.broken), (Word::Open, counts.open)];
+    named.into_iter().flat_map(|(word, count)| std::iter::repeat_n(word, count)).collect()
+}
+
+/// `55 ✓, 164 ✗, 1 ?`.
+fn tally(counts: &Tally) -> String {
+    let parts = ["✓", "≈", "✗", "?"].map(|sign| {
+        let of_sign = counts.iter().filter(|(word, _)| word.mark() == sign);
+        let count: usize = of_sign.map(|(_, count)| count).sum();
+        (count > 0).then(|| format!("{count} {sign}"))
+    });
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    if parts.is_empty() { NONE.to_owned() } else { parts.join(", ") }
+}

@@ -1,0 +1,74 @@
+//! The summary of the cells of a paper's tables, at the end of its report.
+
+use crate::audit::{Cause, CellOutcome, CellStanding, CellSummary, PaperAudit, Word};
+use crate::report::words::sheet::Sheet;
+
+const STANDINGS: [CellStanding; 6] = [
+    CellStanding::Confirmed,
+    CellStanding::Reproduced,
+    CellStanding::Explained,
+    CellStanding::Misprinted,
+    CellStanding::Refuted,
+    CellStanding::NotCheckable,
+];
+
+/// The section that counts the cells, when there are any.
+pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
+    let summary = audit.cell_summary();
+    if summary.groups.is_empty() {
+        return;
+    }
+    sheet.heading(2, "Summary");
+    let mut facts = vec![("cells".to_owned(), summary.cells().to_string())];
+    for standing in STANDINGS {
+        if summary.count(standing) > 0 {
+            let name = format!("{} {}", standing_mark(standing), standing.name());
+            facts.push((name, lines(&summary, standing).join("\n")));
+        }
+    }
+    sheet.facts(facts);
+}
+
+pub(in crate::report) fn standing_mark(standing: CellStanding) -> &'static str {
+    match standing {
+        CellStanding::Confirmed => Word::Confirmed,
+        CellStanding::Reproduced => Word::Reproduced,
+        CellStanding::Explained => Word::OtherReading,
+        CellStanding::Misprinted => Word::Misprint,
+        CellStanding::Refuted => Word::Refuted,
+        CellStanding::NotCheckable => Word::NotCheckable,
+    }
+    .mark()
+}
+
+/// The number of cells of a standing, and then the number for each cause.
+fn lines(summary: &CellSummary, standing: CellStanding) -> Vec<String> {
+    let groups = || summary.groups.iter().filter(|group| group.outcome.standing == standing);
+    let mut causes: Vec<&Option<Cause>> = groups().map(|group| &group.outcome.cause).collect();
+    causes.sort_unstable();
+    causes.dedup();
+    let count = |cause: &&Option<Cause>| -> usize {
+        groups().filter(|group| group.outcome.cause == **cause).map(|group| group.count).sum()
+    };
+    causes.sort_by_key(|cause| std::cmp::Reverse(count(cause)));
+    let mut lines = vec![summary.count(standing).to_string()];
+    for cause in causes {
+        if let Some(cause) = cause {
+            lines.push(format!("{}: {cause}", count(&&Some(cause.clone()))));
+        }
+        let shown = groups().filter(|group| group.outcome.cause == *cause);
+        lines.extend(shown.filter_map(|group| {
+            let outcome = words(group.if_assumed.as_ref()?);
+            Some(format!("– as shown, {} {outcome}", group.count))
+        }));
+    }
+    lines
+}
+
+/// An outcome in a few words.
+pub(in crate::report) fn words(outcome: &CellOutcome) -> String {
+    match &outcome.cause {
+        Some(cause) => format!("{} ({cause})", outcome.standing.name()),
+        None => outcome.standing.name().to_owned(),
+    }
+}

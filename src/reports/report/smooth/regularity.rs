@@ -1,0 +1,78 @@
+//! Tables of orders of smoothness and of exponents, in their own shape.
+
+use crate::audit::{PaperAudit, SmoothnessFinding, SmoothnessVerdict};
+use crate::claim::{RegularityTable, Target};
+use crate::report::words::parts::titled;
+use crate::report::words::sheet::{Grid, Sheet};
+use std::sync::Arc;
+
+/// A table with the finding of each cell; `None` where nothing is printed.
+pub(in crate::report) struct Regularity<'f, 'a> {
+    pub(in crate::report) table: &'f RegularityTable,
+    pub(in crate::report) cells: Vec<Vec<Option<&'f SmoothnessFinding<'a>>>>,
+}
+
+/// The tables of an audit.
+pub(in crate::report) fn tables<'f, 'a>(audit: &'f PaperAudit<'a>) -> Vec<Regularity<'f, 'a>> {
+    let mut tables: Vec<Regularity<'f, 'a>> = Vec::new();
+    let mut seen: Vec<&Arc<RegularityTable>> = Vec::new();
+    for finding in &audit.smoothness {
+        let Some(cell) = &finding.claim.cell else { continue };
+        let known = seen.iter().position(|table| Arc::ptr_eq(table, &cell.table));
+        let place = known.unwrap_or_else(|| {
+            let RegularityTable { rows, columns, .. } = &*cell.table;
+            let cells = vec![vec![None; columns.len()]; rows.len()];
+            tables.push(Regularity { table: &cell.table, cells });
+            seen.push(&cell.table);
+            tables.len() - 1
+        });
+        tables[place].cells[cell.row][cell.column] = Some(finding);
+    }
+    tables
+}
+
+/// A cell as printed.
+pub(in crate::report) fn printed<'f>(finding: &SmoothnessFinding<'f>) -> &'f str {
+    finding.claim.cell.as_ref().map_or("", |cell| &cell.printed)
+}
+
+/// The table that is named.
+pub(in crate::report) fn table_of<'f, 'a>(
+    audit: &'f PaperAudit<'a>,
+    id: Target<'_>,
+) -> Option<Regularity<'f, 'a>> {
+    let own = audit.paper.key == id.key && id.part.is_none();
+    tables(audit).into_iter().find(|found| own && found.table.id == id.claim)
+}
+
+/// Appends the tables; without `all`, those that are not confirmed throughout.
+pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
+    for found in tables(audit) {
+        let Regularity { table, cells } = &found;
+        let mut findings = cells.iter().flatten().flatten();
+        if !all && findings.all(|finding| finding.verdict == SmoothnessVerdict::Confirmed) {
+            continue;
+        }
+        sheet.heading(3, titled(&[&table.locus, &table.title, &table.id]));
+        grid(sheet, &found);
+    }
+}
+
+/// Appends the cells with their verdicts, and the note.
+pub(in crate::report) fn grid(sheet: &mut Sheet, Regularity { table, cells }: &Regularity<'_, '_>) {
+    let cell = |finding: Option<&SmoothnessFinding<'_>>| {
+        finding.map_or_else(
+            || "·".to_owned(),
+            |finding| format!("{} {}", printed(finding), finding.verdict.word().mark()),
+        )
+    };
+    let row = |(header, cells): (&String, &Vec<Option<&SmoothnessFinding<'_>>>)| {
+        [header.clone()].into_iter().chain(cells.iter().copied().map(cell)).collect()
+    };
+    let header = [table.label.clone()].into_iter().chain(table.columns.clone()).collect();
+    let rows = table.rows.iter().zip(cells).map(row).collect();
+    sheet.grid(Grid { header, rows, left_columns: 1 });
+    if let Some(note) = &table.note {
+        sheet.text(note.clone());
+    }
+}

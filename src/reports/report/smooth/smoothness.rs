@@ -1,0 +1,359 @@
+//! Findings about the smoothness of limits.
+
+use super::regularity;
+use super::vertex::{SCOPE, verdict_name, verdict_reason, vertex_facts, vertices_outcome};
+use crate::audit::{
+    Known, Limits, PaperAudit, RangeAtValence, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
+    VertexWitness,
+};
+use crate::claim::{
+    ExponentStatement, PrintedValences, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim,
+    SmoothnessStatement, Target,
+};
+use crate::exact::{
+    Enclosed as _, Integer, IntervalSet, Rational, RationalPolynomial, format::fixed,
+};
+use crate::report::formulas::function::beyond;
+use crate::report::words::parts::titled;
+use crate::report::words::set::set_text;
+use crate::report::words::sheet::Sheet;
+use crate::smoothness::{Hoelder, SmoothRange};
+
+/// The longest formula of an exponent that stands beside its decimals.
+const LONGEST: usize = 100;
+
+/// The places of decimals.
+const PLACES: u32 = 12;
+
+/// The section on smoothness; without `all`, on the claims that are not confirmed.
+pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
+    let shown =
+        |finding: &&SmoothnessFinding<'_>| all || finding.verdict != SmoothnessVerdict::Confirmed;
+    let facts = audit.smoothness.iter().filter(shown).map(|finding| {
+        let claim = finding.claim;
+        let title = titled(&[&claim.title, &claim.id]);
+        let states = statement(claim).map(|statement| format!("states: {statement}"));
+        let lines = [title].into_iter().chain(states).chain(outcome(finding));
+        let lines = lines.chain(claim.note.clone()).collect::<Vec<String>>().join("\n");
+        (format!("{} {}", finding.verdict.word().mark(), claim.locus), lines)
+    });
+    let facts: Vec<(String, String)> = facts.collect();
+    if !facts.is_empty() {
+        sheet.heading(2, "Smoothness");
+        regularity::section(sheet, audit, all);
+        sheet.facts(facts);
+    }
+}
+
+/// A table of smoothness in full, with each cell.
+pub(in crate::report) fn explain_table(audit: &PaperAudit<'_>, id: Target<'_>) -> Option<Sheet> {
+    let found = regularity::table_of(audit, id)?;
+    let mut sheet = Sheet::default();
+    sheet.heading(1, format!("{id} · {}", found.table.locus));
+    sheet.text(found.table.title.clone());
+    regularity::grid(&mut sheet, &found);
+    for finding in found.cells.iter().flatten().flatten() {
+        sheet.heading(2, format!("{} · {}", finding.id, finding.claim.locus));
+        sheet.facts(in_full(finding));
+    }
+    Some(sheet)
+}
+
+/// What is stated, what is known and how, and the verdict.
+pub(in crate::report) fn in_full(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
+    let claim = finding.claim;
+    let fact = |name: &str, text: String| (name.to_owned(), text);
+    let mut facts = Vec::new();
+    facts.extend(scheme(claim).map(|scheme| fact("scheme", scheme)));
+    facts.extend(statement(claim).map(|statement| fact("states", statement)));
+    let word = finding.verdict.word();
+    facts.push((format!("{} {word}", word.mark()), outcome(finding).join("\n")));
+    facts.extend(details(finding));
+    facts.extend(claim.note.clone().map(|note| fact("note", note)));
+    facts
+}
+
+/// The scheme, and the values that the claim itself states: `four-point:w=w, w = 1/16`.
+pub(in crate::report) fn scheme(claim: &SmoothnessClaim) -> Option<String> {
+    let SmoothnessBody::Statement(scheme, _) = &claim.body else { return None };
+    let values = claim.given.iter().map(|(name, value)| format!(", {name} = {}", value.text));
+    Some(format!("{}{}", scheme.reference, values.collect::<Vec<String>>().concat()))
+}
+
+/// What the paper states.
+pub(in crate::report) fn statement(claim: &SmoothnessClaim) -> Option<String> {
+    let SmoothnessBody::Statement(_, statement) = &claim.body else { return None };
+    Some(match &**statement {
+        SmoothnessStatement::Continuity { continuous, not_continuous, valences } => {
+            let parts = [continuous.map(smooth), not_continuous.map(not_smooth)];
+            let parts = parts.into_iter().flatten().collect::<Vec<String>>().join(", and ");
+            format!("{}{parts}", valences.as_ref().map(at_valences).unwrap_or_default())
+        }
+        SmoothnessStatement::Exponent { exponent, attained } => {
+            let said = match exponent {
+                ExponentStatement::Value(printed) => printed.text.clone(),
+                ExponentStatement::Decimal { text, .. } => text.clone(),
+                ExponentStatement::Bounds { at_least, at_most } => {
+                    let lower = at_least.as_ref().map(|bound| format!("at least {}", bound.text));
+                    let upper = at_most.as_ref().map(|bound| format!("at most {}", bound.text));
+                    lower.into_iter().chain(upper).collect::<Vec<String>>().join(", ")
+                }
+            };
+            let attained = match attained {
+                None => "",
+                Some(true) => ", attained",
+                Some(false) => ", not attained",
+            };
+            format!("the Hölder exponent is {said}{attained}")
+        }
+        SmoothnessStatement::Range(range) => {
+            let only = if range.only {
+                format!(", and for no other {}", range.variable)
+            } else {
+                String::new()
+            };
+            let at = range.valences.as_ref().map(at_valences).unwrap_or_default();
+            format!("{at}{} for {}{only}", smooth(range.m), printed(range))
+        }
+    })
+}
+
+/// `at each valence from 3 to 50 `.
+fn at_valences(valences: &PrintedValences) -> String {
+    let PrintedValences { first, last, .. } = valences;
+    match last {
+        None => format!("at every valence N >= {first} "),
+        Some(last) if first == last => format!("at valence {first} "),
+        Some(last) => format!("at each valence from {first} to {last} "),
+    }
+}
+
+/// The sets of one valence, what is open there, and the value that refutes the claim.
+fn range_at_valence(found: &RangeAtValence, variable: &str) -> Vec<String> {
+    let set = |set: &IntervalSet| set_text(set, variable);
+    let RangeAtValence { range, undecided, witness } = found;
+    let mut line = format!(
+        "N = {}: C^1 for {}, not C^1 for {}",
+        range.order,
+        set(&range.inside),
+        set(&range.outside)
+    );
+    if !undecided.is_empty() {
+        line = format!("{line}; open for {}", set(undecided));
+    }
+    let witness = witness.as_ref().map(|VertexWitness { at, inside, vertex }| {
+        let place = if *inside { "in the printed range" } else { "beyond the printed range" };
+        let verdict = &vertex.verdict;
+        let (name, reason) = (verdict_name(verdict), verdict_reason(verdict));
+        format!("At N = {}, {variable} = {at}, {place}, C^1 is {name}: {reason}.", range.order)
+    });
+    [line].into_iter().chain(witness).collect()
+}
+
+fn smooth(m: usize) -> String {
+    format!("the limits are C^{m}")
+}
+
+fn not_smooth(m: usize) -> String {
+    if m == 0 {
+        "the scheme diverges for some data".to_owned()
+    } else {
+        format!("not all limits are C^{m}")
+    }
+}
+
+/// The range as printed.
+pub(in crate::report) fn printed(range: &SmoothRangeStatement) -> String {
+    let relation = if range.closed { "<=" } else { "<" };
+    let from = range.from.as_ref().map(|from| format!("{} {relation} ", from.text));
+    let to = range.to.as_ref().map(|to| format!(" {relation} {}", to.text));
+    format!("{}{}{}", from.unwrap_or_default(), range.variable, to.unwrap_or_default())
+}
+
+/// What is known, in lines.
+pub(in crate::report) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
+    let mut lines = match &finding.known {
+        Known::Absent(absent) => vec![format!("not checkable without {absent}")],
+        Known::Capped(reason) => vec![beyond(reason)],
+        Known::BeyondCap(cap) => vec![beyond(cap)],
+        Known::Limits(limits) => vec![of_limits(limits)],
+        Known::Range(range) => of_range(finding, range),
+        Known::Vertices(found) => {
+            let mut lines = vertices_outcome(found);
+            lines.push(format!("{SCOPE}."));
+            lines
+        }
+        Known::VertexRanges(found) => {
+            let variable = finding.claim.range().map_or("", |said| &said.variable);
+            let mut lines: Vec<String> =
+                found.iter().flat_map(|one| range_at_valence(one, variable)).collect();
+            lines.push(format!("{SCOPE}."));
+            lines
+        }
+    };
+    match finding.verdict {
+        SmoothnessVerdict::Rounding(direction) => {
+            lines.push(format!("The decimal is {direction}."));
+        }
+        SmoothnessVerdict::RoundedEnds => {
+            lines.push("The printed range is right up to the rounding of its ends.".to_owned());
+        }
+        _ => {}
+    }
+    lines
+}
+
+/// `the limits are C^1, and not all limits are C^2; Hölder exponent 2, not attained`.
+fn of_limits(limits: &Limits) -> String {
+    let smoothness = &limits.smoothness;
+    let known = [smoothness.continuity.map(smooth), smoothness.continuity_fails.map(not_smooth)];
+    let known: Vec<String> = known.into_iter().flatten().collect();
+    let known = if known.is_empty() {
+        "it is open whether the scheme converges".to_owned()
+    } else {
+        known.join(", and ")
+    };
+    let exponent = smoothness.hoelder.as_ref();
+    format!(
+        "{known}{}",
+        exponent.map(|e| format!("; Hölder exponent {}", of_exponent(e))).unwrap_or_default()
+    )
+}
+
+/// `6 - log_2(9), 2.830074998557 to 2.830074998558, attained`.
+pub(in crate::report) fn of_exponent(hoelder: &Hoelder) -> String {
+    let between = between(hoelder);
+    let value = match &hoelder.formula {
+        Some(formula) if formula.as_rational().is_some() => formula.to_string(),
+        Some(formula) => {
+            let formula = formula.to_string();
+            let short = formula.chars().count() <= LONGEST;
+            if short { format!("{formula}, {between}") } else { between }
+        }
+        None => between,
+    };
+    let attained = match hoelder.attained {
+        None => "",
+        Some(true) => ", attained",
+        Some(false) => ", not attained",
+    };
+    format!("{value}{attained}")
+}
+
+/// Decimals around the exponent.
+fn between(hoelder: &Hoelder) -> String {
+    let [low, high] = decimals(hoelder);
+    if low == high { low } else { format!("{low} to {high}") }
+}
+
+/// A decimal that is not above the exponent, and one that is not below it.
+pub(in crate::report) fn decimals(hoelder: &Hoelder) -> [String; 2] {
+    let (low, high) = match &hoelder.formula {
+        Some(formula) => {
+            let enclosure = formula.enclosure(1);
+            (enclosure.lower().clone(), enclosure.upper().clone())
+        }
+        None => (hoelder.lower.clone(), hoelder.upper.clone()),
+    };
+    let unit = Rational::from(Integer::power_of_ten(PLACES));
+    let low = Rational::from((low * &unit).floor()) / &unit;
+    let high = Rational::from((high * &unit).ceil()) / unit;
+    [low, high].map(|end| fixed(&end, PLACES))
+}
+
+/// Why, and by what, another symbol decides.
+#[must_use]
+pub fn reduction(range: &SmoothRange, parameter: &str) -> String {
+    let describe = |g: &Vec<Rational>| RationalPolynomial::new(g).describe("z");
+    let by: Vec<String> = range.reduction.iter().map(describe).collect();
+    let convergence =
+        if range.converges.is_some() { ", wherever the scheme converges" } else { "" };
+    format!(
+        "The shifts of the basic limit function are linearly dependent for every {parameter}; the solution for the \
+         symbol A(z)g(z)/g(z^n), g = {}, is as smooth, and decides{convergence}",
+        by.join(", then g = ")
+    )
+}
+
+fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<String> {
+    let Some(said) = finding.claim.range() else { return Vec::new() };
+    let SmoothRangeStatement { variable, m, .. } = said;
+    let set = |set: &IntervalSet| set_text(set, variable);
+    let mut lines = match &range.sets {
+        Some(sets) => {
+            let mut lines = vec![
+                format!("{} for {}", smooth(*m), set(&sets.inside)),
+                format!("{} for {}", not_smooth(*m), set(&sets.outside)),
+            ];
+            if sets.but_finitely_many && !sets.outside.is_empty() {
+                lines.push(format!("with finitely many exceptions of {variable}"));
+            }
+            if !sets.reduction.is_empty() {
+                lines.push(format!("{}.", reduction(sets, variable)));
+            }
+            lines
+        }
+        None => vec![format!(
+            "the sum rules that C^{m} needs hold for single values of {variable} at most"
+        )],
+    };
+    if finding.verdict == SmoothnessVerdict::Open {
+        lines.push(format!("It is open for {}.", set(&range.undecided)));
+    }
+    if let Some(witness) = &range.witness {
+        let place =
+            if witness.inside { "in the printed range" } else { "beyond the printed range" };
+        let limits = of_limits(&witness.limits);
+        lines.push(format!("At {variable} = {}, {place}, {limits}.", witness.at));
+    }
+    lines
+}
+
+/// What else is known of the limits.
+pub(in crate::report) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
+    let limits = match &finding.known {
+        Known::Limits(limits) => limits,
+        Known::Range(range) => match &range.witness {
+            Some(witness) => &witness.limits,
+            None => return Vec::new(),
+        },
+        Known::Vertices(found) => {
+            return match &found.vertices[..] {
+                [.., vertex] => vertex_facts(vertex),
+                [] => Vec::new(),
+            };
+        }
+        Known::VertexRanges(found) => {
+            let witness = found.iter().find_map(|one| one.witness.as_ref());
+            return witness.map_or_else(Vec::new, |witness| vertex_facts(&witness.vertex));
+        }
+        Known::Absent(_) | Known::Capped(_) | Known::BeyondCap(_) => return Vec::new(),
+    };
+    let deciding = limits.smoothness.deciding();
+    let (n, size) = (deciding.symbol.arity(), deciding.matrices.size());
+    let factors: Vec<String> = deciding.radius.product.iter().map(|i| format!("T_{i}")).collect();
+    let above = match &deciding.radius.hull {
+        Some(hull) => format!("by an invariant hull of {} rows", size + hull.rows.len()),
+        None => "by no hull: the radius is 0".to_owned(),
+    };
+    let fact = |name: &str, text: String| (name.to_owned(), text);
+    let mut facts = vec![
+        fact("sum rules", format!("of order {}", limits.smoothness.sum_rules)),
+        fact(
+            "matrices",
+            format!(
+                "{n}, {size}×{size}, of {n}^{} times the differences of order {0}",
+                deciding.order
+            ),
+        ),
+        fact(
+            "spectral radius",
+            format!("from below by the product {}\nfrom above {above}", factors.join(" ")),
+        ),
+    ];
+    if limits.smoothness.reduced.is_some() {
+        let text = "linearly dependent; another symbol, of which they are not, decides";
+        facts.push(fact("shifts", text.to_owned()));
+    }
+    facts
+}

@@ -1,0 +1,8 @@
+//! What all words share: sheets, numbers, sets, data.
+
+pub(super) mod data;
+pub(super) mod kernel;
+pub(super) mod numbers;
+pub(super) mod parts;
+pub(super) mod set;
+pub(super) mod sheet;
