@@ -49,7 +49,7 @@ fn lines(audit: &PaperAudit<'_>) -> Vec<String> {
             EquationVerdict::Fails { cases, failures, .. } => {
                 format!("in {} of {cases}: {}", failures.len(), failures[0].difference())
             }
-            EquationVerdict::NotCheckable(_) | EquationVerdict::BeyondCap(_) => String::new(),
+            EquationVerdict::NotCheckable | EquationVerdict::BeyondCap(_) => String::new(),
         };
         lines.push(format!("{} {} {detail}", finding.id, finding.verdict.word().name()));
     }

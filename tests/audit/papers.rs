@@ -5,8 +5,8 @@ use crate::common::claims::{judged, paper};
 use crate::common::papers::AUDITS;
 use crate::common::r;
 use subcert::audit::{
-    CellFinding, Control, Direction, EquationVerdict, Kept, Missing, Slip, Sound, Verdict, Word,
-    audit,
+    CellFinding, Control, Direction, EquationVerdict, Kept, Missing, Reason, Slip, Sound, Verdict,
+    Word, audit,
 };
 use subcert::cap::Cap;
 use subcert::certificate::certificate;
@@ -464,7 +464,7 @@ fn a_depth_that_is_defined_rounded_down_keeps_no_promise() {
     assert_eq!(short.kept_by_formula, Some(false));
     assert_eq!(enough.kept_by_formula, Some(true));
     // The value needs no spread, so none is assumed for the sound depth either.
-    assert_eq!(short.sound, Some(Sound::None("the paper does not state beta".to_owned())));
+    assert_eq!(short.sound, Some(Sound::None(Reason::Unstated("beta".to_owned()))));
     assert_eq!(short.kept_by_sound, None);
 }
 
@@ -532,7 +532,7 @@ fn promises_are_kept_or_broken_by_control_data() {
             }
         }
     }
-    assert!(matches!(&cells(0)[2].kept, Some(Kept::Open(why)) if why.contains("level")));
+    assert!(matches!(&cells(0)[2].kept, Some(Kept::Open(Reason::NoLevel | Reason::LevelOf(..)))));
     assert_eq!(cells(1)[2].kept, Some(Kept::Yes));
     let counts = audit.promise_counts();
     assert_eq!((counts.kept, counts.broken, counts.open, counts.all()), (7, 4, 1, 12));

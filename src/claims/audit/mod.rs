@@ -22,10 +22,10 @@ pub use crate::finding::{
     HandConstant, Kept, KernelFinding, KernelProof, KernelStatement, Known, Later, LeftOut,
     LevelEvidence, Levels, Limits, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Need,
     Needed, Outcome, PaperAudit, Place, PromiseCounts, RangeAtValence, RangeFinding, RangeOfLimits,
-    RangeVerdict, Recovered, RecoveredFrom, Refiner, Refutation, Repair, RingExcess, Search, Side,
-    Slip, SmoothnessFinding, SmoothnessVerdict, Solved, Sound, Supremum, TableFinding, TablePart,
-    TheoremFinding, TheoremVerdict, Unshiftable, UnstatedOffset, Verdict, VertexWitness, Vertices,
-    Violation, Witness, Working,
+    RangeVerdict, Reason, Recovered, RecoveredFrom, Refiner, Refutation, Repair, RingExcess,
+    Search, Side, Slip, SmoothnessFinding, SmoothnessVerdict, Solved, Sound, Supremum,
+    TableFinding, TablePart, TheoremFinding, TheoremVerdict, Unshiftable, UnstatedOffset, Verdict,
+    VertexWitness, Vertices, Violation, Witness, Working,
 };
 pub use crate::judge::MAX_CASES;
 pub use crate::judge::parallel::map as on_all_cores;

@@ -19,6 +19,17 @@ pub struct Equation {
     pub note: Option<String>,
 }
 
+impl Equation {
+    /// What it needs and the paper lacks.
+    #[must_use]
+    pub fn absent(&self) -> Option<&str> {
+        match &self.body {
+            EquationBody::NotCheckable(absent) => Some(absent),
+            EquationBody::Identity(_) => None,
+        }
+    }
+}
+
 /// The claim of an equation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EquationBody {

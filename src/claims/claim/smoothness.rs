@@ -35,6 +35,15 @@ impl SmoothnessClaim {
         self.cell.as_ref().is_some_and(|cell| cell.table.id == table)
     }
 
+    /// What it needs and the paper lacks.
+    #[must_use]
+    pub fn absent(&self) -> Option<&str> {
+        match &self.body {
+            SmoothnessBody::NotCheckable(absent) => Some(absent),
+            SmoothnessBody::Statement(..) => None,
+        }
+    }
+
     /// The range that it states, if it is about one.
     #[must_use]
     pub fn range(&self) -> Option<&SmoothRangeStatement> {

@@ -5,6 +5,7 @@ use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::kernel::KernelProof;
 use crate::finding::promise::Kept;
 use crate::finding::reading::{Difference, Explanation, Solved, differs};
+use crate::finding::reason::Reason;
 use crate::verdict::Word;
 use std::fmt;
 
@@ -171,7 +172,7 @@ pub enum Sound {
     /// An upper bound of the distance.
     Bound(Rational),
     /// No sound value, and why.
-    None(String),
+    None(Reason),
 }
 
 /// A cell under another reading than the printed one.

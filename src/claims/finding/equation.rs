@@ -33,8 +33,8 @@ pub enum EquationVerdict {
         /// Changes of one symbol after which the equation holds in all cases.
         mends: Vec<String>,
     },
-    /// The equation needs something that is absent; the text says what.
-    NotCheckable(String),
+    /// The equation needs something that is absent, as the claim says.
+    NotCheckable,
     /// A value is beyond a cap.
     BeyondCap(Cap),
 }
@@ -46,7 +46,7 @@ impl EquationVerdict {
         match self {
             EquationVerdict::Holds { .. } => Word::Holds,
             EquationVerdict::Fails { .. } => Word::Fails,
-            EquationVerdict::NotCheckable(_) | EquationVerdict::BeyondCap(_) => Word::NotCheckable,
+            EquationVerdict::NotCheckable | EquationVerdict::BeyondCap(_) => Word::NotCheckable,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What proves a bound at all levels, or at one.
 
 use crate::exact::RealCyclotomic;
+use crate::finding::reason::Reason;
 
 /// A sound bound of a later level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +28,7 @@ pub struct Levels {
     pub times: u32,
     /// What shows that the bound holds at these levels; the error says why certificates cannot
     /// express it.
-    pub evidence: Result<LevelEvidence, String>,
+    pub evidence: Result<LevelEvidence, Reason>,
 }
 
 /// What shows that a bound holds at finitely many levels.

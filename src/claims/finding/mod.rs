@@ -12,6 +12,7 @@ mod paper;
 mod promise;
 mod range;
 mod reading;
+mod reason;
 mod recovered;
 mod smoothness;
 mod table;
@@ -34,6 +35,7 @@ pub(crate) use reading::{COPIED, Values};
 pub use reading::{
     Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Solved, Uncomputed,
 };
+pub use reason::Reason;
 pub(crate) use recovered::values;
 pub use recovered::{Fitting, Recovered, RecoveredFrom};
 pub use smoothness::{

@@ -1,6 +1,7 @@
 //! Whether a printed bound or depth keeps its promise.
 
 use crate::exact::{Rational, RealCyclotomic};
+use crate::finding::reason::Reason;
 use crate::finding::witness::Attained;
 use std::ops::Add;
 
@@ -12,7 +13,7 @@ pub enum Kept {
     /// It does not for these data.
     No(Box<Broken>),
     /// Not decided, and why.
-    Open(String),
+    Open(Reason),
 }
 
 /// Control data for which a printed number does not keep its promise.

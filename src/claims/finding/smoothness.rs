@@ -5,6 +5,7 @@ use crate::characteristic::{Family, Vertex, VertexRange};
 use crate::claim::SmoothnessClaim;
 use crate::exact::{IntervalSet, Rational};
 use crate::finding::cell::Direction;
+use crate::finding::reason::Reason;
 use crate::scheme::Mask;
 use crate::smoothness::{SmoothRange, Smoothness};
 use crate::verdict::Word;
@@ -77,10 +78,10 @@ pub enum Known {
     Vertices(Box<Vertices>),
     /// The surfaces there for all values of a parameter, at each valence.
     VertexRanges(Vec<RangeAtValence>),
-    /// What the paper lacks.
-    Absent(String),
+    /// The paper lacks something, as the claim says.
+    Absent,
     /// The cap that the rules are beyond.
-    Capped(String),
+    Capped(Reason),
     /// Nothing: a value that the claim needs is beyond a cap.
     BeyondCap(Cap),
 }

@@ -6,6 +6,7 @@ use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::kernel::KernelProof;
 use crate::finding::levels::Levels;
 use crate::finding::reading::numbered;
+use crate::finding::reason::Reason;
 use crate::finding::witness::{Supremum, Unshiftable, Violation};
 use crate::verdict::Word;
 use std::fmt;
@@ -222,7 +223,7 @@ pub enum Outcome {
     /// The bound holds at the levels up to this one, and no later level is shown to exceed it.
     UpTo(u32),
     /// Nothing is known, for this reason.
-    Unknown(String),
+    Unknown(Reason),
     /// The theorem does not speak of this case, for this reason.
-    Outside(String),
+    Outside(Reason),
 }

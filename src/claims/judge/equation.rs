@@ -30,7 +30,7 @@ pub(crate) fn judge<'a>(
 ) -> Result<EquationFinding<'a>, Diagnostic> {
     let id = format!("{}:{}", paper.key, equation.id);
     let verdict = match &equation.body {
-        EquationBody::NotCheckable(absent) => EquationVerdict::NotCheckable(absent.clone()),
+        EquationBody::NotCheckable(_) => EquationVerdict::NotCheckable,
         EquationBody::Identity(identity) => {
             let found = Diagnostic::or_cap(compare(paper, identity, library))?;
             found.unwrap_or_else(EquationVerdict::BeyondCap)

@@ -11,8 +11,8 @@ use crate::evaluation::quantity::Quantities;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Rational, RealCyclotomic};
-use crate::finding::{Broken, CellFinding, Kept, Sound};
-use crate::formula::LocatedFormula;
+use crate::finding::{Broken, CellFinding, Kept, Reason, Sound};
+use crate::formula::{FormulaErrorKind, LocatedFormula};
 use crate::judge::distance::{KnownDistances, Schemes};
 use crate::limit::{Comparison, Parametrisation};
 use std::rc::Rc;
@@ -25,7 +25,7 @@ const MAX_INTEGER: i64 = 10_000;
 
 /// Why there is no sound value: a finding, or an error of the claim file.
 enum NoSound {
-    Because(String),
+    Because(Reason),
     Wrong(Diagnostic),
 }
 
@@ -38,10 +38,10 @@ impl From<Diagnostic> for NoSound {
 impl From<Outcome> for NoSound {
     fn from(outcome: Outcome) -> NoSound {
         NoSound::Because(match outcome {
-            Outcome::Value(value) => value.to_string(),
-            Outcome::Unstated(name) => format!("the paper does not state {name}"),
-            Outcome::Undefined(why) => why,
-            Outcome::BeyondCap(cap) => cap.to_string(),
+            Outcome::Value(value) => Reason::Irrational(value),
+            Outcome::Unstated(name) => Reason::Unstated(name),
+            Outcome::Undefined(why) => FormulaErrorKind::Undefined(why).into(),
+            Outcome::BeyondCap(cap) => cap.into(),
         })
     }
 }
@@ -145,7 +145,7 @@ impl Evaluator<'_> {
             )
         } else {
             let Quantities { scheme, .. } = self.quantities(at)??;
-            let no_scheme = || NoSound::Because("no scheme is given".to_owned());
+            let no_scheme = || NoSound::Because(Reason::NoScheme);
             let offset = offset.as_ref().map(|formula| self.integer(formula, at)).transpose()?;
             Compared::Masks(scheme.ok_or_else(no_scheme)?, offset)
         };
@@ -164,33 +164,30 @@ impl Evaluator<'_> {
         Ok(Promised { scheme, spread, of })
     }
 
-    fn sound(&self, promised: &Promised) -> Result<Sound, String> {
+    fn sound(&self, promised: &Promised) -> Result<Sound, Reason> {
         let Promised { scheme, spread, of } = promised;
         let (scheme, offset) = match (scheme, of) {
             (Compared::Masks(scheme, offset), _) => (scheme, offset),
             (Compared::LocalRules(ring), Of::Tolerance(tolerance)) => {
                 let depth = ring.of_ring()?.depth(spread, tolerance);
-                let depth = depth.map_err(|error| error.to_string())?;
+                let depth = depth.map_err(Reason::from)?;
                 return Ok(Sound::Least(depth.settled));
             }
             (Compared::LocalRules(_), Of::Level(_)) => {
-                return Err("of a ring the distances themselves are computed".to_owned());
+                return Err(Reason::RingBound);
             }
         };
-        let bound = self.library.sound_bound(scheme, *offset).map_err(|error| error.to_string())?;
+        let bound = self.library.sound_bound(scheme, *offset).map_err(Reason::from)?;
         match of {
             Of::Tolerance(tolerance) => {
-                let depth = bound.depth(spread, tolerance).map_err(|error| error.to_string())?;
+                let depth = bound.depth(spread, tolerance).map_err(Reason::from)?;
                 Ok(Sound::Depth { level: depth.level, block: depth.block })
             }
             Of::Level(level) => {
                 let last = u32::try_from(*level).ok().filter(|level| *level <= MAX_BOUND_LEVEL);
-                let last = last.ok_or_else(|| {
-                    format!("a level is from 0 to {MAX_BOUND_LEVEL}, and this is {level}")
-                })?;
+                let last = last.ok_or(Reason::LevelOf(*level, MAX_BOUND_LEVEL))?;
                 let last = bound.levels(last).and_then(|mut bounds| bounds.pop());
-                let none = || "no constant of the scheme is below 1".to_owned();
-                Ok(Sound::Bound(last.ok_or_else(none)? * spread))
+                Ok(Sound::Bound(last.ok_or(Reason::NoContraction)? * spread))
             }
         }
     }
@@ -209,7 +206,7 @@ impl Evaluator<'_> {
             Of::Level(level) => Some(*level),
         };
         let Some(level) = level.and_then(|level| u32::try_from(level).ok()) else {
-            return Some(Kept::Open("what is said to be a level is none".to_owned()));
+            return Some(Kept::Open(Reason::NoLevel));
         };
         let most = match of {
             Of::Tolerance(tolerance) => tolerance,
@@ -232,11 +229,9 @@ impl Evaluator<'_> {
     /// The value of a formula of a promise.
     fn number(&self, formula: &LocatedFormula, at: At<'_>) -> Result<Rational, NoSound> {
         match self.evaluate(formula, at)? {
-            Outcome::Value(value) => value.as_rational().cloned().ok_or_else(|| {
-                NoSound::Because(format!(
-                    "sound values are computed at rational numbers, not at {value}"
-                ))
-            }),
+            Outcome::Value(value) => {
+                value.as_rational().cloned().ok_or(NoSound::Because(Reason::Irrational(value)))
+            }
             outcome => Err(outcome.into()),
         }
     }
@@ -250,7 +245,7 @@ impl Evaluator<'_> {
         let integer = value.numerator().within(MAX_INTEGER);
         integer.ok_or_else(|| {
             let cap = Cap::new("a level or an offset", MAX_INTEGER.unsigned_abs());
-            NoSound::Because(cap.to_string())
+            NoSound::Because(cap.into())
         })
     }
 }
@@ -265,7 +260,7 @@ fn keeps(
     most: &Rational,
 ) -> Kept {
     if spread.sign() <= 0 {
-        return Kept::Open(format!("the spread {spread} is not positive"));
+        return Kept::Open(Reason::Spread(spread.clone()));
     }
     let bound = (most / spread).into();
     let compared = if lasting {
@@ -280,9 +275,7 @@ fn keeps(
             let distance = &attained.value * &RealCyclotomic::from(spread.clone());
             Kept::No(Box::new(Broken { attained, spread, level, distance, most }))
         }
-        Ok(Comparison::Undecided(_)) => {
-            Kept::Open("the caps of the search do not decide it".to_owned())
-        }
+        Ok(Comparison::Undecided(_)) => Kept::Open(Reason::Search),
         Err(why) => Kept::Open(why),
     }
 }

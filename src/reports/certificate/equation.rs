@@ -18,7 +18,7 @@ pub(super) fn block(finding: &EquationFinding<'_>) -> Block {
                 block.line(case(failure));
             }
         }
-        EquationVerdict::NotCheckable(_) => {}
+        EquationVerdict::NotCheckable => {}
         EquationVerdict::BeyondCap(cap) => block.give_up(cap.to_string()),
     }
     block

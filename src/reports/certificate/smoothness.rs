@@ -23,7 +23,7 @@ pub(super) fn block(finding: &SmoothnessFinding<'_>) -> Block {
         SmoothnessBody::Statement(scheme, statement) => (scheme, &**statement),
     };
     match &finding.known {
-        Known::Capped(why) => block.give_up(why.clone()),
+        Known::Capped(why) => block.give_up(why.to_string()),
         Known::BeyondCap(cap) => block.give_up(cap.to_string()),
         _ if finding.verdict == SmoothnessVerdict::Open => block.give_up("it is open"),
         _ => {}

@@ -52,7 +52,7 @@ fn proved(block: &mut Block, theorem: &Theorem, levels: &Levels) {
     block.line(format!("times {times}"));
     let evidence = match evidence {
         Ok(evidence) => evidence,
-        Err(why) => return block.give_up(why),
+        Err(why) => return block.give_up(why.to_string()),
     };
     if let LevelEvidence::Flows { weights, contraction, .. } = evidence {
         if !weights.is_empty() {

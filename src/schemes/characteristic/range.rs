@@ -36,7 +36,7 @@ pub struct VertexRange {
 }
 
 /// Why there is no such range.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum VertexRangeError {
     /// The spectrum of the rules of the catalogue.

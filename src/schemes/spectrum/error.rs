@@ -4,7 +4,7 @@ use super::{MAX_COMPONENT, MAX_SECTOR_FACES, MAX_WORK};
 use crate::scheme::SchemeError;
 
 /// Why there is no spectrum.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SpectrumError {
     /// The scheme or its parameters.

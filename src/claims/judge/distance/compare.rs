@@ -2,7 +2,7 @@
 //! that are far from their limits.
 
 use crate::exact::Rational;
-use crate::finding::{Attained, Control, Place};
+use crate::finding::{Attained, Control, Place, Reason};
 use crate::limit::{
     Comparison, Distances, ExtremalPolygon, Limit, Spreads, SurfaceDistances, SurfaceWitness,
     Witness, is_fraction,
@@ -17,8 +17,8 @@ pub(super) fn curve(
     distances: &Distances,
     level: u32,
     bound: &Rational,
-) -> Result<Comparison<Attained>, String> {
-    Ok(match distances.compare(level, bound).map_err(|error| error.to_string())? {
+) -> Result<Comparison<Attained>, Reason> {
+    Ok(match distances.compare(level, bound).map_err(Reason::from)? {
         Comparison::Within => Comparison::Within,
         Comparison::Exceeds(Witness { polygon, parameter, distance, .. }) => {
             let found = far_curve(polygon, parameter, distance);
@@ -77,13 +77,12 @@ pub(super) fn net(
     limits: &[Limit; 2],
     level: u32,
     bound: &Rational,
-) -> Result<Comparison<Attained>, String> {
+) -> Result<Comparison<Attained>, Reason> {
     // The far net is tried first: the search takes longer, and at high levels much longer.
     if let Some(found) = far_net(limits, distances.shifts(), level, bound) {
         return Ok(Comparison::Exceeds(net_at_fraction(distances, limits, level, bound, found)));
     }
-    let compared =
-        distances.compare(level, bound, &Spreads::one()).map_err(|error| error.to_string())?;
+    let compared = distances.compare(level, bound, &Spreads::one()).map_err(Reason::from)?;
     Ok(match compared {
         Comparison::Within => Comparison::Within,
         Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),

@@ -2,7 +2,7 @@
 
 use crate::bound::Budget;
 use crate::exact::{Rational, RealCyclotomic, comparable};
-use crate::finding::{Attained, Supremum};
+use crate::finding::{Attained, Reason, Supremum};
 use crate::judge::distance::attained::at_point;
 use crate::judge::distance::compare::{curve, net};
 use crate::limit::{
@@ -38,9 +38,9 @@ pub(crate) struct KnownDistances {
     compared: Compared,
     parametrisation: Parametrisation,
     budget: Budget,
-    distances: OnceCell<Result<Of, String>>,
+    distances: OnceCell<Result<Of, Reason>>,
     levels: RefCell<BTreeMap<u32, Known>>,
-    suprema: RefCell<BTreeMap<(u32, u32), Result<Supremum, String>>>,
+    suprema: RefCell<BTreeMap<(u32, u32), Result<Supremum, Reason>>>,
 }
 
 /// The distances, for each kind of scheme.
@@ -93,7 +93,7 @@ impl KnownDistances {
         })
     }
 
-    fn of(&self) -> Result<&Of, String> {
+    fn of(&self) -> Result<&Of, Reason> {
         let of = self
             .distances
             .get_or_init(|| Of::new(&self.compared, self.parametrisation, &self.budget));
@@ -107,7 +107,7 @@ impl KnownDistances {
         &self,
         level: u32,
         bound: &RealCyclotomic,
-    ) -> Result<Comparison<Attained>, String> {
+    ) -> Result<Comparison<Attained>, Reason> {
         let of = self.of()?;
         let mut levels = self.levels.borrow_mut();
         let known = levels.entry(level).or_default();
@@ -137,7 +137,7 @@ impl KnownDistances {
         &self,
         level: u32,
         bound: &RealCyclotomic,
-    ) -> Result<Comparison<(u32, Attained)>, String> {
+    ) -> Result<Comparison<(u32, Attained)>, Reason> {
         let lasting = self.of()?.lasting();
         let mut undecided = None;
         for later in level..level.saturating_add(MAX_LATER) {
@@ -155,22 +155,22 @@ impl KnownDistances {
                 return Ok(undecided.map_or(Comparison::Within, Comparison::Undecided));
             }
         }
-        Err(format!("not shown at all levels from {level} on"))
+        Err(Reason::Later(level))
     }
 
     /// An enclosure of the distance constant of a level; its width is about 1/`parts` of the
     /// constant.
-    pub(crate) fn supremum(&self, level: u32, parts: u32) -> Result<Supremum, String> {
+    pub(crate) fn supremum(&self, level: u32, parts: u32) -> Result<Supremum, Reason> {
         let of = self.of()?;
         let mut known = self.suprema.borrow_mut();
         known.entry((level, parts)).or_insert_with(|| of.supremum(level, parts)).clone()
     }
 
     /// The distances of a ring.
-    pub(crate) fn of_ring(&self) -> Result<&LocalDistances, String> {
+    pub(crate) fn of_ring(&self) -> Result<&LocalDistances, Reason> {
         match self.of()? {
             Of::LocalRules(distances) => Ok(distances),
-            Of::Curve(_) | Of::Surface(_) => Err("this is no ring".to_owned()),
+            Of::Curve(_) | Of::Surface(_) => Err(Reason::NoRing),
         }
     }
 }
@@ -180,11 +180,12 @@ impl Of {
         compared: &Compared,
         parametrisation: Parametrisation,
         budget: &Budget,
-    ) -> Result<Of, String> {
-        let limit = |mask: &Mask| Limit::new(mask).map_err(text);
+    ) -> Result<Of, Reason> {
+        let limit = |mask: &Mask| Limit::new(mask).map_err(Reason::from);
         Ok(match compared {
             Compared::Curve(mask) => {
-                let distances = Distances::placed(&limit(mask)?, parametrisation).map_err(text)?;
+                let distances =
+                    Distances::placed(&limit(mask)?, parametrisation).map_err(Reason::from)?;
                 let distances = distances.with_cells(MAX_CELLS).with_budget(budget.clone());
                 Of::Curve(Box::new(distances))
             }
@@ -192,10 +193,10 @@ impl Of {
                 let limits = [limit(first)?, limit(second)?];
                 let distances =
                     SurfaceDistances::placed(&limits[0], &limits[1], parametrisation, budget);
-                Of::Surface(Box::new((distances.map_err(text)?, limits)))
+                Of::Surface(Box::new((distances.map_err(Reason::from)?, limits)))
             }
             Compared::LocalRules(ring) => {
-                let limit = LocalLimit::new(ring).map_err(text)?;
+                let limit = LocalLimit::new(ring).map_err(Reason::from)?;
                 Of::LocalRules(Box::new(LocalDistances::new(limit)))
             }
         })
@@ -222,9 +223,9 @@ impl Of {
         }
     }
 
-    fn compare(&self, level: u32, bound: &RealCyclotomic) -> Result<Comparison<Attained>, String> {
+    fn compare(&self, level: u32, bound: &RealCyclotomic) -> Result<Comparison<Attained>, Reason> {
         let rational = || {
-            let irrational = || format!("the bound of a curve or a net is rational, not {bound}");
+            let irrational = || Reason::IrrationalBound(bound.clone());
             bound.as_rational().ok_or_else(irrational)
         };
         match self {
@@ -234,10 +235,12 @@ impl Of {
                 net(distances, limits, level, rational()?)
             }
             Of::LocalRules(distances) => {
-                let found =
-                    at_point(distances.limit().ring(), distances.constant(level).map_err(text)?);
+                let found = at_point(
+                    distances.limit().ring(),
+                    distances.constant(level).map_err(Reason::from)?,
+                );
                 if !comparable(&found.value, bound) {
-                    return Err(format!("no field holds the bound {bound} and the distances"));
+                    return Err(Reason::NoField(bound.clone()));
                 }
                 let exceeds = found.value > *bound;
                 Ok(if exceeds { Comparison::Exceeds(found) } else { Comparison::Within })
@@ -245,33 +248,29 @@ impl Of {
         }
     }
 
-    fn supremum(&self, level: u32, parts: u32) -> Result<Supremum, String> {
+    fn supremum(&self, level: u32, parts: u32) -> Result<Supremum, Reason> {
         let (one, parts) = (Rational::one(), Rational::from(parts));
         let enclosure = match self {
             Of::Curve(distances) => {
-                let coarse = distances.constant(level, &one).map_err(text)?;
+                let coarse = distances.constant(level, &one).map_err(Reason::from)?;
                 let width = coarse.enclosure.upper() / &parts;
                 let finer =
                     if width.is_zero() { Ok(coarse) } else { distances.constant(level, &width) };
-                finer.map_err(text)?.enclosure
+                finer.map_err(Reason::from)?.enclosure
             }
             Of::Surface(surface) => {
                 let (distances, ones) = (&surface.0, Spreads::one());
-                let (coarse, _) = distances.constant(level, &one, &ones).map_err(text)?;
+                let (coarse, _) = distances.constant(level, &one, &ones).map_err(Reason::from)?;
                 let width = coarse.upper() / &parts;
-                let finer = || distances.constant(level, &width, &ones).map_err(text);
+                let finer = || distances.constant(level, &width, &ones).map_err(Reason::from);
                 if width.is_zero() { coarse } else { finer()?.0 }
             }
             Of::LocalRules(distances) => {
-                let value = distances.constant(level).map_err(text)?.distance;
+                let value = distances.constant(level).map_err(Reason::from)?.distance;
                 return Ok(Supremum { lower: value.clone(), upper: Some(value) });
             }
         };
         let (lower, upper) = (enclosure.lower().clone(), enclosure.upper().clone());
         Ok(Supremum { lower: lower.into(), upper: Some(upper.into()) })
     }
-}
-
-fn text(error: impl std::fmt::Display) -> String {
-    error.to_string()
 }

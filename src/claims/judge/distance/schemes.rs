@@ -2,6 +2,7 @@
 
 use crate::bound::Budget;
 use crate::evaluation::library::Resolved;
+use crate::finding::Reason;
 use crate::judge::distance::known::{Compared, KnownDistances};
 use crate::scheme::{Instance, LocalRules, Mask};
 use std::cell::{Cell, RefCell};
@@ -25,7 +26,7 @@ pub(crate) struct Schemes {
     masks: RefCell<BTreeMap<SchemeAt, Rc<KnownDistances>>>,
     /// The distances with the points at their natural parameters; `None` where these are i/n^k.
     natural: RefCell<BTreeMap<SchemeAt, Option<Rc<KnownDistances>>>>,
-    rings: RefCell<BTreeMap<Instance, Result<Rc<KnownDistances>, String>>>,
+    rings: RefCell<BTreeMap<Instance, Result<Rc<KnownDistances>, Reason>>>,
     rings_left: LocalCap,
 }
 
@@ -89,14 +90,11 @@ impl Schemes {
     pub(crate) fn of_ring(
         &self,
         (instance, ring): &(Instance, LocalRules),
-    ) -> Result<Rc<KnownDistances>, String> {
+    ) -> Result<Rc<KnownDistances>, Reason> {
         let mut all = self.rings.borrow_mut();
         let new = || {
             if !self.rings_left.takes(ring) {
-                return Err(format!(
-                    "the rings of this table have more points than the cap: the squares of their \
-                     numbers sum to {MAX_LOCAL_SIZE} at most"
-                ));
+                return Err(Reason::Rings(MAX_LOCAL_SIZE));
             }
             Ok(Rc::new(KnownDistances::new(Compared::LocalRules(ring.clone()), &self.budget)))
         };

@@ -3,7 +3,7 @@
 use crate::claim::PrintedValences;
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::limits::LimitScheme;
-use crate::finding::Limits;
+use crate::finding::{Limits, Reason};
 use crate::scheme::Mask;
 use crate::smoothness::Smoothness;
 
@@ -15,8 +15,8 @@ pub(super) fn no_valences(scheme: &LimitScheme<'_>, valences: &PrintedValences) 
 }
 
 /// What is proved of the limits of a mask, or the cap that its rules are beyond.
-pub(super) fn limits(mask: Mask) -> Result<Limits, String> {
-    let smoothness = Smoothness::of(&mask).map_err(|error| error.to_string())?;
+pub(super) fn limits(mask: Mask) -> Result<Limits, Reason> {
+    let smoothness = Smoothness::of(&mask)?;
     Ok(Limits { mask, smoothness })
 }
 

@@ -8,7 +8,7 @@ use crate::claim::{Ends, SmoothRangeStatement};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::limits::LimitScheme;
 use crate::exact::{IntervalSet, Parametric, PiecewisePolynomial, Rational, RationalPolynomial};
-use crate::finding::{Contraction, Known, RangeOfLimits, SmoothnessVerdict, Witness};
+use crate::finding::{Contraction, Known, RangeOfLimits, Reason, SmoothnessVerdict, Witness};
 use crate::scheme::Rules;
 use crate::smoothness::{SmoothRange, SmoothRangeError, smooth_range};
 
@@ -65,17 +65,17 @@ pub(super) fn judge(
 
 /// Where the limits are C^m, and where not; `None` where the sum rules that this needs do not hold for
 /// all values. An error says which cap is met.
-fn sets(rules: &Rules<RationalPolynomial>, m: usize) -> Result<Option<SmoothRange>, String> {
-    let mut reason = String::new();
+fn sets(rules: &Rules<RationalPolynomial>, m: usize) -> Result<Option<SmoothRange>, Reason> {
+    let mut reason = None;
     for levels in LEVELS {
         match smooth_range(rules, m, levels) {
             Ok(range) => return Ok(Some(range)),
             Err(SmoothRangeError::SumRules { .. }) => return Ok(None),
-            Err(error @ SmoothRangeError::TooLong(_)) => return Err(error.to_string()),
-            Err(error) => reason = error.to_string(),
+            Err(error @ SmoothRangeError::TooLong(_)) => return Err(error.into()),
+            Err(error) => reason = Some(error),
         }
     }
-    Err(reason)
+    Err(reason.map_or(Reason::Unsaid, Reason::from))
 }
 
 /// Looks closer at the bounded parts of what is open. Whether there are any.

@@ -31,7 +31,7 @@ pub(super) fn judge(
     for valence in valences {
         let (verdict, range) = match of_valence(scheme, statement, valence)? {
             Ok(judged) => judged,
-            Err(error) => return Ok(capped(&error)),
+            Err(error) => return Ok(capped(error)),
         };
         verdicts.push(verdict);
         found.push(range);

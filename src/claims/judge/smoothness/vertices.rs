@@ -5,7 +5,7 @@ use crate::claim::{PrintedValences, SmoothnessStatement};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::limits::LimitScheme;
 use crate::exact::RealCyclotomic;
-use crate::finding::{Known, SmoothnessVerdict, Vertices};
+use crate::finding::{Known, Reason, SmoothnessVerdict, Vertices};
 use crate::scheme::{Instance, LocalRules};
 
 /// The valences that are tried where a claim is about all of them, and nothing is proved.
@@ -48,7 +48,7 @@ pub(super) fn judge(
                 scheme.check_valence(first.map(|_| valence), vertex.spectrum.order)?;
                 vertices.push(vertex);
             }
-            Err(error) => return Ok(capped(&error)),
+            Err(error) => return Ok(capped(error)),
         }
     }
     let verdicts: Vec<SmoothnessVerdict> = vertices.iter().map(says).collect();
@@ -73,7 +73,7 @@ fn of_all(
         let ring: LocalRules = scheme.ring(instances, Some(valence))?;
         let vertex = match Vertex::of_ring(ring) {
             Ok(vertex) => vertex,
-            Err(error) => return Ok(capped(&error)),
+            Err(error) => return Ok(capped(error)),
         };
         let verdict = says(&vertex);
         vertices.push(vertex);
@@ -84,8 +84,8 @@ fn of_all(
     Ok((SmoothnessVerdict::Open, known(vertices)))
 }
 
-pub(super) fn capped(error: &dyn std::fmt::Display) -> (SmoothnessVerdict, Known) {
-    (SmoothnessVerdict::NotCheckable, Known::Capped(error.to_string()))
+pub(super) fn capped(error: impl Into<Reason>) -> (SmoothnessVerdict, Known) {
+    (SmoothnessVerdict::NotCheckable, Known::Capped(error.into()))
 }
 
 /// The verdict on a claim that is made at each of several valences.

@@ -3,7 +3,7 @@
 use crate::bound::{Budget, Constants, MAX_CLASSES, Operator, Order, SoundBound, best_offset};
 use crate::claim::Quantity;
 use crate::exact::{Enclosed, Rational, RealCyclotomic};
-use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
+use crate::finding::{Attained, Control, LevelEvidence, Place, Reason, Supremum};
 use crate::judge::distance::{Compared, KnownDistances, KnownOvershoots};
 use crate::judge::theorem::levels::sums;
 use crate::judge::theorem::setting::{Setting, later};
@@ -27,7 +27,7 @@ const MAX_CONSTANT_CLASSES: u64 = 1 << 14;
 pub(crate) struct Curve {
     constants: Constants,
     distances: KnownDistances,
-    greatest: RefCell<BTreeMap<(Quantity, u32), Result<Attained, String>>>,
+    greatest: RefCell<BTreeMap<(Quantity, u32), Result<Attained, Reason>>>,
     /// The sound bounds of the first levels.
     sound: OnceCell<Vec<Rational>>,
     /// The scheme at its best offset, if that is another one.
@@ -62,12 +62,12 @@ impl Curve {
     }
 
     /// The supremum of a step or of a difference.
-    fn most(&self, quantity: Quantity, level: u32) -> Result<RealCyclotomic, String> {
+    fn most(&self, quantity: Quantity, level: u32) -> Result<RealCyclotomic, Reason> {
         if quantity == Quantity::Difference || self.shift.is_zero() {
             return Ok(self.greatest(quantity, level)?.value);
         }
         let most = step_supremum(self.mask(), level, &self.shift);
-        most.map(RealCyclotomic::from).map_err(|error| error.to_string())
+        most.map(RealCyclotomic::from).map_err(Reason::from)
     }
 
     fn mask(&self) -> &Mask {
@@ -81,7 +81,7 @@ impl Curve {
 
     /// The greatest step at a point of level k + 1, or the greatest difference, with data that
     /// attain it.
-    fn greatest(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {
+    fn greatest(&self, quantity: Quantity, level: u32) -> Result<Attained, Reason> {
         let mut known = self.greatest.borrow_mut();
         known
             .entry((quantity, level))
@@ -89,12 +89,12 @@ impl Curve {
             .clone()
     }
 
-    fn find_greatest(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {
+    fn find_greatest(&self, quantity: Quantity, level: u32) -> Result<Attained, Reason> {
         let found = match quantity {
             Quantity::Step => greatest_step_from(self.mask(), level, &self.shift),
             _ => greatest_difference(self.mask(), level),
         };
-        let found = found.map_err(|error| error.to_string())?;
+        let found = found.map_err(Reason::from)?;
         let place = match quantity {
             Quantity::Step => Place::Point(found.index),
             _ => Place::Difference(found.index),
@@ -109,7 +109,7 @@ impl Setting for Curve {
         quantity: Quantity,
         level: u32,
         bound: &RealCyclotomic,
-    ) -> Result<Comparison<Attained>, String> {
+    ) -> Result<Comparison<Attained>, Reason> {
         if quantity == Quantity::Distance {
             if self.soundly_within(level, bound) {
                 return Ok(Comparison::Within);
@@ -129,7 +129,7 @@ impl Setting for Curve {
         })
     }
 
-    fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, String> {
+    fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, Reason> {
         if quantity != Quantity::Distance {
             let most = self.most(quantity, level)?;
             return Ok(Supremum { lower: most.clone(), upper: Some(most) });
@@ -137,20 +137,20 @@ impl Setting for Curve {
         self.distances.supremum(level, parts)
     }
 
-    fn factor(&self, c: u32) -> Result<RealCyclotomic, String> {
+    fn factor(&self, c: u32) -> Result<RealCyclotomic, Reason> {
         let classes = (self.mask().arity() as u64).checked_pow(c);
         if classes.is_none_or(|classes| classes > MAX_CONSTANT_CLASSES.min(MAX_CLASSES)) {
-            return Err(format!("T_{c} is over too many residue classes"));
+            return Err(Reason::Constant(c));
         }
         let norm = self.constants.norm(Operator::Difference, c, Order::Adjoint);
-        norm.map(RealCyclotomic::from).map_err(|error| error.to_string())
+        norm.map(RealCyclotomic::from).map_err(Reason::from)
     }
 
     fn evidence(
         &self,
         quantity: Quantity,
         bounds: &[(u32, RealCyclotomic)],
-    ) -> Result<LevelEvidence, String> {
+    ) -> Result<LevelEvidence, Reason> {
         match quantity {
             Quantity::Distance => sums(&[&self.constants], self.sound_bound().as_ref(), bounds),
             _ => Ok(LevelEvidence::Suprema),

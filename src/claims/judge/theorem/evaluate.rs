@@ -4,6 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::quantity::Quantities;
 use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic};
+use crate::finding::Reason;
 use crate::formula::{FormulaErrorKind, FreeNames, LocatedFormula, Scope, evaluate};
 use crate::judge::theorem::case::Case;
 use std::cell::RefCell;
@@ -19,7 +20,7 @@ pub(crate) const LEVEL: &str = "k";
 pub(crate) const TOLERANCE: &str = "epsilon";
 
 /// A value, or why there is none.
-pub(crate) type Evaluated = Result<RealCyclotomic, String>;
+pub(crate) type Evaluated = Result<RealCyclotomic, Reason>;
 
 impl Case<'_> {
     pub(crate) fn functions<'s>(&'s self, settings: &'s Settings) -> Quantities<'s> {
@@ -75,9 +76,9 @@ impl Case<'_> {
         match evaluate(part, &self.scope(&functions, names)) {
             Ok(value) => Ok(Ok(value)),
             Err(error) => match (&error.kind, error.kind.cap()) {
-                (FormulaErrorKind::Undefined(why), _) => Ok(Err(why.clone())),
-                (FormulaErrorKind::DivisionByZero, _) => Ok(Err("it divides by zero".to_owned())),
-                (_, Some(cap)) => Ok(Err(cap.to_string())),
+                (kind @ FormulaErrorKind::Undefined(_), _) => Ok(Err(kind.clone().into())),
+                (FormulaErrorKind::DivisionByZero, _) => Ok(Err(Reason::DividesByZero)),
+                (_, Some(cap)) => Ok(Err(cap.into())),
                 (_, None) => Err(formula.diagnostic(&error)),
             },
         }

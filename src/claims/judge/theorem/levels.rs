@@ -2,7 +2,7 @@
 
 use crate::bound::{Constants, SoundBound};
 use crate::exact::{Rational, RealCyclotomic};
-use crate::finding::LevelEvidence;
+use crate::finding::{LevelEvidence, Reason};
 use crate::judge::later::{change, later};
 
 /// The most levels between a bound and the later sound bound that shows it.
@@ -13,15 +13,15 @@ pub(crate) fn sums(
     axes: &[&Constants],
     sound: Option<&SoundBound>,
     bounds: &[(u32, RealCyclotomic)],
-) -> Result<LevelEvidence, String> {
+) -> Result<LevelEvidence, Reason> {
     let of = |(level, most): &(u32, RealCyclotomic)| {
         let most: &Rational = most.as_rational()?;
         let change = |later| change(axes, None, *level, later);
         later(sound?, *level, MAX_LATER, change, |sum| sum <= most)
     };
     let later = bounds.iter().map(|bound| {
-        let why = || format!("no sound bound is as small as the bound at level {}", bound.0);
+        let why = || Reason::NoSoundBound(bound.0);
         of(bound).ok_or_else(why)
     });
-    Ok(LevelEvidence::Later(later.collect::<Result<_, String>>()?))
+    Ok(LevelEvidence::Later(later.collect::<Result<_, Reason>>()?))
 }

@@ -3,7 +3,7 @@
 use crate::bound::{Budget, LocalConstants};
 use crate::claim::Quantity;
 use crate::exact::{Enclosed, Rational, RealCyclotomic, comparable};
-use crate::finding::{Attained, LevelEvidence, Place, Supremum};
+use crate::finding::{Attained, LevelEvidence, Place, Reason, Supremum};
 use crate::judge::distance::{Compared, KnownDistances, at_point, points};
 use crate::judge::theorem::setting::Setting;
 use crate::limit::{Comparison, LocalDistances, LocalWitness, least_flows, minus, unit};
@@ -32,13 +32,12 @@ impl AroundPoint {
         AroundPoint { ring, interpolant, distances, known: RefCell::default() }
     }
 
-    fn distances(&self) -> Result<&LocalDistances, String> {
+    fn distances(&self) -> Result<&LocalDistances, Reason> {
         self.distances.of_ring()
     }
 
-    fn difference(&self, level: u32) -> Result<Attained, String> {
-        let power =
-            LocalConstants::new(&self.ring, level.max(1)).map_err(|error| error.to_string())?;
+    fn difference(&self, level: u32) -> Result<Attained, Reason> {
+        let power = LocalConstants::new(&self.ring, level.max(1)).map_err(Reason::from)?;
         let ((a, b), transport) = if level == 0 {
             let zeroth = self.ring.edges()[0];
             let mut heights = vec![0; self.ring.point_count()];
@@ -49,7 +48,7 @@ impl AroundPoint {
                 value: Rational::one().into(),
             });
         } else {
-            power.contraction(level).ok_or("no constant of this level")?
+            power.contraction(level).ok_or(Reason::NoConstant)?
         };
         Ok(Attained {
             control: points(&self.ring, &transport.heights),
@@ -79,18 +78,18 @@ impl AroundPoint {
     }
 
     /// The first point that the interpolant keeps; an error if it keeps none.
-    fn kept(&self) -> Option<Result<usize, String>> {
+    fn kept(&self) -> Option<Result<usize, Reason>> {
         let interpolant = self.interpolant.as_ref()?;
         let (weights, count) = (interpolant.weights(), self.ring.point_count());
         let kept = (0..count).find(|&a| weights.row(a).eq(unit(count, a).iter()));
-        Some(kept.ok_or_else(|| "the interpolant keeps no point".to_owned()))
+        Some(kept.ok_or(Reason::NothingKept))
     }
 
     fn edge(&self, a: usize, b: usize) -> Place {
         Place::Edge([a, b].map(|point| self.ring.name(point)))
     }
 
-    fn greatest(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {
+    fn greatest(&self, quantity: Quantity, level: u32) -> Result<Attained, Reason> {
         let key = (quantity.name(), level);
         if let Some(known) = self.known.borrow().get(&key) {
             return Ok(known.clone());
@@ -100,21 +99,19 @@ impl AroundPoint {
         let found = match quantity {
             Quantity::Difference => self.difference(level),
             Quantity::Distance => {
-                let kept = self.kept().ok_or("there is no interpolant")??;
-                far(self.distances()?.at_point(kept, level)).map_err(text)
+                let kept = self.kept().ok_or(Reason::NoInterpolant)??;
+                far(self.distances()?.at_point(kept, level)).map_err(Reason::from)
             }
             Quantity::Step => match &self.interpolant {
-                None => far(self.distances()?.step(level)).map_err(text),
-                Some(earlier) => far(self.distances()?.step_from(earlier, level)).map_err(text),
+                None => far(self.distances()?.step(level)).map_err(Reason::from),
+                Some(earlier) => {
+                    far(self.distances()?.step_from(earlier, level)).map_err(Reason::from)
+                }
             },
         }?;
         self.known.borrow_mut().insert(key, found.clone());
         Ok(found)
     }
-}
-
-fn text(error: impl std::fmt::Display) -> String {
-    error.to_string()
 }
 
 impl Setting for AroundPoint {
@@ -131,13 +128,13 @@ impl Setting for AroundPoint {
         quantity: Quantity,
         level: u32,
         bound: &RealCyclotomic,
-    ) -> Result<Comparison<Attained>, String> {
+    ) -> Result<Comparison<Attained>, Reason> {
         if quantity == Quantity::Distance && self.interpolant.is_none() {
             return self.distances.compare(level, bound);
         }
         let found = self.greatest(quantity, level)?;
         if !comparable(&found.value, bound) {
-            return Err(format!("no field holds the bound {bound} and the distances"));
+            return Err(Reason::NoField(bound.clone()));
         }
         Ok(if found.value > *bound {
             Comparison::Exceeds(found)
@@ -148,7 +145,7 @@ impl Setting for AroundPoint {
         })
     }
 
-    fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, String> {
+    fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, Reason> {
         if quantity == Quantity::Distance && self.interpolant.is_none() {
             return self.distances.supremum(level, parts);
         }
@@ -157,7 +154,7 @@ impl Setting for AroundPoint {
         Ok(Supremum { upper: exact.then(|| value.clone()), lower: value })
     }
 
-    fn factor(&self, c: u32) -> Result<RealCyclotomic, String> {
+    fn factor(&self, c: u32) -> Result<RealCyclotomic, Reason> {
         self.greatest(Quantity::Difference, c).map(|found| found.value)
     }
 
@@ -165,9 +162,9 @@ impl Setting for AroundPoint {
         &self,
         quantity: Quantity,
         bounds: &[(u32, RealCyclotomic)],
-    ) -> Result<LevelEvidence, String> {
+    ) -> Result<LevelEvidence, Reason> {
         let flows = |functionals: &[Vec<RealCyclotomic>], level| {
-            least_flows(&self.ring, functionals.to_vec(), level).map_err(text)
+            least_flows(&self.ring, functionals.to_vec(), level).map_err(Reason::from)
         };
         let differences = self.edge_differences();
         let (functionals, weights) = match quantity {
@@ -179,8 +176,8 @@ impl Setting for AroundPoint {
             }
         };
         let levels = bounds.iter().map(|(level, _)| flows(&functionals, *level));
-        let levels = levels.collect::<Result<_, String>>()?;
-        let count = u32::try_from(bounds.len()).map_err(text)?;
+        let levels = levels.collect::<Result<_, Reason>>()?;
+        let count = u32::try_from(bounds.len()).expect("few levels");
         Ok(LevelEvidence::Flows { weights, contraction: flows(&differences, count)?, levels })
     }
 

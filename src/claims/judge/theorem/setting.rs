@@ -2,7 +2,7 @@
 
 use crate::claim::Quantity;
 use crate::exact::{RealCyclotomic, comparable};
-use crate::finding::{Attained, LevelEvidence, Supremum};
+use crate::finding::{Attained, LevelEvidence, Reason, Supremum};
 use crate::limit::{Comparison, Later, Overshoot};
 use crate::scheme::LocalRules;
 
@@ -27,14 +27,14 @@ pub(crate) trait Setting {
         quantity: Quantity,
         level: u32,
         bound: &RealCyclotomic,
-    ) -> Result<Comparison<Attained>, String>;
+    ) -> Result<Comparison<Attained>, Reason>;
 
     /// An enclosure of a supremum; its width is about 1/`parts` of it.
-    fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, String>;
+    fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, Reason>;
 
     /// An f such that no supremum of level k + c is more than f times that of level k,
     /// for every k: T_c.
-    fn factor(&self, c: u32) -> Result<RealCyclotomic, String>;
+    fn factor(&self, c: u32) -> Result<RealCyclotomic, Reason>;
 
     /// What shows that the suprema of these levels are at most these numbers; the error says why
     /// certificates cannot express it.
@@ -42,7 +42,7 @@ pub(crate) trait Setting {
         &self,
         quantity: Quantity,
         bounds: &[(u32, RealCyclotomic)],
-    ) -> Result<LevelEvidence, String>;
+    ) -> Result<LevelEvidence, Reason>;
 
     /// The sound block bound of the distance.
     fn sound(&self, level: u32) -> Option<RealCyclotomic>;

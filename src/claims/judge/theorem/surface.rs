@@ -3,7 +3,7 @@
 use crate::bound::{Budget, Constants, MAX_CLASSES, Operator, Order, SoundBound, surface_factor};
 use crate::claim::Quantity;
 use crate::exact::{Enclosure, Rational, RealCyclotomic, Scalar};
-use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
+use crate::finding::{Attained, Control, LevelEvidence, Place, Reason, Supremum};
 use crate::judge::distance::{Compared, KnownDistances, KnownOvershoots};
 use crate::judge::theorem::levels::sums;
 use crate::judge::theorem::setting::{Setting, later};
@@ -13,7 +13,6 @@ use crate::limit::{
 use crate::scheme::Mask;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
-use std::fmt::Display;
 
 /// The most residue classes over which a constant is computed here.
 const MAX_CONSTANT_CLASSES: u64 = 1 << 12;
@@ -30,16 +29,12 @@ pub(crate) struct Surface {
     distances: KnownDistances,
     /// The sound bounds of the first levels.
     sound: OnceCell<Vec<Rational>>,
-    attained: RefCell<BTreeMap<(Quantity, u32), Result<Attained, String>>>,
+    attained: RefCell<BTreeMap<(Quantity, u32), Result<Attained, Reason>>>,
     parametrisation: Parametrisation,
     /// The scheme with the points at their natural parameters, if these are others.
     natural: OnceCell<Option<Box<Surface>>>,
     overshoots: KnownOvershoots,
     budget: Budget,
-}
-
-fn text(error: impl Display) -> String {
-    error.to_string()
 }
 
 impl Surface {
@@ -67,12 +62,12 @@ impl Surface {
     /// its steps the sums of theirs.
     ///
     /// Source: `proofs/THEOREMS.md`, 43.
-    fn attained(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {
+    fn attained(&self, quantity: Quantity, level: u32) -> Result<Attained, Reason> {
         let mut known = self.attained.borrow_mut();
         known.entry((quantity, level)).or_insert_with(|| self.separable(quantity, level)).clone()
     }
 
-    fn separable(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {
+    fn separable(&self, quantity: Quantity, level: u32) -> Result<Attained, Reason> {
         let of = |axis: usize| {
             let mask = self.axes[axis].mask();
             match quantity {
@@ -81,7 +76,7 @@ impl Surface {
                 }
                 _ => greatest_difference(mask, level),
             }
-            .map_err(text)
+            .map_err(Reason::from)
         };
         let pair = [of(0)?, of(1)?];
         let polygons = pair.each_ref().map(|found| &found.polygon);
@@ -116,7 +111,7 @@ impl Surface {
     }
 
     /// An upper bound of a step or a difference.
-    fn upper(&self, quantity: Quantity, level: u32) -> Result<RealCyclotomic, String> {
+    fn upper(&self, quantity: Quantity, level: u32) -> Result<RealCyclotomic, Reason> {
         if quantity == Quantity::Step && self.parametrisation == Parametrisation::Natural {
             return self.natural_step(level);
         }
@@ -137,11 +132,12 @@ impl Surface {
     /// An upper bound of a step with the points at their natural parameters.
     ///
     /// Source: `proofs/THEOREMS.md`, 90.
-    fn natural_step(&self, level: u32) -> Result<RealCyclotomic, String> {
-        let of = |axis: &Constants| -> Result<[Rational; 3], String> {
+    fn natural_step(&self, level: u32) -> Result<RealCyclotomic, Reason> {
+        let of = |axis: &Constants| -> Result<[Rational; 3], Reason> {
             let shift = self.parametrisation.shift(axis.mask());
-            let step = step_supremum(axis.mask(), level, &shift).map_err(text)?;
-            let norm = |level| axis.norm(Operator::Scheme, level, Order::Adjoint).map_err(text);
+            let step = step_supremum(axis.mask(), level, &shift).map_err(Reason::from)?;
+            let norm =
+                |level| axis.norm(Operator::Scheme, level, Order::Adjoint).map_err(Reason::from);
             Ok([step, norm(level)?, norm(level + 1)?])
         };
         let [[step, norm, next], [other_step, other_norm, other_next]] =
@@ -158,7 +154,7 @@ impl Setting for Surface {
         quantity: Quantity,
         level: u32,
         bound: &RealCyclotomic,
-    ) -> Result<Comparison<Attained>, String> {
+    ) -> Result<Comparison<Attained>, Reason> {
         if quantity == Quantity::Distance {
             if self.soundly_within(level, bound) {
                 return Ok(Comparison::Within);
@@ -179,7 +175,7 @@ impl Setting for Surface {
         Ok(Comparison::Undecided(Box::new(Enclosure::new(lower, upper))))
     }
 
-    fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, String> {
+    fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, Reason> {
         if quantity != Quantity::Distance {
             let lower = self.attained(quantity, level)?.value;
             return Ok(Supremum { lower, upper: Some(self.upper(quantity, level)?) });
@@ -187,15 +183,15 @@ impl Setting for Surface {
         self.distances.supremum(level, parts)
     }
 
-    fn factor(&self, c: u32) -> Result<RealCyclotomic, String> {
+    fn factor(&self, c: u32) -> Result<RealCyclotomic, Reason> {
         let arity = self.axes.iter().map(|axis| axis.mask().arity() as u64).max().unwrap_or(2);
         let classes = arity.checked_pow(c);
         if classes.is_none_or(|classes| classes > MAX_CONSTANT_CLASSES.min(MAX_CLASSES)) {
-            return Err(format!("the constants of {c} levels are over too many residue classes"));
+            return Err(Reason::Constants(c));
         }
         let [first, second] = &self.axes;
-        let one = first.tensor_with(second, c).map_err(text)?;
-        let other = second.tensor_with(first, c).map_err(text)?;
+        let one = first.tensor_with(second, c).map_err(Reason::from)?;
+        let other = second.tensor_with(first, c).map_err(Reason::from)?;
         Ok(one.max(other).into())
     }
 
@@ -203,7 +199,7 @@ impl Setting for Surface {
         &self,
         quantity: Quantity,
         bounds: &[(u32, RealCyclotomic)],
-    ) -> Result<LevelEvidence, String> {
+    ) -> Result<LevelEvidence, Reason> {
         match quantity {
             Quantity::Distance => sums(&self.axes.each_ref(), self.sound_bound().as_ref(), bounds),
             _ => Ok(LevelEvidence::Suprema),

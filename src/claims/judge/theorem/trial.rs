@@ -5,7 +5,7 @@ use crate::claim::{Paper, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::settings::Settings;
 use crate::exact::{Enclosed, Rational, RealCyclotomic, Scalar, comparable};
-use crate::finding::{Correction, Levels, Outcome, Violation};
+use crate::finding::{Correction, Levels, Outcome, Reason, Violation};
 use crate::formula::LocatedFormula;
 use crate::judge::theorem::case::Case;
 use crate::judge::theorem::correction::settings;
@@ -31,8 +31,8 @@ impl Trial<'_> {
 
     pub(crate) fn of(&self, case: &Case<'_>) -> Result<Outcome, Diagnostic> {
         let Some(setting) = &case.setting else {
-            let why = || "the program has no exact limits of this kind of scheme".to_owned();
-            return Ok(Outcome::Unknown(case.beyond.as_ref().map_or_else(why, Cap::to_string)));
+            let cap = case.beyond.clone().map(Reason::Cap);
+            return Ok(Outcome::Unknown(cap.unwrap_or(Reason::NoLimits)));
         };
         let natural = match self.parametrisation {
             Parametrisation::Indexed => None,
@@ -47,7 +47,7 @@ impl Trial<'_> {
                 (case.evaluate(value, &[], &settings)?, case.evaluate(below, &[], &settings)?);
             match (value, below) {
                 (Ok(value), Ok(below)) if comparable(&value, &below) && value < below => {}
-                (Ok(_), Ok(_)) => return Ok(Outcome::Outside("its hypothesis fails".to_owned())),
+                (Ok(_), Ok(_)) => return Ok(Outcome::Outside(Reason::Hypothesis)),
                 (Err(why), _) | (_, Err(why)) => return Ok(Outcome::Unknown(why)),
             }
         }
@@ -63,7 +63,7 @@ impl Trial<'_> {
         match &self.theorem.statement {
             Statement::Bound { quantity, by, from } => bound.of_quantity(*quantity, by, *from),
             Statement::Depth(by) => bound.of_depth(by),
-            Statement::Other(_) => Ok(Outcome::Unknown("it states no bound".to_owned())),
+            Statement::Other(_) => Ok(Outcome::Unknown(Reason::NoBound)),
         }
     }
 
@@ -92,7 +92,7 @@ impl Trial<'_> {
         case: &Case<'_>,
         block: &LocatedFormula,
         settings: &Settings,
-    ) -> Result<Result<u32, String>, Diagnostic> {
+    ) -> Result<Result<u32, Reason>, Diagnostic> {
         let value = match case.evaluate(block, &[], settings)? {
             Ok(value) => value,
             Err(why) => return Ok(Err(why)),
@@ -103,7 +103,7 @@ impl Trial<'_> {
             Diagnostic::new(&block.source, block.span.clone(), message)
         })?;
         let levels = integer.numerator().to_i64().and_then(|levels| u32::try_from(levels).ok());
-        let beyond = || Cap::new("the number of levels of a constant", u32::MAX.into()).to_string();
+        let beyond = || Cap::new("the number of levels of a constant", u32::MAX.into()).into();
         Ok(levels.ok_or_else(beyond))
     }
 }
@@ -121,7 +121,7 @@ impl Bound<'_> {
     /// The factor of the bound for the levels within a block: T_0 + … + T_{c−1}, with T_0 = 1, if
     /// `AllSteps` corrects a distance, the greatest of these if `Greatest` corrects another
     /// quantity, and 1 otherwise.
-    fn contribution(&self, quantity: Quantity) -> Result<RealCyclotomic, String> {
+    fn contribution(&self, quantity: Quantity) -> Result<RealCyclotomic, Reason> {
         let one = RealCyclotomic::from(Rational::one());
         let within = [Correction::AllSteps, Correction::Greatest];
         if !within.iter().any(|by| self.trial.corrected(by)) {
@@ -129,7 +129,7 @@ impl Bound<'_> {
         }
         let levels =
             (0..self.block).map(|j| if j == 0 { Ok(one.clone()) } else { self.setting.factor(j) });
-        let levels = levels.collect::<Result<Vec<RealCyclotomic>, String>>()?;
+        let levels = levels.collect::<Result<Vec<RealCyclotomic>, Reason>>()?;
         Ok(match quantity {
             Quantity::Distance => RealCyclotomic::total(&levels),
             _ => levels.into_iter().max().unwrap_or(one),
@@ -164,8 +164,7 @@ impl Bound<'_> {
                 Err(why) => return Ok(Outcome::Unknown(why)),
             };
             if bound.sign() < 0 {
-                let why = format!("the bound is negative at level {level}, which nothing is");
-                return Ok(Outcome::Unknown(why));
+                return Ok(Outcome::Unknown(Reason::NegativeBound(level)));
             }
             match self.setting.compare(quantity, level, &bound) {
                 Ok(Comparison::Within) if gap.is_none() => shown = Some(level),
@@ -175,8 +174,7 @@ impl Bound<'_> {
                     return Ok(Outcome::Refuted(Box::new(violation)));
                 }
                 Ok(Comparison::Undecided(_)) => {
-                    let why = || format!("not exceeded, but not decided at level {level}");
-                    gap = gap.or_else(|| Some(why()));
+                    gap = gap.or(Some(Reason::Undecided(level)));
                 }
                 Err(why) => {
                     gap = gap.or(Some(why));
@@ -185,7 +183,7 @@ impl Bound<'_> {
             }
         }
         let Some(last) = shown else {
-            return Ok(Outcome::Unknown(gap.unwrap_or_default()));
+            return Ok(Outcome::Unknown(gap.unwrap_or(Reason::Unsaid)));
         };
         let proved = self.all_levels(by, last - from + 1)?;
         Ok(proved.map_or(Outcome::UpTo(last), |_| Outcome::Proved))
@@ -251,7 +249,7 @@ impl Bound<'_> {
                     Ok(supremum) => supremum,
                     Err(why) if shown.is_none() => return Ok(Outcome::Unknown(why)),
                     Err(_) => {
-                        return Ok(shown.map_or(Outcome::Unknown(String::new()), Outcome::UpTo));
+                        return Ok(shown.map_or(Outcome::Unknown(Reason::Unsaid), Outcome::UpTo));
                     }
                 };
                 let Some(tolerance) = slightly_less(&supremum.lower) else { break };
@@ -283,9 +281,9 @@ impl Bound<'_> {
             shown = Some(level);
         }
         if negative {
-            return Ok(Outcome::Unknown("the depth is negative, which nothing is".to_owned()));
+            return Ok(Outcome::Unknown(Reason::NegativeDepth));
         }
-        Ok(shown.map_or_else(|| Outcome::Unknown("it has no distance".to_owned()), Outcome::UpTo))
+        Ok(shown.map_or_else(|| Outcome::Unknown(Reason::NoDistance), Outcome::UpTo))
     }
 
     /// Whether the formula says that this level is deep enough for the tolerance.
@@ -295,7 +293,7 @@ impl Bound<'_> {
         tolerance: &Rational,
         contribution: &RealCyclotomic,
         level: u32,
-    ) -> Result<Result<Asked, String>, Diagnostic> {
+    ) -> Result<Result<Asked, Reason>, Diagnostic> {
         let asked = &RealCyclotomic::from(tolerance.clone()) / contribution;
         let Some(asked) = asked.as_rational().cloned().or_else(|| slightly_less(&asked)) else {
             return Ok(Ok(Asked::More));

@@ -37,7 +37,9 @@ pub(in crate::report) fn outcome(finding: &EquationFinding<'_>) -> String {
         EquationVerdict::Holds { cases } => {
             format!("holds in all {cases} cases{}", compared(finding))
         }
-        EquationVerdict::NotCheckable(absent) => format!("not checkable without {absent}"),
+        EquationVerdict::NotCheckable => {
+            format!("not checkable without {}", finding.equation.absent().unwrap_or_default())
+        }
         EquationVerdict::BeyondCap(cap) => beyond(cap),
         EquationVerdict::Fails { cases, failures, mends } => {
             let mut lines = vec![match cases {

@@ -241,8 +241,8 @@ impl<'a> Claim<'a> {
             EquationVerdict::Fails { failures, mends, .. } => {
                 (Some(failures.iter().map(Failure::of).collect()), Some(&mends[..]), None)
             }
-            EquationVerdict::NotCheckable(absent) => {
-                (None, None, Some(format!("missing: {absent}")))
+            EquationVerdict::NotCheckable => {
+                (None, None, equation.absent().map(|absent| format!("missing: {absent}")))
             }
             EquationVerdict::BeyondCap(cap) => (None, None, Some(cap.to_string())),
             EquationVerdict::Holds { .. } => (None, None, None),

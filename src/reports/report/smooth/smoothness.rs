@@ -173,7 +173,9 @@ pub(in crate::report) fn printed(range: &SmoothRangeStatement) -> String {
 /// What is known, in lines.
 pub(in crate::report) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
     let mut lines = match &finding.known {
-        Known::Absent(absent) => vec![format!("not checkable without {absent}")],
+        Known::Absent => {
+            vec![format!("not checkable without {}", finding.claim.absent().unwrap_or_default())]
+        }
         Known::Capped(reason) => vec![beyond(reason)],
         Known::BeyondCap(cap) => vec![beyond(cap)],
         Known::Limits(limits) => vec![of_limits(limits)],
@@ -327,7 +329,7 @@ pub(in crate::report) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String
             let witness = found.iter().find_map(|one| one.witness.as_ref());
             return witness.map_or_else(Vec::new, |witness| vertex_facts(&witness.vertex));
         }
-        Known::Absent(_) | Known::Capped(_) | Known::BeyondCap(_) => return Vec::new(),
+        Known::Absent | Known::Capped(_) | Known::BeyondCap(_) => return Vec::new(),
     };
     let deciding = limits.smoothness.deciding();
     let (n, size) = (deciding.symbol.arity(), deciding.matrices.size());

@@ -11,8 +11,8 @@ impl<'a> Claim<'a> {
         let claim = finding.claim;
         let details = SmoothnessDetails::of(&finding.known);
         let why = match &finding.known {
-            Known::Absent(absent) => Some(format!("missing: {absent}")),
-            Known::Capped(reason) => Some(reason.clone()),
+            Known::Absent => claim.absent().map(|absent| format!("missing: {absent}")),
+            Known::Capped(reason) => Some(reason.to_string()),
             Known::BeyondCap(cap) => Some(cap.to_string()),
             Known::Limits(_) | Known::Range(_) | Known::Vertices(_) | Known::VertexRanges(_) => {
                 None

@@ -103,9 +103,7 @@ impl SmoothnessDetails {
                 let valences = Some(found.iter().map(RangeAtValenceForm::of).collect());
                 SmoothnessDetails { valences, ..Default::default() }
             }
-            Known::Absent(_) | Known::Capped(_) | Known::BeyondCap(_) => {
-                SmoothnessDetails::default()
-            }
+            Known::Absent | Known::Capped(_) | Known::BeyondCap(_) => SmoothnessDetails::default(),
         }
     }
 

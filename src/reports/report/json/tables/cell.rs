@@ -24,7 +24,7 @@ pub struct AsRead {
 pub struct CellSound<'a> {
     /// The sound value; its fields stand here.
     #[serde(flatten)]
-    pub value: SoundValue<'a>,
+    pub value: SoundValue,
     /// Whether the printed number is at least the value of the printed formula, of a depth rounded
     /// up.
     pub kept_by_formula: Option<bool>,
@@ -40,7 +40,7 @@ pub struct CellSound<'a> {
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
-pub enum SoundValue<'a> {
+pub enum SoundValue {
     /// A depth by the sound bound.
     Depth {
         /// The least level at which the bound meets the tolerance.
@@ -60,7 +60,7 @@ pub enum SoundValue<'a> {
     /// There is none.
     None {
         /// The reason.
-        none: &'a str,
+        none: String,
     },
 }
 
@@ -86,7 +86,7 @@ impl<'a> CellSound<'a> {
                 }
                 audit::Sound::Least(level) => SoundValue::Least { depth: *level, least: true },
                 audit::Sound::Bound(bound) => SoundValue::Bound(Exact::of(bound)),
-                audit::Sound::None(why) => SoundValue::None { none: why },
+                audit::Sound::None(why) => SoundValue::None { none: why.to_string() },
             },
             kept_by_formula: cell.kept_by_formula,
             kept_by_sound_bound: cell.kept_by_sound,

@@ -13,7 +13,7 @@ pub struct Promise<'a> {
     pub kept: Option<bool>,
     /// Why that is open; missing where it is not.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub open: Option<&'a str>,
+    pub open: Option<String>,
     /// Control data that break the promise; missing where there are none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub broken_by: Option<Broken<'a>>,
@@ -93,7 +93,7 @@ impl<'a> Promise<'a> {
         let natural = |kept| Natural { kept: known(kept), broken_by: broken(kept) };
         Some(Promise {
             kept: known(kept),
-            open: if let Kept::Open(why) = kept { Some(why) } else { None },
+            open: if let Kept::Open(why) = kept { Some(why.to_string()) } else { None },
             broken_by: broken(kept),
             natural: cell.kept_naturally.as_ref().map(natural),
         })

@@ -30,7 +30,7 @@ pub struct Case<'a> {
     /// The level at which it is refuted, or up to which it holds.
     pub level: Option<u32>,
     /// Why the outcome is unknown, or the case outside.
-    pub why: Option<&'a str>,
+    pub why: Option<String>,
 }
 
 /// Corrections with which a theorem is not refuted.
@@ -65,8 +65,8 @@ impl<'a> Case<'a> {
             Outcome::Refuted(violation) => (Word::Refuted.name(), Some(violation.level), None),
             Outcome::Proved => (Word::Proved.name(), None, None),
             Outcome::UpTo(level) => (Word::Holds.name(), Some(*level), None),
-            Outcome::Unknown(why) => ("unknown", None, Some(why.as_str())),
-            Outcome::Outside(why) => ("outside", None, Some(why.as_str())),
+            Outcome::Unknown(why) => ("unknown", None, Some(why.to_string())),
+            Outcome::Outside(why) => ("outside", None, Some(why.to_string())),
         };
         Case { case: &case.label, outcome, level, why }
     }
