@@ -47,7 +47,7 @@ DEFECTS = [
     ("src/schemes/bound/extreme/exact_rows.rs", "(base - &offset) * &arity", "base * &arity", "bound::extreme"),
     ("src/schemes/limit/natural.rs", "number(Rational::new(1, 2))", "number(Rational::zero())", "limit::natural"),
     ("src/schemes/smoothness/exponent.rs", "hull.bound < limit", "hull.bound <= limit", "smoothness::"),
-    ("src/schemes/spectrum/jordan.rs", "twice.times(&both)", "cosine.times(&both)", "spectrum::"),
+    ("src/schemes/spectrum/jordan.rs", "cosines[k].plus(&cosines[k])", "cosines[k].clone()", "spectrum::"),
     ("src/schemes/characteristic/vertex.rs", "found.multiplicity == 1", "true", "characteristic::"),
     ("src/schemes/float/apriori.rs", "self.error.max(other.error)", "self.error", "float::apriori"),
     ("src/schemes/scheme/local_symmetry.rs", "same_weights && same_edges", "same_weights", "scheme::local_rules"),

@@ -17,7 +17,8 @@
 //! | [`Interval`], [`IntervalSet`] | where a function of the parameter is below a bound |
 //! | [`Scalar`], [`Real`] | the operations that algorithms need of a number type |
 //! | [`Matrix`] | matrices with few distinct entries |
-//! | [`solve`], [`determinant`], [`interpolated`] | systems of linear equations |
+//! | [`solve`], [`determinant`], [`interpolated`] | systems of linear equations over the rationals |
+//! | [`echelon`], [`only_solution`], [`null_rows`] | elimination over any field of real numbers |
 //! | [`characteristic_polynomial`], [`FieldElement`] | eigenvalues of rational matrices, and the fields that they generate |
 //! | [`Adjugate`] | characteristic polynomials and eigenvectors over any ring |
 //! | [`natural_logarithm`], [`LogSum`] | enclosures of logarithms, and of rational combinations of them |
@@ -50,6 +51,7 @@ pub use matrices::characteristic::{
     characteristic_coefficients, characteristic_polynomial, symmetric_square_coefficients,
     symmetric_square_polynomial,
 };
+pub use matrices::elimination::{echelon, null_rows, only_solution, row_times};
 pub use matrices::linear::{determinant, interpolated, solve};
 pub use matrices::matrix::{Matrix, Naming};
 pub use parameter::interval::Interval;

@@ -3,12 +3,15 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`nearest`], [`nearest_f32`], [`exact`], [`upper`], [`lower`], [`ulp`], [`ulps_between`] | conversion between exact numbers and f64 |
+//! | [`inverse`], [`replace`] | inverses of matrices |
 //! | [`shortest`], [`hexadecimal`], [`parse_hexadecimal`] | f64 as text |
 //! | `f64` as [`Real`](crate::exact::Real) | the arithmetic of IEEE 754 |
 
 mod convert;
 mod hexadecimal;
+mod inverse;
 mod real;
 
 pub use convert::{exact, lower, nearest, nearest_f32, shortest, ulp, ulps_between, upper};
 pub use hexadecimal::{HexadecimalError, hexadecimal, parse_hexadecimal};
+pub use inverse::{inverse, replace};

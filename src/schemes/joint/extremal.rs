@@ -1,10 +1,9 @@
 //! Extremal hulls: the proof that the radius is the one of a product.
 
 use super::convert::{float, floats, scaled};
-use super::elimination::{coefficients, null_rows};
 use super::entry::Entry;
 use super::matrix_set::MatrixSet;
-use crate::exact::{Rational, Real};
+use crate::exact::{Rational, Real, null_rows, only_solution};
 use crate::float::extremal::{Closure, Image, Origin, Rows, SearchCaps, close};
 use crate::float::nearest;
 
@@ -126,8 +125,10 @@ impl<F: Entry> Extremal<F> {
         if used.iter().any(|&j| self.vertices[j].power != image.power) {
             return None;
         }
-        let rows: Vec<&Vec<F>> = used.iter().map(|&j| &self.vertices[j].row).collect();
-        let exact = coefficients(&rows, &image.row)?;
+        let equation = |(k, x): (usize, &F)| {
+            used.iter().map(|&j| self.vertices[j].row[k].clone()).chain([x.clone()]).collect()
+        };
+        let exact = only_solution(image.row.iter().enumerate().map(equation).collect())?;
         let sum = F::sum_of_magnitudes(&exact);
         let one = F::from_rational(&Rational::one());
         (sum.greater(&one) == one).then(|| used.into_iter().zip(exact).collect())

@@ -1,6 +1,6 @@
 //! Sets of square matrices of one size.
 
-use crate::exact::{Rational, Real, Scalar};
+use crate::exact::{Rational, Real, Scalar, echelon, row_times};
 
 /// The most rows of a matrix.
 pub const MAX_SIZE: usize = 64;
@@ -130,47 +130,11 @@ impl<F: Real + PartialEq> MatrixSet<F> {
         loop {
             let images =
                 self.matrices.iter().flat_map(|m| span.iter().map(|row| row_times(row, m)));
-            let next = echelon(images.collect());
+            let next = echelon(images.collect()).0;
             if next.is_empty() || next.len() == span.len() {
                 return next.is_empty();
             }
             span = next;
         }
     }
-}
-
-/// xM.
-pub(super) fn row_times<F: Real + PartialEq>(x: &[F], matrix: &[Vec<F>]) -> Vec<F> {
-    let zero = F::zero();
-    let mut sum = vec![zero.clone(); matrix[0].len()];
-    for (x, row) in x.iter().zip(matrix).filter(|(x, _)| **x != zero) {
-        for (sum, entry) in sum.iter_mut().zip(row).filter(|(_, entry)| **entry != zero) {
-            sum.accumulate(&x.times(entry));
-        }
-    }
-    sum
-}
-
-/// Rows in echelon form with the same span, without rows of zeros.
-pub(super) fn echelon<F: Real + PartialEq>(mut rows: Vec<Vec<F>>) -> Vec<Vec<F>> {
-    let zero = F::zero();
-    let columns = rows.first().map_or(0, Vec::len);
-    let mut done = 0;
-    for column in 0..columns {
-        let Some(pivot) = (done..rows.len()).find(|&i| rows[i][column] != zero) else {
-            continue;
-        };
-        rows.swap(done, pivot);
-        let (above, below) = rows.split_at_mut(done + 1);
-        let top = &above[done];
-        for row in below.iter_mut().filter(|row| row[column] != zero) {
-            let factor = row[column].over(&top[column]);
-            for (x, t) in row.iter_mut().zip(top).skip(column) {
-                x.lessen(&factor.times(t));
-            }
-        }
-        done += 1;
-    }
-    rows.truncate(done);
-    rows
 }

@@ -19,7 +19,6 @@
 //! ```
 
 mod convert;
-mod elimination;
 mod entry;
 mod extremal;
 mod hull;
@@ -34,7 +33,6 @@ mod roots;
 mod single;
 mod verify;
 
-pub(crate) use elimination::null_rows;
 pub use entry::Entry;
 pub use hull::Hull;
 pub use interval::{Closing, contracts, expanding_product, expands};

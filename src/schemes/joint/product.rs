@@ -1,9 +1,9 @@
 //! Eigenvalues of single products, exactly.
 
 use super::entry::Entry;
-use super::matrix_set::{MatrixSet, echelon, row_times};
+use super::matrix_set::MatrixSet;
 use crate::exact::{
-    Enclosed as _, Rational, RealAlgebraic, characteristic_coefficients,
+    Enclosed as _, Rational, RealAlgebraic, characteristic_coefficients, echelon, row_times,
     symmetric_square_coefficients, value_at,
 };
 
@@ -147,10 +147,10 @@ fn is_defective<F: Entry>(matrix: &[Vec<F>], eigenvalue: &Rational) -> bool {
     for (i, row) in shifted.iter_mut().enumerate() {
         row[i].lessen(&eigenvalue);
     }
-    let rank = echelon(shifted.clone()).len();
+    let rank = echelon(shifted.clone()).0.len();
     if rank == matrix.len() {
         return false;
     }
     let square: Vec<Vec<F>> = shifted.iter().map(|row| row_times(row, &shifted)).collect();
-    echelon(square).len() < rank
+    echelon(square).0.len() < rank
 }

@@ -4,10 +4,12 @@
 //! [`MAX_VECTORS`] rows, what a unit row generates, or an eigenrow of one matrix for a rational eigenvalue. The same is
 //! done for columns. So not every invariant subspace is found.
 
-use super::elimination::{null_rows, reduced};
 use super::hull::Hull;
-use super::matrix_set::{Matrix, MatrixSet, echelon, row_times};
-use crate::exact::{IntegerPolynomial, Rational, RealAlgebraic, characteristic_coefficients};
+use super::matrix_set::{Matrix, MatrixSet};
+use crate::exact::{
+    IntegerPolynomial, Rational, RealAlgebraic, characteristic_coefficients, echelon, null_rows,
+    row_times,
+};
 
 /// The most rows of matrices for which the subspaces are looked for that single rows generate.
 const MAX_VECTORS: usize = 16;
@@ -87,7 +89,7 @@ impl Reduction {
 fn flag(set: &MatrixSet) -> (Matrix<Rational>, Vec<MatrixSet>) {
     let Some(rows) = invariant(set) else { return (set.product(&[]), vec![set.clone()]) };
     let size = set.size();
-    let (inside, pivots) = reduced(rows);
+    let (inside, pivots) = echelon(rows);
     let others: Vec<usize> = (0..size).filter(|k| !pivots.contains(k)).collect();
     // A row of the subspace has its entries at the pivots as coordinates; without them, those at the others are left.
     let first = |m: &Matrix<Rational>| -> Matrix<Rational> {
@@ -135,7 +137,7 @@ fn inverse(matrix: &Matrix<Rational>) -> Option<Matrix<Rational>> {
     let unit = |i: usize| (0..size).map(move |j| Rational::from(i64::from(i == j)));
     let wide =
         matrix.iter().enumerate().map(|(i, row)| row.iter().cloned().chain(unit(i)).collect());
-    let (rows, pivots) = reduced(wide.collect());
+    let (rows, pivots) = echelon(wide.collect());
     let regular = pivots.iter().copied().eq(0..size);
     regular.then(|| rows.into_iter().map(|row| row[size..].to_vec()).collect())
 }
@@ -161,7 +163,7 @@ fn of_rows(set: &MatrixSet) -> Option<Matrix<Rational>> {
         return Some(places.into_iter().map(|k| unit[k].clone()).collect());
     }
     let proper = |rows: &Matrix<Rational>| (1..size).contains(&rows.len());
-    let images = echelon(set.matrices().iter().flatten().cloned().collect());
+    let images = echelon(set.matrices().iter().flatten().cloned().collect()).0;
     if proper(&images) {
         return Some(images);
     }

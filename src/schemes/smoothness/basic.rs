@@ -4,8 +4,7 @@ use super::coefficient::Coefficient;
 use super::contraction::derived;
 use super::exponent::Smoothness;
 use super::symbol::Symbol;
-use crate::exact::Rational;
-use crate::joint::null_rows;
+use crate::exact::{Rational, null_rows};
 
 /// The most values of one function.
 const MAX_VALUES: usize = 20_000;

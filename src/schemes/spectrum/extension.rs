@@ -1,7 +1,7 @@
 //! The field that a real root generates over Q(2cos(2π/n)).
 
 use super::polynomial::Polynomial;
-use crate::exact::{Rational, Real, RealCyclotomic, RealExpression, Scalar};
+use crate::exact::{Rational, RealCyclotomic, RealExpression, Scalar, only_solution};
 
 /// K(λ) for a real root λ of a monic polynomial f of degree e over K = Q(2cos(2π/n)). Its elements are
 /// Σ_{t<e} a_t λ^t with a_t in K.
@@ -136,26 +136,6 @@ impl Extension {
             let unit = RealCyclotomic::from(i64::from(i == 0));
             columns.iter().map(|column| column[i].clone()).chain([unit]).collect()
         };
-        solution((0..degree).map(row).collect())
+        only_solution((0..degree).map(row).collect())
     }
-}
-
-/// The only solution of Σ_j m_{i,j} x_j = y_i, where row i is m_{i,0}, …, m_{i,s−1}, y_i; `None` where
-/// there is none or more than one.
-pub(super) fn solution(mut rows: Vec<Vec<RealCyclotomic>>) -> Option<Vec<RealCyclotomic>> {
-    let size = rows.len();
-    for step in 0..size {
-        let pivot = (step..size).find(|&row| rows[row][step].sign() != 0)?;
-        rows.swap(step, pivot);
-        let inverse = RealCyclotomic::from(1).over(&rows[step][step]);
-        let top: Vec<RealCyclotomic> = rows[step].iter().map(|x| x.times(&inverse)).collect();
-        for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != step) {
-            let factor = row[step].clone();
-            if factor.sign() != 0 {
-                row.iter_mut().zip(&top).for_each(|(x, y)| x.lessen(&factor.times(y)));
-            }
-        }
-        rows[step] = top;
-    }
-    Some(rows.into_iter().map(|mut row| row.pop().expect("a right side")).collect())
 }

@@ -4,7 +4,8 @@ use super::blocks::Blocks;
 use super::eigenvalues::{Eigenvalue, at_block, block_roots, turning_characteristic};
 use super::error::SpectrumError;
 use super::polynomial::Polynomial;
-use crate::exact::{Adjugate, RealCyclotomic, RealExpression, Scalar};
+use crate::exact::{Adjugate, RealCyclotomic, RealExpression, Scalar, echelon, row_times};
+use std::iter::successors;
 
 /// The Jordan blocks of the eigenvalues of one modulus in one Fourier block.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,10 +61,9 @@ fn greatest(
         }
     }
     let matrix = turned_matrix(blocks, k, cosines);
-    let cosine = &cosines[k % cosines.len()];
     let mut most = 1;
     for factor in factors {
-        let size = nilpotency(&at_matrix(&factor, &matrix, cosine), cosine);
+        let size = nilpotency(&at_matrix(&factor, &matrix));
         // A factor of a higher degree has other roots, too, which may have the blocks.
         if size > 1 && factor.len() > 2 {
             return Ok(None);
@@ -94,114 +94,65 @@ fn characteristics(
     blocks.turning_components().into_iter().map(of).collect()
 }
 
-/// x + yz, z = e^{2πik/n}, z² = 2cz − 1; y = 0 where z is real.
-type Turned = [RealCyclotomic; 2];
+type Matrix = Vec<Vec<RealCyclotomic>>;
 
-type Matrix = Vec<Vec<Turned>>;
-
-fn times([a, b]: &Turned, [x, y]: &Turned, cosine: &RealCyclotomic) -> Turned {
-    let both = b.times(y);
-    let twice = cosine.plus(cosine);
-    [a.times(x).minus(&both), a.times(y).plus(&b.times(x)).plus(&twice.times(&both))]
-}
-
-/// The quotient by a number other than 0: times its conjugate x + 2cy − yz, over x² + 2cxy + y².
-fn over(number: &Turned, by: &Turned, cosine: &RealCyclotomic) -> Turned {
-    let [x, y] = by;
-    let twice = cosine.plus(cosine);
-    let conjugate = [x.plus(&twice.times(y)), RealCyclotomic::zero().minus(y)];
-    let norm = times(by, &conjugate, cosine)[0].recip();
-    times(number, &conjugate, cosine).map(|part| part.times(&norm))
-}
-
-fn vanishes([x, y]: &Turned) -> bool {
-    x.sign() == 0 && y.sign() == 0
-}
-
-/// M̂_k.
+/// M̂_k over the real numbers: z = e^{2πik/n} is the number ±1 or, as z² = 2cz − 1, the matrix of the multiplication by z
+/// of x + yz.
 fn turned_matrix(blocks: &Blocks, k: usize, cosines: &[RealCyclotomic]) -> Matrix {
-    let zero = RealCyclotomic::zero;
     if k == 0 {
-        let row = |row: &Vec<RealCyclotomic>| row.iter().map(|x| [x.clone(), zero()]).collect();
-        return blocks.still.iter().map(row).collect();
+        return blocks.still.clone();
     }
-    let n = blocks.order;
-    let cosine = &cosines[k];
-    let one = RealCyclotomic::from(1);
-    let turn = if 2 * k == n { [RealCyclotomic::from(-1), zero()] } else { [zero(), one.clone()] };
-    let mut powers = vec![[one, zero()]];
-    for d in 1..n {
-        powers.push(times(&powers[d - 1], &turn, cosine));
-    }
-    let entry = |a: usize, b: usize| {
-        let mut sum = [zero(), zero()];
-        for (d, weight) in blocks.turning()[a][b].terms() {
-            for (sum, part) in sum.iter_mut().zip(&powers[d]) {
-                sum.accumulate(&part.times(weight));
-            }
-        }
-        sum
+    let (zero, one) = (RealCyclotomic::zero(), RealCyclotomic::from(1));
+    let turn = if 2 * k == blocks.order {
+        vec![vec![-&one]]
+    } else {
+        vec![vec![zero.clone(), one.clone()], vec![-&one, cosines[k].plus(&cosines[k])]]
     };
-    let all = 0..blocks.full().len();
-    all.clone().map(|a| all.clone().map(|b| entry(a, b)).collect()).collect()
-}
-
-fn product(a: &Matrix, b: &Matrix, cosine: &RealCyclotomic) -> Matrix {
-    let entry = |row: &Vec<Turned>, j: usize| {
-        row.iter().zip(b).fold([RealCyclotomic::zero(), RealCyclotomic::zero()], |sum, (x, row)| {
-            let [p, q] = times(x, &row[j], cosine);
-            [sum[0].plus(&p), sum[1].plus(&q)]
+    let size = turn.len();
+    let unit =
+        |i: usize| (0..size).map(|j| if i == j { one.clone() } else { zero.clone() }).collect();
+    let powers: Vec<Matrix> =
+        successors(Some((0..size).map(unit).collect()), |power| Some(product(power, &turn)))
+            .take(blocks.order)
+            .collect();
+    let entry = |i: usize, j: usize| {
+        let terms = blocks.turning()[i / size][j / size].terms();
+        terms.fold(zero.clone(), |sum, (d, weight)| {
+            sum.plus(&powers[d][i % size][j % size].times(weight))
         })
     };
-    a.iter().map(|row| (0..b.len()).map(|j| entry(row, j)).collect()).collect()
+    let all = 0..blocks.full().len() * size;
+    all.clone().map(|i| all.clone().map(|j| entry(i, j)).collect()).collect()
+}
+
+fn product(a: &Matrix, b: &Matrix) -> Matrix {
+    a.iter().map(|row| row_times(row, b)).collect()
 }
 
 /// f(M), by Horner's rule.
-fn at_matrix(f: &Polynomial, matrix: &Matrix, cosine: &RealCyclotomic) -> Matrix {
+fn at_matrix(f: &Polynomial, matrix: &Matrix) -> Matrix {
     let size = matrix.len();
-    let mut sum: Matrix = vec![vec![[RealCyclotomic::zero(), RealCyclotomic::zero()]; size]; size];
+    let mut sum = vec![vec![RealCyclotomic::zero(); size]; size];
     for c in f.iter().rev() {
-        sum = product(&sum, matrix, cosine);
+        sum = product(&sum, matrix);
         for (i, row) in sum.iter_mut().enumerate() {
-            row[i][0].accumulate(c);
+            row[i].accumulate(c);
         }
     }
     sum
 }
 
 /// The least s ≥ 1 for which the powers s and s + 1 of a matrix have the same rank.
-fn nilpotency(matrix: &Matrix, cosine: &RealCyclotomic) -> usize {
-    let (mut power, mut last) = (matrix.clone(), rank(matrix, cosine));
+fn nilpotency(matrix: &Matrix) -> usize {
+    let rank = |matrix: &Matrix| echelon(matrix.clone()).0.len();
+    let (mut power, mut last) = (matrix.clone(), rank(matrix));
     for size in 1..=matrix.len() {
-        power = product(&power, matrix, cosine);
-        let next = rank(&power, cosine);
+        power = product(&power, matrix);
+        let next = rank(&power);
         if next == last {
             return size;
         }
         last = next;
     }
     matrix.len()
-}
-
-/// The rank, by elimination.
-fn rank(matrix: &Matrix, cosine: &RealCyclotomic) -> usize {
-    let mut rows = matrix.clone();
-    let mut found = 0;
-    for column in 0..matrix.len() {
-        let Some(pivot) = (found..rows.len()).find(|row| !vanishes(&rows[*row][column])) else {
-            continue;
-        };
-        rows.swap(found, pivot);
-        let (above, below) = rows.split_at_mut(found + 1);
-        let top = &above[found];
-        for row in below.iter_mut().filter(|row| !vanishes(&row[column])) {
-            let factor = over(&row[column], &top[column], cosine);
-            for (x, y) in row.iter_mut().zip(top) {
-                let less = times(&factor, y, cosine);
-                x.iter_mut().zip(&less).for_each(|(x, less)| x.lessen(less));
-            }
-        }
-        found += 1;
-    }
-    found
 }

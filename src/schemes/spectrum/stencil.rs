@@ -4,8 +4,8 @@ use super::blocks::Blocks;
 use super::circulant::Circulant;
 use super::eigenvalues::{at_block, block_roots, check, turning_characteristic};
 use super::error::SpectrumError;
-use super::extension::{Extension, solution};
-use crate::exact::{Adjugate, Rational, RealCyclotomic, RealExpression, Scalar};
+use super::extension::Extension;
+use crate::exact::{Adjugate, Rational, RealCyclotomic, RealExpression, Scalar, only_solution};
 use std::collections::BTreeMap;
 
 /// A weight for each point of a ring.
@@ -30,7 +30,7 @@ pub(super) fn limit(blocks: &Blocks) -> Option<Stencil<RealCyclotomic>> {
         })
         .collect();
     rows[count - 1] = vec![one; count + 1];
-    let sums = solution(rows)?;
+    let sums = only_solution(rows)?;
     let share = |cycle: usize| Rational::new(1, blocks.cycles[cycle].points.len());
     let weights: Vec<RealCyclotomic> =
         sums.iter().enumerate().map(|(cycle, sum)| sum.times(&share(cycle).into())).collect();

@@ -24,20 +24,7 @@ pub fn solve(rows: &[Vec<Rational>]) -> Option<Vec<Rational>> {
     let count = rows.len();
     assert!(rows.iter().all(|row| row.len() == count + 1), "{count} rows of {count} + 1 numbers");
     let mut rows = CommonDenominator::of(rows).numerators;
-    let mut previous = Integer::one();
-    for step in 0..count {
-        let pivot = (step..count).find(|&row| !rows[row][step].is_zero())?;
-        rows.swap(step, pivot);
-        let (above, below) = rows.split_at_mut(step + 1);
-        let top = &above[step];
-        for row in below {
-            for column in step + 1..=count {
-                let minor = &row[column] * &top[step] - &row[step] * &top[column];
-                row[column] = minor.div_floor(&previous);
-            }
-        }
-        previous = top[step].clone();
-    }
+    eliminate(&mut rows)?;
     let mut solution = vec![Rational::zero(); count];
     for (at, row) in rows.iter().enumerate().rev() {
         let known = (at + 1..count).map(|j| Rational::from(row[j].clone()) * &solution[j]);
@@ -63,11 +50,18 @@ pub fn determinant(rows: &[Vec<Rational>]) -> Rational {
     let count = rows.len();
     assert!(rows.iter().all(|row| row.len() == count), "a square matrix");
     let CommonDenominator { numerators: mut rows, denominator } = CommonDenominator::of(rows);
+    let Some(sign) = eliminate(&mut rows) else { return Rational::zero() };
+    let last = rows.last().map_or_else(Integer::one, |row| row[count - 1].clone());
+    let count = u32::try_from(count).expect("it fits in memory");
+    Rational::new(last * sign, denominator.pow(count))
+}
+
+/// Elimination without fractions, of n rows with at least n columns: entry (i, i) becomes the leading minor of size i + 1 of
+/// the rows in their new order. The sign of that order; `None` where the first n columns are dependent.
+fn eliminate(rows: &mut [Vec<Integer>]) -> Option<Integer> {
     let (mut previous, mut sign) = (Integer::one(), Integer::one());
-    for step in 0..count {
-        let Some(pivot) = (step..count).find(|&row| !rows[row][step].is_zero()) else {
-            return Rational::zero();
-        };
+    for step in 0..rows.len() {
+        let pivot = (step..rows.len()).find(|&row| !rows[row][step].is_zero())?;
         if pivot != step {
             rows.swap(step, pivot);
             sign = -sign;
@@ -75,15 +69,14 @@ pub fn determinant(rows: &[Vec<Rational>]) -> Rational {
         let (above, below) = rows.split_at_mut(step + 1);
         let top = &above[step];
         for row in below {
-            for column in step + 1..count {
+            for column in step + 1..top.len() {
                 let minor = &row[column] * &top[step] - &row[step] * &top[column];
                 row[column] = minor.div_floor(&previous);
             }
         }
         previous = top[step].clone();
     }
-    let count = u32::try_from(count).expect("it fits in memory");
-    Rational::new(previous * sign, denominator.pow(count))
+    Some(sign)
 }
 
 /// The coefficients of the polynomial of degree below m with the values y_0, …, y_{m−1} at 0, …, m − 1, by

@@ -2,5 +2,6 @@
 
 pub(super) mod adjugate;
 pub(super) mod characteristic;
+pub(super) mod elimination;
 pub(super) mod linear;
 pub(super) mod matrix;

@@ -1,5 +1,7 @@
 //! Gauges of absolutely convex hulls in f64, by the simplex method. Nothing here is proven.
 
+use crate::machine::{inverse, replace};
+
 /// A reduced cost above 1 by less than this is taken for 1.
 const TOLERANCE: f64 = 1e-11;
 
@@ -143,21 +145,11 @@ impl Simplex {
         let Some((_, leaving)) = leaving else { return false };
         self.basis[leaving] = entering;
         if self.updates < MAX_UPDATES {
-            self.update(&direction, leaving);
+            replace(self.inverse.chunks_exact_mut(self.size), &direction, leaving);
+            self.updates += 1;
             return true;
         }
         self.invert()
-    }
-
-    /// The inverse after row k of the basis has become the one with these coefficients: a change of rank 1.
-    fn update(&mut self, direction: &[f64], k: usize) {
-        let pivot = direction[k];
-        for row in self.inverse.chunks_exact_mut(self.size) {
-            let factor = row[k] / pivot;
-            row.iter_mut().zip(direction).for_each(|(x, d)| *x -= factor * d);
-            row[k] += factor;
-        }
-        self.updates += 1;
     }
 
     /// The basis of the unit rows.
@@ -170,34 +162,12 @@ impl Simplex {
         self.updates = 0;
     }
 
-    /// The inverse of the basis, by elimination with the largest pivot of a column.
+    /// Computes the inverse anew; `false` where f64 cannot.
     fn invert(&mut self) -> bool {
-        let size = self.size;
-        self.work += (2 * size * size * size) as u64;
-        let unit = |i: usize| (0..size).map(move |j| if i == j { 1.0 } else { 0.0 });
-        let row = |(i, &j): (usize, &usize)| self.row(j).chain(unit(i)).collect();
-        let mut rows: Vec<Vec<f64>> = self.basis.iter().enumerate().map(row).collect();
-        for step in 0..size {
-            let magnitude = |row: &Vec<f64>| row[step].abs();
-            let pivot = (step..size)
-                .max_by(|&a, &b| magnitude(&rows[a]).total_cmp(&magnitude(&rows[b])))
-                .expect("at least one row");
-            if magnitude(&rows[pivot]) < 1e-14 * self.unit {
-                return false;
-            }
-            rows.swap(step, pivot);
-            let scale = rows[step][step];
-            rows[step].iter_mut().for_each(|x| *x /= scale);
-            let top = rows[step].clone();
-            for (i, row) in rows.iter_mut().enumerate() {
-                let factor = row[step];
-                if i != step && factor != 0.0 {
-                    row.iter_mut().zip(&top).for_each(|(x, t)| *x -= factor * t);
-                }
-            }
-        }
-        self.inverse = rows.into_iter().flat_map(|row| row[size..].to_vec()).collect();
-        self.updates = 0;
+        self.work += (2 * self.size.pow(3)) as u64;
+        let rows = self.basis.iter().map(|&j| self.row(j).collect()).collect();
+        let Some(inverse) = inverse(rows, 1e-14 * self.unit) else { return false };
+        (self.inverse, self.updates) = (inverse.concat(), 0);
         true
     }
 }

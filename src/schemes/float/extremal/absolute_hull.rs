@@ -1,6 +1,7 @@
 //! The gauge of the absolutely convex hull of rows, by the simplex method.
 
 use super::row_times;
+use crate::machine::{inverse, replace};
 
 /// Rows v_1, …, v_m that span the space, and a basis of d of them from which the next search starts.
 #[derive(Clone, Debug)]
@@ -42,13 +43,16 @@ const ACCURATE: f64 = 1e-13;
 /// The inverse is computed anew after so many updates, which each add a rounding error.
 const MAX_UPDATES: usize = 20;
 
+/// A smaller pivot is taken for 0.
+const LEAST_PIVOT: f64 = 1e-13;
+
 impl AbsoluteHull {
     /// The hull of rows; `None` when they do not span the space, as far as f64 can tell.
     #[must_use]
     pub fn new(rows: Vec<Vec<f64>>) -> Option<AbsoluteHull> {
         let size = rows.first()?.len();
         let basis = independent(&rows, size)?;
-        let inverse = inverse(&basis.iter().map(|&j| rows[j].clone()).collect::<Vec<_>>())?;
+        let inverse = inverse(basis.iter().map(|&j| rows[j].clone()).collect(), LEAST_PIVOT)?;
         Some(AbsoluteHull { rows, basis, inverse, updates: 0, exchanges: 0 })
     }
 
@@ -117,8 +121,8 @@ impl AbsoluteHull {
 
     /// Computes the inverse anew; `false` where f64 cannot.
     fn renew(&mut self) -> bool {
-        let rows: Vec<Vec<f64>> = self.basis.iter().map(|&j| self.rows[j].clone()).collect();
-        let Some(inverse) = inverse(&rows) else { return false };
+        let rows = self.basis.iter().map(|&j| self.rows[j].clone()).collect();
+        let Some(inverse) = inverse(rows, LEAST_PIVOT) else { return false };
         (self.inverse, self.updates) = (inverse, 0);
         true
     }
@@ -146,7 +150,8 @@ impl AbsoluteHull {
         self.exchanges += 1;
         let before = std::mem::replace(&mut self.basis[leaving], entering);
         if self.updates < MAX_UPDATES {
-            self.update(&direction, leaving);
+            replace(self.inverse.iter_mut().map(Vec::as_mut_slice), &direction, leaving);
+            self.updates += 1;
             return true;
         }
         if self.renew() {
@@ -154,19 +159,6 @@ impl AbsoluteHull {
         }
         self.basis[leaving] = before;
         false
-    }
-
-    /// The inverse after row k of the basis has become the one with these coefficients: a change of rank 1.
-    fn update(&mut self, direction: &[f64], k: usize) {
-        let pivot = direction[k];
-        for row in &mut self.inverse {
-            let factor = row[k] / pivot;
-            for (x, d) in row.iter_mut().zip(direction) {
-                *x -= factor * d;
-            }
-            row[k] += factor;
-        }
-        self.updates += 1;
     }
 }
 
@@ -201,33 +193,4 @@ fn independent(rows: &[Vec<f64>], size: usize) -> Option<Vec<usize>> {
         }
     }
     Some(chosen)
-}
-
-/// The inverse of a matrix, by elimination with the largest pivot of a column.
-fn inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
-    let size = matrix.len();
-    let unit = |i: usize| (0..size).map(move |j| if i == j { 1.0 } else { 0.0 });
-    let mut rows: Vec<Vec<f64>> = matrix
-        .iter()
-        .enumerate()
-        .map(|(i, row)| row.iter().copied().chain(unit(i)).collect())
-        .collect();
-    for step in 0..size {
-        let pivot =
-            (step..size).max_by(|&a, &b| rows[a][step].abs().total_cmp(&rows[b][step].abs()))?;
-        if rows[pivot][step].abs() < 1e-13 {
-            return None;
-        }
-        rows.swap(step, pivot);
-        let scale = rows[step][step];
-        rows[step].iter_mut().for_each(|x| *x /= scale);
-        let top = rows[step].clone();
-        for (i, row) in rows.iter_mut().enumerate() {
-            let factor = row[step];
-            if i != step && factor != 0.0 {
-                row.iter_mut().zip(&top).for_each(|(x, t)| *x -= factor * t);
-            }
-        }
-    }
-    Some(rows.into_iter().map(|row| row[size..].to_vec()).collect())
 }

@@ -1,7 +1,7 @@
 //! The limit of a ring: the common limit of all its points.
 
 use crate::bound::{LocalWork, MAX_LOCAL_WORK, Transport, transport};
-use crate::exact::{Rational, Real, RealCyclotomic, format};
+use crate::exact::{Rational, Real, RealCyclotomic, format, only_solution};
 use crate::formula::Value;
 use crate::limit::error::MAX_LEVEL;
 use crate::scheme::LocalRules;
@@ -221,7 +221,7 @@ fn left_eigenvector<S: Real + Ord + Value>(
         }
         rows[d][d] = rows[d][d].minus(&one);
     }
-    let solution = eliminate(rows).ok_or(LocalLimitError::NoLimit)?;
+    let solution = only_solution(rows).ok_or(LocalLimitError::NoLimit)?;
     Ok(classes.into_iter().map(|class| solution[class].clone()).collect())
 }
 
@@ -238,27 +238,6 @@ fn classes<S>(ring: &LocalRules<S>, representatives: &[usize]) -> Vec<usize> {
         }
     }
     classes
-}
-
-/// The only solution of a square linear system, whose rows end with the right side;
-/// `None` if there is none or more than one.
-fn eliminate<S: Real + PartialEq>(mut rows: Vec<Vec<S>>) -> Option<Vec<S>> {
-    let count = rows.len();
-    for step in 0..count {
-        let pivot = (step..count).find(|&row| rows[row][step] != S::zero())?;
-        rows.swap(step, pivot);
-        let top: Vec<S> = rows[step].iter().map(|entry| entry.over(&rows[step][step])).collect();
-        for (at, row) in rows.iter_mut().enumerate() {
-            if at != step && row[step] != S::zero() {
-                let factor = row[step].clone();
-                for (entry, above) in row.iter_mut().zip(&top) {
-                    *entry = entry.minus(&factor.times(above));
-                }
-            }
-        }
-        rows[step] = top;
-    }
-    rows.iter().map(|row| row.last().cloned()).collect()
 }
 
 /// An error for a level beyond [`MAX_LEVEL`], and for powers that are too much work.
