@@ -84,8 +84,8 @@ DEFECTS = [
      "cli::bad_input"),
     ("proofs/checker/src/sets/near.rs", "distance + radius + more <= TOLERANCE", "distance + more <= TOLERANCE",
      "certificate::depth"),
-    ("proofs/checker/src/rules/range.rs", "*sign < 0 || *sign == 0 && !below", "*sign <= 0", "rules::"),
-    ("proofs/checker/src/rules/growth.rs", "own.equals(&other)? && whole.2 == next.2", "own.equals(&other)?",
+    ("proofs/checker/src/kinds/range/mod.rs", "*sign < 0 || *sign == 0 && !below", "*sign <= 0", "rules::"),
+    ("proofs/checker/src/kinds/theorem/growth.rs", "own.equals(&other)? && whole.2 == next.2", "own.equals(&other)?",
      "rules::"),
 ]
 

@@ -5,102 +5,51 @@
 //! state, and says of each claim whether the certificate proves its verdict. FORMAT.md in the
 //! folder above specifies what certificates say and when they are valid.
 //!
-//! The files form layers, which are listed from below. A file imports no file of a later layer,
-//! and no files import each other in a circle.
+//! The folders are listed from below, and no files import each other in a circle.
 
-// Texts, and the reasons to reject them.
-mod certificate;
-mod cursor;
-mod regularity;
-mod reject;
-mod shape;
-mod toml;
-
-// Numbers, polynomials and their signs.
-mod decimal;
-mod element;
-mod field;
-mod linear;
-mod magnitude;
-mod number;
-mod piece;
-mod polygon;
-mod polynomial;
-mod root;
-mod rounding;
-mod show;
-mod value;
-
-// Formulas, and the scopes in which they have values.
-mod definitions;
-mod evaluate;
-mod formula;
-mod meter;
-mod names;
-mod reading;
-mod scheme;
-
-// Schemes, and what they make of sequences and control data.
-mod catalogue;
-mod convolution;
-mod displacement;
-mod functional;
-mod library;
-mod local_rules;
-mod orbits;
-mod powers;
-mod products;
-
-// The functions that formulas call.
-mod call;
-mod depth;
-mod exponent;
+mod claims;
+mod data;
+mod formulas;
 mod functions;
-mod sums;
-
-// Surfaces at a vertex or on a face.
+mod numbers;
+mod schemes;
+mod text;
 mod vertex;
 
-// Claim files, and the rules by which certificates prove claims.
-mod copied;
-mod elsewhere;
-mod headers;
-mod paper;
-mod rules;
-mod said;
-mod setting;
-mod table;
-mod tasks;
-mod witness;
-
-// Joint spectral radii, depths of control data, constants that programs ship, and theorems of Coq.
-mod kernel;
+// Certificates of joint spectral radii, and of depths of control data.
 mod radius;
 mod sets;
+
+mod kinds;
+mod lines;
+
+// Constants that programs ship, and theorems of Coq.
+mod kernel;
 mod shipped;
 
-use catalogue::catalogue;
-use certificate::About;
-use definitions::formulas;
+use claims::paper::Paper;
+use claims::tasks::{Task, tasks};
+use formulas::definitions::formulas;
 pub use kernel::Agreement;
-use library::Library;
-use meter::Meter;
-use paper::Paper;
+use kinds::Verdict;
+use kinds::regularity::expanded;
+use kinds::table::recovered::{Given, Recovered};
+use numbers::meter::Meter;
 pub use radius::{Radius, check_radius};
-use regularity::expanded;
-use reject::{At, Checked};
-pub use reject::{
-    DepthReason, DepthRejection, RadiusReason, RadiusRejection, Reason, Rejection, Stop, Text,
-};
-use rules::{Given, Recovered, Verdict};
+use schemes::catalogue::catalogue;
+use schemes::library::Library;
 pub use sets::{Depth, check_depth};
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{Builder, available_parallelism};
-use tasks::{Task, tasks};
-use toml::Toml;
+use text::certificate::About;
+use text::reject::{At, Checked};
+pub use text::reject::{
+    DepthReason, DepthRejection, RadiusReason, RadiusRejection, Reason, Rejection, Stop, Text,
+};
+use text::toml::Toml;
 
 /// The bytes of a stack. The deepest formula needs fewer.
 const STACK: usize = 64 << 20;
@@ -136,7 +85,7 @@ pub struct Report {
 /// Whether a text is a formula of a claim file.
 #[must_use]
 pub fn is_formula(text: &str) -> bool {
-    formula::parse(text, formula::MAX_LENGTH).is_ok()
+    formulas::formula::parse(text, formulas::formula::MAX_LENGTH).is_ok()
 }
 
 /// Checks certificates against their claim file, on all cores.
@@ -167,7 +116,7 @@ fn check_paper(file: &Toml, certificates: &[&str]) -> Result<(Report, Vec<kernel
             return Err(format!("two claims are called `{id}`"));
         }
     }
-    let (tasks, broken) = tasks(file, About::Paper(&key), &shape::KINDS, certificates);
+    let (tasks, broken) = tasks(file, About::Paper(&key), &claims::shape::KINDS, certificates);
     let mut outcomes: BTreeMap<(&str, &str), Outcome> = BTreeMap::new();
     let (mut holding, mut cited) = (BTreeSet::new(), Vec::new());
     let mut given: Vec<(&str, Given)> = Vec::new();
@@ -192,7 +141,7 @@ fn check_paper(file: &Toml, certificates: &[&str]) -> Result<(Report, Vec<kernel
             Err(rejection) => refused(task, rejection),
         };
         if matches!(outcome, Outcome::Valid | Outcome::Cited(_)) {
-            verdicts_said.insert(task.id.to_owned(), said::verdict(task.kind, &task.block));
+            verdicts_said.insert(task.id.to_owned(), claims::said::verdict(task.kind, &task.block));
         }
         outcomes.insert((task.kind, task.id), outcome);
     }
@@ -228,10 +177,10 @@ fn check_paper(file: &Toml, certificates: &[&str]) -> Result<(Report, Vec<kernel
 
 /// Checks the fields and names of a claim file, and gives its key.
 fn of_paper(file: &Toml) -> Result<&str, String> {
-    if let Some(path) = shape::misfit(file, "file") {
+    if let Some(path) = claims::shape::misfit(file, "file") {
         return Err(format!("`{path}` is unknown, or not of its type"));
     }
-    names::misuse(file)?;
+    claims::names::misuse(file)?;
     file.text("key").ok_or("`key` is missing".to_owned())
 }
 
@@ -263,7 +212,7 @@ pub fn check_theorems(
         let of_file = |text: &&str| {
             let agreement = kernel::agree(&paper, key, &recovered, text)?;
             let first = known.insert((agreement.kind.clone(), agreement.id.clone()));
-            reject::require(first, Reason::OtherFile).at(1)?;
+            text::reject::require(first, Reason::OtherFile).at(1)?;
             Ok(agreement)
         };
         Ok(files.iter().map(of_file).collect())
@@ -276,7 +225,7 @@ pub fn check_theorems(
 
 /// Checks certificates against the claim file of a project.
 fn check_project(file: &Toml, certificates: &[&str]) -> Result<Report, String> {
-    if let Some(path) = shape::misfit(file, "project-file") {
+    if let Some(path) = claims::shape::misfit(file, "project-file") {
         return Err(format!("`{path}` is unknown, or not of its type"));
     }
     let key = file.text("key").ok_or("`key` is missing")?;
@@ -335,7 +284,7 @@ fn verdicts(file: &Toml, known: &[Toml], tasks: &[Task<'_>]) -> Vec<Checked<Verd
         while let at = next.fetch_add(1, Ordering::Relaxed)
             && let Some(task) = tasks.get(at)
         {
-            let check = |block| rules::check(&paper, task.kind, task.claim, block);
+            let check = |block| kinds::check(&paper, task.kind, task.claim, block);
             checked.push((at, task.once().and_then(check)));
         }
         checked

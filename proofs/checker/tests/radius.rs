@@ -45,7 +45,7 @@ fn what_violates_one_is_rejected_for_that() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     // Every reason that there is has a certificate that is refused for it.
-    let source = include_str!("../src/reject.rs");
+    let source = include_str!("../src/text/reject.rs");
     let (_, declared) = source.split_once("    RadiusReason:\n").expect("the reasons");
     let (declared, _) = declared.split_once("\n}").expect("their end");
     for line in declared.lines().map(str::trim) {

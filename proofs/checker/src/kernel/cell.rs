@@ -2,16 +2,16 @@
 
 use super::read::{Argument, Theorem, Theorems};
 use super::stated::{comment, mask, parameters, placed, rational, stated};
-use crate::decimal::{Q, int};
-use crate::library::Constant;
-use crate::local_rules::LocalRules;
-use crate::paper::{Paper, printed};
-use crate::reject::{At, Checked, Reason, compare, require};
-use crate::rules::{Promised, promised_level};
-use crate::table::{Place, Read, Table};
-use crate::toml::Toml;
-use crate::value::Value;
-use crate::witness::Points;
+use crate::claims::paper::{Paper, printed};
+use crate::data::witness::Points;
+use crate::kinds::table::claim::{Place, Read, Table};
+use crate::kinds::table::sound::{Promised, level as promised_level};
+use crate::numbers::decimal::{Q, int};
+use crate::numbers::value::Value;
+use crate::schemes::library::Constant;
+use crate::schemes::local_rules::LocalRules;
+use crate::text::reject::{At, Checked, Reason, compare, require};
+use crate::text::toml::Toml;
 use num_traits::Signed;
 
 /// A value of a parameter that a valid certificate of a table recovers.

@@ -8,10 +8,10 @@ mod theorem;
 
 pub use cell::Given;
 
-use crate::decimal::Q;
-use crate::paper::Paper;
-use crate::reject::{At, Checked, Reason, Rejection, compare};
-use crate::shape::misfit;
+use crate::claims::paper::Paper;
+use crate::claims::shape::misfit;
+use crate::numbers::decimal::Q;
+use crate::text::reject::{At, Checked, Reason, Rejection, compare};
 use read::Theorem;
 
 /// A file of theorems that agrees with the claim file.

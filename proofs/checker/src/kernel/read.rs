@@ -3,9 +3,9 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::cursor::{Cursor, Parsed};
-use crate::decimal::Q;
-use crate::reject::{Checked, Reason, Rejection, require};
+use crate::numbers::decimal::Q;
+use crate::text::cursor::{Cursor, Parsed};
+use crate::text::reject::{Checked, Reason, Rejection, require};
 use num_bigint::BigInt;
 use num_traits::Zero;
 use std::collections::BTreeMap;

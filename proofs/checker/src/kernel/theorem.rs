@@ -4,14 +4,15 @@
 
 use super::read::{Argument, Theorem, Theorems};
 use super::stated::{comment, masks, parameters, placed, ring};
-use crate::decimal::{Q, int, read_rational};
-use crate::paper::Paper;
-use crate::reject::{At, Checked, Reason, compare, require};
-use crate::rules::{Instance, Stated, first_level};
-use crate::setting::Setting;
-use crate::toml::Toml;
-use crate::value::Value;
-use crate::witness::Points;
+use crate::claims::paper::Paper;
+use crate::data::setting::Setting;
+use crate::data::witness::Points;
+use crate::kinds::theorem::instance::{Instance, first_level};
+use crate::kinds::theorem::sides::Stated;
+use crate::numbers::decimal::{Q, int, read_rational};
+use crate::numbers::value::Value;
+use crate::text::reject::{At, Checked, Reason, compare, require};
+use crate::text::toml::Toml;
 use num_traits::Signed;
 
 /// Compares theorems with a theorem of the paper.

@@ -2,10 +2,10 @@
 
 use super::element::Element;
 use super::matrices::{Matrix, multiplied};
-use crate::decimal::Q;
-use crate::linear::unit;
-use crate::meter::Meter;
-use crate::reject::{At, RadiusChecked as Checked, RadiusReason, require};
+use crate::numbers::decimal::Q;
+use crate::numbers::linear::unit;
+use crate::numbers::meter::Meter;
+use crate::text::reject::{At, RadiusChecked as Checked, RadiusReason, require};
 use std::ops::Range;
 
 /// What a certificate says of it, with the lines.

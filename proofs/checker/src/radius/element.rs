@@ -1,8 +1,8 @@
 //! Entries of matrices: fractions, or numbers of one field Q(α) by their coordinates.
 
 use super::field::Field;
-use crate::decimal::{Q, bits, int};
-use crate::polynomial::{divide, gcd, multiplied, signum, trimmed};
+use crate::numbers::decimal::{Q, bits, int};
+use crate::numbers::polynomial::{divide, gcd, multiplied, signum, trimmed};
 use num_traits::{One, Zero};
 use std::rc::Rc;
 

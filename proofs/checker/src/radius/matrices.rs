@@ -1,9 +1,9 @@
 //! Matrices of real numbers.
 
 use super::element::Element;
-use crate::decimal::{Q, int};
-use crate::meter::Meter;
-use crate::reject::Stop;
+use crate::numbers::decimal::{Q, int};
+use crate::numbers::meter::Meter;
+use crate::text::reject::Stop;
 
 /// A square matrix, row by row.
 pub type Matrix = Vec<Vec<Element>>;

@@ -10,11 +10,11 @@ mod matrices;
 mod read;
 mod smoothness;
 
-use crate::certificate::Line;
-use crate::decimal::{Q, int};
-use crate::linear;
-use crate::meter::Meter;
-use crate::reject::{
+use crate::numbers::decimal::{Q, int};
+use crate::numbers::linear;
+use crate::numbers::meter::Meter;
+use crate::text::certificate::Line;
+use crate::text::reject::{
     At, RadiusChecked as Checked, RadiusReason, RadiusRejection, Stop, Text, require,
 };
 use element::Element;

@@ -2,9 +2,9 @@
 
 use super::blocks::Blocks;
 use super::field::Field;
-use crate::certificate::{Line, alone};
-use crate::decimal::{Q, read_rational};
-use crate::reject::{At, RadiusChecked as Checked, RadiusReason, Stop, require};
+use crate::numbers::decimal::{Q, read_rational};
+use crate::text::certificate::{Line, alone};
+use crate::text::reject::{At, RadiusChecked as Checked, RadiusReason, Stop, require};
 use num_traits::{Signed, Zero};
 use std::rc::Rc;
 

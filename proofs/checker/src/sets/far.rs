@@ -2,8 +2,8 @@
 
 use super::near::{Set, cell, is_inside, parts, roots};
 use super::net::{Cell, Net, Point, Ratio, TOLERANCE, length, square};
-use crate::meter::Meter;
-use crate::reject::{DepthChecked as Checked, DepthReason, require};
+use crate::numbers::meter::Meter;
+use crate::text::reject::{DepthChecked as Checked, DepthReason, require};
 
 /// The highest level of cells.
 const DEEPEST: u32 = 30;

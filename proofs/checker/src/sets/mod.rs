@@ -6,8 +6,8 @@ mod near;
 mod net;
 mod read;
 
-use crate::meter::Meter;
-use crate::reject::{At, DepthChecked as Checked, DepthReason, DepthRejection, require};
+use crate::numbers::meter::Meter;
+use crate::text::reject::{At, DepthChecked as Checked, DepthReason, DepthRejection, require};
 use direction::Direction;
 use near::Set;
 use net::{Net, Ratio, less};

@@ -1,8 +1,8 @@
 //! Whether all of one set is near the other: each piece is in a ball around a point of the other set (THEOREMS.md, 167).
 
 use super::net::{Cell, Net, Point, Ratio, TOLERANCE, less, square};
-use crate::meter::Meter;
-use crate::reject::{DepthChecked as Checked, Stop};
+use crate::numbers::meter::Meter;
+use crate::text::reject::{DepthChecked as Checked, Stop};
 
 /// How many levels beyond that of the polygon cells are divided.
 const MORE_LEVELS: u32 = 14;

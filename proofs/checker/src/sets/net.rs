@@ -1,9 +1,9 @@
 //! The refined points of a control polygon or net, in whole multiples of a small unit with bounds of their errors.
 
 use super::direction::Direction;
-use crate::decimal::{Q, capped as within, int};
-use crate::meter::Meter;
-use crate::reject::{DepthChecked as Checked, Stop};
+use crate::numbers::decimal::{Q, capped as within, int};
+use crate::numbers::meter::Meter;
+use crate::text::reject::{DepthChecked as Checked, Stop};
 use num_integer::{Integer as _, Roots as _};
 use num_traits::ToPrimitive as _;
 use std::collections::HashMap;

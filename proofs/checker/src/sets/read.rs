@@ -2,9 +2,11 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::certificate::{Line, alone};
-use crate::decimal::{Q, bits, capped as within, read_rational};
-use crate::reject::{At, DepthChecked as Checked, DepthReason, DepthRejection, Stop, require};
+use crate::numbers::decimal::{Q, bits, capped as within, read_rational};
+use crate::text::certificate::{Line, alone};
+use crate::text::reject::{
+    At, DepthChecked as Checked, DepthReason, DepthRejection, Stop, require,
+};
 use num_traits::{Signed, Zero};
 
 /// The first line.

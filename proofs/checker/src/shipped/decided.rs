@@ -2,8 +2,8 @@
 
 use super::number::Written;
 use super::rounding::ten;
-use crate::decimal::{Q, int};
-use crate::reject::Stop;
+use crate::numbers::decimal::{Q, int};
+use crate::text::reject::Stop;
 
 /// The ends of an enclosure.
 pub type Ends = (Q, Q);

@@ -2,10 +2,10 @@
 
 use super::interval::Interval;
 use super::roots::Sturm;
-use crate::decimal::Q;
-use crate::evaluate::MAX_INTEGER;
-use crate::meter::Meter;
-use crate::reject::Stop;
+use crate::formulas::evaluate::MAX_INTEGER;
+use crate::numbers::decimal::Q;
+use crate::numbers::meter::Meter;
+use crate::text::reject::Stop;
 use num_traits::Zero;
 use std::cmp::Ordering;
 

@@ -1,8 +1,8 @@
 //! Intervals with rational ends, which enclose real numbers.
 
-use crate::decimal::{Q, bits, capped};
-use crate::polynomial::signum;
-use crate::reject::Stop;
+use crate::numbers::decimal::{Q, bits, capped};
+use crate::numbers::polynomial::signum;
+use crate::text::reject::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};

@@ -6,12 +6,12 @@ use super::reading::Reading;
 use super::table::Table;
 use super::value::{Change, Values};
 use super::verdict::{Verdict, verdict};
-use crate::certificate::Block;
-use crate::definitions::Definitions;
-use crate::meter::Meter;
-use crate::reject::{At, Checked, Reason, Stop, compare, require};
-use crate::said::Counts;
-use crate::toml::Toml;
+use crate::claims::said::Counts;
+use crate::formulas::definitions::Definitions;
+use crate::numbers::meter::Meter;
+use crate::text::certificate::Block;
+use crate::text::reject::{At, Checked, Reason, Stop, compare, require};
+use crate::text::toml::Toml;
 
 /// The least and the greatest number of binary digits of enclosures.
 const BITS: std::ops::RangeInclusive<u64> = 64..=20_000;

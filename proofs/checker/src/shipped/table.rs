@@ -3,11 +3,11 @@
 use super::language::Language;
 use super::rounding::Type;
 use super::value::Values;
-use crate::definitions::{Definitions, formula};
-use crate::formula::{Expr, is_name};
-use crate::reject::{Checked, Reason, Stop};
-use crate::shape::misfit;
-use crate::toml::Toml;
+use crate::claims::shape::misfit;
+use crate::formulas::definitions::{Definitions, formula};
+use crate::formulas::formula::{Expr, is_name};
+use crate::text::reject::{Checked, Reason, Stop};
+use crate::text::toml::Toml;
 
 /// The most numbers of a table.
 const MAX_NUMBERS: usize = 20_000;

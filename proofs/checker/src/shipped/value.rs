@@ -3,12 +3,12 @@
 use super::cosine::Circle;
 use super::functions::{Call, is_zero};
 use super::interval::Interval;
-use crate::decimal::Q;
-use crate::definitions::{Definitions, names as names_in};
-use crate::evaluate::MAX_INTEGER;
-use crate::formula::{Expr, Head};
-use crate::meter::Meter;
-use crate::reject::Stop;
+use crate::formulas::definitions::{Definitions, names as names_in};
+use crate::formulas::evaluate::MAX_INTEGER;
+use crate::formulas::formula::{Expr, Head};
+use crate::numbers::decimal::Q;
+use crate::numbers::meter::Meter;
+use crate::text::reject::Stop;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeSet, HashMap};
 

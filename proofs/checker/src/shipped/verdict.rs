@@ -6,8 +6,8 @@ use super::literal::Shipped;
 use super::number::Written;
 use super::rounding::{Type, ten};
 use super::slip::slip;
-use crate::decimal::{Q, int};
-use crate::reject::Stop;
+use crate::numbers::decimal::{Q, int};
+use crate::text::reject::Stop;
 use num_traits::{Signed, Zero};
 use std::fmt;
 

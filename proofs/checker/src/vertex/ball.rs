@@ -1,8 +1,8 @@
 //! Real numbers between multiples of 2^−PLACES.
 
-use crate::decimal::Q;
-use crate::field::field;
-use crate::number::Number;
+use crate::numbers::decimal::Q;
+use crate::numbers::field::field;
+use crate::numbers::number::Number;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};

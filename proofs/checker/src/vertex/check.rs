@@ -7,10 +7,10 @@ use super::lattice::Part;
 use super::net::Net;
 use super::pieces::{Piece, pieces};
 use super::spectrum;
-use crate::certificate::{Block, words};
-use crate::decimal::{Q, int, read_rational};
-use crate::local_rules::LocalRules;
-use crate::reject::{Checked, Reason, Stop, agree, require};
+use crate::numbers::decimal::{Q, int, read_rational};
+use crate::schemes::local_rules::LocalRules;
+use crate::text::certificate::{Block, words};
+use crate::text::reject::{Checked, Reason, Stop, agree, require};
 use num_traits::Zero;
 
 /// The most bisections of a piece.

@@ -2,11 +2,11 @@
 
 use super::ball::Ball;
 use super::lattice::Part;
-use crate::decimal::{Q, count, int};
-use crate::local_rules::LocalRules;
-use crate::number::Number;
-use crate::reject::{Checked, Reason, Stop, require};
-use crate::value::Value;
+use crate::numbers::decimal::{Q, count, int};
+use crate::numbers::number::Number;
+use crate::numbers::value::Value;
+use crate::schemes::local_rules::LocalRules;
+use crate::text::reject::{Checked, Reason, Stop, require};
 use std::ops::Range;
 
 /// The inner ring.

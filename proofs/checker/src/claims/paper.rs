@@ -1,0 +1,82 @@
+//! A claim file and the scopes of its formulas.
+
+#![warn(clippy::arithmetic_side_effects)]
+
+use super::shape::KINDS;
+use crate::formulas::definitions::{Definitions, formulas};
+use crate::formulas::evaluate::Scope;
+use crate::formulas::formula::parse;
+use crate::numbers::decimal::read_rational;
+use crate::numbers::value::Value;
+use crate::schemes::library::Library;
+use crate::text::certificate::MAX_LINE;
+use crate::text::reject::{Checked, Reason, Stop};
+use crate::text::toml::Toml;
+use std::collections::BTreeMap;
+
+/// A claim file with the schemes that it may use.
+pub struct Paper<'a> {
+    /// The file.
+    pub file: &'a Toml,
+    /// The definitions in `[define]`.
+    pub definitions: Definitions,
+    /// The values in `[given]`.
+    pub given: BTreeMap<String, Value>,
+    /// The schemes.
+    pub library: &'a Library<'a>,
+}
+
+impl<'a> Paper<'a> {
+    /// Reads what the claims of a file have in common.
+    pub fn new(file: &'a Toml, library: &'a Library<'a>) -> Result<Paper<'a>, Stop> {
+        let definitions = formulas(file.entries("define"))?;
+        let mut paper = Paper { file, definitions, given: BTreeMap::new(), library };
+        paper.given = paper.constants(file.entries("given"))?;
+        Ok(paper)
+    }
+
+    /// The ids of all claims, with their kinds.
+    pub fn claims(&self) -> Vec<(&'static str, &'a str)> {
+        let of = |kind: &'static str| {
+            self.file.list(kind).iter().map(move |claim| (kind, claim.text("id").unwrap_or("")))
+        };
+        KINDS.into_iter().flat_map(of).collect()
+    }
+
+    /// The values of named formulas without parameters.
+    pub fn constants(&self, entries: &[(String, Toml)]) -> Result<BTreeMap<String, Value>, Stop> {
+        let named = formulas(entries)?.into_iter();
+        named.map(|(name, expr)| Ok((name, self.library.closed().value(&expr)?))).collect()
+    }
+
+    /// A scope with the definitions of the paper.
+    pub fn scope(&'a self) -> Scope<'a> {
+        self.library.scope(&self.definitions)
+    }
+
+    /// The value of a closed formula of a certificate.
+    pub fn number(&self, text: &str) -> Checked<Value> {
+        // Most numbers are fractions.
+        let fraction = text.bytes().all(|b| b.is_ascii_digit() || b == b'-' || b == b'/');
+        if let Some(known) = read_rational(text).filter(|_| fraction) {
+            return Ok(known.into());
+        }
+        value(text, &self.library.closed())
+    }
+
+    /// The values of such formulas, which blanks separate.
+    pub fn numbers(&self, text: &str) -> Checked<Vec<Value>> {
+        text.split_whitespace().map(|word| self.number(word)).collect()
+    }
+}
+
+/// The value of a formula of a certificate.
+pub fn value(text: &str, scope: &Scope<'_>) -> Checked<Value> {
+    Ok(scope.value(&parse(text, MAX_LINE).map_err(Reason::NoValue)?)?)
+}
+
+/// A number of the claim file as printed and as read. It is `'0.5'`, or a table that says both.
+pub fn printed(field: &Toml) -> Option<(&str, &str)> {
+    let text = field.as_text().or_else(|| field.text("printed"))?;
+    Some((text, field.text("read").unwrap_or(text)))
+}

@@ -1,0 +1,102 @@
+//! The verdict that a certificate states for its claim, in a few words. It is true only if the
+//! certificate is valid.
+
+use crate::text::certificate::Block;
+
+/// The longest number that is shown whole.
+const LONGEST: usize = 60;
+
+/// The verdict; for a table, how many cells have each verdict; for a refuted theorem, with both
+/// sides.
+pub fn verdict(kind: &str, block: &Block<'_>) -> String {
+    if kind == "table" {
+        return cells(block);
+    }
+    let (mut verdict, mut failing) = (("", ""), 0);
+    let mut sides = Vec::new();
+    for line in block.lines() {
+        match line.word() {
+            ("case", _) => failing += 1,
+            ("sides", both) => sides.extend(both.split_once(' ')),
+            (
+                word @ ("confirmed" | "holds" | "exact" | "inexact" | "rounding" | "fails"
+                | "proved" | "refuted"),
+                cases,
+            ) => verdict = (word, cases),
+            _ => {}
+        }
+    }
+    let words: Vec<&str> = verdict.1.split_whitespace().collect();
+    let verdict = match verdict {
+        ("", _) => "not checkable".to_owned(),
+        // For a function: the parameter, and both sides there.
+        (word, _) if words.len() == 3 => {
+            let [left, right] = [1, 2].map(|i| shortened(words[i]));
+            format!("{word}: {left} is not {right}, at {}", words[0])
+        }
+        (word @ "rounding", how) if !how.is_empty() => format!("{word}, {how}"),
+        (word, "" | "1") => word.to_owned(),
+        (word @ "fails", cases) => format!("{word} in {failing} of {cases} cases"),
+        (word, cases) => format!("{word} in {cases} cases"),
+    };
+    let sides: Vec<String> = sides
+        .into_iter()
+        .map(|(left, right)| format!("{} > {}", shortened(left), shortened(right)))
+        .collect();
+    if sides.is_empty() { verdict } else { format!("{verdict}: {}", sides.join(", and ")) }
+}
+
+/// `12 confirmed, 3 refuted; promises: 8 kept, 1 broken`.
+fn cells(block: &Block<'_>) -> String {
+    let (mut cells, mut promises) = (Counts::default(), Counts::default());
+    for line in block.lines() {
+        match line.word() {
+            // After the printed text, the exact value, the verdict, and what belongs to it.
+            ("cell", rest) => match rest.rsplit_once('"') {
+                Some((_, found)) => {
+                    let mut words = found.split_whitespace().skip(1);
+                    let verdict = words.next().unwrap_or_default();
+                    let assumed = words.any(|word| word == "assuming") && verdict != "reproduced";
+                    let assumed = if assumed { ", assuming" } else { "" };
+                    cells.add(&format!("{verdict}{assumed}"));
+                }
+                None => cells.add("lost"),
+            },
+            (promise @ ("kept" | "broken"), _) => promises.add(promise),
+            _ => {}
+        }
+    }
+    match promises.text() {
+        none if none.is_empty() => cells.text(),
+        promises => format!("{}; promises: {promises}", cells.text()),
+    }
+}
+
+/// How often each word occurs, in the order of their first occurrences.
+#[derive(Default)]
+pub struct Counts(Vec<(String, usize)>);
+
+impl Counts {
+    /// Counts a word.
+    pub fn add(&mut self, word: &str) {
+        match self.0.iter_mut().find(|(known, _)| *known == word) {
+            Some((_, count)) => *count += 1,
+            None => self.0.push((word.to_owned(), 1)),
+        }
+    }
+
+    /// `12 confirmed, 3 refuted`.
+    pub fn text(&self) -> String {
+        let texts = self.0.iter().map(|(word, count)| format!("{count} {word}"));
+        texts.collect::<Vec<String>>().join(", ")
+    }
+}
+
+/// A number, or the first characters of a long one.
+fn shortened(number: &str) -> String {
+    if number.chars().count() <= LONGEST {
+        return number.to_owned();
+    }
+    let start: String = number.chars().take(LONGEST).collect();
+    format!("{start}…")
+}

@@ -1,0 +1,57 @@
+//! The setting of a witness: the masks or the ring that refine control data.
+
+use super::functional::Rules;
+use crate::numbers::value::Value;
+use crate::schemes::convolution::Sequence;
+use crate::schemes::library::Library;
+use crate::schemes::local_rules::LocalRules;
+use crate::schemes::scheme::Scheme;
+use crate::text::reject::{Checked, Reason, Stop, require};
+use std::rc::Rc;
+
+/// The most residue classes of a constant that shows convergence.
+pub const MAX_CLASSES: usize = 1 << 12;
+
+/// The rules that refine control data.
+pub enum Setting<'a> {
+    /// One mask, or one for each index of a net, and whether all are shown to converge.
+    Masks(Vec<Rules<'a>>, bool),
+    /// A ring, and perhaps the interpolant with whose points the next level is compared.
+    LocalRules(Box<LocalRules<'a>>, Option<Box<LocalRules<'a>>>),
+}
+
+impl<'a> Setting<'a> {
+    /// The rational masks of a scheme, at this offset or at their own.
+    pub fn masks(
+        library: &'a Library<'a>,
+        schemes: &[Rc<Scheme>],
+        offset: Option<i64>,
+    ) -> Checked<Setting<'a>> {
+        require(!schemes.is_empty(), Reason::NoPromise)?;
+        let (mut rules, mut converge) = (Vec::new(), true);
+        for scheme in schemes {
+            let offset = offset.unwrap_or(scheme.offset);
+            let rational = Rules::new(library.meter, scheme, offset)?;
+            rules.push(rational.ok_or(Reason::Malformed("rational masks"))?);
+            converge &= converges(library, scheme)?;
+        }
+        Ok(Setting::Masks(rules, converge))
+    }
+}
+
+/// Whether T_c < 1 for some n^c ≤ 4096, or by a line `constant`.
+fn converges(library: &Library<'_>, scheme: &Scheme) -> Result<bool, Stop> {
+    let rules = &scheme.difference[..];
+    if library.products.contract(Sequence { rules, forward: false }) {
+        return Ok(true);
+    }
+    let mut c = 1;
+    while scheme.arity().saturating_pow(c) <= MAX_CLASSES {
+        let greatest = library.products.greatest(rules, &Value::int(c.into()))?;
+        if greatest.compare(&Value::int(1))?.is_lt() {
+            return Ok(true);
+        }
+        c += 1;
+    }
+    Ok(false)
+}

@@ -1,0 +1,281 @@
+//! The evaluation of formulas.
+
+use super::definitions::{Definitions, names as names_in};
+use super::formula::{Expr, Head};
+use super::reading::Reading;
+use crate::numbers::meter::Meter;
+use crate::numbers::piece::Piece;
+use crate::numbers::value::Value;
+use crate::schemes::scheme::Scheme;
+use crate::text::reject::Stop;
+use std::cell::{Cell, RefCell};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::rc::Rc;
+
+/// The greatest depth of an evaluation. Names that stand for formulas count.
+const MAX_DEPTH: usize = 200;
+
+/// The greatest integer that indices and exponents are read as.
+pub const MAX_INTEGER: i64 = 1_000_000;
+
+/// The indices of the sums around a formula, the innermost last.
+pub type Indices = Vec<(String, Value)>;
+
+/// A cache of the values of definitions.
+#[derive(Default)]
+pub struct Memory {
+    values: RefCell<HashMap<Known, Value>>,
+    /// The names that occur in a definition or in those that it leads to.
+    names: RefCell<HashMap<String, BTreeSet<String>>>,
+}
+
+/// A definition and what its value depends on: the values of the names and indices that occur in
+/// it, and the scheme.
+type Known = (String, Indices, Option<*const Scheme>);
+
+/// A function with its arguments and options.
+pub type Asked<'c> = (&'c str, &'c [Value], &'c [(String, String)]);
+
+/// The functions that formulas call.
+pub trait Functions {
+    /// The value of a function.
+    fn call(&self, scope: &Scope<'_>, of: Asked<'_>, indices: &mut Indices) -> Result<Value, Stop>;
+
+    /// The meter that counts the steps of an evaluation.
+    fn meter(&self) -> &Meter;
+}
+
+/// A scope: the meanings of names.
+pub struct Scope<'a> {
+    /// The formulas that names stand for.
+    pub definitions: &'a Definitions,
+    /// The names with values. They hide definitions.
+    pub values: BTreeMap<String, Value>,
+    /// The names of parameters without a value.
+    pub unstated: BTreeSet<String>,
+    /// The names of families. A member without a value is a symbol.
+    pub families: BTreeSet<String>,
+    /// The scheme that functions are about.
+    pub scheme: Option<Rc<Scheme>>,
+    /// Names without a value that no index may have either.
+    pub reserved: &'static [&'static str],
+    /// Names with values that an index may have. They are the indices of an equation.
+    pub hidden: BTreeSet<String>,
+    /// The piece on which polynomials have signs.
+    pub piece: Option<Piece<'a>>,
+    /// The reading of the options of functions.
+    pub reading: &'a Reading,
+    /// The number of the point that becomes number 0, where masks are read forwards.
+    pub first: usize,
+    functions: &'a dyn Functions,
+    /// The values of definitions that are known under this reading.
+    pub memory: Rc<Memory>,
+    /// The depth of the evaluation.
+    depth: Cell<usize>,
+    /// Whether the evaluation is inside of `cos`, where `pi` has a meaning.
+    angle: Cell<bool>,
+}
+
+impl<'a> Scope<'a> {
+    /// A scope in which nothing has a value.
+    pub fn new(
+        definitions: &'a Definitions,
+        functions: &'a dyn Functions,
+        reading: &'a Reading,
+    ) -> Scope<'a> {
+        let (values, unstated, families) = Default::default();
+        let (scheme, piece, depth, angle) = Default::default();
+        let (memory, reserved, hidden) = Default::default();
+        Scope {
+            definitions,
+            values,
+            unstated,
+            families,
+            scheme,
+            reserved,
+            hidden,
+            piece,
+            reading,
+            first: 0,
+            functions,
+            memory,
+            depth,
+            angle,
+        }
+    }
+
+    /// Counts steps of the claim at hand.
+    pub fn spend(&self, steps: u64) -> Result<(), Stop> {
+        self.functions.meter().spend(steps)
+    }
+
+    /// The value of a formula.
+    pub fn value(&self, expr: &Expr) -> Result<Value, Stop> {
+        self.evaluate(expr, &mut Vec::new())
+    }
+
+    /// The value of a formula inside of sums.
+    pub fn evaluate(&self, expr: &Expr, indices: &mut Indices) -> Result<Value, Stop> {
+        self.spend(1)?;
+        if self.depth.get() == MAX_DEPTH {
+            return Err(Stop::Capped("the nesting of formulas"));
+        }
+        self.depth.set(self.depth.get() + 1);
+        let value = match expr {
+            Expr::Number(value) => Ok(value.clone()),
+            Expr::Name(name) => self.name(name, indices),
+            Expr::Of(Head::Over(fold, index), parts) => self.over(fold, index, parts, indices),
+            Expr::Of(Head::Chain(operators), parts) => self.chain(operators, parts, indices),
+            Expr::Of(head, parts) => self.of(head, parts, indices),
+        };
+        self.depth.set(self.depth.get() - 1);
+        value
+    }
+
+    /// Sums and products, from left to right.
+    fn chain(
+        &self,
+        operators: &[char],
+        parts: &[Expr],
+        indices: &mut Indices,
+    ) -> Result<Value, Stop> {
+        let [first, rest @ ..] = parts else {
+            return Err(Stop::Wrong("an operand is missing".into()));
+        };
+        let mut value = self.evaluate(first, indices)?;
+        for (operator, part) in operators.iter().zip(rest) {
+            let right = self.evaluate(part, indices)?;
+            self.spend(match operator {
+                '+' | '-' => value.cost_of_sum(&right),
+                '/' => value.cost_of_quotient(&right),
+                _ => value.cost(&right),
+            })?;
+            match operator {
+                '+' => value.add(1, &right)?,
+                '-' => value.add(-1, &right)?,
+                '/' => value = value.over(&right)?,
+                _ => value = value.times(&right)?,
+            }
+        }
+        Ok(value)
+    }
+
+    fn of(&self, head: &Head, parts: &[Expr], indices: &mut Indices) -> Result<Value, Stop> {
+        let cosine = matches!(head, Head::Call(name, _) if name == "cos");
+        let outside = self.angle.replace(self.angle.get() || cosine);
+        let values = parts.iter().map(|part| self.evaluate(part, indices));
+        let values = values.collect::<Result<Vec<Value>, Stop>>();
+        self.angle.set(outside);
+        match (head, &values?[..]) {
+            (Head::Member(family), positions) => self.name(&member(family, positions)?, indices),
+            (Head::Minus, [x]) => x.negated(),
+            (Head::Power, [base, exponent]) => {
+                let power = base.power(exponent.integer(MAX_INTEGER)?)?;
+                self.spend(power.cost(&power))?;
+                Ok(power)
+            }
+            (Head::Call(name, options), values) => {
+                self.functions.call(self, (name, values, options), indices)
+            }
+            _ => Err(Stop::Wrong("this is no formula".into())),
+        }
+    }
+
+    /// The value of a name.
+    pub fn name(&self, name: &str, indices: &mut Indices) -> Result<Value, Stop> {
+        if name == "pi" && self.angle.get() {
+            return Ok(Value::symbol("pi"));
+        }
+        let index = indices.iter().rev().find(|(index, _)| index == name);
+        if let Some(value) = index.map(|(_, value)| value).or_else(|| self.values.get(name)) {
+            return Ok(value.clone());
+        }
+        if self.unstated.contains(name) {
+            return Err(Stop::Unstated(name.to_owned()));
+        }
+        if name.split_once('[').is_some_and(|(family, _)| self.families.contains(family)) {
+            return Ok(Value::symbol(name));
+        }
+        let definition = self.definitions.get(name);
+        let definition = definition.ok_or_else(|| Stop::Wrong(format!("`{name}` is unknown")))?;
+        let scheme = self.scheme.as_ref().map(Rc::as_ptr);
+        let key = (name.to_owned(), self.occurring(name, definition, indices), scheme);
+        if let Some(known) = self.memory.values.borrow().get(&key) {
+            return Ok(known.clone());
+        }
+        let angle = self.angle.replace(false);
+        let value = self.evaluate(definition, indices);
+        self.angle.set(angle);
+        if let Ok(value) = &value {
+            self.memory.values.borrow_mut().insert(key, value.clone());
+        }
+        value
+    }
+
+    /// The names and indices with values that occur in a definition or in those that it leads to.
+    fn occurring(&self, name: &str, definition: &Expr, indices: &Indices) -> Indices {
+        let mut names = self.memory.names.borrow_mut();
+        let names = names.entry(name.to_owned());
+        let names = names.or_insert_with(|| names_in(definition, self.definitions));
+        let values = self.values.iter().filter(|(name, _)| names.contains(family_of(name)));
+        let values = values.map(|(name, value)| (name.clone(), value.clone()));
+        values.chain(indices.iter().filter(|(name, _)| names.contains(name)).cloned()).collect()
+    }
+
+    fn over(
+        &self,
+        fold: &str,
+        index: &str,
+        parts: &[Expr],
+        indices: &mut Indices,
+    ) -> Result<Value, Stop> {
+        let [from, to, body] = parts else { return Err(Stop::Wrong("a range is missing".into())) };
+        self.index(index)?;
+        let from = self.evaluate(from, indices)?.integer(MAX_INTEGER)?;
+        let to = self.evaluate(to, indices)?.integer(MAX_INTEGER)?;
+        let mut total = (fold == "sum").then(|| Value::int(0));
+        for i in from..=to {
+            indices.push((index.to_owned(), Value::int(i)));
+            let term = self.evaluate(body, indices);
+            indices.pop();
+            total = Some(match total {
+                None => term?,
+                Some(total) => self.join(fold, &total, &term?)?,
+            });
+        }
+        total.ok_or_else(|| Stop::Wrong("a maximum or minimum has an empty range".into()))
+    }
+
+    /// Checks that an index does not hide a name to which definitions may refer.
+    pub fn index(&self, name: &str) -> Result<(), Stop> {
+        let valued = self.values.contains_key(name) && !self.hidden.contains(name);
+        let named = self.definitions.contains_key(name) || self.unstated.contains(name);
+        if valued || named || name == "pi" || self.reserved.contains(&name) {
+            return Err(Stop::Wrong(format!("the index `{name}` has another meaning")));
+        }
+        Ok(())
+    }
+
+    /// The `sum`, `max` or `min` of two values.
+    pub fn join(&self, fold: &str, a: &Value, b: &Value) -> Result<Value, Stop> {
+        match fold {
+            "sum" => {
+                self.spend(a.cost_of_sum(b))?;
+                a.plus(1, b)
+            }
+            "max" => a.max(b, self.piece.as_ref()),
+            _ => a.negated()?.max(&b.negated()?, self.piece.as_ref())?.negated(),
+        }
+    }
+}
+
+/// The family `q` of a member `q[3]`, or the whole of another name.
+fn family_of(name: &str) -> &str {
+    name.split_once('[').map_or(name, |(family, _)| family)
+}
+
+/// The name of a member of a family.
+pub fn member(family: &str, positions: &[Value]) -> Result<String, Stop> {
+    let positions = positions.iter().map(|i| Ok(i.integer(MAX_INTEGER)?.to_string()));
+    Ok(format!("{family}[{}]", positions.collect::<Result<Vec<_>, Stop>>()?.join(",")))
+}

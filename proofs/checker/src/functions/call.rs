@@ -1,0 +1,144 @@
+//! A call of a function, with its options.
+
+#![warn(clippy::arithmetic_side_effects)]
+
+use crate::formulas::evaluate::{Asked, Indices, MAX_INTEGER, Scope};
+use crate::numbers::decimal::count;
+use crate::numbers::value::Value;
+use crate::schemes::convolution::{Convolution, Sequence};
+use crate::schemes::library::Library;
+use crate::schemes::scheme::Scheme;
+use crate::text::reject::Stop;
+use std::rc::Rc;
+
+/// The words that these options may have. The default is the first.
+pub const TERMS: [&str; 2] = ["each", "total"];
+pub const SUPREMA: [&str; 2] = ["independent", "joint"];
+const ORDER: [&str; 2] = ["adjoint", "forward"];
+const RECURSION: [&str; 2] = ["derived", "printed"];
+
+/// A call of a function. It keeps the options that are not used yet.
+pub struct Call<'c> {
+    /// The schemes, with caches of their constants.
+    pub library: &'c Library<'c>,
+    /// The meanings of names.
+    pub scope: &'c Scope<'c>,
+    /// The name of the function.
+    pub function: &'c str,
+    /// The values of the arguments.
+    pub arguments: &'c [Value],
+    options: Vec<&'c (String, String)>,
+}
+
+pub fn wrong<T>(what: impl Into<String>) -> Result<T, Stop> {
+    Err(Stop::Wrong(what.into()))
+}
+
+/// Reads an integer from `least` to `most` as an index.
+pub fn within(value: &Value, least: i64, most: i64) -> Result<usize, Stop> {
+    let integer = Some(value.integer(most)?).filter(|integer| *integer >= least);
+    let index = integer.and_then(|integer| usize::try_from(integer).ok());
+    index.ok_or_else(|| Stop::Wrong(format!("an integer from {least} to {most} is needed")))
+}
+
+/// A count as a value.
+pub fn number(value: usize) -> Value {
+    count(value).into()
+}
+
+impl<'c> Call<'c> {
+    /// A call with all of its options.
+    pub fn new(library: &'c Library<'c>, scope: &'c Scope<'c>, of: Asked<'c>) -> Call<'c> {
+        let (function, arguments, options) = of;
+        Call { library, scope, function, arguments, options: options.iter().collect() }
+    }
+
+    /// Checks that every option has been used.
+    pub fn finished(&self) -> Result<(), Stop> {
+        match self.options.first() {
+            None => Ok(()),
+            Some((name, _)) => wrong(format!("`{}` takes no option `{name}`", self.function)),
+        }
+    }
+
+    /// Takes an option.
+    fn option(&mut self, name: &str) -> Option<&'c str> {
+        let at = self.options.iter().position(|(option, _)| option == name)?;
+        Some(&self.options.remove(at).1)
+    }
+
+    /// The word that an option has under the reading.
+    pub fn word(&mut self, name: &str, default: &str) -> String {
+        let printed = self.option(name).unwrap_or(default);
+        self.scope.reading.word(self.function, name, printed)
+    }
+
+    /// The position of the word that an option has, in a list of the possible ones.
+    pub fn choose(&mut self, name: &str, words: &[&str]) -> Result<usize, Stop> {
+        let word = self.word(name, words[0]);
+        let place = words.iter().position(|known| *known == word);
+        place.ok_or_else(|| Stop::Wrong(format!("`{name}` cannot be `{word}`")))
+    }
+
+    /// The scheme that the call is about.
+    pub fn scheme(&mut self) -> Result<Rc<Scheme>, Stop> {
+        let scheme = match self.option("scheme") {
+            None => self.scope.scheme.clone(),
+            Some(name) => {
+                let mut closed = self.library.closed();
+                closed.reading = self.scope.reading;
+                self.library.resolve(name, &closed)?.first().cloned()
+            }
+        };
+        scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a scheme", self.function)))
+    }
+
+    /// Whether masks are read forwards, by the order that the call chooses.
+    pub fn is_forward(&mut self) -> Result<bool, Stop> {
+        Ok(self.choose("order", &ORDER)? == 1)
+    }
+
+    /// The sequence of a mask in the order that the call chooses.
+    pub fn sequence<'s>(&mut self, rules: &'s [Vec<Value>]) -> Result<Sequence<'s>, Stop> {
+        Ok(Sequence { rules, forward: self.is_forward()? })
+    }
+
+    /// The convolution of level c ≤ `most` and arity n, by the recursion that the call chooses.
+    pub fn convolution(&mut self, c: &Value, n: &Value, most: i64) -> Result<Convolution, Stop> {
+        let (c, arity) = (within(c, 1, most)?, within(n, 2, 64)?);
+        let printed = self.choose("recursion", &RECURSION)? == 1;
+        Ok(Convolution { c: u32::try_from(c).unwrap_or(1), arity, printed })
+    }
+
+    /// The values at 0, …, length − 1 of the sequences that the options `sequence` and `with` name.
+    pub fn sequences(
+        &mut self,
+        length: &Value,
+        indices: &mut Indices,
+    ) -> Result<Vec<Vec<Value>>, Stop> {
+        let length = within(length, 1, 1_000)?;
+        let index = self.option("index").unwrap_or("q");
+        self.scope.index(index)?;
+        let Some(first) = self.option("sequence") else {
+            return wrong("the option `sequence` is missing");
+        };
+        let (scope, second) = (self.scope, self.option("with"));
+        let mut value = |name: &str, q: usize| {
+            indices.push((index.to_owned(), number(q)));
+            let value = scope.name(name, indices);
+            indices.pop();
+            value
+        };
+        let names = [first].into_iter().chain(second);
+        names.map(|name| (0..length).map(|q| value(name, q)).collect()).collect()
+    }
+}
+
+/// The entry of a mask at a place that a formula names.
+pub fn entry(rules: &[Vec<Value>], rule: &Value, column: &Value) -> Result<Value, Stop> {
+    let (rule, column) = (rule.integer(MAX_INTEGER)?, column.integer(MAX_INTEGER)?);
+    let row = usize::try_from(rule).ok().and_then(|rule| rules.get(rule));
+    let row = row.ok_or_else(|| Stop::Wrong(format!("there is no rule {rule}")))?;
+    let entry = usize::try_from(column).ok().and_then(|column| row.get(column));
+    Ok(entry.cloned().unwrap_or_else(|| Value::int(0)))
+}

@@ -1,0 +1,38 @@
+//! The rule `function`: two sides as functions of a parameter.
+
+use crate::claims::paper::Paper;
+use crate::formulas::definitions::formula_of;
+use crate::lines::pieces::Free;
+use crate::numbers::decimal::read_rational;
+use crate::numbers::root::Root;
+use crate::text::certificate::Block;
+use crate::text::reject::{Checked, Reason, agree, compare, require};
+use crate::text::toml::Toml;
+
+/// Checks a function.
+pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+    let free = Free::read(paper, claim, block)?;
+    block.restates("left", claim.text("left"))?;
+    block.restates("right", claim.text("right"))?;
+    let sides = [formula_of(claim, "left")?, formula_of(claim, "right")?];
+    let pieces =
+        free.pieces(block, &|scope| scope.value(&sides[0])?.minus(&scope.value(&sides[1])?))?;
+    let (word, said) = block.any()?;
+    let equal = pieces.signs.iter().all(|sign| *sign == 0);
+    agree(word, if equal { "holds" } else { "fails" }, Reason::Verdict)?;
+    match said.split_whitespace().collect::<Vec<&str>>()[..] {
+        [] if equal => Ok(()),
+        [at, left, right] if !equal => {
+            let at = read_rational(at).ok_or(Reason::Malformed("a number"))?;
+            let at = Some(Root::from(at));
+            let scope = free.scope([at.clone(), at])?;
+            let said = [paper.number(left)?, paper.number(right)?];
+            for (side, said) in sides.iter().zip(&said) {
+                let value = scope.value(side)?;
+                compare(value.equals(said)?, said, &value, Reason::Value)?;
+            }
+            require(!said[0].equals(&said[1])?, Reason::NoDifference)
+        }
+        _ => Err(Reason::Malformed("holds, or fails NUMBER VALUE VALUE").into()),
+    }
+}

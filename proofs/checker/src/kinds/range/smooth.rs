@@ -1,0 +1,242 @@
+//! The rule `range` of smoothness: the values of a parameter for which the limits of a scheme are C^m.
+
+use crate::claims::paper::{Paper, printed};
+use crate::formulas::definitions::formula;
+use crate::formulas::evaluate::Scope;
+use crate::kinds::smoothness::{order, scope, valences, vertex};
+use crate::lines::limits::{Shown, mask};
+use crate::lines::pieces::Free;
+use crate::numbers::decimal::{Decimal, Q, int, read_rational};
+use crate::numbers::meter::Meter;
+use crate::numbers::root::Root;
+use crate::numbers::rounding::is_rounded;
+use crate::numbers::value::Value;
+use crate::schemes::convolution::{Convolution, MAX_LENGTH, Sequence};
+use crate::text::certificate::Block;
+use crate::text::reject::{Checked, Reason, Stop, Text, require};
+use crate::text::toml::Toml;
+use crate::vertex::Found;
+use std::cmp::Ordering;
+
+/// The most levels of a contraction.
+const MAX_LEVELS: u32 = 16;
+
+/// The most coefficients of a polynomial that reduces the symbol.
+const MAX_COEFFICIENTS: usize = 65;
+
+/// The most halvings of an interval.
+const MAX_HALVINGS: usize = 1_000;
+
+/// Checks a range.
+pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+    let other = ["value", "below", "at_most"].iter().find(|key| claim.get(key).is_some());
+    require(other.is_none(), Reason::Malformed("`smoothness` alone"))?;
+    let reference = claim.text("scheme").unwrap_or_default();
+    let rules = paper.library.is_ring(reference);
+    let free = Free::read(paper, claim, block)?;
+    block.restates("smoothness", claim.text("smoothness"))?;
+    let m = order(claim.text("smoothness").unwrap_or_default())?;
+    let [closed, only] = ["closed", "only"].map(|key| claim.is_set(key));
+    let printed = [end(paper, claim, "from")?, end(paper, claim, "to")?];
+    let ends = printed.each_ref().map(|end| end.as_ref().map(|end| end.value.clone()));
+    require(ends.iter().any(Option::is_some), Reason::Malformed("an end"))?;
+    if let [Some(from), Some(to)] = &ends {
+        // In an empty range everything holds.
+        require(from.compare(to)?.is_lt(), Reason::Malformed("an end `to` above `from`"))?;
+    }
+    let valences = valences(claim)?;
+    if valences.is_some() {
+        require(rules, Reason::Malformed("rules around a vertex"))?;
+        block.restates("valences", claim.text("valences"))?;
+    }
+    if !rules && let Some(said) = block.maybe("contraction") {
+        // For other values nothing is shown.
+        require(!only, Reason::NotShown)?;
+        let levels = said.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c));
+        let levels = levels.ok_or(Reason::Malformed("a number of levels"))?;
+        let mut reduction = Vec::new();
+        while let Some(said) = block.maybe("shifts") {
+            let read = said.split_whitespace().map(read_rational).collect::<Option<Vec<Q>>>();
+            let g = read.filter(|g| (2..=MAX_COEFFICIENTS).contains(&g.len()));
+            let g = g.filter(|g| g.last().is_some_and(|last| *last != int(0)));
+            reduction.push(g.ok_or(Reason::Malformed("the coefficients of a polynomial"))?);
+        }
+        let above = |scope: &Scope<'_>| {
+            norm(paper, (scope, reference), (m, levels), &reduction)?.minus(&Value::int(1))
+        };
+        let pieces = free.pieces(block, &above)?;
+        let within = covered(&pieces.breaks, &pieces.signs, &ends, closed, paper.library.meter)?;
+        require(within, Reason::Uncovered)?;
+        return block.verdict("confirmed");
+    }
+    let said = block.after("at")?;
+    let at = read_rational(said).ok_or(Reason::Malformed("a number"))?;
+    // Whether not all limits are C^m at this value, and whether all are.
+    let (fails, holds) = if rules {
+        require(m == 1, Reason::Malformed("smoothness 1 of rules"))?;
+        let mut scope = scope(paper, claim)?;
+        let variable = claim.text("variable").unwrap_or_default();
+        scope.values.insert(variable.to_owned(), at.clone().into());
+        let said = block.after("vertex")?;
+        let (_, found) = vertex(paper, claim, (said, valences), &scope, block)?;
+        (found == Found::Rough, found == Found::Smooth)
+    } else {
+        let place = Root::from(at.clone());
+        let scope = free.scope([Some(place.clone()), Some(place)])?;
+        let shown = Shown::read(paper, mask(paper, claim, &scope)?, block)?;
+        (shown.not_continuous(m), shown.continuous(m))
+    };
+    let [inside, outside] = sides(&at, &printed, closed)?;
+    let refutes = inside && fails || outside && only && holds;
+    require(refutes, Reason::NoRefutation(Text(said.to_string())))?;
+    block.verdict("refuted")
+}
+
+/// An end of the printed range, and the unit of its last place if it may be rounded.
+struct End {
+    value: Value,
+    unit: Option<Q>,
+}
+
+fn end(paper: &Paper<'_>, claim: &Toml, key: &str) -> Checked<Option<End>> {
+    let Some((_, read)) = claim.get(key).and_then(printed) else { return Ok(None) };
+    Ok(Some(match Decimal::read(read) {
+        Some(decimal) => {
+            let unit = is_rounded(&decimal).then_some(decimal.unit);
+            End { value: decimal.value.into(), unit }
+        }
+        None => End { value: paper.library.closed().value(&formula(read)?)?, unit: None },
+    }))
+}
+
+/// Whether a number is inside the range, and whether it is outside, whatever its rounded ends stand for.
+fn sides(at: &Q, ends: &[Option<End>; 2], closed: bool) -> Result<[bool; 2], Stop> {
+    let moved = |side: usize, units: i64| {
+        let Some(End { value, unit }) = &ends[side] else { return Ok(None) };
+        let by = unit.as_ref().map_or_else(|| int(0), |unit| unit * int(units));
+        value.plus(if side == 0 { 1 } else { -1 }, &Value::from(by)).map(Some)
+    };
+    let room = match (moved(0, 1)?, moved(1, 1)?) {
+        (Some(from), Some(to)) => from.compare(&to)?.is_lt(),
+        _ => true,
+    };
+    let (mut inside, mut outside) = (true, false);
+    for (side, beyond) in [(0, Ordering::Less), (1, Ordering::Greater)] {
+        let rounded = room && ends[side].as_ref().is_some_and(|end| end.unit.is_some());
+        let order = |units: i64| {
+            let end = moved(side, if rounded { units } else { 0 })?;
+            end.map(|end| Value::from(at.clone()).compare(&end)).transpose()
+        };
+        let (Some(least), Some(most)) = (order(1)?, order(-1)?) else { continue };
+        inside &= least != beyond && (rounded || closed || least.is_ne());
+        outside |= most == beyond || most.is_eq() && (rounded || !closed);
+    }
+    Ok([inside, outside])
+}
+
+/// Whether the signs are negative in the whole range.
+fn covered(
+    breaks: &[Root],
+    signs: &[i8],
+    [from, to]: &[Option<Value>; 2],
+    closed: bool,
+    meter: &Meter,
+) -> Result<bool, Stop> {
+    for (place, _) in signs.iter().enumerate().filter(|(_, sign)| **sign >= 0) {
+        // The break itself, or the piece between the break before it and this one.
+        let (at, half) = (place % 2 == 1, place / 2);
+        let low = if at { Some(&breaks[half]) } else { half.checked_sub(1).map(|i| &breaks[i]) };
+        let touching = !at || !closed;
+        let beyond = |at: Option<&Root>, end: &Option<Value>, side: Ordering| {
+            let Some((at, end)) = at.zip(end.as_ref()) else { return Ok(false) };
+            let order = against(at, end, meter)?;
+            Ok::<bool, Stop>(order == side || touching && order.is_eq())
+        };
+        let below = beyond(breaks.get(half), from, Ordering::Less)?;
+        if !below && !beyond(low, to, Ordering::Greater)? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// How a root compares with a closed value.
+fn against(at: &Root, value: &Value, meter: &Meter) -> Result<Ordering, Stop> {
+    let mut terms = at.polynomial().iter().rev().cloned().map(Value::from);
+    let of_value =
+        terms.try_fold(Value::int(0), |sum: Value, term| sum.times(value)?.plus(1, &term))?;
+    let mut at = at.clone();
+    for _ in 0..MAX_HALVINGS {
+        let [low, high] = at.ends().map(|end| Value::from(end.clone()));
+        let sides = [low.compare(value)?, high.compare(value)?];
+        match sides {
+            [low, high] if low.is_eq() && high.is_eq() => return Ok(Ordering::Equal),
+            [Ordering::Greater | Ordering::Equal, _] => return Ok(Ordering::Greater),
+            [_, Ordering::Less | Ordering::Equal] => return Ok(Ordering::Less),
+            // The interval has one root of the polynomial.
+            _ if of_value.is_zero() => return Ok(Ordering::Equal),
+            _ => at = at.halved(meter)?,
+        }
+    }
+    Err(Stop::Capped("the halvings of an interval"))
+}
+
+/// ‖(n^m S_{m+1})^c‖ for the symbol n^m A/σ^{m+1} of the differences of order m + 1, after the reduction of A.
+fn norm(
+    paper: &Paper<'_>,
+    (scope, reference): (&Scope<'_>, &str),
+    (m, c): (usize, u32),
+    reduction: &[Vec<Q>],
+) -> Result<Value, Stop> {
+    let schemes = paper.library.resolve(reference, scope)?;
+    let [scheme] = &schemes[..] else {
+        return Err(Stop::Wrong("smoothness is that of one scheme alone".into()));
+    };
+    let n = scheme.arity();
+    let mut symbol = Sequence { rules: &scheme.mask, forward: false }.values();
+    for g in reduction {
+        symbol = reduced(symbol, g, n, paper.library.meter)?;
+    }
+    for order in 0..=m {
+        let mut quotient: Vec<Value> = Vec::new();
+        for (i, a) in symbol.iter().enumerate() {
+            let known = quotient.iter().rev().take((n - 1).min(i));
+            let rest = known.cloned().try_fold(a.clone(), |rest, q| rest.minus(&q))?;
+            quotient.push(rest);
+        }
+        // The quotient has n − 1 coefficients less than the symbol; the others are the remainder.
+        let kept = quotient.len().saturating_sub(n - 1);
+        if quotient[kept..].iter().any(|x| !x.is_zero()) {
+            return Err(Stop::Undefined("the sum rules do not hold for all values"));
+        }
+        quotient.truncate(kept);
+        let factor = Value::int(if order < m { i64::try_from(n).unwrap_or(0) } else { 1 });
+        symbol = quotient.iter().map(|x| x.times(&factor)).collect::<Result<_, _>>()?;
+    }
+    let (library, how) = (paper.library, Convolution { c, arity: n, printed: false });
+    let product = library.products.of(how, &symbol, MAX_LENGTH + 1)?;
+    if product.is_long() {
+        return Err(Stop::Capped("the length of a product of sequences"));
+    }
+    product.classes(library.meter, scope.piece.as_ref())?.greatest(scope.piece.as_ref())
+}
+
+/// A(z)·g(z)/g(z^n), where g(z^n) divides A for all values. THEOREMS.md, 112 (d).
+fn reduced(mut rest: Vec<Value>, g: &[Q], n: usize, meter: &Meter) -> Result<Vec<Value>, Stop> {
+    let no_divisor = Stop::Undefined("g(z^n) does not divide the symbol for all values");
+    let g: Vec<Value> = g.iter().cloned().map(Value::from).collect();
+    let degree = n * (g.len() - 1);
+    let Some(count) = rest.len().checked_sub(degree) else { return Err(no_divisor) };
+    let terms = rest.iter().flat_map(|a| g.iter().map(|c| a.cost(c)));
+    meter.spend(terms.fold(0, u64::saturating_add))?;
+    let mut product = vec![Value::int(0); count + g.len() - 1];
+    for i in (0..count).rev() {
+        // The coefficient on z^i of A/g(z^n).
+        let quotient = rest[i + degree].over(&g[g.len() - 1])?;
+        for (j, c) in g.iter().enumerate() {
+            rest[i + n * j] = rest[i + n * j].minus(&quotient.times(c)?)?;
+            product[i + j] = product[i + j].plus(1, &quotient.times(c)?)?;
+        }
+    }
+    if rest.iter().any(|x| !x.is_zero()) { Err(no_divisor) } else { Ok(product) }
+}

@@ -1,0 +1,255 @@
+//! The rules `smoothness` and `exponent`: how smooth the limits of a scheme are.
+
+use super::theorem::Citation;
+use crate::claims::paper::{Paper, printed};
+use crate::formulas::definitions::formula;
+use crate::functions::exponent::LogSum;
+use crate::lines::limits::{Shown, mask, verdict};
+use crate::numbers::decimal::{Decimal, int};
+use crate::numbers::rounding::is_one_unit;
+use crate::schemes::local_rules::LocalRules;
+use crate::text::certificate::Block;
+use crate::text::reject::{Checked, Reason, Stop, agree, require};
+use crate::text::toml::Toml;
+use crate::vertex::{Found, check_vertex};
+
+/// The greatest m of a C^m.
+const MAX_ORDER: usize = 64;
+
+/// The greatest valence.
+const MAX_VALENCE: i64 = 100;
+
+/// The steps of a vertex.
+const VERTEX_STEPS: u64 = 100_000;
+
+/// Checks a claim that all limits are C^m, or not all; gives the statement that is cited, if one is.
+pub fn check<'a>(
+    paper: &'a Paper<'a>,
+    claim: &'a Toml,
+    block: &mut Block<'_>,
+) -> Checked<Option<Citation>> {
+    let keys = ["continuous", "not_continuous"];
+    if lacking(claim, &keys, block)? {
+        return Ok(None);
+    }
+    block.restates("scheme", claim.text("scheme"))?;
+    let orders = keys.map(|key| claim.text(key).map(order));
+    let [continuous, not_continuous] = orders.map(Option::transpose);
+    let (continuous, not_continuous) = (continuous?, not_continuous?);
+    block.may_restate("states-continuous", claim.text(keys[0]))?;
+    block.may_restate("states-not-continuous", claim.text(keys[1]))?;
+    block.may_restate("valences", claim.text("valences"))?;
+    let stated = continuous.is_some() || not_continuous.is_some();
+    require(stated, Reason::Malformed("continuous or not_continuous"))?;
+    if paper.library.is_ring(claim.text("scheme").unwrap_or_default()) {
+        if let Some(said) = block.maybe("proved-by") {
+            return cited(paper, claim, (continuous, not_continuous), said, block).map(Some);
+        }
+        return vertices(paper, claim, (continuous, not_continuous), block).map(|()| None);
+    }
+    require(claim.get("valences").is_none(), Reason::Malformed("rules around a vertex"))?;
+    let shown = Shown::read(paper, mask(paper, claim, &scope(paper, claim)?)?, block)?;
+    let found = verdict(
+        continuous.is_none_or(|m| shown.continuous(m))
+            && not_continuous.is_none_or(|m| shown.not_continuous(m)),
+        continuous.is_some_and(|m| shown.not_continuous(m))
+            || not_continuous.is_some_and(|m| shown.continuous(m)),
+    )?;
+    block.verdict(found)?;
+    Ok(None)
+}
+
+/// The schemes of the catalogue of which THEOREMS.md, 133 and 135, say that they are C¹ for all valences.
+const FOR_ALL: [&str; 4] = ["catmull-clark", "doo-sabin", "loop", "loop-warren"];
+
+/// A claim about all valences that cites this statement.
+fn cited(
+    paper: &Paper<'_>,
+    claim: &Toml,
+    (continuous, not_continuous): (Option<usize>, Option<usize>),
+    said: &str,
+    block: &mut Block<'_>,
+) -> Checked<Citation> {
+    agree(said, "THEOREMS 135", Reason::Restated)?;
+    let name = claim.text("scheme").unwrap_or_default().trim();
+    let known = FOR_ALL.contains(&name) && !paper.library.redefines(name);
+    require(known, Reason::Vertex("135 speaks of this scheme"))?;
+    let states = claim.text("valences") == Some("all")
+        && continuous.is_some_and(|m| m <= 1)
+        && not_continuous.is_none();
+    require(states, Reason::Vertex("135 says what is stated"))?;
+    block.verdict("confirmed")?;
+    Ok(Citation { statement: "THEOREMS.md, 135".to_owned(), uses: Vec::new() })
+}
+
+/// The valences of which a claim speaks: the first, and the last if there is one.
+pub type Valences = Option<(i64, Option<i64>)>;
+
+/// Reads them.
+pub fn valences(claim: &Toml) -> Checked<Valences> {
+    let number = |text: &str| {
+        let number: Option<i64> = text.parse().ok();
+        number.filter(|n| (3..=MAX_VALENCE).contains(n)).ok_or(Reason::Malformed("valences"))
+    };
+    let ends = match claim.text("valences").map(|said| (said, said.split_once(".."))) {
+        None => None,
+        Some(("all", _)) => Some((3, None)),
+        Some((one, None)) => Some((number(one)?, Some(number(one)?))),
+        Some((_, Some((first, last)))) => Some((number(first)?, Some(number(last)?))),
+    };
+    // Of no valence everything would hold.
+    let ordered = ends.is_none_or(|(first, last)| last.is_none_or(|last| first <= last));
+    require(ordered, Reason::Malformed("valences, of which the first is not above the last"))?;
+    Ok(ends)
+}
+
+/// Reads the lines about the valence that is said, which is one of these; the names of the scope have values.
+pub fn vertex(
+    paper: &Paper<'_>,
+    claim: &Toml,
+    (said, ends): (&str, Valences),
+    scope: &crate::formulas::evaluate::Scope<'_>,
+    block: &mut Block<'_>,
+) -> Checked<(i64, Found)> {
+    let valence: i64 =
+        said.parse().ok().filter(|n| *n >= 3).ok_or(Reason::Malformed("a valence"))?;
+    let within = ends
+        .is_none_or(|(first, last)| first <= valence && last.is_none_or(|last| valence <= last));
+    require(within, Reason::Vertex("the claim speaks of this valence"))?;
+    let reference = claim.text("scheme").unwrap_or_default();
+    let ring = LocalRules::of_valence(paper.library, reference, scope, ends.map(|_| valence))?;
+    paper.library.meter.spend(VERTEX_STEPS)?;
+    let found = check_vertex(&ring, usize::try_from(valence).unwrap_or(0), block)?;
+    Ok((valence, found))
+}
+
+/// Checks a claim that surfaces at a vertex or on a face are C^m, or are not.
+fn vertices<'a>(
+    paper: &'a Paper<'a>,
+    claim: &Toml,
+    (continuous, not_continuous): (Option<usize>, Option<usize>),
+    block: &mut Block<'_>,
+) -> Checked<()> {
+    let scope = scope(paper, claim)?;
+    let ends = valences(claim)?;
+    let (mut refuted, mut next) = (false, ends.map_or(0, |(first, _)| first));
+    let (mut complete, mut confirmed) = (true, true);
+    while let Some(said) = block.maybe("vertex") {
+        let (valence, found) = vertex(paper, claim, (said, ends), &scope, block)?;
+        if ends.is_some() {
+            complete &= valence == next;
+            next = valence + 1;
+        }
+        let holds = |m: usize| found == Found::Smooth && m <= 1;
+        let fails = |m: usize| found == Found::Rough && m >= 1;
+        confirmed &= continuous.is_none_or(holds) && not_continuous.is_none_or(fails);
+        refuted |= continuous.is_some_and(fails) || not_continuous.is_some_and(holds);
+        complete &= ends.is_some() || next == 0;
+        next = if ends.is_some() { next } else { 1 };
+    }
+    complete &= match ends {
+        None => next == 1,
+        Some((_, last)) => last.is_some_and(|last| next == last + 1),
+    };
+    let found = verdict(complete && confirmed, refuted)?;
+    block.verdict(found)
+}
+
+/// Checks a claim about the Hölder exponent.
+pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+    if lacking(claim, &["value", "printed", "at_least", "at_most", "attained"], block)? {
+        return Ok(());
+    }
+    block.restates("scheme", claim.text("scheme"))?;
+    for (word, key) in [("value", "value"), ("at-least", "at_least"), ("at-most", "at_most")] {
+        block.may_restate(word, claim.text(key))?;
+    }
+    if let Some(field) = claim.get("printed") {
+        block.restates("printed", printed(field).map(|(text, _)| text))?;
+    }
+    let has = |keys: &[&str]| keys.iter().any(|key| claim.get(key).is_some());
+    let statements = [&["value"][..], &["printed"], &["at_least", "at_most"]];
+    let one = statements.iter().filter(|keys| has(keys)).count() == 1;
+    require(one, Reason::Malformed("one of `value`, `printed` and bounds"))?;
+    let shown = Shown::read(paper, mask(paper, claim, &scope(paper, claim)?)?, block)?;
+    let closed = paper.library.closed();
+    let number = |key: &str| -> Checked<Option<LogSum>> {
+        let text = claim.text(key).map(formula);
+        Ok(text.transpose()?.map(|expr| LogSum::of(&expr, &closed)).transpose()?)
+    };
+    let of_value = number("value")?;
+    let [lower, upper] = [number("at_least")?, number("at_most")?];
+    block.look();
+    let found = if shown.diverges() {
+        "refuted"
+    } else if let Some(field) = claim.get("printed") {
+        let read = printed(field).and_then(|(_, read)| Decimal::read(read));
+        decimal(&shown, &read.ok_or(Reason::Malformed("a decimal"))?)?
+    } else {
+        let (lower, upper) =
+            (lower.as_ref().or(of_value.as_ref()), upper.as_ref().or(of_value.as_ref()));
+        let part = |value: Option<&LogSum>, test: &dyn Fn(&LogSum) -> Checked<bool>, none: bool| {
+            value.map_or(Ok(none), test)
+        };
+        verdict(
+            part(lower, &|value| shown.at_least(value, false), true)?
+                && part(upper, &|value| shown.at_most(value, false), true)?,
+            part(lower, &|value| shown.at_most(value, true), false)?
+                || part(upper, &|value| shown.at_least(value, true), false)?,
+        )?
+    };
+    // The certificate does not show whether an exponent is attained.
+    require(claim.get("attained").is_none() || found == "refuted", Reason::NotShown)?;
+    block.verdict(found)
+}
+
+/// How the decimal came from the exponent.
+fn decimal(shown: &Shown, decimal: &Decimal) -> Checked<&'static str> {
+    require(decimal.value > int(0), Reason::Malformed("a positive decimal"))?;
+    let half = &decimal.unit / int(2);
+    let place = |halves: i64| LogSum::from(&decimal.value + &half * int(halves));
+    let between = |low: i64, high: i64, strictly: bool| -> Checked<bool> {
+        Ok(shown.at_least(&place(low), strictly)? && shown.at_most(&place(high), strictly)?)
+    };
+    let below = if is_one_unit(decimal) { (-1, true) } else { (-2, false) };
+    let far = shown.at_least(&place(2), false)? || shown.at_most(&place(below.0), below.1)?;
+    if far {
+        Ok("refuted")
+    } else if between(-1, 1, false)? {
+        Ok("confirmed")
+    } else if between(1, 2, true)? {
+        Ok("rounding cut")
+    } else if between(-2, -1, true)? {
+        Ok("rounding away")
+    } else {
+        Err(Reason::NotShown.into())
+    }
+}
+
+/// Whether the paper lacks what the claim would need. Then the claim states nothing.
+fn lacking(claim: &Toml, stated: &[&str], block: &mut Block<'_>) -> Checked<bool> {
+    if claim.get("absent").is_none() {
+        return Ok(false);
+    }
+    let none = stated.iter().all(|key| claim.get(key).is_none());
+    require(none, Reason::Malformed("a statement, or what is absent, but not both"))?;
+    block.restates("absent", claim.text("absent"))?;
+    Ok(true)
+}
+
+/// m of C^m.
+pub fn order(text: &str) -> Checked<usize> {
+    let order = text.parse().ok().filter(|order| *order <= MAX_ORDER);
+    Ok(order.ok_or_else(|| Stop::Wrong(format!("`{text}` is no order of smoothness")))?)
+}
+
+/// The scope of a claim: the values of the paper, and its own, which hide those.
+pub fn scope<'a>(
+    paper: &'a Paper<'a>,
+    claim: &Toml,
+) -> Checked<crate::formulas::evaluate::Scope<'a>> {
+    let mut scope = paper.scope();
+    scope.values.clone_from(&paper.given);
+    scope.values.extend(paper.constants(claim.entries("given"))?);
+    Ok(scope)
+}

@@ -1,0 +1,315 @@
+//! The rule `family`: no reading of a table explains more cells than the given one, and readings
+//! of unrelated values would hardly explain as many.
+
+pub mod copied;
+pub mod degree;
+pub mod listed;
+pub mod luck;
+pub mod members;
+pub mod scale;
+
+use crate::kinds::table::cell::Kind;
+use crate::kinds::table::claim::{Cells, Place, Read, Table};
+use crate::kinds::table::reading::{MAX_DIFFERENCES, PartRead, Reads};
+use crate::numbers::decimal::{Q, count, int};
+use crate::numbers::value::Value;
+use crate::text::certificate::Block;
+use crate::text::reject::{At, Checked, Reason, Stop, agree, compare, require};
+use crate::text::toml::Toml;
+use copied::copied;
+use listed::{Listed, same};
+use luck::Evidence;
+use members::{Members, explained, members, read, values};
+use scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
+use std::collections::BTreeSet;
+
+/// The number of places from which the value of a cell may be taken: its own and the four around
+/// it.
+const SHIFTS: i64 = 5;
+
+/// Checks the lines `family`, `scale`, `values` and `member` of a table that has a reading, or
+/// refuted or reproduced cells.
+pub fn check(
+    table: &Table<'_>,
+    reads: &Reads,
+    kinds: &[(Place, Kind)],
+    block: &mut Block<'_>,
+) -> Checked<()> {
+    assumed(table, reads)?;
+    let of = |wanted: Kind| kinds.iter().filter(move |(_, kind)| *kind == wanted);
+    let refuted: Vec<Place> = of(Kind::Refuted).map(|(place, _)| *place).collect();
+    if !refuted.is_empty() || reads.all(true).count() > 0 {
+        let whole = reads.all(true).find(|part| part.is_whole()).map(|part| &part.read);
+        family(table, reads, &refuted, (true, whole), block)?;
+    }
+    let as_printed = of(Kind::AsPrinted).count() > 0;
+    if as_printed || of(Kind::Reproduced).count() > 0 {
+        let whole = reads.all(false).find(|part| part.is_whole()).map(|part| &part.read);
+        let whole = whole.or(as_printed.then_some(&table.as_printed));
+        family(table, reads, &[], (false, whole), block)?;
+    }
+    Ok(())
+}
+
+/// Checks the family of the cells whose parameters are stated, or of the other cells. `whole` is
+/// the reading of all these cells.
+fn family(
+    table: &Table<'_>,
+    reads: &Reads,
+    refuted: &[Place],
+    (plain, whole): (bool, Option<&Read>),
+    block: &mut Block<'_>,
+) -> Checked<()> {
+    let cells = table.cells(plain);
+    let said = block.after("family").map_err(|_| Reason::NoFamily)?;
+    let line = block.at;
+    let best: Option<Vec<usize>> =
+        said.split_whitespace().map(|count| count.parse().ok()).collect();
+    let best = best.filter(|best| matches!(best.len(), 1 | 2));
+    let best = best.filter(|best| best.iter().all(|count| *count <= cells.len()));
+    let best = best.ok_or(Reason::Malformed("one or two numbers of cells"))?;
+    let scale = if plain { scale(table, &cells)? } else { None };
+    if let Some((name, _)) = scale {
+        agree(block.after("scale")?, name, Reason::Scale)?;
+    }
+    let mut listed = Listed::new(table, refuted, block)?;
+    let mut members = members(table, &cells)?;
+    let copied = copied(table, &cells, &members)?;
+    let all: Members = members.union(&copied).cloned().collect();
+    for part in reads.all(plain) {
+        belongs(table, &cells, &part.read, &all, scale)?;
+    }
+    // The second part of the family is needed if cells are refuted, or if a reading that is given
+    // is in it.
+    let needed = !refuted.is_empty() || reads.all(plain).any(|part| part.read.copied().is_some());
+    let second = best.get(1).copied();
+    let present = second.is_some() == (needed && !copied.is_empty());
+    require(present || second.is_some() && !copied.is_empty(), Reason::NoFamily)?;
+    if second.is_some() {
+        members = all;
+    }
+    // Each scale gives another reading.
+    let scales = if scale.is_some() { SCALES } else { 0 };
+    let mut family = Family { table, cells, plain, best: best[0], second, sizes: [0; 2] };
+    let cells = &family.cells;
+    while let Some(said) = block.maybe("member") {
+        let (differences, said) = said.split_once(':').ok_or(Reason::Malformed("`:`"))?;
+        let (counts, numbers) = said.split_once(':').unwrap_or((said, ""));
+        let member: BTreeSet<String> = differences.split_whitespace().map(str::to_owned).collect();
+        require(members.remove(&member), Reason::Member)?;
+        let read = read(table, &member)?;
+        let one = table.tolerance.is_some() || member.len() == MAX_DIFFERENCES;
+        let roundings = if one { &["nearest"][..] } else { &["nearest", "cut", "away"] };
+        let values = values(table, cells, &read)?;
+        let elsewhere = read.copied().is_some();
+        let best = if elsewhere { second.unwrap_or(0) } else { best[0] };
+        let mut found = Vec::new();
+        for decimals in roundings {
+            let count = explained(cells, &values, decimals)?.len();
+            require(count <= best, Reason::NotBest(best, count))?;
+            if let Some((name, base)) = scale.filter(|_| !elsewhere) {
+                let count = at_best_scale(table, cells, &values, decimals, (base, best))?;
+                let more = count > best && is_scale(table, cells, name, base, &read)?;
+                require(!more, Reason::NotBest(best, count))?;
+            }
+            found.push(count.to_string());
+            family.sizes[usize::from(elsewhere)] += if elsewhere { 1 } else { 1 + scales };
+        }
+        let same = counts.split_whitespace().eq(found.iter().map(String::as_str));
+        compare(same, counts.trim(), &found.join(" "), Reason::Explains)?;
+        listed.compare(numbers, cells, &values)?;
+    }
+    let complete = require(members.is_empty() && listed.all_met(), Reason::Member);
+    complete.and_then(|()| family.compare(reads, whole)).at(line)
+}
+
+/// Checks that the readings of cells that need assumptions are members of their family.
+fn assumed(table: &Table<'_>, reads: &Reads) -> Checked<()> {
+    if reads.all(false).count() == 0 {
+        return Ok(());
+    }
+    let cells = table.cells(false);
+    let mut members = members(table, &cells)?;
+    members.extend(copied(table, &cells, &members)?);
+    for PartRead { read, .. } in reads.all(false) {
+        is_member(read, &members)?;
+        if let Some(name) = read.parameters.keys().next() {
+            return Err(Reason::NotInFamily(name.clone()).into());
+        }
+    }
+    Ok(())
+}
+
+/// Checks that the choices and definitions of a reading are those of a member.
+fn is_member(read: &Read, members: &Members) -> Checked<()> {
+    let differences = read.differences.iter().cloned().collect::<Vec<String>>().join(" ");
+    require(members.contains(&read.differences), Reason::NotInFamily(differences))
+}
+
+/// Checks that a reading is in the family: it is a member, or a member at a scale.
+fn belongs(
+    table: &Table<'_>,
+    cells: &Cells,
+    read: &Read,
+    members: &Members,
+    scale: Option<(&str, &Value)>,
+) -> Checked<()> {
+    let unknown = |name: &str| Reason::NotInFamily(name.to_owned());
+    is_member(read, members)?;
+    for (name, value) in &read.parameters {
+        let scale = scale.filter(|(scale, _)| scale == name && is_simple(value));
+        let (_, base) = scale.ok_or_else(|| unknown(name))?;
+        let member = self::read(table, &read.differences)?;
+        require(is_scale(table, cells, name, base, &member)?, unknown(name))?;
+        let factor = value.over(base)?;
+        let pairs = values(table, cells, &member)?.into_iter().zip(values(table, cells, read)?);
+        for (once, scaled) in pairs {
+            let once = once.map(|once| once.times(&factor)).transpose()?;
+            require(same(once.as_ref(), scaled.as_ref())?, unknown(name))?;
+        }
+    }
+    Ok(())
+}
+
+/// Other values of a parameter. What a cell tells of its value v shows where it is not given at one of them.
+fn probes(v: &Q) -> [Q; 8] {
+    let ten = int(10);
+    let near = [v + int(1), v - int(1), v + ten.recip(), v + &ten];
+    let [a, b, c, d] = near;
+    [a, b, c, d, v * int(2), v / int(2), v * &ten, v / ten]
+}
+
+/// A family all of whose members have been checked.
+struct Family<'f> {
+    table: &'f Table<'f>,
+    cells: Cells,
+    /// Whether the parameters of the cells are all stated.
+    plain: bool,
+    /// The most cells that a member without a copied quantity explains, at any scale.
+    best: usize,
+    /// The most cells that a member with a copied quantity explains, if these members are listed.
+    second: Option<usize>,
+    /// The numbers of readings without and with a copied quantity.
+    sizes: [i64; 2],
+}
+
+impl Family<'_> {
+    /// Compares the readings that are given with the family, and checks that they are no luck.
+    fn compare(&self, reads: &Reads, whole: Option<&Read>) -> Checked<()> {
+        let Family { table, cells, plain, best, .. } = self;
+        let explained_by =
+            |read: &Read| explained(cells, &values(table, cells, read)?, read.decimals());
+        let printed = explained_by(&table.as_printed)?;
+        let mut left: BTreeSet<Place> = cells.iter().map(|(place, _)| *place).collect();
+        left.retain(|place| !printed.contains(place));
+        // The cells that the printed text gives are no evidence for another reading. At recovered
+        // values the printed text is a reading like the others.
+        let given = if *plain { printed.len() } else { 0 };
+        let counts = |at: &Place| !plain || left.contains(at);
+        let others: Cells = cells.iter().filter(|(at, _)| counts(at)).cloned().collect();
+        let sizes = self.readings(&self.cells)?;
+        let others = Evidence::new(table, &others);
+        let lucky = |m: usize, part: usize| {
+            let m = m.saturating_sub(given);
+            Ok::<bool, Stop>(!others.are_enough(m) || others.is_luck(table, m, &sizes[part])?)
+        };
+        // No member of this part explains more than `than` cells, or that would be luck.
+        let no_better = |most: usize, part: usize, than: usize| {
+            Ok::<bool, Stop>(most <= than || lucky(most, part)?)
+        };
+        let second = self.second.unwrap_or(0);
+        if let Some(read) = whole {
+            let found = explained_by(read)?;
+            let part = usize::from(read.copied().is_some());
+            let most = if part == 1 { second } else { *best };
+            require(found.len() == most, Reason::NotBest(most, found.len()))?;
+            require(most > given, Reason::NotBest(most, given))?;
+            require(!lucky(most, part)?, Reason::Luck)?;
+            if part == 1 {
+                require(no_better(*best, 0, most - 1)?, Reason::NotBest(most, *best))?;
+            } else {
+                require(no_better(second, 1, most)?, Reason::NotLuck)?;
+            }
+            self.determined(read, &found, part)?;
+            left.retain(|place| !found.contains(place));
+        } else if *plain {
+            let none = no_better(*best, 0, given)? && no_better(second, 1, given)?;
+            require(none, Reason::NotLuck)?;
+        } else if let Some(name) = table.own().next() {
+            return Err(Reason::Undetermined(name.clone()).into());
+        }
+        // Rows and columns with readings explain some of the cells that are left.
+        let (rows, columns) = table.size();
+        for part in reads.all(*plain).filter(|part| !part.is_whole()) {
+            let inside = |at: &Place| left.contains(at) && part.holds(table, *at);
+            let cells = cells.iter().filter(|(at, _)| inside(at));
+            let cells: Cells = cells.cloned().collect();
+            let values = cells.iter().map(|(place, _)| part.value(table, *place));
+            let values = values.collect::<Result<Vec<_>, Stop>>()?;
+            let found = explained(&cells, &values, part.read.decimals())?;
+            let part_of = usize::from(part.read.copied().is_some());
+            let size = &sizes[part_of] * int(SHIFTS) * count(rows + columns);
+            let (evidence, m) = (Evidence::new(table, &cells), found.len());
+            let lucky = !evidence.are_several(m) || evidence.is_luck(table, m, &size)?;
+            require(!lucky, Reason::Luck)?;
+            left.retain(|place| !found.contains(place));
+        }
+        Ok(())
+    }
+
+    /// Checks that the cells which tell a parameter's value are no luck by themselves, for each
+    /// parameter that the table's own numbers give. `found` are the cells that the reading gives.
+    fn determined(&self, read: &Read, found: &BTreeSet<Place>, part: usize) -> Checked<()> {
+        let table = self.table;
+        for name in table.own().filter(|_| !self.plain) {
+            let undetermined = || Reason::Undetermined(name.clone());
+            let value = table.assumed[name].rational().ok_or_else(undetermined)?;
+            let needs = |place: &Place| table.needed(*place).0.contains(name);
+            let cells: Cells =
+                self.cells.iter().filter(|(place, _)| needs(place)).cloned().collect();
+            let (mut rest, mut tried): (Cells, Cells) =
+                cells.iter().cloned().partition(|(place, _)| found.contains(place));
+            let missed = tried.len();
+            for probe in probes(&value) {
+                let mut other = members::read(table, &read.differences)?;
+                other.reading.words.clone_from(&read.reading.words);
+                other.parameters.insert(name.clone(), probe.into());
+                let values = values(table, &rest, &other)?;
+                let given = explained(&rest, &values, read.decimals())?;
+                let (telling, others): (Vec<_>, Vec<_>) = rest
+                    .into_iter()
+                    .zip(&values)
+                    .partition(|((place, _), value)| value.is_some() && !given.contains(place));
+                tried.extend(telling.into_iter().map(|(cell, _)| cell));
+                rest = others.into_iter().map(|(cell, _)| cell).collect();
+            }
+            let size = &self.readings(&cells)?[part];
+            let lucky = Evidence::new(table, &tried).is_luck(table, tried.len() - missed, size)?;
+            require(!lucky, undetermined())?;
+        }
+        Ok(())
+    }
+
+    /// The numbers of readings of the first part and of both parts, times the numbers of candidates
+    /// for the recovered parameters of these cells, twice the number of tables, since each part of
+    /// each table has its share of the luck.
+    fn readings(&self, cells: &Cells) -> Checked<[Q; 2]> {
+        let [first, second] = self.sizes;
+        // The tables of a paper share the luck that is allowed.
+        let printed = |table: &&Toml| table.text("cells") != Some("lost");
+        let tables = self.table.paper.file.list("table").iter().filter(printed).count();
+        let parts = int(2) * count(tables);
+        let mut sizes = [int(first) * &parts, int(first + second) * &parts];
+        if !self.plain {
+            let needed = cells.iter().map(|(place, _)| self.table.needed(*place).0);
+            for name in needed.reduce(|one, other| &one | &other).unwrap_or_default() {
+                let count = self.table.recovered.get(&name);
+                let (count, _) = count.ok_or_else(|| Reason::Recovered(name.clone()))?;
+                for size in &mut sizes {
+                    *size *= count;
+                }
+            }
+        }
+        Ok(sizes)
+    }
+}

@@ -1,0 +1,57 @@
+//! The rule `table`: the readings and cells of a table, and what follows them.
+
+pub mod attained;
+pub mod cell;
+pub mod claim;
+pub mod copied;
+pub mod elsewhere;
+pub mod family;
+pub mod promise;
+pub mod reading;
+pub mod recovered;
+pub mod sound;
+
+use crate::claims::paper::Paper;
+use crate::text::certificate::Block;
+use crate::text::reject::{Checked, Reason, require};
+use crate::text::toml::Toml;
+use cell::Kind;
+use claim::{Read, Table};
+use reading::Reads;
+use recovered::Recovered;
+
+/// Checks a table. Gives the recovered values that it takes from other tables, and those that its own
+/// numbers give.
+pub fn check<'a>(
+    paper: &'a Paper<'a>,
+    claim: &'a Toml,
+    block: &mut Block<'_>,
+) -> Checked<Recovered> {
+    let mut table = Table::new(paper, claim)?;
+    block.may_restate("scheme", claim.text("scheme"))?;
+    block.restates("value", claim.text("value"))?;
+    let recovered = recovered::read(&mut table, block)?;
+    let reads = Reads::new(&table, block)?;
+    let (mut places, mut kinds) = (table.places(), Vec::new());
+    while let Some(said) = block.maybe("cell") {
+        let place = places.next().ok_or(Reason::Cell)?;
+        kinds.push((place, cell::check(&table, &reads, place, said)?));
+    }
+    block.look();
+    require(places.next().is_none(), Reason::CellsMissing)?;
+    let read = Read::default();
+    while let Some(said) = block.maybe("attained") {
+        attained::check(&table, &read, said)?;
+    }
+    while let Some(said) = block.maybe("sound") {
+        sound::check(&table, said)?;
+    }
+    promise::check(&table, block)?;
+    family::check(&table, &reads, &kinds, block)?;
+    // Only what they reproduce gives a value: without it, promises and theorems could rest on any.
+    let gives = kinds.iter().any(|(_, kind)| matches!(kind, Kind::AsPrinted | Kind::Reproduced));
+    if let Some((name, _)) = recovered.own.first().filter(|_| !gives) {
+        return Err(Reason::Undetermined(name.clone()).into());
+    }
+    Ok(recovered)
+}

@@ -1,0 +1,99 @@
+//! What a certificate of a joint spectral radius, embedded in a block, shows of the limits of a mask.
+
+use crate::claims::paper::Paper;
+use crate::formulas::evaluate::Scope;
+use crate::functions::exponent::{Bound, LogSum};
+use crate::numbers::decimal::Q;
+use crate::numbers::value::Value;
+use crate::radius::{Radius, check_mask, has_independent_shifts};
+use crate::text::certificate::Block;
+use crate::text::reject::{Checked, RadiusReason, Reason, Stop, require};
+use crate::text::toml::Toml;
+
+/// What is shown of the limits of a mask.
+pub struct Shown {
+    radius: Radius,
+    mask: Vec<Vec<Q>>,
+}
+
+/// The mask of the claim's scheme, in this scope.
+pub fn mask(paper: &Paper<'_>, claim: &Toml, scope: &Scope<'_>) -> Checked<Vec<Vec<Q>>> {
+    let reference = claim.text("scheme").ok_or(Reason::Single)?;
+    let schemes = paper.library.resolve(reference, scope)?;
+    let [scheme] = &schemes[..] else { return Err(Reason::Single.into()) };
+    let mask = Value::rationals(&scheme.mask);
+    Ok(mask.ok_or(Stop::Undefined("a coefficient of the mask is irrational"))?)
+}
+
+impl Shown {
+    /// Reads the lines from `order` to `end` and checks them.
+    pub fn read(paper: &Paper<'_>, mask: Vec<Vec<Q>>, block: &mut Block<'_>) -> Checked<Shown> {
+        let mut lines = Vec::new();
+        block.look();
+        let first = block.at;
+        while let Some(line) = block.peek() {
+            block.any()?;
+            if line.text == "end" {
+                let meter = paper.library.meter;
+                let radius = check_mask(&mask, first, &lines, line.number, meter);
+                let radius = radius.map_err(|rejection| {
+                    block.at = rejection.line;
+                    match rejection.reason {
+                        RadiusReason::Stopped(stop) => Reason::Stopped(stop),
+                        reason => Reason::Radius(reason),
+                    }
+                })?;
+                return Ok(Shown { radius, mask });
+            }
+            lines.push(line);
+        }
+        Err(Reason::Malformed("the end of the radius").into())
+    }
+
+    /// Whether all limits are C^m.
+    pub fn continuous(&self, m: usize) -> bool {
+        self.radius.continuous.is_some_and(|shown| m <= shown)
+    }
+
+    /// Whether not all limits are C^m.
+    pub fn not_continuous(&self, m: usize) -> bool {
+        self.radius.not_continuous.is_some_and(|shown| shown <= m)
+    }
+
+    /// Whether the scheme diverges.
+    pub fn diverges(&self) -> bool {
+        self.not_continuous(0)
+    }
+
+    /// Whether the exponent is at least this number; with `strictly`, greater.
+    pub fn at_least(&self, value: &LogSum, strictly: bool) -> Checked<bool> {
+        let Some(order) = self.radius.order.filter(|_| self.radius.continuous.is_some()) else {
+            return Ok(false);
+        };
+        let bound =
+            Bound { order, arity: self.mask.len(), radius: &self.radius.at_most, degree: 1 };
+        let found = bound.compare(value)?;
+        Ok(if strictly { found.is_gt() } else { found.is_ge() })
+    }
+
+    /// Whether the exponent is at most this number; with `strictly`, less.
+    pub fn at_most(&self, value: &LogSum, strictly: bool) -> Checked<bool> {
+        let (Some(order), Some((radius, degree))) = (self.radius.order, &self.radius.at_least)
+        else {
+            return Ok(false);
+        };
+        let converges = self.radius.continuous.is_some();
+        if !converges || !has_independent_shifts(&self.mask) {
+            return Ok(false);
+        }
+        let found =
+            Bound { order, arity: self.mask.len(), radius, degree: *degree }.compare(value)?;
+        Ok(if strictly { found.is_lt() } else { found.is_le() })
+    }
+}
+
+/// The verdict that follows: `refuted` if a part is refuted, `confirmed` if all are shown.
+pub fn verdict(confirmed: bool, refuted: bool) -> Checked<&'static str> {
+    require(confirmed || refuted, Reason::NotShown)?;
+    Ok(if refuted { "refuted" } else { "confirmed" })
+}

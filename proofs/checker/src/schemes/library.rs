@@ -1,0 +1,281 @@
+//! The library of the schemes that a claim file may name.
+
+use super::products::Products;
+use super::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Scheme};
+use crate::formulas::definitions::{Definitions, formula, formulas, free};
+use crate::formulas::evaluate::{Indices, Scope};
+use crate::formulas::reading::Reading;
+use crate::numbers::meter::Meter;
+use crate::numbers::value::Value;
+use crate::text::reject::Stop;
+use crate::text::toml::Toml;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+/// The greatest length of a chain of names that stand for names.
+const MAX_ALIASES: usize = 8;
+
+/// The schemes of a claim file and of the catalogue.
+pub struct Library<'a> {
+    file: &'a [Toml],
+    catalogue: &'a [Toml],
+    schemes: RefCell<BTreeMap<String, Rc<Scheme>>>,
+    /// The steps of the claim at hand.
+    pub meter: &'a Meter,
+    /// The products of sequences and the constants that are known.
+    pub products: Products<'a>,
+    nothing: Definitions,
+    as_printed: Reading,
+    /// The constants that formulas asked for, while they are traced.
+    asked: RefCell<Option<Vec<Constant>>>,
+}
+
+/// A constant T_c or Λ_c that a formula asked for.
+#[derive(Clone)]
+pub struct Constant {
+    /// The scheme.
+    pub scheme: Rc<Scheme>,
+    /// Whether it is Λ_c.
+    pub norm: bool,
+    /// Whether the sequence is read forwards.
+    pub forward: bool,
+    /// c.
+    pub level: u32,
+}
+
+/// The name of a scheme, its table, and its parameters.
+pub type Entry<'a> = (&'a str, &'a Toml, BTreeMap<String, Value>);
+
+fn wrong<T>(of: &str, what: &str) -> Result<T, Stop> {
+    Err(Stop::Wrong(format!("`{of}`: {what}")))
+}
+
+impl<'a> Library<'a> {
+    /// The library of a claim file's `[[scheme]]` tables.
+    pub fn new(file: &'a [Toml], catalogue: &'a [Toml], meter: &'a Meter) -> Library<'a> {
+        let (schemes, nothing, as_printed, asked) = Default::default();
+        let products = Products::new(meter);
+        Library { file, catalogue, schemes, meter, products, nothing, as_printed, asked }
+    }
+
+    /// What a computation gives, and the constants of schemes that its formulas ask for.
+    pub fn trace<T>(&self, computation: impl FnOnce() -> T) -> (T, Vec<Constant>) {
+        *self.asked.borrow_mut() = Some(Vec::new());
+        let value = computation();
+        (value, self.asked.take().unwrap_or_default())
+    }
+
+    /// Notes a constant that a formula asks for.
+    pub fn note(&self, constant: impl FnOnce() -> Constant) {
+        if let Some(asked) = &mut *self.asked.borrow_mut() {
+            asked.push(constant());
+        }
+    }
+
+    /// Forgets everything, so that the cost of a claim does not depend on the claims before it.
+    pub fn restart(&self) {
+        self.meter.restart();
+        self.schemes.borrow_mut().clear();
+        self.products.clear();
+    }
+
+    /// A scope without names, in which everything is read as printed.
+    pub fn closed(&self) -> Scope<'_> {
+        self.scope(&self.nothing)
+    }
+
+    /// A scope with these definitions, in which everything is read as printed.
+    pub fn scope<'s>(&'s self, definitions: &'s Definitions) -> Scope<'s> {
+        Scope::new(definitions, self, &self.as_printed)
+    }
+
+    /// The schemes of a reference such as `six-point:w=w`, one for each factor of a tensor
+    /// product. The parameters are evaluated in the scope.
+    pub fn resolve(&self, reference: &str, scope: &Scope<'_>) -> Result<Vec<Rc<Scheme>>, Stop> {
+        let entries = self.follow(reference, (scope, &mut Indices::new()), 0)?.into_iter();
+        entries.map(|(name, table, parameters)| self.scheme(name, table, parameters)).collect()
+    }
+
+    /// The name and the table of the one scheme that a reference names, with its parameters.
+    pub fn entry(&self, reference: &str, scope: &Scope<'_>) -> Result<Entry<'a>, Stop> {
+        let mut entries = self.follow(reference, (scope, &mut Indices::new()), 0)?;
+        match (entries.pop(), entries.is_empty()) {
+            (Some(entry), true) => Ok(entry),
+            _ => wrong(reference, "it is a tensor product"),
+        }
+    }
+
+    /// The schemes behind the names of a reference. In the formulas of a `use`, the parameters that
+    /// are given with its name have their values.
+    fn follow(
+        &self,
+        reference: &str,
+        (scope, values): (&Scope<'_>, &mut Indices),
+        depth: usize,
+    ) -> Result<Vec<Entry<'a>>, Stop> {
+        let mut entries = Vec::new();
+        let factors: Vec<&str> = reference.split(" x ").collect();
+        if factors.len() > 2 {
+            return wrong(reference, "it has more than two factors");
+        }
+        if depth > MAX_ALIASES {
+            return Err(Stop::Capped("the names that stand for names"));
+        }
+        for factor in factors {
+            let (name, table, parameters) = self.named_with(factor, scope, values)?;
+            let Some(other) = table.text("use") else {
+                entries.push((name, table, parameters));
+                continue;
+            };
+            let known = parameters_of(other)?;
+            let place =
+                |name: &String| known.contains(name) && !scope.definitions.contains_key(name);
+            if !parameters.keys().all(place) {
+                return wrong(reference, "its `use` has no such parameter");
+            }
+            let outer = values.len();
+            values.extend(parameters);
+            entries.extend(self.follow(other, (scope, values), depth + 1)?);
+            values.truncate(outer);
+        }
+        Ok(entries)
+    }
+
+    fn named(&self, name: &str) -> Option<&'a Toml> {
+        let mut tables = self.file.iter().chain(self.catalogue);
+        tables.find(|table| table.text("name") == Some(name))
+    }
+
+    /// Whether the claim file has a scheme of this name, which hides that of the catalogue.
+    pub fn redefines(&self, name: &str) -> bool {
+        self.file.iter().any(|table| table.text("name") == Some(name))
+    }
+
+    /// Whether a reference names a ring.
+    pub fn is_ring(&self, reference: &str) -> bool {
+        let table = |reference: &str| self.named(split(reference).0);
+        let mut found = table(reference);
+        for _ in 0..MAX_ALIASES {
+            let Some(other) = found.and_then(|table| table.text("use")) else { break };
+            found = table(other);
+        }
+        found.is_some_and(|table| table.get("orbits").is_some())
+    }
+
+    /// The table that a reference names, with the parameters that are given there.
+    fn named_with(
+        &self,
+        reference: &str,
+        scope: &Scope<'_>,
+        values: &mut Indices,
+    ) -> Result<Entry<'a>, Stop> {
+        let (name, arguments) = split(reference);
+        let mut parameters = BTreeMap::new();
+        for argument in arguments_of(arguments) {
+            let Some((parameter, value)) = argument.split_once('=') else {
+                return wrong(reference, "a parameter has the form name=value");
+            };
+            let value = scope.evaluate(&formula(value.trim())?, values)?;
+            if parameters.insert(parameter.trim().to_owned(), value).is_some() {
+                return wrong(reference, "a parameter is given twice");
+            }
+        }
+        match self.named(name).and_then(|table| Some((table.text("name")?, table))) {
+            Some((name, table)) => Ok((name, table, parameters)),
+            None => wrong(reference, "there is no such scheme"),
+        }
+    }
+
+    /// The parameters of a scheme. Missing ones have their defaults.
+    pub fn complete(
+        &self,
+        name: &str,
+        table: &Toml,
+        mut parameters: BTreeMap<String, Value>,
+    ) -> Result<BTreeMap<String, Value>, Stop> {
+        let known = table.entries("parameters");
+        if parameters.keys().any(|given| known.iter().all(|(known, _)| known != given)) {
+            return wrong(name, "it has no such parameter");
+        }
+        for (parameter, about) in known {
+            if !parameters.contains_key(parameter) {
+                let Some(default) = about.text("default") else {
+                    return wrong(name, "a parameter is missing");
+                };
+                parameters.insert(parameter.clone(), self.closed().value(&formula(default)?)?);
+            }
+        }
+        Ok(parameters)
+    }
+
+    fn scheme(
+        &self,
+        name: &str,
+        table: &Toml,
+        parameters: BTreeMap<String, Value>,
+    ) -> Result<Rc<Scheme>, Stop> {
+        let parameters = self.complete(name, table, parameters)?;
+        let key = format!("{name} {parameters:?}");
+        if let Some(known) = self.schemes.borrow().get(&key) {
+            return Ok(Rc::clone(known));
+        }
+        let definitions = formulas(table.entries("let"))?;
+        let mut scope = self.scope(&definitions);
+        scope.values = parameters;
+        let integer = |key: &str, most: i64| match table.text(key) {
+            Some(text) => scope.value(&formula(text)?)?.integer(most),
+            None => wrong(name, "`mask` or `entry` is missing"),
+        };
+        let offset = if table.get("offset").is_some() { integer("offset", MAX_OFFSET)? } else { 0 };
+        let mask: Result<Vec<Vec<Value>>, Stop> = if table.get("mask").is_some() {
+            let entry = |entry: &Toml| scope.value(&formula(entry.as_text().unwrap_or(""))?);
+            let rows = table.list("mask").iter();
+            rows.map(|row| row.as_list().iter().map(entry).collect()).collect()
+        } else {
+            let (arity, width) =
+                (integer("arity", MAX_ARITY.into())?, integer("width", MAX_WIDTH.into())?);
+            let entry = formula(table.text("entry").unwrap_or(""))?;
+            let at = |alpha, r| {
+                let indices = [("alpha", alpha), ("r", r)];
+                let indices = indices.map(|(name, i)| (name.to_owned(), Value::int(i)));
+                scope.evaluate(&entry, &mut indices.to_vec())
+            };
+            (0..arity).map(|alpha| (0..width).map(|r| at(alpha, r)).collect()).collect()
+        };
+        let scheme = Rc::new(Scheme::new(mask?, offset)?);
+        self.schemes.borrow_mut().insert(key, Rc::clone(&scheme));
+        Ok(scheme)
+    }
+}
+
+/// The names of the factors of a reference.
+pub fn names(reference: &str) -> impl Iterator<Item = &str> {
+    reference.split(" x ").map(|factor| split(factor).0)
+}
+
+/// The name and the parameters of a reference.
+fn split(reference: &str) -> (&str, &str) {
+    reference.trim().split_once(':').unwrap_or((reference.trim(), ""))
+}
+
+/// The names in the formulas of the parameters of a reference.
+fn parameters_of(reference: &str) -> Result<BTreeSet<String>, Stop> {
+    let mut names = BTreeSet::new();
+    for factor in reference.split(" x ") {
+        for (_, value) in arguments_of(split(factor).1).iter().filter_map(|it| it.split_once('=')) {
+            names.extend(free(&formula(value.trim())?));
+        }
+    }
+    Ok(names)
+}
+
+/// The arguments between commas outside of parentheses, without blank ones.
+fn arguments_of(text: &str) -> Vec<&str> {
+    let mut depth = 0_i64;
+    let pieces = text.split(|c| {
+        depth += i64::from(c == '(') - i64::from(c == ')');
+        c == ',' && depth <= 0
+    });
+    pieces.filter(|piece| !piece.trim().is_empty()).collect()
+}

@@ -1,0 +1,105 @@
+//! Schemes: their masks and difference masks.
+
+use crate::numbers::value::Value;
+use crate::text::reject::Stop;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// The most rules of a scheme.
+pub const MAX_ARITY: u16 = 64;
+
+/// The most points of a rule.
+pub const MAX_WIDTH: u16 = 256;
+
+/// The greatest offset.
+pub const MAX_OFFSET: i64 = 10_000;
+
+/// A mask with its difference mask.
+pub struct Scheme {
+    /// The mask a_{α,j}, with a row for each rule α.
+    pub mask: Vec<Vec<Value>>,
+    /// The difference mask b_{β,j}.
+    pub difference: Vec<Vec<Value>>,
+    /// The offset o.
+    pub offset: i64,
+    /// The same scheme with other numbers of its points, by the number of the point that becomes
+    /// number 0.
+    numbered: RefCell<BTreeMap<usize, Rc<Scheme>>>,
+}
+
+impl Scheme {
+    /// The scheme of a mask.
+    pub fn new(mask: Vec<Vec<Value>>, offset: i64) -> Result<Scheme, Stop> {
+        let width = mask.first().map_or(0, Vec::len);
+        let even = mask.iter().all(|row| row.len() == width);
+        if mask.len() > MAX_ARITY.into() || width > MAX_WIDTH.into() {
+            return Err(Stop::Capped("the number or the lengths of the rules of a mask"));
+        }
+        if mask.len() < 2 || width < 1 || !even {
+            return Err(wrong("the number or the lengths of its rules are wrong"));
+        }
+        for row in &mask {
+            if Value::total(row)? != Value::int(1) {
+                return Err(wrong("a rule does not sum to 1"));
+            }
+        }
+        Scheme::of(mask, offset)
+    }
+
+    /// As [`new`](Self::new), for a mask of which this has been checked.
+    fn of(mask: Vec<Vec<Value>>, offset: i64) -> Result<Scheme, Stop> {
+        // b_{n−1,j} = a_{0,j} − Σ_{β<n−1} b_{β,j}
+        let (mut difference, mut last) = (Vec::new(), mask[0].clone());
+        for pair in mask.windows(2) {
+            // b_{β,j} = Σ_{h≤j} (a_{β,h} − a_{β+1,h})
+            let (mut sum, mut row) = (Value::int(0), Vec::new());
+            for (j, rest) in last.iter_mut().enumerate() {
+                sum = sum.plus(1, &pair[0][j])?.minus(&pair[1][j])?;
+                *rest = rest.minus(&sum)?;
+                row.push(sum.clone());
+            }
+            difference.push(row);
+        }
+        difference.push(last);
+        Ok(Scheme { mask, difference, offset, numbered: RefCell::default() })
+    }
+
+    /// The scheme whose point i is the point i + `first` of this one, 0 ≤ `first` < n: rule α is
+    /// rule α + `first` or, one place later, α + `first` − n.
+    pub fn numbered_from(self: &Rc<Scheme>, first: usize) -> Result<Rc<Scheme>, Stop> {
+        if first == 0 {
+            return Ok(Rc::clone(self));
+        }
+        if let Some(known) = self.numbered.borrow().get(&first) {
+            return Ok(Rc::clone(known));
+        }
+        let zero = || Value::int(0);
+        let row = |alpha: usize| {
+            let own = self.mask[(alpha + first) % self.arity()].iter().cloned();
+            if alpha + first < self.arity() {
+                own.chain([zero()]).collect()
+            } else {
+                [zero()].into_iter().chain(own).collect()
+            }
+        };
+        let mask = (0..self.arity()).map(row).collect();
+        let scheme = Rc::new(Scheme::of(mask, self.offset)?);
+        self.numbered.borrow_mut().insert(first, Rc::clone(&scheme));
+        Ok(scheme)
+    }
+
+    /// The arity n.
+    pub fn arity(&self) -> usize {
+        self.mask.len()
+    }
+
+    /// The width N.
+    pub fn width(&self) -> usize {
+        self.mask[0].len()
+    }
+}
+
+fn wrong(what: &str) -> Stop {
+    Stop::Wrong(format!("`mask`: {what}"))
+}
