@@ -48,7 +48,7 @@ fn combined(terms: &[(Rational, &Row)]) -> Row {
 
 /// What is known of rows λ of E^m: their moments are from u to v, that of row t within 2r of the
 /// point that divides the interval as t does 0, …, n^m − 1; and ‖λ‖ ≤ τ.
-pub(super) struct Known {
+pub(super) struct KnownLimits {
     pub(super) moments: [Rational; 2],
     pub(super) radius: Rational,
     pub(super) tau: Rational,
@@ -56,8 +56,8 @@ pub(super) struct Known {
 
 /// Theorem 62 as it stands at u and at v, and ε of Theorem 65, for the line through each two
 /// neighbours.
-fn lines(rows: &[Row], first: i64, known: &Known) -> Vec<([Rational; 2], Rational)> {
-    let Known { moments: [u, v], tau, .. } = known;
+fn lines(rows: &[Row], first: i64, known: &KnownLimits) -> Vec<([Rational; 2], Rational)> {
+    let KnownLimits { moments: [u, v], tau, .. } = known;
     let bound = |a: usize| {
         let at = |w: &Rational| {
             let t = w - Rational::from(first + i64::try_from(a).unwrap());
@@ -91,7 +91,7 @@ fn lines(rows: &[Row], first: i64, known: &Known) -> Vec<([Rational; 2], Rationa
     (0..rows.len() - 1).map(bound).collect()
 }
 
-pub(super) fn line_bound(rows: &[Row], first: i64, known: &Known) -> Rational {
+pub(super) fn line_bound(rows: &[Row], first: i64, known: &KnownLimits) -> Rational {
     lines(rows, first, known).into_iter().map(|([a, b], _)| a.max(b)).min().unwrap()
 }
 
@@ -111,7 +111,7 @@ fn greatest_product([a, b]: &[Rational; 2], [c, d]: &[Rational; 2]) -> Rational 
 }
 
 /// Theorem 65, with the lines of each that give the least.
-pub(super) fn product_bound(rows: &[Vec<Row>], first: i64, known: &[Known]) -> Rational {
+pub(super) fn product_bound(rows: &[Vec<Row>], first: i64, known: &[KnownLimits]) -> Rational {
     let strayed: Vec<Vec<[Rational; 2]>> = rows
         .iter()
         .zip(known)

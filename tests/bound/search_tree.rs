@@ -1,6 +1,6 @@
 //! Trees of searches, followed by definitions alone.
 
-use super::row_bounds::{Known, Row, line_bound, moment, power_row, product_bound, size};
+use super::row_bounds::{KnownLimits, Row, line_bound, moment, power_row, product_bound, size};
 use crate::common::{affine, mask, r};
 use proptest::prelude::*;
 use subcert::bound::{
@@ -37,7 +37,7 @@ impl Operator<'_> {
     }
 
     /// Theorem 61 as it stands, and that it is true of every row.
-    fn known(&self, m: u32) -> Known {
+    fn known(&self, m: u32) -> KnownLimits {
         let nth = Rational::new(1, self.rules.arity());
         assert!(self.has_lines());
         let ([phi, rho], totals) = (self.shift(), &self.data.totals);
@@ -52,7 +52,7 @@ impl Operator<'_> {
             assert!(size(&row) <= totals[m as usize]);
         }
         let moments = [&middle - &radius, middle + last + &radius];
-        Known { moments, radius, tau: totals[m as usize].clone() }
+        KnownLimits { moments, radius, tau: totals[m as usize].clone() }
     }
 }
 
@@ -119,7 +119,8 @@ fn leaf_bound(
         Closed::Row => each(&|operator| size(&row(operator, 0))),
         Closed::Line if operators.len() == 1 => line(&operators[0]),
         Closed::Line => {
-            let known: Vec<Known> = operators.iter().map(|operator| operator.known(left)).collect();
+            let known: Vec<KnownLimits> =
+                operators.iter().map(|operator| operator.known(left)).collect();
             product_bound(&operators.iter().map(rows).collect::<Vec<_>>(), first, &known)
         }
         Closed::Largest if operators.len() == 1 => largest(&operators[0]),
@@ -141,7 +142,7 @@ fn follow_uniform(operator: &Operator, (first, last): (i64, i64), uniform: &Unif
     let (limit, radius) = (&phi * &whole, rho * tau * &whole);
     let moments =
         [phi.clone().min(limit.clone()) - &radius, (phi - &nth).max(limit) + r(1, 1) + &radius];
-    let known = Known { moments, radius, tau: tau.clone() };
+    let known = KnownLimits { moments, radius, tau: tau.clone() };
     let mut next = Rational::zero();
     for (level, index) in &uniform.leaves {
         assert!(*level > 0);

@@ -2,7 +2,7 @@
 
 use crate::common::claims::{DEPENDENT, DEPENDENT_SCHEME, HEAD, judged, paper};
 use std::path::Path;
-use subcert::audit::{Known, audit};
+use subcert::audit::{KnownLimits, audit};
 use subcert::certificate::certificate;
 use subcert::claim::read_paper_file;
 use subcert::exact::Rational;
@@ -126,7 +126,7 @@ fn rounded_ends_of_ranges_have_one_rule() {
     let refuted = |ends: &str| {
         let own = paper(&claim(ends));
         let audit = judged(&own);
-        let Known::Range(range) = &audit.smoothness[0].known else { panic!("a range") };
+        let KnownLimits::Range(range) = &audit.smoothness[0].known else { panic!("a range") };
         let at = range.witness.as_ref().expect("a value").at.clone();
         (at, certificate(&audit).text)
     };

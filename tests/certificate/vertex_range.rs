@@ -2,7 +2,7 @@
 //! changed.
 
 use crate::common::claims::{HEAD, judged, paper};
-use subcert::audit::{Known, SmoothnessFinding};
+use subcert::audit::{KnownLimits, SmoothnessFinding};
 use subcert::certificate::certificate;
 use subcert_check::{Outcome, check};
 
@@ -47,7 +47,7 @@ fn claims() -> String {
 
 /// The values that refute a claim, and whether they are in the printed range.
 fn witnesses(finding: &SmoothnessFinding<'_>) -> Vec<(usize, bool)> {
-    let Known::VertexRanges(found) = &finding.known else { panic!("{:?}", finding.known) };
+    let KnownLimits::VertexRanges(found) = &finding.known else { panic!("{:?}", finding.known) };
     let witness = found.iter().filter_map(|one| Some((one.range.order, one.witness.as_ref()?)));
     witness.map(|(order, witness)| (order, witness.inside)).collect()
 }

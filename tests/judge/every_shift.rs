@@ -6,7 +6,7 @@ use crate::common::r;
 use subcert::audit::{EveryShift, Naturally, Refutation, Unshiftable};
 use subcert::claim::{Quantity, embedded};
 use subcert::exact::{Rational, RealCyclotomic};
-use subcert::limit::{ExtremalPolygon, Overshoot, Shown};
+use subcert::limit::{ExtremalPolygon, Overshoot, ProofOfGreatest};
 use subcert::scheme::{Mask, parse_scheme};
 
 /// The refutation of a theorem.
@@ -104,12 +104,12 @@ fn check(case: &str, offset: Option<i64>, data: &Unshiftable) {
     let deep = level + if masks[0].arity() == 2 { 5 } else { 3 };
     let near = r(1, 1000);
     match shown {
-        Shown::Points => assert_eq!(*later, sum(level + 1), "{case}"),
-        Shown::AtMost(levels) => {
+        ProofOfGreatest::Points => assert_eq!(*later, sum(level + 1), "{case}"),
+        ProofOfGreatest::AtMost(levels) => {
             assert!(*later >= sum(deep) - &near && found > later, "{case}");
             assert_eq!(levels.len(), masks.len());
         }
-        Shown::AtLeast(places) => {
+        ProofOfGreatest::AtLeast(places) => {
             assert!(*later <= sum(deep) + &near && found < later, "{case}");
             assert_eq!(places.len(), masks.len());
         }
@@ -189,7 +189,7 @@ fn a_polygon_above_its_limit() {
     let found = of(fields);
     let data = data(&found);
     assert_eq!(found.natural, None);
-    assert!(matches!(data.overshoot.shown, Shown::AtMost(_)));
+    assert!(matches!(data.overshoot.shown, ProofOfGreatest::AtMost(_)));
     assert!(data.overshoot.gap() <= r(1, 3) && data.overshoot.gap() > r(1, 4));
     check("b-spline:degree=3", None, data);
     // No data have more than 1/3.
@@ -201,7 +201,7 @@ fn a_polygon_above_its_limit() {
 fn a_limit_above_its_polygon() {
     let fields = "scheme = 'four-point:w=1/16'\nbounds = 'distance'\nby = 'beta/9'\nfrom = '0'";
     let found = of(fields);
-    assert!(matches!(data(&found).overshoot.shown, Shown::AtLeast(_)));
+    assert!(matches!(data(&found).overshoot.shown, ProofOfGreatest::AtLeast(_)));
     check("four-point:w=1/16", None, data(&found));
 }
 
@@ -217,7 +217,7 @@ fn a_label_shift_alone() {
 #[test]
 fn steps_depths_and_nets() {
     let step = of("scheme = 'chaikin'\nbounds = 'step'\nby = 'beta/5'\nfrom = '0'");
-    assert_eq!(data(&step).overshoot.shown, Shown::Points);
+    assert_eq!(data(&step).overshoot.shown, ProofOfGreatest::Points);
     check("chaikin", None, data(&step));
     // New points lie on the old polygon there: only an old corner is off.
     assert_eq!(step.natural, Some(Naturally::AsInEveryShift));

@@ -2,7 +2,7 @@
 
 use crate::common::claims::{DEPENDENT, DEPENDENT_SCHEME, judged, paper};
 use proptest::prelude::*;
-use subcert::audit::{Direction, Known, SmoothnessVerdict};
+use subcert::audit::{Direction, KnownLimits, SmoothnessVerdict};
 use subcert::exact::{Enclosed as _, LogSum, LogTerm, Rational};
 
 /// The verdict of a claim with these fields.
@@ -134,7 +134,7 @@ fn a_refuted_range_shows_a_value() {
          from = '0'\nto = '1/5'\n",
     );
     let audit = judged(&paper);
-    let Known::Range(range) = &audit.smoothness[0].known else { panic!("a range") };
+    let KnownLimits::Range(range) = &audit.smoothness[0].known else { panic!("a range") };
     let witness = range.witness.as_ref().expect("a value");
     assert!(witness.inside && witness.at < Rational::new(1, 5));
     assert!(witness.at > Rational::new(1_927, 10_000), "{}", witness.at);
@@ -153,7 +153,7 @@ fn the_digits_of_an_exponent_decide() {
         let claim = |printed: &str| format!("scheme = 'four-point:w={w}'\nprinted = '{printed}'");
         let paper = paper(&format!("[[exponent]]\nid = 'c'\nlocus = 'l'\n{}\n", claim("1")));
         let audit = judged(&paper);
-        let Known::Limits(limits) = &audit.smoothness[0].known else { panic!("limits") };
+        let KnownLimits::Limits(limits) = &audit.smoothness[0].known else { panic!("limits") };
         let hoelder = limits.smoothness.hoelder.as_ref().expect("it converges");
         let exponent = hoelder.formula.as_ref().expect("it is exact");
         for places in [2, 5, 9] {

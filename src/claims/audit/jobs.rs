@@ -47,7 +47,7 @@ pub(super) fn judge<'a>(
     let found = parallel::map(&jobs, |(at, part)| {
         (*at, part.judge(&papers[*at], &chosen[*at], after_claim))
     });
-    let mut parts: Vec<Vec<Found<'a>>> = papers.iter().map(|_| Vec::new()).collect();
+    let mut parts: Vec<Vec<Judged<'a>>> = papers.iter().map(|_| Vec::new()).collect();
     for (at, found) in found {
         parts[at].push(found);
     }
@@ -60,7 +60,7 @@ pub(super) fn judge<'a>(
 }
 
 /// The findings of a part, or its error: of a group of tables or of the theorems the first one.
-type Found<'a> = Result<PaperAudit<'a>, Diagnostic>;
+type Judged<'a> = Result<PaperAudit<'a>, Diagnostic>;
 
 impl<'a> Part<'a> {
     /// A rough measure of the work.
@@ -80,7 +80,7 @@ impl<'a> Part<'a> {
         paper: &'a Paper,
         chosen: &Chosen,
         after_claim: &(dyn Fn() + Sync),
-    ) -> Found<'a> {
+    ) -> Judged<'a> {
         let (mut audit, library) = (PaperAudit::new(paper), || Library::new(paper));
         match self {
             Part::Tables(places) => {
@@ -111,7 +111,7 @@ impl<'a> Part<'a> {
 
 /// Joins the findings of a paper's parts, and computes what follows from all of them. Fails with
 /// the errors of the paper, if there are any.
-fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a>, Errors> {
+fn together<'a>(paper: &'a Paper, parts: Vec<Judged<'a>>) -> Result<PaperAudit<'a>, Errors> {
     let (mut audit, mut errors) = (PaperAudit::new(paper), Collected::default());
     for part in parts {
         if let Some(part) = errors.take(part) {

@@ -19,13 +19,13 @@ pub use crate::finding::{
     Contradiction, Control, Correction, Difference, Direction, EndFinding, EndRelation,
     EquationFinding, EquationVerdict, EveryShift, Example, Excess, Explanation, FailingPremise,
     Failure, Finding, Fitting, FoundRange, FunctionFinding, FunctionVerdict, HandCell,
-    HandConstant, Kept, KernelFinding, KernelProof, KernelStatement, Known, Later, LeftOut,
-    LevelEvidence, Levels, Limits, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Need,
-    Needed, Outcome, PaperAudit, Place, PromiseCounts, RangeAtValence, RangeFinding, RangeOfLimits,
+    HandConstant, Kept, KernelFinding, KernelProof, KernelStatement, KnownLimits, Later, LeftOut,
+    LevelEvidence, Levels, Limits, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Needed,
+    Outcome, PaperAudit, Place, PromiseCounts, RangeAtValence, RangeFinding, RangeOfLimits,
     RangeVerdict, Reason, Recovered, RecoveredFrom, Refiner, Refutation, Repair, RingExcess,
     Search, Side, Slip, SmoothnessFinding, SmoothnessVerdict, Solved, Sound, Supremum,
     TableFinding, TablePart, TheoremFinding, TheoremVerdict, Unshiftable, UnstatedOffset, Verdict,
-    VertexWitness, Vertices, Violation, Witness, Working,
+    VertexWitness, Vertices, Violation, WayCounts, Witness, Working,
 };
 pub use crate::judge::MAX_CASES;
 pub use crate::judge::parallel::map as on_all_cores;

@@ -7,8 +7,8 @@ use crate::evaluation::library::Library;
 use crate::evaluation::table::Evaluator;
 use crate::exact::Rational;
 use crate::finding::{
-    CellFinding, Contradiction, Difference, Explanation, Line, Need, Needed, Recovered,
-    RecoveredFrom, Side, TableFinding, TablePart,
+    CellFinding, Contradiction, Difference, Explanation, Line, Needed, Recovered, RecoveredFrom,
+    Side, TableFinding, TablePart, WayCounts,
 };
 use crate::judge::reading::tried;
 use std::collections::BTreeSet;
@@ -23,7 +23,7 @@ struct Explained<'f, 'a> {
     line: Option<Line>,
     /// The reading; `None` where every cell is as printed.
     by: Option<&'f Explanation>,
-    needs: &'f [Need],
+    needs: &'f [WayCounts],
 }
 
 /// The contradictions between the tables of a paper, choices first.
@@ -85,7 +85,7 @@ fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradicti
     let need =
         |place: &Explained<'_, '_>| place.needs.iter().find(|need| need.about == name).cloned();
     // A place that every way suits says nothing.
-    let mut left: Vec<(&Explained<'_, '_>, Need)> = explained
+    let mut left: Vec<(&Explained<'_, '_>, WayCounts)> = explained
         .iter()
         .filter_map(|place| Some((place, need(place)?)))
         .filter(|(_, need)| need.suitable(MAX_LOST).len() < need.ways.len())
@@ -99,8 +99,9 @@ fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradicti
             .flat_map(|(_, need)| need.suitable(MAX_LOST))
             .map(Option::<&Difference>::cloned)
             .collect();
-        let suits =
-            |need: &Need, way: &Option<Difference>| need.suitable(MAX_LOST).contains(&way.as_ref());
+        let suits = |need: &WayCounts, way: &Option<Difference>| {
+            need.suitable(MAX_LOST).contains(&way.as_ref())
+        };
         let suited =
             |way: &Option<Difference>| left.iter().filter(|(_, need)| suits(need, way)).count();
         // Of equally good ways the first.
@@ -114,8 +115,8 @@ fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradicti
         return None;
     }
     let all: Vec<Option<Difference>> = sides.iter().map(|(way, _)| way.clone()).collect();
-    let side = |(way, here): (Option<Difference>, Vec<(&Explained<'_, '_>, Need)>)| {
-        let place = |(place, need): (&Explained<'_, '_>, Need)| {
+    let side = |(way, here): (Option<Difference>, Vec<(&Explained<'_, '_>, WayCounts)>)| {
+        let place = |(place, need): (&Explained<'_, '_>, WayCounts)| {
             let others = all.iter().filter(|other| **other != way);
             let otherwise = others.filter_map(|other| need.ways.get(other)).max();
             let explained = need.ways.get(&way).copied().unwrap_or(0);

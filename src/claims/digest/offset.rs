@@ -4,7 +4,7 @@ use crate::bound::BetterOffset;
 use crate::claim::{Paper, Promise};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::choices::OFFSET;
-use crate::evaluation::context::At;
+use crate::evaluation::context::CellReading;
 use crate::evaluation::library::Library;
 use crate::evaluation::quantity::Quantities;
 use crate::evaluation::settings::Settings;
@@ -41,7 +41,7 @@ pub(crate) fn unstated(
             if left.is_empty() {
                 break;
             }
-            let at = At { row, column, assume: &assume, settings: &settings };
+            let at = CellReading { row, column, assume: &assume, settings: &settings };
             let Ok(Quantities { scheme: Some(scheme), .. }) = judge.quantities(at)? else {
                 continue;
             };
@@ -62,7 +62,7 @@ pub(crate) fn unstated(
 }
 
 /// Whether the value of a cell as printed has σ at the scheme's own offset.
-fn takes_own_offset(judge: &Evaluator<'_>, at: At<'_>) -> bool {
+fn takes_own_offset(judge: &Evaluator<'_>, at: CellReading<'_>) -> bool {
     let has_value = judge.evaluate(&judge.table.value, at).is_ok();
     let word = judge.rows.choices.get(OFFSET.key).cloned();
     let word = word.or_else(|| at.settings.consulted().remove(OFFSET.key));

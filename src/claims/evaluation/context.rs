@@ -15,7 +15,7 @@ use crate::scheme::{Instance, LocalRules};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The values of definitions that are known already.
-pub(crate) type Known = BTreeMap<String, RealCyclotomic>;
+pub(crate) type DefinitionValues = BTreeMap<String, RealCyclotomic>;
 
 /// The value of a formula, or why it has none.
 pub(crate) enum Outcome {
@@ -27,7 +27,7 @@ pub(crate) enum Outcome {
 
 /// The place of a cell, and how its formula is read.
 #[derive(Clone, Copy)]
-pub(crate) struct At<'n> {
+pub(crate) struct CellReading<'n> {
     pub(crate) row: usize,
     pub(crate) column: usize,
     /// The unstated parameters that have their assumed or recovered values, where these are known.
@@ -84,9 +84,9 @@ impl<'a> TableContext<'a> {
 
     pub(crate) fn scope<'s>(
         &'s self,
-        at: At<'s>,
+        at: CellReading<'s>,
         functions: &'s Quantities<'s>,
-        known: &'s Known,
+        known: &'s DefinitionValues,
     ) -> Scope<'s, RealCyclotomic> {
         let definitions = at.settings.definitions.as_deref().unwrap_or(&self.paper.definitions);
         let mut scope = Scope::new(definitions, functions);
@@ -110,7 +110,10 @@ impl<'a> TableContext<'a> {
 
     /// The parameters that have values in the headers of a cell, with these values. A header that
     /// is a scheme gives none.
-    pub(crate) fn header_values(&self, at: At<'_>) -> impl Iterator<Item = (&'a str, Rational)> {
+    pub(crate) fn header_values(
+        &self,
+        at: CellReading<'_>,
+    ) -> impl Iterator<Item = (&'a str, Rational)> {
         let rows = self.table.rows.as_ref().map(|axis| (axis, at.row));
         let axes = rows.into_iter().chain([(&self.table.columns, at.column)]);
         axes.filter_map(move |(axis, place)| {
@@ -156,7 +159,7 @@ impl<'a> TableContext<'a> {
     }
 
     /// The printed number of a cell; `None` where it is lost.
-    pub(crate) fn printed(&self, at: At<'_>) -> Option<Rational> {
+    pub(crate) fn printed(&self, at: CellReading<'_>) -> Option<Rational> {
         match &self.table.cells[at.row][at.column] {
             Cell::Lost => None,
             Cell::Printed(printed) => Some(printed.decimal.value()),
@@ -166,7 +169,7 @@ impl<'a> TableContext<'a> {
     /// The quantities of this cell's scheme.
     pub(crate) fn quantities<'s>(
         &'s self,
-        at: At<'s>,
+        at: CellReading<'s>,
     ) -> Result<Result<Quantities<'s>, Outcome>, Diagnostic> {
         match self.resolved(at) {
             Ok(quantities) => Ok(Ok(quantities)),
@@ -181,7 +184,7 @@ impl<'a> TableContext<'a> {
     /// cell, and need no words for it.
     pub(crate) fn resolved<'s>(
         &'s self,
-        at: At<'s>,
+        at: CellReading<'s>,
     ) -> Result<Quantities<'s>, Box<(&'a LocatedReference, Unresolved)>> {
         let mut quantities = Quantities {
             library: self.library,
@@ -193,7 +196,7 @@ impl<'a> TableContext<'a> {
         let other = at.settings.scheme.and_then(|place| references(self.paper).get(place).copied());
         let located = other.or_else(|| self.table.scheme_at(at.row, at.column));
         let Some(located) = located else { return Ok(quantities) };
-        let known = Known::new();
+        let known = DefinitionValues::new();
         let scope = self.scope(at, &quantities, &known);
         match self.library.resolve(&located.reference, &scope) {
             Ok(scheme) => {
@@ -208,13 +211,13 @@ impl<'a> TableContext<'a> {
     pub(crate) fn ring(
         &self,
         located: &LocatedReference,
-        at: At<'_>,
+        at: CellReading<'_>,
     ) -> Result<Result<(Instance, LocalRules), Outcome>, Diagnostic> {
         let quantities = match self.quantities(at)? {
             Ok(quantities) => quantities,
             Err(outcome) => return Ok(Err(outcome)),
         };
-        let known = Known::new();
+        let known = DefinitionValues::new();
         let scope = self.scope(at, &quantities, &known);
         match self.library.ring_at(&located.reference, &scope) {
             Ok(ring) => Ok(Ok(ring)),
@@ -262,9 +265,9 @@ impl<'a> TableContext<'a> {
     pub(crate) fn evaluate_with(
         &self,
         formula: &LocatedFormula,
-        at: At<'_>,
+        at: CellReading<'_>,
         quantities: &Quantities<'_>,
-        known: &Known,
+        known: &DefinitionValues,
     ) -> Result<Outcome, Diagnostic> {
         match evaluate(&formula.expr, &self.scope(at, quantities, known)) {
             Ok(value) => Ok(Outcome::Value(value)),

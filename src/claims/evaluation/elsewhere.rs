@@ -3,7 +3,7 @@
 use crate::bound::Rounded;
 use crate::claim::{Axis, Cell};
 use crate::evaluation::Copied;
-use crate::evaluation::context::{At, Known, Outcome, TableContext};
+use crate::evaluation::context::{CellReading, DefinitionValues, Outcome, TableContext};
 use crate::evaluation::quantity::Quantities;
 use crate::evaluation::reference::Unresolved;
 use crate::evaluation::settings::{RowValues, Settings};
@@ -18,9 +18,9 @@ impl Evaluator<'_> {
     pub(crate) fn copied(
         &self,
         copied: &Copied,
-        at: At<'_>,
+        at: CellReading<'_>,
         quantities: &Quantities<'_>,
-    ) -> Result<Rc<Known>, Outcome> {
+    ) -> Result<Rc<DefinitionValues>, Outcome> {
         let of = match copied {
             // These give no definition another value.
             Copied::Tolerance { .. } | Copied::Numbers { .. } => {
@@ -42,7 +42,7 @@ impl Evaluator<'_> {
                     settings
                 }
             };
-            let value = self.definition(of, At { settings: &settings, ..at })?;
+            let value = self.definition(of, CellReading { settings: &settings, ..at })?;
             Ok(self.with_copied(of, value, at, quantities))
         };
         if self.rows.fixes(self, of) {
@@ -57,9 +57,9 @@ impl Evaluator<'_> {
         &self,
         of: &str,
         value: RealCyclotomic,
-        at: At<'_>,
+        at: CellReading<'_>,
         quantities: &Quantities<'_>,
-    ) -> Rc<Known> {
+    ) -> Rc<DefinitionValues> {
         let mut known = self.rows.of(self, at, quantities);
         known.retain(|name, _| !self.leads_to(name, of, at.settings));
         known.insert(of.to_owned(), value);
@@ -67,9 +67,9 @@ impl Evaluator<'_> {
     }
 
     /// The reading of a cell with the tolerance before it was rounded.
-    pub(crate) fn at_computed_tolerance(&self, line: usize, at: At<'_>) -> Settings {
+    pub(crate) fn at_computed_tolerance(&self, line: usize, at: CellReading<'_>) -> Settings {
         let mut settings = at.settings.without_copied();
-        let found = self.computed_tolerance(line, At { settings: &settings, ..at });
+        let found = self.computed_tolerance(line, CellReading { settings: &settings, ..at });
         if let Some((name, value)) = found {
             settings.parameters.insert(name.to_owned(), value);
             settings.rows = RowValues::default();
@@ -78,7 +78,7 @@ impl Evaluator<'_> {
     }
 
     /// The value of a definition; a formula that is wrong under these settings has none.
-    fn definition(&self, name: &str, at: At<'_>) -> Result<RealCyclotomic, Outcome> {
+    fn definition(&self, name: &str, at: CellReading<'_>) -> Result<RealCyclotomic, Outcome> {
         match &self.resolved(at) {
             Ok(quantities) => {
                 if let Some(value) = self.rows.one(self, at, quantities, name) {
@@ -119,7 +119,7 @@ impl Evaluator<'_> {
     }
 
     /// The number that another table prints for the headers and the scheme of a cell.
-    fn printed_elsewhere(&self, table: &str, at: At<'_>) -> Option<Rational> {
+    fn printed_elsewhere(&self, table: &str, at: CellReading<'_>) -> Option<Rational> {
         let other = self.paper.tables.iter().find(|other| other.id == table)?;
         let scheme = self.table.scheme_at(at.row, at.column);
         let scheme = scheme.map(|located| located.reference.to_string());
@@ -140,7 +140,7 @@ impl Evaluator<'_> {
     }
 
     /// The value that a parameter has at a cell.
-    fn parameter(&self, name: &str, at: At<'_>) -> Option<Rational> {
+    fn parameter(&self, name: &str, at: CellReading<'_>) -> Option<Rational> {
         let header = self.header_values(at).find(|(other, _)| *other == name);
         let assumed = || self.assumed.get(name).filter(|_| at.assume.contains(name)).cloned();
         header.map(|(_, value)| value).or_else(|| self.given.get(name).cloned()).or_else(assumed)
@@ -151,13 +151,17 @@ impl Evaluator<'_> {
     /// the logarithm of x to the base r, rounded; k is the integer nearest to the logarithm. As x
     /// is proportional to the tolerance, the tolerance was ε·r^k/x. `None` if this does not round
     /// to the printed number, or if the depth is not k with it.
-    fn computed_tolerance(&self, line: usize, at: At<'_>) -> Option<(&str, Rational)> {
+    fn computed_tolerance(&self, line: usize, at: CellReading<'_>) -> Option<(&str, Rational)> {
         let (axis, place) = match &self.table.rows {
             Some(rows) if self.tolerance(rows) => (rows, at.row),
             _ => (&self.table.columns, at.column),
         };
         let in_rows = std::ptr::eq(axis, &raw const self.table.columns);
-        let there = if in_rows { At { row: line, ..at } } else { At { column: line, ..at } };
+        let there = if in_rows {
+            CellReading { row: line, ..at }
+        } else {
+            CellReading { column: line, ..at }
+        };
         let (name, printed) = axis.value(place)?;
         let (low, high) = self.rounding(axis, place)?;
         let call = self.logarithm(there)?;
@@ -169,7 +173,7 @@ impl Evaluator<'_> {
             return None;
         }
         let settings = at.settings.with_parameter(name, &value);
-        let then = self.logarithm(At { settings: &settings, ..there })?;
+        let then = self.logarithm(CellReading { settings: &settings, ..there })?;
         let whole = then.ratio == call.ratio && then.x == RealCyclotomic::from(power);
         whole.then_some((name, value))
     }

@@ -8,7 +8,7 @@ use crate::claim::{LocatedReference, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::arguments::level;
 use crate::evaluation::constants::{moved, total_contraction};
-use crate::evaluation::context::{At, TableContext};
+use crate::evaluation::context::{CellReading, TableContext};
 use crate::evaluation::library::{Library, values};
 use crate::evaluation::options::Options;
 use crate::evaluation::series;
@@ -97,7 +97,7 @@ pub(crate) fn is_function(judge: &Evaluator<'_>) -> bool {
 /// is exact on `window`. `None` where the value is not piecewise polynomial.
 pub(crate) fn of_cell(
     judge: &Evaluator<'_>,
-    at: At<'_>,
+    at: CellReading<'_>,
     parameter: &str,
     window: &(Rational, Rational),
 ) -> Option<PiecewisePolynomial> {
@@ -122,7 +122,7 @@ pub(crate) fn of_cell(
 
 fn cell_scope<'s>(
     judge: &'s Evaluator<'_>,
-    at: At<'s>,
+    at: CellReading<'s>,
     parameter: &'s str,
     functions: &'s Constants<'s>,
 ) -> Scope<'s, Parametric> {

@@ -2,7 +2,7 @@
 
 use crate::claim::{SchemeSource, Table};
 use crate::evaluation::choices::HEADER;
-use crate::evaluation::context::{At, Known, Outcome, TableContext};
+use crate::evaluation::context::{CellReading, DefinitionValues, Outcome, TableContext};
 use crate::evaluation::quantity::Quantities;
 use crate::evaluation::settings::{Depends, Restricted, Settings};
 use crate::exact::{Rational, RealCyclotomic};
@@ -133,9 +133,9 @@ impl RowDefinitions {
     pub(crate) fn of(
         &self,
         context: &TableContext<'_>,
-        at: At<'_>,
+        at: CellReading<'_>,
         quantities: &Quantities<'_>,
-    ) -> Known {
+    ) -> DefinitionValues {
         let value = |place: usize| {
             let value = self.value(context, at, quantities, place)?;
             Some((self.definitions[place].name.clone(), value))
@@ -147,7 +147,7 @@ impl RowDefinitions {
     pub(crate) fn one(
         &self,
         context: &TableContext<'_>,
-        at: At<'_>,
+        at: CellReading<'_>,
         quantities: &Quantities<'_>,
         name: &str,
     ) -> Option<RealCyclotomic> {
@@ -159,7 +159,7 @@ impl RowDefinitions {
     fn value(
         &self,
         context: &TableContext<'_>,
-        at: At<'_>,
+        at: CellReading<'_>,
         quantities: &Quantities<'_>,
         place: usize,
     ) -> Option<RealCyclotomic> {
@@ -194,9 +194,9 @@ impl RowDefinitions {
         for row in 0..if self.definitions.is_empty() { 0 } else { rows } {
             // Where the columns are schemes, each column has values of its own.
             for column in 0..context.table.columns.schemes().len().max(1) {
-                let at = At { row, column, assume: &assume, settings: &settings };
+                let at = CellReading { row, column, assume: &assume, settings: &settings };
                 if let Ok(Ok(quantities)) = &context.quantities(at) {
-                    let mut known = Known::new();
+                    let mut known = DefinitionValues::new();
                     for RowDefinition { name, .. } in &self.definitions {
                         // A value from another row would consult nothing.
                         let formula = &context.paper.definitions[name];

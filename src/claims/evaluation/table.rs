@@ -3,7 +3,7 @@
 use crate::claim::{Paper, Table};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::Copied;
-use crate::evaluation::context::{At, Known, Outcome, TableContext};
+use crate::evaluation::context::{CellReading, DefinitionValues, Outcome, TableContext};
 use crate::evaluation::library::Library;
 use crate::evaluation::quantity::Quantities;
 use crate::evaluation::row::RowDefinitions;
@@ -47,7 +47,7 @@ impl<'a> Evaluator<'a> {
     pub(crate) fn evaluate(
         &self,
         formula: &LocatedFormula,
-        at: At<'_>,
+        at: CellReading<'_>,
     ) -> Result<Outcome, Diagnostic> {
         let evaluated = self
             .within(at, |at, quantities, known| self.evaluate_with(formula, at, quantities, known));
@@ -58,14 +58,18 @@ impl<'a> Evaluator<'a> {
     /// known values of definitions.
     fn within<T>(
         &self,
-        at: At<'_>,
-        evaluate: impl FnOnce(At<'_>, &Quantities<'_>, &Known) -> Result<T, Diagnostic>,
+        at: CellReading<'_>,
+        evaluate: impl FnOnce(
+            CellReading<'_>,
+            &Quantities<'_>,
+            &DefinitionValues,
+        ) -> Result<T, Diagnostic>,
     ) -> Result<Result<T, Outcome>, Diagnostic> {
         let computed = match &at.settings.copied {
             Some(Copied::Tolerance { line, .. }) => Some(self.at_computed_tolerance(*line, at)),
             _ => None,
         };
-        let at = At { settings: computed.as_ref().unwrap_or(at.settings), ..at };
+        let at = CellReading { settings: computed.as_ref().unwrap_or(at.settings), ..at };
         let quantities = match self.quantities(at)? {
             Ok(quantities) => quantities,
             Err(outcome) => return Ok(Err(outcome)),
@@ -81,7 +85,11 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The values of the row's definitions.
-    pub(crate) fn of_row(&self, at: At<'_>, quantities: &Quantities<'_>) -> Rc<Known> {
+    pub(crate) fn of_row(
+        &self,
+        at: CellReading<'_>,
+        quantities: &Quantities<'_>,
+    ) -> Rc<DefinitionValues> {
         Self::once_in_row(at, quantities, || {
             Ok(Rc::new(self.rows.of(&self.context, at, quantities)))
         })
@@ -91,10 +99,10 @@ impl<'a> Evaluator<'a> {
     /// The values of definitions under the reading of a cell, which are the same in its row. They are
     /// computed once for each scheme, and each set of assumed parameters.
     pub(crate) fn once_in_row(
-        at: At<'_>,
+        at: CellReading<'_>,
         quantities: &Quantities<'_>,
-        compute: impl FnOnce() -> Result<Rc<Known>, Outcome>,
-    ) -> Result<Rc<Known>, Outcome> {
+        compute: impl FnOnce() -> Result<Rc<DefinitionValues>, Outcome>,
+    ) -> Result<Rc<DefinitionValues>, Outcome> {
         let scheme = quantities.scheme.as_ref().map_or(&[][..], |scheme| &scheme.instances);
         if let Some(known) = at.settings.rows.get(at.row, scheme, at.assume) {
             return Ok(known);
@@ -106,7 +114,7 @@ impl<'a> Evaluator<'a> {
 
     /// The constants that the value of a cell as printed uses. Those of a definition with one value
     /// in each row are given only where this value is computed, at the first cell of the row.
-    pub(crate) fn constants(&self, at: At<'_>) -> Result<Noted, Diagnostic> {
+    pub(crate) fn constants(&self, at: CellReading<'_>) -> Result<Noted, Diagnostic> {
         let Ok(mut quantities) = self.quantities(at)? else { return Ok(Noted::default()) };
         quantities.noted = Some(RefCell::default());
         let known = self.of_row(at, &quantities);
@@ -124,7 +132,7 @@ impl<'a> Evaluator<'a> {
     ) -> Result<(BTreeSet<String>, Outcome), Diagnostic> {
         let (mut needed, settings) = (BTreeSet::new(), Settings::default());
         loop {
-            let at = At { row, column, assume: &needed, settings: &settings };
+            let at = CellReading { row, column, assume: &needed, settings: &settings };
             match self.evaluate(&self.table.value, at)? {
                 Outcome::Unstated(name) if needed.insert(name.clone()) => {}
                 outcome => return Ok((needed, outcome)),
@@ -134,12 +142,12 @@ impl<'a> Evaluator<'a> {
 
     /// The call of `levels` whose result is the value of a cell; `None` where the value is no such
     /// result.
-    pub(crate) fn level_call(&self, at: At<'_>) -> Option<LevelCall> {
+    pub(crate) fn level_call(&self, at: CellReading<'_>) -> Option<LevelCall> {
         self.value_and_levels(at).ok()?.1
     }
 
     /// The last call of `levels` in the evaluation of a cell's value.
-    pub(crate) fn logarithm(&self, at: At<'_>) -> Option<LevelCall> {
+    pub(crate) fn logarithm(&self, at: CellReading<'_>) -> Option<LevelCall> {
         let evaluated = self.within(at, |at, quantities, known| {
             quantities.last_levels.take();
             self.evaluate_with(&self.table.value, at, quantities, known)?;
@@ -151,7 +159,7 @@ impl<'a> Evaluator<'a> {
     /// The outcome of a cell, and the call of `levels` whose result its value is, if there is one.
     pub(crate) fn value_and_levels(
         &self,
-        at: At<'_>,
+        at: CellReading<'_>,
     ) -> Result<(Outcome, Option<LevelCall>), Diagnostic> {
         let evaluated = self.within(at, |at, quantities, known| {
             quantities.last_levels.take();

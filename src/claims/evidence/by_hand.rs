@@ -2,7 +2,7 @@
 
 use crate::claim::{Paper, Quantity, Table};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::context::{At, Outcome};
+use crate::evaluation::context::{CellReading, Outcome};
 use crate::evaluation::library::Library;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
@@ -129,7 +129,7 @@ fn in_table(
             ) {
                 continue;
             }
-            let at = At { row, column, assume: &nothing, settings: &settings };
+            let at = CellReading { row, column, assume: &nothing, settings: &settings };
             let Outcome::Value(value) = judge.evaluate(&table.value, at)? else { continue };
             let Ok(quantities) = judge.quantities(at)? else { continue };
             let of_scheme = quantities.scheme.as_ref().map(|scheme| &scheme.instances) == scheme;

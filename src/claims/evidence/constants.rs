@@ -2,7 +2,7 @@
 
 use crate::bound::{Budget, Constants, Operator, Order, PowerSearch};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::context::At;
+use crate::evaluation::context::CellReading;
 use crate::evaluation::library::Resolved;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
@@ -148,7 +148,7 @@ pub(crate) fn constants(
     for row in 0..judge.table.cells.len() {
         for column in 0..judge.table.cells[row].len() {
             let Noted { constants, norms } =
-                judge.constants(At { row, column, assume: &assume, settings })?;
+                judge.constants(CellReading { row, column, assume: &assume, settings })?;
             for noted in constants {
                 let orders = [noted.order, Order::Adjoint, Order::Forward];
                 let asked = if read_otherwise { 3 } else { 1 };

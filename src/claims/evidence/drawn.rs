@@ -2,7 +2,7 @@
 
 use crate::claim::{Paper, Promise};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::context::At;
+use crate::evaluation::context::CellReading;
 use crate::evaluation::library::Library;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
@@ -53,7 +53,7 @@ pub fn depth_levels(
     let library = Library::new(paper);
     let judge = Evaluator::new(paper, finding.table, &library, &finding.values())?;
     let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
-    let at = At { row, column, assume: &assume, settings: &Settings::default() };
+    let at = CellReading { row, column, assume: &assume, settings: &Settings::default() };
     let Ok(quantities) = judge.quantities(at)? else { return Ok(None) };
     let Some(scheme) = quantities.scheme else { return Ok(None) };
     let offset = offset.as_ref().map(|offset| integer(&judge, offset, at)).transpose()?.flatten();
@@ -86,7 +86,7 @@ pub fn promise_refiner(
     let library = Library::new(paper);
     let judge = Evaluator::new(paper, finding.table, &library, &finding.values())?;
     let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
-    let at = At { row, column, assume: &assume, settings: &Settings::default() };
+    let at = CellReading { row, column, assume: &assume, settings: &Settings::default() };
     let (Promise::Depth { offset, ring, .. } | Promise::Bound { offset, ring, .. }) = promise;
     if let Some(ring) = ring {
         return Ok(judge.ring(ring, at)?.ok().map(|(_, ring)| Refiner::Ring(ring)));

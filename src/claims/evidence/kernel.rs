@@ -3,7 +3,7 @@
 use crate::bound::{Operator, Order, SoundBound};
 use crate::claim::{Paper, Promise, Quantity, Statement};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::context::At;
+use crate::evaluation::context::CellReading;
 use crate::evaluation::library::Library;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
@@ -120,7 +120,7 @@ fn of_table(
     let mut known = BTreeSet::new();
     for (row, cells) in finding.cells.iter().enumerate() {
         for (column, cell) in cells.iter().enumerate() {
-            let at = At { row, column, assume: &assume, settings: &settings };
+            let at = CellReading { row, column, assume: &assume, settings: &settings };
             let printed = cell.printed.as_deref().unwrap_or("nothing");
             let place =
                 format!("row {}, column {}: {} prints {printed}", row + 1, column + 1, cell.locus);
@@ -193,7 +193,7 @@ fn constant(noted: &NotedConstant) -> Option<(KernelStatement, Rational)> {
 fn sound(
     judge: &Evaluator<'_>,
     promise: &Promise,
-    at: At<'_>,
+    at: CellReading<'_>,
 ) -> Result<Option<KernelStatement>, Diagnostic> {
     let Ok(quantities) = judge.quantities(at)? else { return Ok(None) };
     let Some(scheme) = quantities.scheme else { return Ok(None) };

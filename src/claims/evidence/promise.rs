@@ -4,7 +4,7 @@
 use crate::bound::{Budget, Constants};
 use crate::claim::{Paper, Promise};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::context::At;
+use crate::evaluation::context::CellReading;
 use crate::evaluation::library::Library;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
@@ -57,7 +57,7 @@ pub fn promise_evidence<'f>(
     for (row, cells) in finding.cells.iter().enumerate() {
         let mut evidence = Vec::new();
         for (column, cell) in cells.iter().enumerate() {
-            let at = At { row, column, assume: &assume, settings: &Settings::default() };
+            let at = CellReading { row, column, assume: &assume, settings: &Settings::default() };
             let promise = finding.table.promise.as_ref().filter(|_| cell.printed.is_some());
             let of = promise.map(|promise| of_cell(&judge, promise, cell, at));
             evidence.push(of.transpose()?);
@@ -71,7 +71,7 @@ fn of_cell<'f>(
     judge: &Evaluator<'_>,
     promise: &Promise,
     cell: &'f CellFinding,
-    at: At<'_>,
+    at: CellReading<'_>,
 ) -> Result<PromiseEvidence<'f>, Diagnostic> {
     let (Promise::Depth { ring, .. } | Promise::Bound { ring, .. }) = promise;
     let ring = ring.as_ref().map(|ring| judge.ring(ring, at)).transpose()?;
@@ -109,7 +109,11 @@ fn of_cell<'f>(
 
 /// Whether the format of certificates can express data that break a promise with the points at
 /// their natural parameters: the masks map lines to lines, and the place is i/n^m.
-fn certifiable(judge: &Evaluator<'_>, broken: &Broken, at: At<'_>) -> Result<bool, Diagnostic> {
+fn certifiable(
+    judge: &Evaluator<'_>,
+    broken: &Broken,
+    at: CellReading<'_>,
+) -> Result<bool, Diagnostic> {
     let Ok(quantities) = judge.quantities(at)? else { return Ok(false) };
     let Some(scheme) = quantities.scheme else { return Ok(false) };
     let masks: Vec<&Mask> = scheme.constants.iter().map(|axis| axis.mask()).collect();
@@ -120,7 +124,7 @@ fn certifiable(judge: &Evaluator<'_>, broken: &Broken, at: At<'_>) -> Result<boo
 fn kept<'f>(
     judge: &Evaluator<'_>,
     promise: &Promise,
-    at: At<'_>,
+    at: CellReading<'_>,
 ) -> Result<Option<PromiseEvidence<'f>>, Diagnostic> {
     let Ok(quantities) = judge.quantities(at)? else { return Ok(None) };
     let Some(scheme) = quantities.scheme else { return Ok(None) };
@@ -146,7 +150,7 @@ fn kept<'f>(
 pub(super) fn terms(
     judge: &Evaluator<'_>,
     promise: &Promise,
-    at: At<'_>,
+    at: CellReading<'_>,
 ) -> Result<Option<(u32, Rational)>, Diagnostic> {
     let Some(printed) = judge.printed(at) else { return Ok(None) };
     let (level, most) = match promise {

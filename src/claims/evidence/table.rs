@@ -4,7 +4,7 @@
 use crate::bound::{Budget, SoundBound};
 use crate::claim::{Paper, Promise};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::context::{At, Outcome};
+use crate::evaluation::context::{CellReading, Outcome};
 use crate::evaluation::library::Library;
 use crate::evaluation::quantity::Quantities;
 use crate::evaluation::settings::Settings;
@@ -89,7 +89,7 @@ fn convergence(
     let (mut known, mut constants) = (BTreeSet::new(), Vec::new());
     for (row, cells) in finding.cells.iter().enumerate() {
         for column in (0..cells.len()).filter(|&i| matches!(cells[i].kept, Some(Kept::No(_)))) {
-            let at = At { row, column, assume: &assume, settings: &Settings::default() };
+            let at = CellReading { row, column, assume: &assume, settings: &Settings::default() };
             if let Ok(Quantities { scheme: Some(scheme), .. }) = judge.quantities(at)?
                 && known.insert(scheme.instances.clone())
             {
@@ -107,7 +107,7 @@ fn sound_cell(
     column: usize,
 ) -> Result<Option<SoundCell>, Diagnostic> {
     let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
-    let at = At { row, column, assume: &assume, settings: &Settings::default() };
+    let at = CellReading { row, column, assume: &assume, settings: &Settings::default() };
     let Ok(quantities) = judge.quantities(at)? else { return Ok(None) };
     let Some(scheme) = quantities.scheme else { return Ok(None) };
     let (Promise::Depth { spread, offset, .. } | Promise::Bound { spread, offset, .. }) = promise;
@@ -146,7 +146,7 @@ fn levels(bound: &SoundBound) -> usize {
 pub(crate) fn number(
     judge: &Evaluator<'_>,
     formula: &LocatedFormula,
-    at: At<'_>,
+    at: CellReading<'_>,
 ) -> Result<Option<Rational>, Diagnostic> {
     Ok(match judge.evaluate(formula, at)? {
         Outcome::Value(value) => value.as_rational().cloned(),
@@ -157,7 +157,7 @@ pub(crate) fn number(
 pub(crate) fn integer(
     judge: &Evaluator<'_>,
     formula: &LocatedFormula,
-    at: At<'_>,
+    at: CellReading<'_>,
 ) -> Result<Option<i64>, Diagnostic> {
     let value = number(judge, formula, at)?.filter(Rational::is_integer);
     Ok(value.and_then(|value| value.numerator().within(10_000)))

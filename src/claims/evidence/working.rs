@@ -1,7 +1,7 @@
 //! The values from which a cell is computed.
 
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::context::{At, Outcome};
+use crate::evaluation::context::{CellReading, Outcome};
 use crate::evaluation::library::Library;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
@@ -28,7 +28,7 @@ pub fn working(
     let judge = Evaluator::new(paper, table, &library, &finding.values())?;
     let (assume, _) = judge.needed(row, column)?;
     let settings = Settings::default();
-    let at = At { row, column, assume: &assume, settings: &settings };
+    let at = CellReading { row, column, assume: &assume, settings: &settings };
     let Ok(quantities) = judge.quantities(at)? else { return Ok(Working::default()) };
     let scheme = quantities.scheme.as_ref().map(|scheme| scheme.instances.clone());
     let definitions = paper.definitions_in(&table.value);

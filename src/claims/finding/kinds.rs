@@ -1,7 +1,7 @@
 //! Findings of any kind.
 
 use super::{
-    EquationFinding, EquationVerdict, FunctionFinding, FunctionVerdict, Known, PaperAudit,
+    EquationFinding, EquationVerdict, FunctionFinding, FunctionVerdict, KnownLimits, PaperAudit,
     RangeFinding, SmoothnessFinding, TableFinding, TheoremFinding,
 };
 use crate::cap::Cap;
@@ -84,7 +84,7 @@ impl Finding<'_, '_> {
             },
             Finding::Range(finding) => finding.found.as_ref().err(),
             Finding::Smoothness(finding) => match &finding.known {
-                Known::BeyondCap(cap) => Some(cap),
+                KnownLimits::BeyondCap(cap) => Some(cap),
                 _ => None,
             },
             Finding::Table(_) | Finding::Theorem(_) => None,

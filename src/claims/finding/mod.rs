@@ -33,13 +33,14 @@ pub use promise::{Broken, Kept, PromiseCounts};
 pub use range::{EndFinding, EndRelation, FoundRange, RangeFinding, RangeVerdict};
 pub(crate) use reading::{COPIED, Values};
 pub use reading::{
-    Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Solved, Uncomputed,
+    Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Search, Solved, Uncomputed,
+    WayCounts,
 };
 pub use reason::Reason;
 pub(crate) use recovered::values;
 pub use recovered::{Fitting, Recovered, RecoveredFrom};
 pub use smoothness::{
-    Contraction, Known, Limits, RangeAtValence, RangeOfLimits, SmoothnessFinding,
+    Contraction, KnownLimits, Limits, RangeAtValence, RangeOfLimits, SmoothnessFinding,
     SmoothnessVerdict, VertexWitness, Vertices, Witness,
 };
 pub use table::TableFinding;

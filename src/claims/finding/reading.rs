@@ -47,12 +47,12 @@ pub struct LineReading {
     /// An upper bound of how many readings would explain as many cells by luck.
     pub chance: Rational,
     /// How many cells each way of each choice explains.
-    pub needs: Vec<Need>,
+    pub needs: Vec<WayCounts>,
 }
 
 /// A choice, and how many cells each of its ways explains at most.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Need {
+pub struct WayCounts {
     /// The choice, or the definition.
     pub about: String,
     /// Each way, with the number of cells that some reading with it explains; `None` is a definition,
@@ -60,7 +60,7 @@ pub struct Need {
     pub ways: BTreeMap<Option<Difference>, usize>,
 }
 
-impl Need {
+impl WayCounts {
     /// How many cells the best way explains.
     #[must_use]
     pub fn most(&self) -> usize {

@@ -20,7 +20,7 @@ pub struct SmoothnessFinding<'a> {
     /// The verdict.
     pub verdict: SmoothnessVerdict,
     /// What is known of the limits.
-    pub known: Known,
+    pub known: KnownLimits,
 }
 
 /// The verdict of a claim of smoothness.
@@ -69,7 +69,7 @@ impl SmoothnessVerdict {
 
 /// What is known of the limits that a claim is about.
 #[derive(Clone, Debug)]
-pub enum Known {
+pub enum KnownLimits {
     /// The limits of one mask.
     Limits(Box<Limits>),
     /// The limits for all values of a parameter.

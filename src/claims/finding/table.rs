@@ -4,7 +4,7 @@ use crate::claim::Table;
 use crate::exact::Rational;
 use crate::finding::cell::{CellFinding, CellKind};
 use crate::finding::promise::{Kept, PromiseCounts};
-use crate::finding::reading::{Need, Search};
+use crate::finding::reading::{Search, WayCounts};
 use crate::finding::recovered::{Fitting, Recovered, values};
 use std::collections::BTreeMap;
 
@@ -39,7 +39,7 @@ pub struct TableFinding<'a> {
     /// that do.
     pub assumed_search: Option<Search>,
     /// How many cells each way of each choice explains.
-    pub needs: Vec<Need>,
+    pub needs: Vec<WayCounts>,
     /// The parameters that the paper does not state and that were recovered, by name.
     pub recovered: BTreeMap<String, Recovered>,
     /// Where nothing was recovered, the values that fit best, if some fit.

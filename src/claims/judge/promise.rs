@@ -5,7 +5,7 @@ use crate::cap::Cap;
 use crate::claim::{Cell, Promise};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::choices::DEPTH_ROUNDING;
-use crate::evaluation::context::{At, Outcome};
+use crate::evaluation::context::{CellReading, Outcome};
 use crate::evaluation::library::Resolved;
 use crate::evaluation::quantity::Quantities;
 use crate::evaluation::settings::Settings;
@@ -48,15 +48,13 @@ impl From<Outcome> for NoSound {
 
 /// A promise with its values.
 struct Promised {
-    scheme: Compared,
+    scheme: PromisedScheme,
     spread: Rational,
-    of: Of,
+    of: PromiseKind,
 }
 
-impl Promised {}
-
 /// A scheme whose points are compared with their limit.
-enum Compared {
+enum PromisedScheme {
     /// Masks, at this offset or at their own.
     Masks(Resolved, Option<i64>),
     LocalRules(Rc<KnownDistances>),
@@ -64,7 +62,7 @@ enum Compared {
 
 /// What is promised of a printed number.
 #[derive(Clone)]
-enum Of {
+enum PromiseKind {
     /// It is a depth for this tolerance.
     Tolerance(Rational),
     /// It is a bound of the distance at this level.
@@ -75,7 +73,7 @@ impl Evaluator<'_> {
     pub(crate) fn judge_promise(
         &self,
         cell: &Cell,
-        at: At<'_>,
+        at: CellReading<'_>,
         distances: &Schemes,
         finding: &mut CellFinding,
     ) -> Result<(), Diagnostic> {
@@ -91,7 +89,7 @@ impl Evaluator<'_> {
                 Promise::Bound { .. } => Outcome::Value(exact.clone()),
                 Promise::Depth { .. } => {
                     let settings = Settings::new(vec![(DEPTH_ROUNDING.key, "up")]);
-                    self.evaluate(&self.table.value, At { settings: &settings, ..at })?
+                    self.evaluate(&self.table.value, CellReading { settings: &settings, ..at })?
                 }
             };
             if let Outcome::Value(needed) = needed {
@@ -134,20 +132,20 @@ impl Evaluator<'_> {
     fn promised(
         &self,
         promise: &Promise,
-        at: At<'_>,
+        at: CellReading<'_>,
         distances: &Schemes,
     ) -> Result<Promised, NoSound> {
         let (Promise::Depth { spread, offset, ring, .. }
         | Promise::Bound { spread, offset, ring, .. }) = promise;
         let scheme = if let Some(ring) = ring {
-            Compared::LocalRules(
+            PromisedScheme::LocalRules(
                 distances.of_ring(&self.ring(ring, at)??).map_err(NoSound::Because)?,
             )
         } else {
             let Quantities { scheme, .. } = self.quantities(at)??;
             let no_scheme = || NoSound::Because(Reason::NoScheme);
             let offset = offset.as_ref().map(|formula| self.integer(formula, at)).transpose()?;
-            Compared::Masks(scheme.ok_or_else(no_scheme)?, offset)
+            PromisedScheme::Masks(scheme.ok_or_else(no_scheme)?, offset)
         };
         let (formula, spread) = (spread, self.number(spread, at)?);
         if spread.sign() < 0 {
@@ -158,8 +156,8 @@ impl Evaluator<'_> {
             )));
         }
         let of = match promise {
-            Promise::Depth { tolerance, .. } => Of::Tolerance(self.number(tolerance, at)?),
-            Promise::Bound { level, .. } => Of::Level(self.integer(level, at)?),
+            Promise::Depth { tolerance, .. } => PromiseKind::Tolerance(self.number(tolerance, at)?),
+            Promise::Bound { level, .. } => PromiseKind::Level(self.integer(level, at)?),
         };
         Ok(Promised { scheme, spread, of })
     }
@@ -167,23 +165,23 @@ impl Evaluator<'_> {
     fn sound(&self, promised: &Promised) -> Result<Sound, Reason> {
         let Promised { scheme, spread, of } = promised;
         let (scheme, offset) = match (scheme, of) {
-            (Compared::Masks(scheme, offset), _) => (scheme, offset),
-            (Compared::LocalRules(ring), Of::Tolerance(tolerance)) => {
+            (PromisedScheme::Masks(scheme, offset), _) => (scheme, offset),
+            (PromisedScheme::LocalRules(ring), PromiseKind::Tolerance(tolerance)) => {
                 let depth = ring.of_ring()?.depth(spread, tolerance);
                 let depth = depth.map_err(Reason::from)?;
                 return Ok(Sound::Least(depth.settled));
             }
-            (Compared::LocalRules(_), Of::Level(_)) => {
+            (PromisedScheme::LocalRules(_), PromiseKind::Level(_)) => {
                 return Err(Reason::RingBound);
             }
         };
         let bound = self.library.sound_bound(scheme, *offset).map_err(Reason::from)?;
         match of {
-            Of::Tolerance(tolerance) => {
+            PromiseKind::Tolerance(tolerance) => {
                 let depth = bound.depth(spread, tolerance).map_err(Reason::from)?;
                 Ok(Sound::Depth { level: depth.level, block: depth.block })
             }
-            Of::Level(level) => {
+            PromiseKind::Level(level) => {
                 let last = u32::try_from(*level).ok().filter(|level| *level <= MAX_BOUND_LEVEL);
                 let last = last.ok_or(Reason::LevelOf(*level, MAX_BOUND_LEVEL))?;
                 let last = bound.levels(last).and_then(|mut bounds| bounds.pop());
@@ -202,32 +200,34 @@ impl Evaluator<'_> {
     ) -> Option<Kept> {
         let Promised { scheme, spread, of } = promised;
         let level = match of {
-            Of::Tolerance(_) => printed.numerator().to_i64().filter(|_| printed.is_integer()),
-            Of::Level(level) => Some(*level),
+            PromiseKind::Tolerance(_) => {
+                printed.numerator().to_i64().filter(|_| printed.is_integer())
+            }
+            PromiseKind::Level(level) => Some(*level),
         };
         let Some(level) = level.and_then(|level| u32::try_from(level).ok()) else {
             return Some(Kept::Open(Reason::NoLevel));
         };
         let most = match of {
-            Of::Tolerance(tolerance) => tolerance,
-            Of::Level(_) => printed,
+            PromiseKind::Tolerance(tolerance) => tolerance,
+            PromiseKind::Level(_) => printed,
         };
         let distances = match (scheme, parametrisation) {
-            (Compared::Masks(scheme, offset), Parametrisation::Indexed) => {
+            (PromisedScheme::Masks(scheme, offset), Parametrisation::Indexed) => {
                 schemes.of(scheme, *offset)
             }
-            (Compared::Masks(scheme, offset), Parametrisation::Natural) => {
+            (PromisedScheme::Masks(scheme, offset), Parametrisation::Natural) => {
                 schemes.naturally(scheme, *offset)?
             }
-            (Compared::LocalRules(ring), Parametrisation::Indexed) => Rc::clone(ring),
-            (Compared::LocalRules(_), Parametrisation::Natural) => return None,
+            (PromisedScheme::LocalRules(ring), Parametrisation::Indexed) => Rc::clone(ring),
+            (PromisedScheme::LocalRules(_), Parametrisation::Natural) => return None,
         };
-        let lasting = matches!(of, Of::Tolerance(_));
+        let lasting = matches!(of, PromiseKind::Tolerance(_));
         Some(keeps(&distances, lasting, level, spread, most))
     }
 
     /// The value of a formula of a promise.
-    fn number(&self, formula: &LocatedFormula, at: At<'_>) -> Result<Rational, NoSound> {
+    fn number(&self, formula: &LocatedFormula, at: CellReading<'_>) -> Result<Rational, NoSound> {
         match self.evaluate(formula, at)? {
             Outcome::Value(value) => {
                 value.as_rational().cloned().ok_or(NoSound::Because(Reason::Irrational(value)))
@@ -236,7 +236,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn integer(&self, formula: &LocatedFormula, at: At<'_>) -> Result<i64, NoSound> {
+    fn integer(&self, formula: &LocatedFormula, at: CellReading<'_>) -> Result<i64, NoSound> {
         let value = self.number(formula, at)?;
         if !value.is_integer() {
             let message = format!("an integer is needed, and this is {value}");

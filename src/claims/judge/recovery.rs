@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 pub(crate) type Values = BTreeMap<String, Recovered>;
 
 /// The values of a table's open parameters that its numbers give.
-pub(crate) enum Given<'a> {
+pub(crate) enum RecoveredValues<'a> {
     /// The table judged at values with which a reading gives so many cells that it is no luck.
     Values(Box<TableFinding<'a>>),
     /// Values with which a reading gives some, which may be luck.
@@ -30,7 +30,7 @@ pub(crate) fn recover<'a>(
     paper: &'a Paper,
     table: &'a Table,
     offers: &[(String, Vec<Recovered>)],
-) -> Result<Given<'a>, Diagnostic> {
+) -> Result<RecoveredValues<'a>, Diagnostic> {
     let mut recovery = Recovery { paper, table, best: None, likeliest: None };
     let mut ways = Vec::new();
     for (name, _) in offers {
@@ -53,16 +53,16 @@ pub(crate) fn recover<'a>(
         }
     }
     if let Some((_, finding)) = recovery.best {
-        return Ok(Given::Values(Box::new(finding)));
+        return Ok(RecoveredValues::Values(Box::new(finding)));
     }
-    let Some((cells, values)) = recovery.likeliest else { return Ok(Given::Nothing) };
+    let Some((cells, values)) = recovery.likeliest else { return Ok(RecoveredValues::Nothing) };
     // What the first part of the family gives may be luck, and what the whole family gives none.
     let found = judge(paper, table, values.clone(), Family::Whole)?;
     let given = reproduced(&found) > 0;
     Ok(if given {
-        Given::Values(Box::new(found))
+        RecoveredValues::Values(Box::new(found))
     } else {
-        Given::Fitting(Fitting { values, cells })
+        RecoveredValues::Fitting(Fitting { values, cells })
     })
 }
 
@@ -83,7 +83,7 @@ struct Recovery<'a> {
 }
 
 /// A parameter to solve for, if there is one, and the values of the others.
-type Way<'n> = (Option<&'n String>, Values);
+type Attempt<'n> = (Option<&'n String>, Values);
 
 impl Recovery<'_> {
     fn count(&self) -> usize {
@@ -92,7 +92,7 @@ impl Recovery<'_> {
 
     /// Judges the table at the values of each of these ways. Of equally good values the first
     /// remain.
-    fn attempt(&mut self, ways: &[Way<'_>]) -> Result<(), Diagnostic> {
+    fn attempt(&mut self, ways: &[Attempt<'_>]) -> Result<(), Diagnostic> {
         let (paper, table) = (self.paper, self.table);
         for judged in parallel::map(ways, |way| judged(paper, table, way)) {
             let Some((values, found)) = judged? else { continue };
@@ -114,7 +114,7 @@ impl Recovery<'_> {
 fn judged<'a>(
     paper: &'a Paper,
     table: &'a Table,
-    (name, others): &Way<'_>,
+    (name, others): &Attempt<'_>,
 ) -> Result<Option<(Values, TableFinding<'a>)>, Diagnostic> {
     let (library, mut all, mut family) = (Library::new(paper), others.clone(), Family::Plain);
     if let Some(name) = name {

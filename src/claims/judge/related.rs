@@ -10,7 +10,7 @@ use crate::judge::parallel;
 use crate::judge::reading::chance::{Evidence, is_small};
 use crate::judge::reading::plain::{as_plain, height};
 use crate::judge::reading::space::Family;
-use crate::judge::recovery::{self, Given, Values, combinations, reproduced};
+use crate::judge::recovery::{self, RecoveredValues, Values, combinations, reproduced};
 use crate::judge::table::{judge, judge_promises};
 use std::collections::BTreeSet;
 
@@ -75,9 +75,9 @@ pub(crate) fn judge_all<'a>(
             let found = recover(paper, &findings[i], &offers);
             (tried[i], fitting[i]) = (Some(offers), None);
             match found? {
-                Given::Values(found) => (findings[i], more) = (*found, true),
-                Given::Fitting(values) => fitting[i] = Some(values),
-                Given::Nothing => {}
+                RecoveredValues::Values(found) => (findings[i], more) = (*found, true),
+                RecoveredValues::Fitting(values) => fitting[i] = Some(values),
+                RecoveredValues::Nothing => {}
             }
         }
         if !more {
@@ -308,16 +308,16 @@ fn recover<'a>(
     paper: &'a Paper,
     finding: &TableFinding<'a>,
     offers: &[(String, Vec<Recovered>)],
-) -> Result<Given<'a>, Diagnostic> {
+) -> Result<RecoveredValues<'a>, Diagnostic> {
     let table = finding.table;
     if finding.cells.iter().flatten().all(|cell| cell.printed.is_none()) {
         // A table without printed numbers determines nothing, and contradicts no value of another
         // table.
         let Some(values) = combinations(offers).into_iter().next() else {
-            return Ok(Given::Nothing);
+            return Ok(RecoveredValues::Nothing);
         };
         return judge(paper, table, values, Family::Plain)
-            .map(|found| Given::Values(Box::new(found)));
+            .map(|found| RecoveredValues::Values(Box::new(found)));
     }
     recovery::recover(paper, table, offers)
 }

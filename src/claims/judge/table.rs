@@ -3,7 +3,7 @@
 use crate::claim::{Cell, Paper, Printed, Table};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::choices::DEPTH_ROUNDING;
-use crate::evaluation::context::{At, Outcome};
+use crate::evaluation::context::{CellReading, Outcome};
 use crate::evaluation::library::Library;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
@@ -168,7 +168,7 @@ pub(crate) fn judge_promises(
     let needed = needed(&finding.cells);
     for (row, cells) in finding.cells.iter_mut().enumerate() {
         for (column, cell) in cells.iter_mut().enumerate() {
-            let at = At { row, column, assume: &needed[row][column], settings: &settings };
+            let at = CellReading { row, column, assume: &needed[row][column], settings: &settings };
             judge.judge_promise(&table.cells[row][column], at, &distances, cell)?;
         }
     }
@@ -239,7 +239,7 @@ impl Evaluator<'_> {
             let names = needed.iter().cloned().collect();
             finding.verdict = Verdict::NotCheckable(Missing::Parameters(names));
         }
-        let at = At { row, column, assume: &needed, settings: &settings };
+        let at = CellReading { row, column, assume: &needed, settings: &settings };
         if let (Cell::Printed(printed), None) = (cell, &finding.unknown) {
             let verdict = match beyond_caps {
                 Some(verdict) => verdict,
@@ -267,7 +267,7 @@ impl Evaluator<'_> {
         &self,
         printed: &Printed,
         exact: Option<&RealCyclotomic>,
-        at: At<'_>,
+        at: CellReading<'_>,
     ) -> Result<Verdict, Diagnostic> {
         let Some(exact) = exact else { return Ok(Verdict::Refuted) };
         let verdict = compare::judge(&printed.decimal, exact, &[]);
@@ -277,7 +277,7 @@ impl Evaluator<'_> {
         let otherwise = [("down", Direction::DepthDown), ("nearest", Direction::DepthNearest)];
         for (rounded, direction) in otherwise {
             let settings = Settings::new(vec![(DEPTH_ROUNDING.key, rounded)]);
-            let at = At { settings: &settings, ..at };
+            let at = CellReading { settings: &settings, ..at };
             let value = self.evaluate(&self.table.value, at)?;
             if matches!(value, Outcome::Value(value) if value == printed.decimal.value().into()) {
                 return Ok(Verdict::Rounding(direction));

@@ -34,7 +34,7 @@ impl<V> Functions<V> for () {
 /// use.
 pub struct Scope<'a, V> {
     /// Of equal names the last one counts.
-    values: Vec<Given<'a, V>>,
+    values: Vec<ScopeValues<'a, V>>,
     unstated: Vec<&'a str>,
     families: BTreeMap<&'a str, &'a dyn Fn(&str) -> V>,
     definitions: &'a BTreeMap<String, LocatedFormula>,
@@ -45,7 +45,7 @@ pub struct Scope<'a, V> {
 
 /// Names with values. A scope is built for every cell and every reading of a table, so it copies
 /// neither names nor tables of values.
-enum Given<'a, V> {
+enum ScopeValues<'a, V> {
     One(Cow<'a, str>, V),
     All(&'a BTreeMap<String, V>),
 }
@@ -71,14 +71,14 @@ impl<'a, V: Value> Scope<'a, V> {
     /// Gives `name` a value; it hides a definition of that name.
     #[must_use]
     pub fn with(mut self, name: impl Into<Cow<'a, str>>, value: V) -> Scope<'a, V> {
-        self.values.push(Given::One(name.into(), value));
+        self.values.push(ScopeValues::One(name.into(), value));
         self
     }
 
     /// Gives each of these names its value, as [`Scope::with`] does.
     #[must_use]
     pub fn with_all(mut self, values: &'a BTreeMap<String, V>) -> Scope<'a, V> {
-        self.values.push(Given::All(values));
+        self.values.push(ScopeValues::All(values));
         self
     }
 
@@ -100,8 +100,8 @@ impl<'a, V: Value> Scope<'a, V> {
 
     fn given(&self, name: &str) -> Option<&V> {
         self.values.iter().rev().find_map(|given| match given {
-            Given::One(own, value) => (own == name).then_some(value),
-            Given::All(values) => values.get(name),
+            ScopeValues::One(own, value) => (own == name).then_some(value),
+            ScopeValues::All(values) => values.get(name),
         })
     }
 }
@@ -140,8 +140,8 @@ impl<V: Value> Context<V> for Scope<'_, V> {
         names.extend(self.unstated.iter().chain(self.families.keys()));
         for given in &self.values {
             match given {
-                Given::One(name, _) => names.extend([&**name]),
-                Given::All(values) => names.extend(values.keys().map(String::as_str)),
+                ScopeValues::One(name, _) => names.extend([&**name]),
+                ScopeValues::All(values) => names.extend(values.keys().map(String::as_str)),
             }
         }
         names.into_iter().map(str::to_owned).collect()

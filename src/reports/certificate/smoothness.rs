@@ -4,7 +4,7 @@ use super::block::Block;
 use super::limits::radius;
 use super::radius::LimitLines;
 use super::{smooth_range, vertex};
-use crate::audit::{Direction, Known, Limits, SmoothnessFinding, SmoothnessVerdict};
+use crate::audit::{Direction, KnownLimits, Limits, SmoothnessFinding, SmoothnessVerdict};
 use crate::claim::{ExponentStatement, PrintedExponent, SmoothnessBody, SmoothnessStatement};
 use crate::exact::{Decimal, LogSum, LogTerm, Rational};
 use std::cmp::Ordering;
@@ -23,22 +23,22 @@ pub(super) fn block(finding: &SmoothnessFinding<'_>) -> Block {
         SmoothnessBody::Statement(scheme, statement) => (scheme, &**statement),
     };
     match &finding.known {
-        Known::Capped(why) => block.give_up(why.to_string()),
-        Known::BeyondCap(cap) => block.give_up(cap.to_string()),
+        KnownLimits::Capped(why) => block.give_up(why.to_string()),
+        KnownLimits::BeyondCap(cap) => block.give_up(cap.to_string()),
         _ if finding.verdict == SmoothnessVerdict::Open => block.give_up("it is open"),
         _ => {}
     }
     let scheme = scheme.reference.to_string();
     match (statement, &finding.known) {
-        (SmoothnessStatement::Range(range), Known::Range(known)) => {
+        (SmoothnessStatement::Range(range), KnownLimits::Range(known)) => {
             smooth_range::lines(&mut block, range, &scheme, known, finding.verdict);
         }
-        (SmoothnessStatement::Range(range), Known::VertexRanges(known)) => {
+        (SmoothnessStatement::Range(range), KnownLimits::VertexRanges(known)) => {
             vertex::range_lines(&mut block, range, &scheme, known, finding.verdict);
         }
         (
             SmoothnessStatement::Continuity { continuous, not_continuous, valences },
-            Known::Vertices(known),
+            KnownLimits::Vertices(known),
         ) => {
             block.restate("scheme", &scheme);
             restate(&mut block, statement);
@@ -48,7 +48,7 @@ pub(super) fn block(finding: &SmoothnessFinding<'_>) -> Block {
             let orders = [*continuous, *not_continuous];
             vertex::lines(&mut block, known, orders, finding.verdict);
         }
-        (_, Known::Limits(known)) => {
+        (_, KnownLimits::Limits(known)) => {
             block.restate("scheme", &scheme);
             restate(&mut block, statement);
             of_limits(&mut block, statement, known, finding.verdict);

@@ -3,7 +3,7 @@
 use super::block::{Block, closed};
 use crate::audit::{Attained, Control, Place, Unshiftable};
 use crate::exact::RealCyclotomic;
-use crate::limit::{ExtremalPolygon, Overshoot, Shown};
+use crate::limit::{ExtremalPolygon, Overshoot, ProofOfGreatest};
 use std::fmt::Display;
 
 /// Numbers with blanks between them.
@@ -102,11 +102,11 @@ pub(super) fn unshiftable(block: &mut Block, data: &Unshiftable) {
         polygon(block, points);
     }
     match shown {
-        Shown::Points => {}
-        Shown::AtMost(levels) => {
+        ProofOfGreatest::Points => {}
+        ProofOfGreatest::AtMost(levels) => {
             block.line(format!("limit at-most {later} {}", list(levels)));
         }
-        Shown::AtLeast(places) => {
+        ProofOfGreatest::AtLeast(places) => {
             block.line(format!("limit at-least {later} {}", list(places)));
         }
     }

@@ -27,7 +27,7 @@ pub use distances::remainder::second_contraction_constants;
 pub use error::{LimitError, MAX_LEVEL, MAX_OFFSET, MAX_PARAMETER_DIGITS, MAX_PERIOD, MAX_WINDOW};
 pub use extremes::far_polygon::FarPolygon;
 pub use extremes::overshoot::{Later, Overshoots};
-pub use extremes::overshoot::{Overshoot, Shown};
+pub use extremes::overshoot::{Overshoot, ProofOfGreatest};
 pub use extremes::step::step_supremum;
 pub use extremes::step::{
     Attained, greatest_change, greatest_difference, greatest_step, greatest_step_from,

@@ -3,7 +3,7 @@
 use crate::claim::{Ends, ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
 use crate::exact::{Enclosed as _, Interval, IntervalSet, LogSum};
 use crate::finding::{
-    Known, Limits, PaperAudit, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
+    KnownLimits, Limits, PaperAudit, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
 };
 use std::ops::Bound;
 
@@ -62,15 +62,15 @@ fn beyond(finding: &SmoothnessFinding<'_>) -> Option<Beyond> {
     match (stated(finding.claim)?, &finding.known) {
         (
             SmoothnessStatement::Continuity { continuous, not_continuous: None, .. },
-            Known::Limits(limits),
+            KnownLimits::Limits(limits),
         ) => {
             let proved = limits.smoothness.continuity?;
             (proved > (*continuous)?).then_some(Beyond::Continuous(proved))
         }
-        (SmoothnessStatement::Exponent { exponent, .. }, Known::Limits(limits)) => {
+        (SmoothnessStatement::Exponent { exponent, .. }, KnownLimits::Limits(limits)) => {
             apart(exponent, limits).then_some(Beyond::Exponent)
         }
-        (SmoothnessStatement::Range(range), Known::Range(known)) => {
+        (SmoothnessStatement::Range(range), KnownLimits::Range(known)) => {
             let RangeOfLimits { sets, .. } = &**known;
             let more = sets.as_ref()?.inside.without(&range.interval(Ends::Most));
             // An end that belongs to the range or does not is no single value more.

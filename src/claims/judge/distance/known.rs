@@ -38,13 +38,13 @@ pub(crate) struct KnownDistances {
     compared: Compared,
     parametrisation: Parametrisation,
     budget: Budget,
-    distances: OnceCell<Result<Of, Reason>>,
-    levels: RefCell<BTreeMap<u32, Known>>,
+    distances: OnceCell<Result<AnyDistances, Reason>>,
+    levels: RefCell<BTreeMap<u32, LevelFindings>>,
     suprema: RefCell<BTreeMap<(u32, u32), Result<Supremum, Reason>>>,
 }
 
 /// The distances, for each kind of scheme.
-enum Of {
+enum AnyDistances {
     Curve(Box<Distances>),
     Surface(Box<(SurfaceDistances, [Limit; 2])>),
     LocalRules(Box<LocalDistances>),
@@ -52,7 +52,7 @@ enum Of {
 
 /// The known results on the distance constant of a level.
 #[derive(Default)]
-struct Known {
+struct LevelFindings {
     at_most: Option<RealCyclotomic>,
     /// The greatest distance found.
     found: Option<Attained>,
@@ -93,10 +93,10 @@ impl KnownDistances {
         })
     }
 
-    fn of(&self) -> Result<&Of, Reason> {
+    fn of(&self) -> Result<&AnyDistances, Reason> {
         let of = self
             .distances
-            .get_or_init(|| Of::new(&self.compared, self.parametrisation, &self.budget));
+            .get_or_init(|| AnyDistances::new(&self.compared, self.parametrisation, &self.budget));
         of.as_ref().map_err(Clone::clone)
     }
 
@@ -169,35 +169,35 @@ impl KnownDistances {
     /// The distances of a ring.
     pub(crate) fn of_ring(&self) -> Result<&LocalDistances, Reason> {
         match self.of()? {
-            Of::LocalRules(distances) => Ok(distances),
-            Of::Curve(_) | Of::Surface(_) => Err(Reason::NoRing),
+            AnyDistances::LocalRules(distances) => Ok(distances),
+            AnyDistances::Curve(_) | AnyDistances::Surface(_) => Err(Reason::NoRing),
         }
     }
 }
 
-impl Of {
+impl AnyDistances {
     fn new(
         compared: &Compared,
         parametrisation: Parametrisation,
         budget: &Budget,
-    ) -> Result<Of, Reason> {
+    ) -> Result<AnyDistances, Reason> {
         let limit = |mask: &Mask| Limit::new(mask).map_err(Reason::from);
         Ok(match compared {
             Compared::Curve(mask) => {
                 let distances =
                     Distances::placed(&limit(mask)?, parametrisation).map_err(Reason::from)?;
                 let distances = distances.with_cells(MAX_CELLS).with_budget(budget.clone());
-                Of::Curve(Box::new(distances))
+                AnyDistances::Curve(Box::new(distances))
             }
             Compared::Surface([first, second]) => {
                 let limits = [limit(first)?, limit(second)?];
                 let distances =
                     SurfaceDistances::placed(&limits[0], &limits[1], parametrisation, budget);
-                Of::Surface(Box::new((distances.map_err(Reason::from)?, limits)))
+                AnyDistances::Surface(Box::new((distances.map_err(Reason::from)?, limits)))
             }
             Compared::LocalRules(ring) => {
                 let limit = LocalLimit::new(ring).map_err(Reason::from)?;
-                Of::LocalRules(Box::new(LocalDistances::new(limit)))
+                AnyDistances::LocalRules(Box::new(LocalDistances::new(limit)))
             }
         })
     }
@@ -207,9 +207,9 @@ impl Of {
     fn surely(&self, level: u32, bound: &RealCyclotomic) -> bool {
         let Some(bound) = bound.as_rational() else { return false };
         match self {
-            Of::Curve(distances) => distances.at_most(level) <= *bound,
-            Of::Surface(surface) => surface.0.at_most(level, &Spreads::one()) <= *bound,
-            Of::LocalRules(_) => false,
+            AnyDistances::Curve(distances) => distances.at_most(level) <= *bound,
+            AnyDistances::Surface(surface) => surface.0.at_most(level, &Spreads::one()) <= *bound,
+            AnyDistances::LocalRules(_) => false,
         }
     }
 
@@ -217,9 +217,9 @@ impl Of {
     /// none is known.
     fn lasting(&self) -> Option<u32> {
         match self {
-            Of::Curve(distances) => distances.lasting(),
-            Of::Surface(surface) => surface.0.lasting(),
-            Of::LocalRules(distances) => Some(distances.lasting()),
+            AnyDistances::Curve(distances) => distances.lasting(),
+            AnyDistances::Surface(surface) => surface.0.lasting(),
+            AnyDistances::LocalRules(distances) => Some(distances.lasting()),
         }
     }
 
@@ -229,12 +229,12 @@ impl Of {
             bound.as_rational().ok_or_else(irrational)
         };
         match self {
-            Of::Curve(distances) => curve(distances, level, rational()?),
-            Of::Surface(surface) => {
+            AnyDistances::Curve(distances) => curve(distances, level, rational()?),
+            AnyDistances::Surface(surface) => {
                 let (distances, limits) = &**surface;
                 net(distances, limits, level, rational()?)
             }
-            Of::LocalRules(distances) => {
+            AnyDistances::LocalRules(distances) => {
                 let found = at_point(
                     distances.limit().ring(),
                     distances.constant(level).map_err(Reason::from)?,
@@ -251,21 +251,21 @@ impl Of {
     fn supremum(&self, level: u32, parts: u32) -> Result<Supremum, Reason> {
         let (one, parts) = (Rational::one(), Rational::from(parts));
         let enclosure = match self {
-            Of::Curve(distances) => {
+            AnyDistances::Curve(distances) => {
                 let coarse = distances.constant(level, &one).map_err(Reason::from)?;
                 let width = coarse.enclosure.upper() / &parts;
                 let finer =
                     if width.is_zero() { Ok(coarse) } else { distances.constant(level, &width) };
                 finer.map_err(Reason::from)?.enclosure
             }
-            Of::Surface(surface) => {
+            AnyDistances::Surface(surface) => {
                 let (distances, ones) = (&surface.0, Spreads::one());
                 let (coarse, _) = distances.constant(level, &one, &ones).map_err(Reason::from)?;
                 let width = coarse.upper() / &parts;
                 let finer = || distances.constant(level, &width, &ones).map_err(Reason::from);
                 if width.is_zero() { coarse } else { finer()?.0 }
             }
-            Of::LocalRules(distances) => {
+            AnyDistances::LocalRules(distances) => {
                 let value = distances.constant(level).map_err(Reason::from)?.distance;
                 return Ok(Supremum { lower: value.clone(), upper: Some(value) });
             }

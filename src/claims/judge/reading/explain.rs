@@ -1,15 +1,15 @@
 //! The values of a table's cells under its readings, and which cells these explain.
 
 use crate::claim::{Alternative, Printed};
-use crate::evaluation::context::{At, Outcome};
+use crate::evaluation::context::{CellReading, Outcome};
 use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::{Difference, Explanation, MAX_DIFFERENCES, Solved, Values};
 use crate::judge::reading::consistent::DecimalRounding;
 use crate::judge::reading::scale::{Scale, solve};
-use crate::judge::reading::space::{Change, Space};
+use crate::judge::reading::space::{Change, ReadingSpace};
 
-impl Space<'_> {
+impl ReadingSpace<'_> {
     /// The exact values of the printed cells, where the formula has one under the
     /// reading.
     pub(crate) fn values(&self, settings: &Settings) -> Values {
@@ -22,7 +22,7 @@ impl Space<'_> {
         rows.collect()
     }
 
-    pub(crate) fn value(&self, at: At<'_>) -> Option<RealCyclotomic> {
+    pub(crate) fn value(&self, at: CellReading<'_>) -> Option<RealCyclotomic> {
         match self.judge.evaluate(&self.judge.table.value, at) {
             Ok(Outcome::Value(value)) => Some(value),
             _ => None,

@@ -2,9 +2,9 @@
 
 use crate::evaluation::settings::Settings;
 use crate::judge::reading::degree::Degrees;
-use crate::judge::reading::space::Space;
+use crate::judge::reading::space::ReadingSpace;
 
-impl Space<'_> {
+impl ReadingSpace<'_> {
     /// Whether the form of the value shows, under a reading, that it is proportional to a parameter.
     pub(crate) fn is_proportional(&self, name: &str, settings: &Settings) -> bool {
         let table = self.judge.table;

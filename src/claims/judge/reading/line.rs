@@ -5,7 +5,7 @@ use crate::exact::Integer;
 use crate::finding::{Explanation, Line, LineReading, Values};
 use crate::judge::compare;
 use crate::judge::reading::chance::{Evidence, is_small};
-use crate::judge::reading::space::Space;
+use crate::judge::reading::space::ReadingSpace;
 use crate::judge::reading::tried::{self, Evaluated, Part, best};
 
 /// Where the values of a cell may stand by mistake: in the cell, or how many rows
@@ -25,7 +25,7 @@ type Cells = Vec<Vec<bool>>;
 /// explains most of them, then others for what it leaves. Luck is counted over all rows, columns,
 /// shifts and readings, and over `values`, the number of candidates for recovered parameters.
 pub(crate) fn search(
-    space: &Space<'_>,
+    space: &ReadingSpace<'_>,
     parts: &[Part<'_>],
     mut left: Cells,
     values: &Integer,
@@ -60,7 +60,7 @@ pub(crate) fn search(
 
 /// The best reading of the cells that are left in a line, unless it may be luck.
 fn one(
-    space: &Space<'_>,
+    space: &ReadingSpace<'_>,
     parts: &[Part<'_>],
     left: &Cells,
     line: Line,

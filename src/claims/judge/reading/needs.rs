@@ -3,18 +3,18 @@
 
 use crate::evaluation::Effect;
 use crate::evaluation::choices::FAMILY;
-use crate::finding::{Difference, Explanation, Need};
-use crate::judge::reading::space::{Change, Space};
+use crate::finding::{Difference, Explanation, WayCounts};
+use crate::judge::reading::space::{Change, ReadingSpace};
 use std::collections::BTreeMap;
 
 /// A choice or a definition, and the way that is printed: `None` for a definition or a tolerance.
 type Printed = (String, Option<Difference>);
 
-impl Space<'_> {
+impl ReadingSpace<'_> {
     /// For each choice that the values depend on, what its ways explain.
-    pub(crate) fn needs(&self, explanations: &[Explanation]) -> Vec<Need> {
+    pub(crate) fn needs(&self, explanations: &[Explanation]) -> Vec<WayCounts> {
         let choices = self.printed_ways();
-        let mut needs: Vec<Need> = Vec::new();
+        let mut needs: Vec<WayCounts> = Vec::new();
         for (about, printed) in choices {
             let mut ways = BTreeMap::new();
             for explanation in explanations {
@@ -23,7 +23,7 @@ impl Space<'_> {
                 let most = ways.entry(way).or_insert(0);
                 *most = explanation.count().max(*most);
             }
-            needs.push(Need { about, ways });
+            needs.push(WayCounts { about, ways });
         }
         needs
     }

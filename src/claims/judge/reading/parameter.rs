@@ -6,7 +6,7 @@
 //! them the other cells are added one by one.
 
 use crate::claim::Printed;
-use crate::evaluation::context::At;
+use crate::evaluation::context::CellReading;
 use crate::evaluation::parametric;
 use crate::evaluation::settings::Settings;
 use crate::exact::{
@@ -15,7 +15,7 @@ use crate::exact::{
 use crate::finding::{Explanation, Solved};
 use crate::judge::reading::consistent::DecimalRounding;
 use crate::judge::reading::plain::{height, plainest_between};
-use crate::judge::reading::space::{Change, Space};
+use crate::judge::reading::space::{Change, ReadingSpace};
 use std::ops::Bound;
 
 /// An unstated parameter of a scheme is searched from −10 to 10.
@@ -28,7 +28,7 @@ const MAX_INTERVALS: usize = 64;
 /// Finds nothing for tables of depths, if the values are proportional to the parameter, or if the
 /// formula is no function of it that is computed.
 pub(crate) fn search(
-    space: &Space<'_>,
+    space: &ReadingSpace<'_>,
     readings: &[Vec<Change>],
     least: usize,
 ) -> Vec<Explanation> {
@@ -73,7 +73,7 @@ struct PrintedCell<'s> {
 
 /// A parameter under one reading.
 struct Unknown<'s> {
-    space: &'s Space<'s>,
+    space: &'s ReadingSpace<'s>,
     settings: &'s Settings,
     name: &'s str,
     cells: Vec<PrintedCell<'s>>,
@@ -82,7 +82,7 @@ struct Unknown<'s> {
 }
 
 impl<'s> Unknown<'s> {
-    fn new(space: &'s Space<'s>, settings: &'s Settings, name: &'s str) -> Unknown<'s> {
+    fn new(space: &'s ReadingSpace<'s>, settings: &'s Settings, name: &'s str) -> Unknown<'s> {
         let mut cells = Vec::new();
         for (row, line) in space.printed.iter().enumerate() {
             let line = line.iter().enumerate();
@@ -112,7 +112,7 @@ impl<'s> Unknown<'s> {
         parametric::of_cell(self.space.judge, at, self.name, window)
     }
 
-    fn at<'n>(&'n self, cell: &PrintedCell<'_>, settings: &'n Settings) -> At<'n> {
+    fn at<'n>(&'n self, cell: &PrintedCell<'_>, settings: &'n Settings) -> CellReading<'n> {
         self.space.at(cell.row, cell.column, settings)
     }
 

@@ -7,7 +7,7 @@ use crate::evaluation::table::Evaluator;
 use crate::exact::{Integer, Rational};
 use crate::finding::{Explanation, Recovered, RecoveredFrom};
 use crate::judge::reading::plain::as_plain;
-use crate::judge::reading::space::{Change, Family, Needed, Space};
+use crate::judge::reading::space::{Change, Family, Needed, ReadingSpace};
 use crate::judge::reading::{solve, tried};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -36,7 +36,9 @@ pub(crate) fn solved(
         cells.map(|(cell, needed)| cell.printed().filter(|_| !needed.is_empty())).collect()
     });
     let printed = printed.collect();
-    let Some(space) = Space::new(&judge, needed, &printed, Some(name)) else { return Ok(None) };
+    let Some(space) = ReadingSpace::new(&judge, needed, &printed, Some(name)) else {
+        return Ok(None);
+    };
     let cells = printed.iter().flatten().flatten().count();
     let mut best = None;
     // The same scheme with other numbers of its points is tried where nothing else gives half of the
@@ -66,7 +68,7 @@ pub(crate) fn solved(
 /// The best explanation by these readings that solves for the parameter; of equally good ones the
 /// first.
 fn best_of(
-    space: &Space<'_>,
+    space: &ReadingSpace<'_>,
     name: &str,
     readings: Vec<Vec<Change>>,
 ) -> Result<Option<Explanation>, Diagnostic> {

@@ -4,9 +4,9 @@ use crate::claim::Printed;
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Integer, Rational};
-use crate::finding::{COPIED, CellFinding, CellKind, Explanation, Need, Search};
+use crate::finding::{COPIED, CellFinding, CellKind, Explanation, Search, WayCounts};
 use crate::judge::reading::chance::{Evidence, is_small};
-use crate::judge::reading::space::{Family, PrintedCells, Space, needed, printed};
+use crate::judge::reading::space::{Family, PrintedCells, ReadingSpace, needed, printed};
 use crate::judge::reading::tried::{Evaluated, Part, parts};
 use crate::judge::reading::{line, tried};
 use std::cmp::Reverse;
@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 pub(crate) type Candidates = BTreeMap<String, (Integer, bool)>;
 
 /// The search, where one is needed, and what the cells need.
-type Searched = (Option<Search>, Vec<Need>);
+type Searched = (Option<Search>, Vec<WayCounts>);
 
 /// Searches the family for readings of the cells of one kind, where `findings` are all cells of the
 /// table as printed. Gives the search, or `None` for it if every cell is as printed and no
@@ -34,7 +34,7 @@ pub(crate) fn search(
 ) -> Result<Option<Searched>, Diagnostic> {
     let printed = printed(judge, findings, kind);
     let cells: Vec<&Printed> = printed.iter().flatten().flatten().copied().collect();
-    let Some(space) = Space::new(judge, needed(findings), &printed, None) else {
+    let Some(space) = ReadingSpace::new(judge, needed(findings), &printed, None) else {
         return Ok(None);
     };
     if !space.assume.iter().all(|name| judge.assumed.contains_key(name)) {
@@ -75,12 +75,12 @@ pub(crate) fn search(
             && is_small(&chance)
             && best.first().is_some_and(|best| determined(best, tried));
         let best = if sure { best } else { Vec::new() };
-        Found { best, most, chance }
+        BestOfPart { best, most, chance }
     };
     let mut tried = space.count(plain);
     let mut found = judged(&explanations, tried);
     let mut parts = vec![Part { all: plain, tried }];
-    let reached = |found: &Found| found.best.first().map_or(count, Explanation::count);
+    let reached = |found: &BestOfPart| found.best.first().map_or(count, Explanation::count);
     let copied = if family == Family::Whole && reached(&found) < cells.len() {
         space.evaluated(space.copied_readings())?
     } else {
@@ -96,10 +96,10 @@ pub(crate) fn search(
             found = other;
         } else if found.best.is_empty() && other.chance < found.chance {
             // The closest reading is reported, though it may be luck.
-            found = Found { best: Vec::new(), ..other };
+            found = BestOfPart { best: Vec::new(), ..other };
         }
     }
-    let Found { best, most, chance } = found;
+    let BestOfPart { best, most, chance } = found;
     // Without a reading of the table nothing determines the values that its numbers give.
     let undetermined =
         best.is_empty() && recovered.is_some() && candidates.values().any(|(_, own)| *own);
@@ -135,7 +135,7 @@ pub(crate) fn search(
 /// Whether the cells that tell something of the recovered values are no luck under a reading, for
 /// each value that the numbers of this table give, where so many readings were tried.
 fn is_determined(
-    space: &Space<'_>,
+    space: &ReadingSpace<'_>,
     best: &Explanation,
     candidates: &Candidates,
     tried: usize,
@@ -169,7 +169,7 @@ fn left<'e>(
 }
 
 /// The best readings of a part.
-struct Found {
+struct BestOfPart {
     /// The readings that explain most; empty if they may be luck.
     best: Vec<Explanation>,
     most: usize,
@@ -179,7 +179,7 @@ struct Found {
 /// The stated parameter to which every value of the table is proportional.
 pub(crate) fn scale(judge: &Evaluator<'_>, findings: &[Vec<CellFinding>]) -> Option<String> {
     let printed = printed(judge, findings, CellKind::Plain);
-    let scale = Space::new(judge, needed(findings), &printed, None)?.scale;
+    let scale = ReadingSpace::new(judge, needed(findings), &printed, None)?.scale;
     scale.filter(|scale| scale.stated).map(|scale| scale.name)
 }
 
@@ -192,7 +192,7 @@ pub(crate) fn readings(
     elsewhere: bool,
 ) -> Result<Vec<Explanation>, Diagnostic> {
     let printed = printed(judge, findings, kind);
-    let Some(space) = Space::new(judge, needed(findings), &printed, None) else {
+    let Some(space) = ReadingSpace::new(judge, needed(findings), &printed, None) else {
         return Ok(Vec::new());
     };
     let mut all = space.evaluated(space.readings())?;

@@ -1,7 +1,7 @@
 //! Solving for a parameter that the paper does not state.
 
 use crate::finding::Explanation;
-use crate::judge::reading::space::{Change, Space};
+use crate::judge::reading::space::{Change, ReadingSpace};
 use crate::judge::reading::tried::Evaluated;
 use crate::judge::reading::{parameter, spread};
 
@@ -9,7 +9,7 @@ use crate::judge::reading::{parameter, spread};
 /// best reading without. If it is a parameter of the scheme, they explain more than half of the
 /// cells.
 pub(crate) fn solve(
-    space: &Space<'_>,
+    space: &ReadingSpace<'_>,
     all: &[Evaluated],
     best: &[Explanation],
 ) -> Vec<Explanation> {

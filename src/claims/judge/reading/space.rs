@@ -2,7 +2,7 @@
 
 use crate::claim::{Cell, Printed};
 use crate::evaluation::choices::{BEST_OFFSET, DECIMAL_ROUNDING, FAMILY, FORWARD, ORDER};
-use crate::evaluation::context::At;
+use crate::evaluation::context::CellReading;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
 use crate::evaluation::{Choice, Copied, Effect, Way};
@@ -82,7 +82,7 @@ pub(crate) fn takes_from_elsewhere(reading: &[Change]) -> bool {
 }
 
 /// The readings of one table.
-pub(crate) struct Space<'s> {
+pub(crate) struct ReadingSpace<'s> {
     pub(crate) judge: &'s Evaluator<'s>,
     pub(crate) printed: &'s PrintedCells<'s>,
     /// The unstated parameters that some cell needs.
@@ -101,7 +101,7 @@ pub(crate) struct Space<'s> {
     order: Option<String>,
 }
 
-impl<'s> Space<'s> {
+impl<'s> ReadingSpace<'s> {
     /// Whether a cell needs an unstated parameter.
     pub(crate) fn needs_name(&self, row: usize, column: usize, name: &str) -> bool {
         self.needed[row][column].contains(name)
@@ -119,13 +119,13 @@ impl<'s> Space<'s> {
         needed: Needed,
         printed: &'s PrintedCells<'s>,
         unknown: Option<&'s str>,
-    ) -> Option<Space<'s>> {
+    ) -> Option<ReadingSpace<'s>> {
         let of_printed = needed.iter().flatten().zip(printed.iter().flatten());
         let of_printed = of_printed.filter(|(_, printed)| printed.is_some());
         let assume = of_printed.flat_map(|(names, _)| names).cloned().collect();
         let settings = Settings::default();
         let (as_printed, scale, changes) = (Values::new(), None, Vec::new());
-        let mut space = Space {
+        let mut space = ReadingSpace {
             judge,
             printed,
             assume,
@@ -173,8 +173,13 @@ impl<'s> Space<'s> {
     }
 
     /// A cell under a reading; the parameters that its value as printed needs are assumed.
-    pub(crate) fn at<'n>(&'n self, row: usize, column: usize, settings: &'n Settings) -> At<'n> {
-        At { row, column, assume: &self.needed[row][column], settings }
+    pub(crate) fn at<'n>(
+        &'n self,
+        row: usize,
+        column: usize,
+        settings: &'n Settings,
+    ) -> CellReading<'n> {
+        CellReading { row, column, assume: &self.needed[row][column], settings }
     }
 
     pub(crate) fn is_depth(&self) -> bool {

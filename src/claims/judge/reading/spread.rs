@@ -9,7 +9,7 @@ use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic};
 use crate::finding::{Explanation, Solved};
 use crate::judge::reading::consistent::DecimalRounding;
 use crate::judge::reading::plain::{height, plainest_between};
-use crate::judge::reading::space::Space;
+use crate::judge::reading::space::ReadingSpace;
 use crate::judge::reading::tried::Evaluated;
 
 /// The greatest depth from which a bound is derived.
@@ -19,7 +19,7 @@ const MAX_DEPTH: i64 = 5_000;
 const DIGITS: u32 = 256;
 
 /// The unknown parameter, where every x of the levels is inversely proportional to it.
-pub(crate) fn unknown<'s>(space: &Space<'s>) -> Option<&'s str> {
+pub(crate) fn unknown<'s>(space: &ReadingSpace<'s>) -> Option<&'s str> {
     let name = space.unknown.filter(|_| space.is_depth())?;
     is_spread(space, name).then_some(name)
 }
@@ -27,7 +27,7 @@ pub(crate) fn unknown<'s>(space: &Space<'s>) -> Option<&'s str> {
 /// Whether every printed depth has, if the parameter becomes two and three times as large, an x
 /// that is half and a third, and the same ratio; and whether the form of the value shows this for
 /// all other factors.
-fn is_spread(space: &Space<'_>, name: &str) -> bool {
+fn is_spread(space: &ReadingSpace<'_>, name: &str) -> bool {
     if !space.is_inverse(name) {
         return false;
     }
@@ -58,7 +58,7 @@ fn is_spread(space: &Space<'_>, name: &str) -> bool {
 
 /// The readings with the spread solved for, where that explains at least `least` cells.
 pub(crate) fn search(
-    space: &Space<'_>,
+    space: &ReadingSpace<'_>,
     name: &str,
     readings: &[&Evaluated],
     least: usize,
@@ -66,7 +66,12 @@ pub(crate) fn search(
     readings.iter().filter_map(|one| solved(space, name, one, least)).collect()
 }
 
-fn solved(space: &Space<'_>, name: &str, one: &Evaluated, least: usize) -> Option<Explanation> {
+fn solved(
+    space: &ReadingSpace<'_>,
+    name: &str,
+    one: &Evaluated,
+    least: usize,
+) -> Option<Explanation> {
     let Evaluated { reading, levels, .. } = one;
     let mut intervals = Vec::new();
     for (printed, call) in space.printed.iter().flatten().zip(levels.iter().flatten()) {

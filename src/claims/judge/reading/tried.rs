@@ -3,14 +3,14 @@
 use crate::cap::Cap;
 use crate::claim::{Cell, Paper, Table};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::context::{At, Outcome};
+use crate::evaluation::context::{CellReading, Outcome};
 use crate::evaluation::table::Evaluator;
 use crate::evaluation::trace::LevelCall;
 use crate::exact::Rational;
 use crate::finding::{CellKind, Difference, Explanation, TableFinding, Uncomputed, Values};
 use crate::judge::reading::consistent::DecimalRounding;
 use crate::judge::reading::scale::{SIMPLE_NUMBERS, Scale};
-use crate::judge::reading::space::{Change, Space, needed, printed, takes_from_elsewhere};
+use crate::judge::reading::space::{Change, ReadingSpace, needed, printed, takes_from_elsewhere};
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
 
@@ -40,7 +40,7 @@ pub(crate) struct Part<'p> {
     pub(crate) tried: usize,
 }
 
-impl Space<'_> {
+impl ReadingSpace<'_> {
     /// Readings with their values.
     ///
     /// # Errors
@@ -87,7 +87,7 @@ impl Space<'_> {
     fn outcome(
         &self,
         reading: &[Change],
-        at: At<'_>,
+        at: CellReading<'_>,
     ) -> Result<(Outcome, Option<LevelCall>), Diagnostic> {
         let found = if self.is_depth() {
             self.judge.value_and_levels(at)
@@ -165,7 +165,7 @@ impl Space<'_> {
         })
     }
 
-    /// As [`Space::explanations`], with the values of these readings themselves.
+    /// As [`ReadingSpace::explanations`], with the values of these readings themselves.
     pub(crate) fn all_explanations(&self, all: &[Evaluated]) -> Vec<Explanation> {
         self.explanations(all, |one| one.values.clone()).collect()
     }
@@ -183,14 +183,19 @@ pub(crate) fn remaining(
     let cells = &finding.cells;
     let left = CellKind::of(cells).into_iter().map(|kind| {
         let printed = printed(judge, cells, kind);
-        Space::new(judge, needed(cells), &printed, None)
+        ReadingSpace::new(judge, needed(cells), &printed, None)
             .map_or(0, |space| of_cells(&space, by, name, value))
     });
     left.sum()
 }
 
 /// As [`remaining`], for the cells of one kind.
-fn of_cells(space: &Space<'_>, by: Option<&Explanation>, name: &str, value: &Rational) -> usize {
+fn of_cells(
+    space: &ReadingSpace<'_>,
+    by: Option<&Explanation>,
+    name: &str,
+    value: &Rational,
+) -> usize {
     let differences = by.map_or(&[][..], |by| &by.differences);
     let Some((reading, rounding)) = reading(space, differences) else { return 0 };
     let mut settings = space.settings(&reading);
@@ -205,7 +210,7 @@ fn of_cells(space: &Space<'_>, by: Option<&Explanation>, name: &str, value: &Rat
 
 /// The reading with these differences, and its rounding of decimals.
 fn reading(
-    space: &Space<'_>,
+    space: &ReadingSpace<'_>,
     differences: &[Difference],
 ) -> Option<(Vec<Change>, DecimalRounding)> {
     let named = |difference: &Difference| differences.contains(difference);
@@ -225,7 +230,11 @@ fn reading(
 /// Of the cells that need a parameter, for each by row whether the reading gives it and its number tells something of
 /// the parameter's value, or whether the reading does not give it; `None` for the others. A number tells something if
 /// the reading does not give it at one of a few other values.
-pub(crate) fn telling(space: &Space<'_>, by: &Explanation, name: &str) -> Vec<Vec<Option<bool>>> {
+pub(crate) fn telling(
+    space: &ReadingSpace<'_>,
+    by: &Explanation,
+    name: &str,
+) -> Vec<Vec<Option<bool>>> {
     let row = |row: usize| {
         let cell = |column: usize| {
             let needs = space.printed[row][column].is_some() && space.needs_name(row, column, name);

@@ -12,7 +12,7 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::evaluation::limits::LimitScheme;
 use crate::exact::RealCyclotomic;
-use crate::finding::{Known, SmoothnessFinding, SmoothnessVerdict};
+use crate::finding::{KnownLimits, SmoothnessFinding, SmoothnessVerdict};
 use mask::{is_continuous, limits, no_valences};
 
 /// Judges a claim about the limits of a scheme.
@@ -22,11 +22,13 @@ pub(crate) fn judge<'a>(
     library: &Library<'_>,
 ) -> Result<SmoothnessFinding<'a>, Diagnostic> {
     let (verdict, known) = match &claim.body {
-        SmoothnessBody::NotCheckable(_) => (SmoothnessVerdict::NotCheckable, Known::Absent),
+        SmoothnessBody::NotCheckable(_) => (SmoothnessVerdict::NotCheckable, KnownLimits::Absent),
         SmoothnessBody::Statement(located, statement) => {
             let scheme = LimitScheme { paper, library, located, given: &claim.given };
             let found = Diagnostic::or_cap(of(&scheme, statement))?;
-            found.unwrap_or_else(|cap| (SmoothnessVerdict::NotCheckable, Known::BeyondCap(cap)))
+            found.unwrap_or_else(|cap| {
+                (SmoothnessVerdict::NotCheckable, KnownLimits::BeyondCap(cap))
+            })
         }
     };
     Ok(SmoothnessFinding { id: format!("{}:{}", paper.key, claim.id), claim, verdict, known })
@@ -35,7 +37,7 @@ pub(crate) fn judge<'a>(
 fn of(
     scheme: &LimitScheme<'_>,
     statement: &SmoothnessStatement,
-) -> Result<(SmoothnessVerdict, Known), Diagnostic> {
+) -> Result<(SmoothnessVerdict, KnownLimits), Diagnostic> {
     if let SmoothnessStatement::Range(range) = statement {
         return range::judge(scheme, range);
     }
@@ -44,7 +46,7 @@ fn of(
     }
     let limits = match limits(scheme.mask(None)?) {
         Ok(limits) => limits,
-        Err(capped) => return Ok((SmoothnessVerdict::NotCheckable, Known::Capped(capped))),
+        Err(capped) => return Ok((SmoothnessVerdict::NotCheckable, KnownLimits::Capped(capped))),
     };
     let smoothness = &limits.smoothness;
     let verdict = match statement {
@@ -64,5 +66,5 @@ fn of(
         }
         SmoothnessStatement::Range(_) => unreachable!("ranges are judged above"),
     };
-    Ok((verdict, Known::Limits(Box::new(limits))))
+    Ok((verdict, KnownLimits::Limits(Box::new(limits))))
 }

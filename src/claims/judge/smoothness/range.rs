@@ -8,7 +8,7 @@ use crate::claim::{Ends, SmoothRangeStatement};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::limits::LimitScheme;
 use crate::exact::{IntervalSet, Parametric, PiecewisePolynomial, Rational, RationalPolynomial};
-use crate::finding::{Contraction, Known, RangeOfLimits, Reason, SmoothnessVerdict, Witness};
+use crate::finding::{Contraction, KnownLimits, RangeOfLimits, Reason, SmoothnessVerdict, Witness};
 use crate::scheme::Rules;
 use crate::smoothness::{SmoothRange, SmoothRangeError, smooth_range};
 
@@ -23,7 +23,7 @@ const CLOSER: (i64, i64) = (1, 1 << 20);
 pub(super) fn judge(
     scheme: &LimitScheme<'_>,
     statement: &SmoothRangeStatement,
-) -> Result<(SmoothnessVerdict, Known), Diagnostic> {
+) -> Result<(SmoothnessVerdict, KnownLimits), Diagnostic> {
     let variable = &statement.variable;
     if scheme.ring_instances(Some((variable, Parametric::variable())))?.is_some() {
         return vertex_range::judge(scheme, statement);
@@ -34,7 +34,7 @@ pub(super) fn judge(
     let rules = scheme.rules(variable)?;
     let sets = match sets(&rules, statement.m) {
         Ok(sets) => sets,
-        Err(capped) => return Ok((SmoothnessVerdict::NotCheckable, Known::Capped(capped))),
+        Err(capped) => return Ok((SmoothnessVerdict::NotCheckable, KnownLimits::Capped(capped))),
     };
     let at = |at: &Rational| {
         let Ok(limits) = limits(scheme.mask(Some((variable, at)))?) else { return Ok(None) };
@@ -60,7 +60,7 @@ pub(super) fn judge(
         _ => None,
     };
     let range = RangeOfLimits { sets, printed, undecided, witness, contraction };
-    Ok((verdict, Known::Range(Box::new(range))))
+    Ok((verdict, KnownLimits::Range(Box::new(range))))
 }
 
 /// Where the limits are C^m, and where not; `None` where the sum rules that this needs do not hold for

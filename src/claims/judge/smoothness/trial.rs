@@ -18,7 +18,7 @@ pub(super) struct Sides {
 
 /// What a value shows: whether the limits are C^m there, and what is known of them; `None` where it
 /// is not decided.
-pub(super) type Shown<W> = Option<(bool, W)>;
+pub(super) type Counterexample<W> = Option<(bool, W)>;
 
 /// A printed range and what is known of it.
 pub(super) struct Trial<'t, W> {
@@ -26,7 +26,7 @@ pub(super) struct Trial<'t, W> {
     /// `None` where the limits are C^m at single values at most.
     pub(super) sides: Option<Sides>,
     /// What a single value shows.
-    pub(super) at: &'t dyn Fn(&Rational) -> Result<Shown<W>, Diagnostic>,
+    pub(super) at: &'t dyn Fn(&Rational) -> Result<Counterexample<W>, Diagnostic>,
 }
 
 /// The verdict on a range.

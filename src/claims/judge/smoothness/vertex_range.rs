@@ -7,14 +7,14 @@ use crate::claim::{PrintedValences, SmoothRangeStatement};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::limits::LimitScheme;
 use crate::exact::{Polynomial, Rational, RealCyclotomic};
-use crate::finding::{Known, RangeAtValence, SmoothnessVerdict, VertexWitness};
+use crate::finding::{KnownLimits, RangeAtValence, SmoothnessVerdict, VertexWitness};
 
 /// Judges a range of rules around a vertex or on a face, at each valence of which it speaks. Of a range
 /// for all valences some are tried, and it is refuted or open.
 pub(super) fn judge(
     scheme: &LimitScheme<'_>,
     statement: &SmoothRangeStatement,
-) -> Result<(SmoothnessVerdict, Known), Diagnostic> {
+) -> Result<(SmoothnessVerdict, KnownLimits), Diagnostic> {
     if statement.m != 1 {
         return Err(scheme
             .error(format!("`smoothness = '{}'` of rules", statement.m))
@@ -44,16 +44,16 @@ pub(super) fn judge(
         _ if all => SmoothnessVerdict::Open,
         verdict => verdict,
     };
-    Ok((verdict, Known::VertexRanges(found)))
+    Ok((verdict, KnownLimits::VertexRanges(found)))
 }
 
-type Found = (SmoothnessVerdict, RangeAtValence);
+type AtOneValence = (SmoothnessVerdict, RangeAtValence);
 
 fn of_valence(
     scheme: &LimitScheme<'_>,
     statement: &SmoothRangeStatement,
     valence: Option<usize>,
-) -> Result<Result<Found, VertexRangeError>, Diagnostic> {
+) -> Result<Result<AtOneValence, VertexRangeError>, Diagnostic> {
     let variable = &statement.variable;
     let free = scheme.ring_instances(Some((variable, Polynomial::variable(variable))))?;
     let ring = scheme.ring(&free.unwrap_or_default(), valence)?;

@@ -5,7 +5,7 @@ use crate::claim::{PrintedValences, SmoothnessStatement};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::limits::LimitScheme;
 use crate::exact::RealCyclotomic;
-use crate::finding::{Known, Reason, SmoothnessVerdict, Vertices};
+use crate::finding::{KnownLimits, Reason, SmoothnessVerdict, Vertices};
 use crate::scheme::{Instance, LocalRules};
 
 /// The valences that are tried where a claim is about all of them, and nothing is proved.
@@ -16,7 +16,7 @@ pub(super) fn judge(
     scheme: &LimitScheme<'_>,
     instances: &[Instance<RealCyclotomic>],
     statement: &SmoothnessStatement,
-) -> Result<(SmoothnessVerdict, Known), Diagnostic> {
+) -> Result<(SmoothnessVerdict, KnownLimits), Diagnostic> {
     let SmoothnessStatement::Continuity { continuous, not_continuous, valences } = statement else {
         return Err(scheme.error("this is claimed of masks only").with_help(
             "of rules around a vertex or on a face, `continuous` and `not_continuous` are judged",
@@ -52,7 +52,7 @@ pub(super) fn judge(
         }
     }
     let verdicts: Vec<SmoothnessVerdict> = vertices.iter().map(says).collect();
-    Ok((of_each(&verdicts), Known::Vertices(Box::new(Vertices { all: None, vertices }))))
+    Ok((of_each(&verdicts), KnownLimits::Vertices(Box::new(Vertices { all: None, vertices }))))
 }
 
 /// A claim about all valences from 3 on: one that is proved for all at once, or refuted at one.
@@ -61,10 +61,10 @@ fn of_all(
     instances: &[Instance<RealCyclotomic>],
     says: impl Fn(&Vertex) -> SmoothnessVerdict,
     smooth: bool,
-) -> Result<(SmoothnessVerdict, Known), Diagnostic> {
+) -> Result<(SmoothnessVerdict, KnownLimits), Diagnostic> {
     let name = scheme.library.in_catalogue(instances);
     let all = name.and_then(smooth_for_all_valences).filter(|_| smooth);
-    let known = |vertices| Known::Vertices(Box::new(Vertices { all, vertices }));
+    let known = |vertices| KnownLimits::Vertices(Box::new(Vertices { all, vertices }));
     if all.is_some() {
         return Ok((SmoothnessVerdict::Confirmed, known(Vec::new())));
     }
@@ -84,8 +84,8 @@ fn of_all(
     Ok((SmoothnessVerdict::Open, known(vertices)))
 }
 
-pub(super) fn capped(error: impl Into<Reason>) -> (SmoothnessVerdict, Known) {
-    (SmoothnessVerdict::NotCheckable, Known::Capped(error.into()))
+pub(super) fn capped(error: impl Into<Reason>) -> (SmoothnessVerdict, KnownLimits) {
+    (SmoothnessVerdict::NotCheckable, KnownLimits::Capped(error.into()))
 }
 
 /// The verdict on a claim that is made at each of several valences.

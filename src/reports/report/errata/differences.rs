@@ -2,7 +2,7 @@
 
 use super::cells;
 use crate::audit::{
-    Beyond, CellErratum, CellFinding, EquationFinding, EquationVerdict, Erratum, Harm, Known,
+    Beyond, CellErratum, CellFinding, EquationFinding, EquationVerdict, Erratum, Harm, KnownLimits,
     NotSharp, PaperAudit, SmoothnessFinding, SmoothnessVerdict, Subject,
 };
 use crate::claim::{ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
@@ -149,7 +149,7 @@ impl Line {
             (Beyond::Range(_), _) => {
                 known.iter().take(2).cloned().collect::<Vec<String>>().join("; ")
             }
-            (Beyond::Exponent, Known::Limits(limits)) => {
+            (Beyond::Exponent, KnownLimits::Limits(limits)) => {
                 let exponent = limits.smoothness.hoelder.as_ref().map(exponent);
                 format!("the exponent is {}", exponent.unwrap_or_default())
             }

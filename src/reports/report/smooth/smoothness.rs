@@ -3,8 +3,8 @@
 use super::regularity;
 use super::vertex::{SCOPE, verdict_name, verdict_reason, vertex_facts, vertices_outcome};
 use crate::audit::{
-    Known, Limits, PaperAudit, RangeAtValence, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
-    VertexWitness,
+    KnownLimits, Limits, PaperAudit, RangeAtValence, RangeOfLimits, SmoothnessFinding,
+    SmoothnessVerdict, VertexWitness,
 };
 use crate::claim::{
     ExponentStatement, PrintedValences, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim,
@@ -173,19 +173,19 @@ pub(in crate::report) fn printed(range: &SmoothRangeStatement) -> String {
 /// What is known, in lines.
 pub(in crate::report) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
     let mut lines = match &finding.known {
-        Known::Absent => {
+        KnownLimits::Absent => {
             vec![format!("not checkable without {}", finding.claim.absent().unwrap_or_default())]
         }
-        Known::Capped(reason) => vec![beyond(reason)],
-        Known::BeyondCap(cap) => vec![beyond(cap)],
-        Known::Limits(limits) => vec![of_limits(limits)],
-        Known::Range(range) => of_range(finding, range),
-        Known::Vertices(found) => {
+        KnownLimits::Capped(reason) => vec![beyond(reason)],
+        KnownLimits::BeyondCap(cap) => vec![beyond(cap)],
+        KnownLimits::Limits(limits) => vec![of_limits(limits)],
+        KnownLimits::Range(range) => of_range(finding, range),
+        KnownLimits::Vertices(found) => {
             let mut lines = vertices_outcome(found);
             lines.push(format!("{SCOPE}."));
             lines
         }
-        Known::VertexRanges(found) => {
+        KnownLimits::VertexRanges(found) => {
             let variable = finding.claim.range().map_or("", |said| &said.variable);
             let mut lines: Vec<String> =
                 found.iter().flat_map(|one| range_at_valence(one, variable)).collect();
@@ -314,22 +314,24 @@ fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<Strin
 /// What else is known of the limits.
 pub(in crate::report) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
     let limits = match &finding.known {
-        Known::Limits(limits) => limits,
-        Known::Range(range) => match &range.witness {
+        KnownLimits::Limits(limits) => limits,
+        KnownLimits::Range(range) => match &range.witness {
             Some(witness) => &witness.limits,
             None => return Vec::new(),
         },
-        Known::Vertices(found) => {
+        KnownLimits::Vertices(found) => {
             return match &found.vertices[..] {
                 [.., vertex] => vertex_facts(vertex),
                 [] => Vec::new(),
             };
         }
-        Known::VertexRanges(found) => {
+        KnownLimits::VertexRanges(found) => {
             let witness = found.iter().find_map(|one| one.witness.as_ref());
             return witness.map_or_else(Vec::new, |witness| vertex_facts(&witness.vertex));
         }
-        Known::Absent | Known::Capped(_) | Known::BeyondCap(_) => return Vec::new(),
+        KnownLimits::Absent | KnownLimits::Capped(_) | KnownLimits::BeyondCap(_) => {
+            return Vec::new();
+        }
     };
     let deciding = limits.smoothness.deciding();
     let (n, size) = (deciding.symbol.arity(), deciding.matrices.size());

@@ -3,7 +3,7 @@
 use crate::audit::{EveryShift, Unshiftable};
 use crate::claim::Quantity;
 use crate::exact::Rational;
-use crate::limit::{Overshoot, Shown};
+use crate::limit::{Overshoot, ProofOfGreatest};
 use crate::report::words::numbers::{exact, points};
 
 /// Whether a theorem is refuted in every shift, and the two greatest values that show it.
@@ -29,11 +29,11 @@ pub(in crate::report) fn facts(found: &EveryShift, fact: &mut impl FnMut(&str, S
     fact(&format!("greatest point of level {k}"), rational(greatest));
     let limit = if net { "greatest P^∞(s, t)" } else { "greatest P^∞(t)" };
     let (what, how) = match shown {
-        Shown::Points => (format!("greatest point of level {}", k + 1), String::new()),
-        Shown::AtMost(levels) => {
+        ProofOfGreatest::Points => (format!("greatest point of level {}", k + 1), String::new()),
+        ProofOfGreatest::AtMost(levels) => {
             (limit.to_owned(), format!("at most, by level {}, ", list(levels, " and ")))
         }
-        Shown::AtLeast(places) => {
+        ProofOfGreatest::AtLeast(places) => {
             (limit.to_owned(), format!("at least, by that at {}, ", list(places, ", ")))
         }
     };

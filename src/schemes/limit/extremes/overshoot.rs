@@ -40,12 +40,12 @@ pub struct Overshoot {
     /// `shown` says.
     pub later: Rational,
     /// How `later` is proved.
-    pub shown: Shown,
+    pub shown: ProofOfGreatest,
 }
 
 /// How a greatest value is proved; for a net, along each index.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Shown {
+pub enum ProofOfGreatest {
     /// It is the greatest point of the next level.
     Points,
     /// It is an upper bound of the limit, from the points of these levels.
@@ -68,8 +68,10 @@ impl Overshoot {
         self.greatest += &other.greatest;
         self.later += &other.later;
         match (&mut self.shown, other.shown) {
-            (Shown::AtMost(levels), Shown::AtMost(more)) => levels.extend(more),
-            (Shown::AtLeast(places), Shown::AtLeast(more)) => places.extend(more),
+            (ProofOfGreatest::AtMost(levels), ProofOfGreatest::AtMost(more)) => levels.extend(more),
+            (ProofOfGreatest::AtLeast(places), ProofOfGreatest::AtLeast(more)) => {
+                places.extend(more)
+            }
             _ => {}
         }
         self
@@ -167,7 +169,7 @@ impl Overshoots {
         let greatest = polygon.greatest(rules, level)?;
         let later = polygon.greatest(rules, level + 1)?;
         let polygons = vec![polygon.polygon().clone()];
-        Some(Overshoot { polygons, greatest, later, shown: Shown::Points })
+        Some(Overshoot { polygons, greatest, later, shown: ProofOfGreatest::Points })
     }
 
     /// The overshoot of a polygon whose level k is above its limit.
@@ -182,7 +184,7 @@ impl Overshoots {
         // The first level whose bound is nearly as good as the best one.
         let (later, bound) = bounds.into_iter().find(|(_, bound)| &greatest - bound >= enough)?;
         let polygons = vec![polygon.polygon().clone()];
-        let shown = Shown::AtMost(vec![later]);
+        let shown = ProofOfGreatest::AtMost(vec![later]);
         (best.sign() > 0).then_some(Overshoot { polygons, greatest, later: bound, shown })
     }
 
@@ -197,7 +199,7 @@ impl Overshoots {
         let enough = &best * nearly();
         let (later, at) = values.into_iter().find(|(value, _)| value - &greatest >= enough)?;
         let polygons = vec![polygon.polygon().clone()];
-        let shown = Shown::AtLeast(vec![at]);
+        let shown = ProofOfGreatest::AtLeast(vec![at]);
         (later > greatest).then_some(Overshoot { polygons, greatest, later, shown })
     }
 }

@@ -56,7 +56,9 @@ pub fn explain_page(
     let audits = std::slice::from_ref(audit);
     let Some(sheet) = explain_sheet(audits, id, background, all) else { return Ok(None) };
     let context = Context { is_whole: true, ..Context::new(audit, file) };
-    let Some(Shown { sentence, contents, grid }) = shown(&context, id)? else { return Ok(None) };
+    let Some(FindingSection { sentence, contents, grid }) = shown(&context, id)? else {
+        return Ok(None);
+    };
     let (title, rest) = parts(sheet, grid);
     let bibliography = &audit.paper.bibliography;
     let main = html! {
@@ -95,14 +97,14 @@ fn parts(sheet: Sheet, mut grid: bool) -> (String, Sheet) {
 }
 
 /// What a finding shows beyond its sheet.
-struct Shown {
+struct FindingSection {
     sentence: String,
     contents: Markup,
     /// Whether the first grid of the sheet is among it.
     grid: bool,
 }
 
-fn shown(context: &Context<'_, '_>, id: &str) -> Result<Option<Shown>, Diagnostic> {
+fn shown(context: &Context<'_, '_>, id: &str) -> Result<Option<FindingSection>, Diagnostic> {
     let audit = context.audit;
     let target = Target::of(id);
     let Some(finding) = audit.find(target) else {
@@ -119,10 +121,10 @@ fn shown(context: &Context<'_, '_>, id: &str) -> Result<Option<Shown>, Diagnosti
     };
     let first = outcome.lines().next().unwrap_or_default();
     let sentence = format!("{}: {first}", finding.claim().locus());
-    Ok(Some(Shown { sentence, contents: claims::section(context, finding)?, grid: false }))
+    Ok(Some(FindingSection { sentence, contents: claims::section(context, finding)?, grid: false }))
 }
 
-fn of_regularity(found: &Regularity<'_, '_>) -> Shown {
+fn of_regularity(found: &Regularity<'_, '_>) -> FindingSection {
     let cells = || found.cells.iter().flatten().flatten();
     let sentence = format!(
         "{} of the {} statements of {} are confirmed.",
@@ -130,13 +132,13 @@ fn of_regularity(found: &Regularity<'_, '_>) -> Shown {
         cells().count(),
         found.table.locus
     );
-    Shown { sentence, contents: regularity_table::section(found), grid: true }
+    FindingSection { sentence, contents: regularity_table::section(found), grid: true }
 }
 
 fn of_table(
     context: &Context<'_, '_>,
     finding: &TableFinding<'_>,
-) -> Result<Option<Shown>, Diagnostic> {
+) -> Result<Option<FindingSection>, Diagnostic> {
     let cells = || finding.cells.iter().flatten();
     let good =
         cells().filter(|cell| matches!(cell.verdict, Verdict::Confirmed | Verdict::Reproduced));
@@ -146,14 +148,14 @@ fn of_table(
         cells().filter(|cell| cell.printed.is_some()).count(),
         finding.table.locus
     );
-    Ok(Some(Shown { sentence, contents: table::section(context, finding)?, grid: true }))
+    Ok(Some(FindingSection { sentence, contents: table::section(context, finding)?, grid: true }))
 }
 
 fn of_cell(
     context: &Context<'_, '_>,
     finding: &TableFinding<'_>,
     target: Target<'_>,
-) -> Result<Option<Shown>, Diagnostic> {
+) -> Result<Option<FindingSection>, Diagnostic> {
     let id = target.to_string();
     let at = cell_place(finding.table, target);
     let Some(cell) = finding.cells.iter().flatten().find(|cell| cell.id == id) else {
@@ -170,5 +172,5 @@ fn of_cell(
         @if let Some(at) = at { (certified_cell(context, &finding.table.id, at)) }
         (command::explain(context, &target.within()))
     };
-    Ok(Some(Shown { sentence, contents, grid: false }))
+    Ok(Some(FindingSection { sentence, contents, grid: false }))
 }

@@ -2,7 +2,7 @@
 
 use super::super::names::plain;
 use super::range::{bound, drawn};
-use crate::audit::{Known, SmoothnessFinding};
+use crate::audit::{KnownLimits, SmoothnessFinding};
 use crate::exact::IntervalSet;
 use crate::float::nearest;
 use crate::report::html::picture::plane::frame::{Frame, picture};
@@ -20,7 +20,7 @@ const BEYOND: f64 = 0.15;
 /// The sets inside and outside and the printed one on one axis; `None` where none of them has an end.
 pub(in crate::report::html) fn smooth_range(finding: &SmoothnessFinding<'_>) -> Option<Markup> {
     let said = finding.claim.range()?;
-    let Known::Range(range) = &finding.known else { return None };
+    let KnownLimits::Range(range) = &finding.known else { return None };
     let sets = range.sets.as_ref()?;
     let rows = [
         ("smooth", &sets.inside, "c3"),

@@ -1,7 +1,7 @@
 //! Claims about smoothness as JSON.
 
 use super::smoothness::SmoothnessDetails;
-use crate::audit::{Known, SmoothnessFinding};
+use crate::audit::{KnownLimits, SmoothnessFinding};
 use crate::report::json::claim::{Claim, Details};
 use crate::report::smooth::smoothness::statement;
 use std::borrow::Cow;
@@ -11,12 +11,13 @@ impl<'a> Claim<'a> {
         let claim = finding.claim;
         let details = SmoothnessDetails::of(&finding.known);
         let why = match &finding.known {
-            Known::Absent => claim.absent().map(|absent| format!("missing: {absent}")),
-            Known::Capped(reason) => Some(reason.to_string()),
-            Known::BeyondCap(cap) => Some(cap.to_string()),
-            Known::Limits(_) | Known::Range(_) | Known::Vertices(_) | Known::VertexRanges(_) => {
-                None
-            }
+            KnownLimits::Absent => claim.absent().map(|absent| format!("missing: {absent}")),
+            KnownLimits::Capped(reason) => Some(reason.to_string()),
+            KnownLimits::BeyondCap(cap) => Some(cap.to_string()),
+            KnownLimits::Limits(_)
+            | KnownLimits::Range(_)
+            | KnownLimits::Vertices(_)
+            | KnownLimits::VertexRanges(_) => None,
         };
         let exact = details.exact().cloned();
         let note = why.into_iter().chain(claim.note.clone()).collect::<Vec<String>>().join("; ");

@@ -1,7 +1,7 @@
 //! What is known of limits, as JSON.
 
 use super::vertex::{VertexForm, VerticesForm};
-use crate::audit::{Known, Limits, RangeAtValence, RangeOfLimits};
+use crate::audit::{KnownLimits, Limits, RangeAtValence, RangeOfLimits};
 use crate::report::json::exact::decimal;
 use crate::report::smooth::smoothness::decimals;
 use crate::smoothness::Hoelder;
@@ -86,24 +86,26 @@ pub struct RangeForm {
 }
 
 impl SmoothnessDetails {
-    pub(in crate::report::json) fn of(known: &Known) -> SmoothnessDetails {
+    pub(in crate::report::json) fn of(known: &KnownLimits) -> SmoothnessDetails {
         match known {
-            Known::Limits(limits) => {
+            KnownLimits::Limits(limits) => {
                 SmoothnessDetails { limits: Some(LimitsForm::of(limits)), ..Default::default() }
             }
-            Known::Range(range) => {
+            KnownLimits::Range(range) => {
                 let limits = range.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
                 let parameter = Some(RangeForm::of(range));
                 SmoothnessDetails { limits, parameter, ..Default::default() }
             }
-            Known::Vertices(found) => {
+            KnownLimits::Vertices(found) => {
                 SmoothnessDetails { vertices: Some(VerticesForm::of(found)), ..Default::default() }
             }
-            Known::VertexRanges(found) => {
+            KnownLimits::VertexRanges(found) => {
                 let valences = Some(found.iter().map(RangeAtValenceForm::of).collect());
                 SmoothnessDetails { valences, ..Default::default() }
             }
-            Known::Absent | Known::Capped(_) | Known::BeyondCap(_) => SmoothnessDetails::default(),
+            KnownLimits::Absent | KnownLimits::Capped(_) | KnownLimits::BeyondCap(_) => {
+                SmoothnessDetails::default()
+            }
         }
     }
 

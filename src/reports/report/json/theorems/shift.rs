@@ -2,7 +2,7 @@
 
 use crate::audit::{self, Unshiftable};
 use crate::exact::{Rational, RealCyclotomic};
-use crate::limit::{ExtremalPolygon, Overshoot, Shown};
+use crate::limit::{ExtremalPolygon, Overshoot, ProofOfGreatest};
 use crate::report::json::exact::Exact;
 use serde::Serialize;
 
@@ -77,11 +77,11 @@ impl<'a> Greatest<'a> {
             points,
         };
         let (kind, at) = match shown {
-            Shown::Points => ("next-level", Vec::new()),
-            Shown::AtMost(levels) => {
+            ProofOfGreatest::Points => ("next-level", Vec::new()),
+            ProofOfGreatest::AtMost(levels) => {
                 ("limit-at-most", levels.iter().map(ToString::to_string).collect())
             }
-            Shown::AtLeast(places) => {
+            ProofOfGreatest::AtLeast(places) => {
                 ("limit-at-least", places.iter().map(ToString::to_string).collect())
             }
         };

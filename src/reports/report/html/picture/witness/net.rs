@@ -28,7 +28,7 @@ const HIGH: f64 = 0.6;
 const SAME: f64 = 0.03;
 
 /// What is drawn at the place: two values whose distance is bounded, at their parameters.
-struct Shown<'l> {
+struct Drawn<'l> {
     ends: [([f64; 2], f64); 2],
     level: &'l Grid,
     other: &'l Grid,
@@ -65,7 +65,7 @@ pub(super) fn drawing(
     })
 }
 
-impl Shown<'_> {
+impl Drawn<'_> {
     /// What is drawn, with its class.
     fn names(&self) -> Vec<(&'static str, String)> {
         let other = ("c2", self.name.clone());
@@ -99,7 +99,7 @@ fn windows(masks: [&Mask; 2], exceeding: &Exceeding<'_>) -> Option<Vec<[Window; 
 }
 
 /// The place and what is compared there.
-fn shown<'l>(found: &'l [Grid], exceeding: &Exceeding<'_>) -> Option<Shown<'l>> {
+fn shown<'l>(found: &'l [Grid], exceeding: &Exceeding<'_>) -> Option<Drawn<'l>> {
     let k = usize::try_from(exceeding.level).ok()?;
     let (level, next, limit) = (found.get(k)?, found.get(k + 1)?, found.last()?);
     let at_limit = || "limit".to_owned();
@@ -107,24 +107,24 @@ fn shown<'l>(found: &'l [Grid], exceeding: &Exceeding<'_>) -> Option<Shown<'l>> 
         (Quantity::Distance, Place::Parameters(both)) => {
             let t = both.each_ref().map(nearest);
             let ends = [(t, level.at(t)), (t, limit.at(t))];
-            Shown { ends, level, other: limit, name: at_limit() }
+            Drawn { ends, level, other: limit, name: at_limit() }
         }
         (Quantity::Step, Place::Points(place)) => {
             let t = next.parameters(*place);
             let ends = [(t, level.at(t)), (t, next.point(*place))];
-            Shown { ends, level, other: next, name: format!("level {}", next.k) }
+            Drawn { ends, level, other: next, name: format!("level {}", next.k) }
         }
         (Quantity::Difference, Place::Along([i, j], axis)) => {
             let end = |place: [i64; 2]| (level.parameters(place), level.point(place));
             let ends = [end([*i, *j]), end(if *axis == 0 { [i + 1, *j] } else { [*i, j + 1] })];
-            Shown { ends, level, other: limit, name: at_limit() }
+            Drawn { ends, level, other: limit, name: at_limit() }
         }
         _ => return None,
     })
 }
 
 /// The control net, the level and the limit above the windows.
-fn scene(control: &Grid, shown: &Shown<'_>, windows: [Window; 2]) -> Scene {
+fn scene(control: &Grid, shown: &Drawn<'_>, windows: [Window; 2]) -> Scene {
     let even = |axis: usize| {
         let (from, to) = windows[axis].ends();
         let at = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);

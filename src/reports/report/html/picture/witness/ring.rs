@@ -31,7 +31,7 @@ const HIGH: f64 = 1.1;
 const SAME: f64 = 1e-6;
 
 /// The values of two levels that are compared, and between which of their points.
-struct Shown {
+struct Drawn {
     ends: [(usize, f64); 2],
     other: Vec<f64>,
     name: String,
@@ -80,23 +80,23 @@ fn shown(
     next: Vec<f64>,
     refined: &impl Fn(&[f64]) -> Vec<f64>,
     exceeding: &Exceeding<'_>,
-) -> Option<Shown> {
+) -> Option<Drawn> {
     let point = |name: &str| (0..ring.point_count()).find(|point| ring.name(*point) == name);
     match (exceeding.quantity, &exceeding.attained.place) {
         (Quantity::Distance, Place::Named(name)) => {
             let (a, limit) = (point(name)?, limit(next, refined)?);
             let ends = [(a, level[a]), (a, limit)];
-            Some(Shown { ends, other: vec![limit; level.len()], name: "limit".to_owned() })
+            Some(Drawn { ends, other: vec![limit; level.len()], name: "limit".to_owned() })
         }
         (Quantity::Step, Place::Named(name)) => {
             let a = point(name)?;
             let name = format!("level {}", exceeding.level + 1);
-            Some(Shown { ends: [(a, level[a]), (a, next[a])], other: next, name })
+            Some(Drawn { ends: [(a, level[a]), (a, next[a])], other: next, name })
         }
         (Quantity::Difference, Place::Edge([one, other])) => {
             let ends = [point(one)?, point(other)?].map(|a| (a, level[a]));
             let limit = limit(next, refined)?;
-            Some(Shown { ends, other: vec![limit; level.len()], name: "limit".to_owned() })
+            Some(Drawn { ends, other: vec![limit; level.len()], name: "limit".to_owned() })
         }
         _ => None,
     }
@@ -116,7 +116,7 @@ fn limit(points: Vec<f64>, refined: &impl Fn(&[f64]) -> Vec<f64>) -> Option<f64>
     None
 }
 
-fn scene(ring: &LocalRules, [control, level]: [&[f64]; 2], shown: &Shown, k: u32) -> Scene {
+fn scene(ring: &LocalRules, [control, level]: [&[f64]; 2], shown: &Drawn, k: u32) -> Scene {
     let places = places(ring);
     let values = control.iter().chain(level).chain(&shown.other);
     let (low, high) =
