@@ -26,7 +26,7 @@ COPY = ROOT / "target" / "defects"
 LIMIT = 400
 CARGO = ["cargo", "test", "--test", "tests"]
 # No failing case is simplified, or kept for the next run.
-ENVIRONMENT = {"CARGO_TARGET_DIR": str(ROOT / "target" / "defects-build"), **os.environ,
+ENVIRONMENT = {"CARGO_TARGET_DIR": str(ROOT / "target" / "defects-build"), **os.environ, "SUBCERT_CASES": "all",
                "PROPTEST_MAX_SHRINK_ITERS": "0", "PROPTEST_DISABLE_FAILURE_PERSISTENCE": "true"}
 
 # The file, an expression that occurs there once, the expression in its place, and the names of tests to run first.

@@ -39,7 +39,7 @@ fn agree(rules: &Rules, most: u32) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
+    #![proptest_config(crate::common::cases(96))]
 
     // Difference masks: those of Lagrange's schemes keep lines, those of random masks do not.
     #[test]

@@ -25,7 +25,7 @@ fn product(t: &[Rational], n: usize, c: u32) -> Vec<Rational> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(crate::common::cases(40))]
 
     /// E^c_{l,f} is the coefficient of z^{f − n^c l} in that product.
     #[test]
@@ -48,7 +48,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(crate::common::cases(60))]
 
     /// The window by products against the definition term by term, by both recursions.
     #[test]

@@ -131,7 +131,7 @@ fn algebraic_ratio() -> impl Strategy<Value = RealCyclotomic> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(crate::common::cases(60))]
 
     // By counting, at an equality, and a hair to either side of one.
     #[test]

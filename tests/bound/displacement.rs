@@ -41,7 +41,7 @@ fn polygon_of(signs: &[i64]) -> Vec<Rational> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
+    #![proptest_config(crate::common::cases(128))]
 
     #[test]
     fn displacements_are_sums_of_differences(mask in affine(5, 6)) {

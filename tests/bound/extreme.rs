@@ -48,7 +48,7 @@ fn rough() -> Vec<Mask> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::common::cases(64))]
 
     #[test]
     fn differences_of_random_masks(mask in affine(5, 6)) {
@@ -64,7 +64,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::common::cases(24))]
 
     // More classes than are visited one by one: the tree, with bounds of single entries of the rows below a
     // node, and extreme rows where it is large.

@@ -27,7 +27,7 @@ fn largest(values: &[Rational]) -> Rational {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::common::cases(64))]
     // No ring does worse, and one of integers is as bad.
     #[test]
     fn the_constants_are_the_least_bounds(

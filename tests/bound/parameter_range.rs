@@ -43,7 +43,7 @@ fn samples(more: Vec<Rational>) -> Vec<Rational> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(crate::common::cases(60))]
 
     /// The set, and the function, at many parameters and beside each end.
     #[test]

@@ -215,7 +215,7 @@ fn joint_trees_can_be_followed() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::common::cases(24))]
 
     #[test]
     fn joint_trees_of_random_masks(mask in affine(3, 4)) {

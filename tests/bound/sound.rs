@@ -87,7 +87,7 @@ fn curve(mask: &Mask, blocks: u32) -> SoundBound {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(crate::common::cases(40))]
 
     #[test]
     fn bounds_hold_for_named_curves(points in polygon(2..6), blocks in 1_u32..4) {
@@ -135,7 +135,7 @@ fn attained(first: &Rules, second: &Rules, c: u32) -> Rational {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(8))]
+    #![proptest_config(crate::common::cases(8))]
 
     // C_c is what differences along one direction can grow by: D along it, S along
     // the other, for the worse of the two directions.
@@ -178,7 +178,7 @@ fn bounds_hold_for_named_surfaces() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(crate::common::cases(100))]
 
     #[test]
     fn levels_are_the_documented_formula(mask in gentle(3, 4), blocks in 1_u32..5, last in 0_u32..12) {

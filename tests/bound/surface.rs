@@ -78,7 +78,7 @@ fn magnitudes(terms: &[Rational]) -> Rational {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::common::cases(64))]
 
     #[test]
     fn no_grid_is_displaced_more(first in affine(3, 4), second in affine(3, 4), grid in grid()) {

@@ -68,7 +68,7 @@ fn cosine(p: i64, q: i64) -> RealCyclotomic {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(crate::common::cases(200))]
     #[test]
     fn no_integer_heights_are_worth_more(
         (edges, w) in mesh(7).prop_flat_map(|(count, edges)| {

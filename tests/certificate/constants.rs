@@ -139,7 +139,7 @@ fn keeping_lines(even: [i64; 3], first: i64) -> [[i64; 4]; 2] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(crate::common::cases(12))]
 
     // Whatever the mask, what is written is accepted, or beyond a cap.
     #[test]

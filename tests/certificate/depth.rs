@@ -212,7 +212,7 @@ fn an_open_polygon_is_looked_at_wherever_it_determines_the_limit() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(crate::common::cases(12))]
 
     /// A tolerance that is enough at a level is not too small for it, with any witness.
     #[test]

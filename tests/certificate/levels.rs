@@ -164,7 +164,7 @@ fn what_is_not_proved_so() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(16))]
+    #![proptest_config(crate::common::cases(16))]
 
     /// σβT^k/(1 − T) and what it rests on, for random schemes and their tensor products.
     #[test]

@@ -136,7 +136,7 @@ fn together(numbers: &[(u64, usize)], m: usize) -> Rational {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::common::cases(24))]
 
     /// What is told of luck is an upper bound, also where equal numbers are given together; it is
     /// sharp where all cells are given; and the checker agrees on every verdict.

@@ -54,7 +54,7 @@ fn expression() -> impl Strategy<Value = (RealExpression, f64)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(crate::common::cases(40))]
 
     #[test]
     fn values_are_those_of_f64((a, x) in expression()) {

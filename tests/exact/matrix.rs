@@ -30,7 +30,7 @@ fn factors() -> impl Strategy<Value = (Vec<RealCyclotomic>, Vec<Vec<RealCyclotom
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(crate::common::cases(200))]
     #[test]
     fn products_are_sums_of_products((row, rows) in factors()) {
         let matrix = Matrix::from_rows(rows.clone());

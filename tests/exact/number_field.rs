@@ -90,7 +90,7 @@ fn combined(c: [i64; 4]) -> AlgebraicNumber {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::common::cases(24))]
 
     #[test]
     fn products_across_fields_are_those_of_coordinates(

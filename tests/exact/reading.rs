@@ -57,7 +57,7 @@ fn near_number() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2_000))]
+    #![proptest_config(crate::common::cases(2_000))]
 
     #[test]
     fn texts_are_read_or_refused_as_by_splitting(text in near_number()) {

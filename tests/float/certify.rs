@@ -2,7 +2,7 @@
 
 use crate::float::strategy::{largest_row_sum, scheme, two};
 use proptest::prelude::*;
-use proptest::test_runner::{Config, TestRunner};
+use proptest::test_runner::TestRunner;
 use std::cell::Cell;
 use subcert::bound::{Constants, DepthError, Operator, Order, Suprema, Terms, displacement};
 use subcert::exact::{Rational, parse_rational};
@@ -41,7 +41,7 @@ fn natural_scale(scheme: &Scheme, blocks: i32) -> f64 {
 fn every_error_is_within_its_bound() {
     let worst_tightness = Cell::new(0.0_f64);
     let worst_size = Cell::new(0.0_f64);
-    let mut runner = TestRunner::new(Config::with_cases(48));
+    let mut runner = TestRunner::new(crate::common::cases(48));
     let outcome = runner.run(&scheme(), |scheme| {
         let found = certify(&scheme, &two_blocks()).unwrap();
         prop_assert_eq!(found.tracked_block, 2);

@@ -34,7 +34,7 @@ fn rings_of_the_catalogue() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
+    #![proptest_config(crate::common::cases(32))]
     #[test]
     fn every_error_is_within_its_bound(ring in any_ring(5)) {
         let found = certify_local_rules(&ring.map(|weight| RealCyclotomic::from(weight)), 3).unwrap();

@@ -154,7 +154,7 @@ fn soup() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(3_000))]
+    #![proptest_config(crate::common::cases(3_000))]
 
     #[test]
     fn no_text_makes_the_program_panic(text in prop_oneof![soup(), ".{0,40}"]) {

@@ -180,7 +180,7 @@ fn big((p, q): (i64, i64)) -> BigRational {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1_500))]
+    #![proptest_config(crate::common::cases(1_500))]
 
     #[test]
     fn printed_trees_have_their_naive_values(tree in tree(false), w in value(), mu in value()) {

@@ -131,7 +131,7 @@ fn matrices(count: usize, size: usize) -> impl Strategy<Value = MatrixSet> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::common::cases(24))]
 
     #[test]
     fn random_pairs_agree_with_brute_force(set in matrices(2, 2)) {

@@ -87,7 +87,7 @@ fn matrix(size: usize) -> impl Strategy<Value = Vec<Vec<i64>>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(crate::common::cases(12))]
 
     /// The bounds of a block triangular pair and of its blocks contradict each other nowhere, and are certified.
     #[test]

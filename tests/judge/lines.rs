@@ -157,7 +157,7 @@ fn tables_that_contradict_each_other_and_tables_that_agree() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(crate::common::cases(12))]
 
     /// Rows of random digits are explained by no reading, of the table or of a row.
     #[test]

@@ -138,7 +138,7 @@ fn mask() -> impl Strategy<Value = Mask> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(crate::common::cases(40))]
 
     /// Point i of the new scheme is point i + first of the old one, so norms of powers are the same.
     #[test]

@@ -126,7 +126,7 @@ fn family() -> impl Strategy<Value = Family> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(30))]
+    #![proptest_config(crate::common::cases(30))]
 
     /// The other order, Σ|ã|, decimals cut and a hidden scale are all recovered.
     #[test]
@@ -245,7 +245,7 @@ proptest! {
 
 proptest! {
     // A table of twenty depths has many readings, and takes as long as ten others.
-    #![proptest_config(ProptestConfig::with_cases(10))]
+    #![proptest_config(crate::common::cases(10))]
 
     /// Depths computed with a hidden spread: the interval found holds it, or another reading gives
     /// them at a plainer value.
@@ -286,7 +286,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(30))]
+    #![proptest_config(crate::common::cases(30))]
 
     /// Random digits are explained by nothing, whatever the parameter.
     #[test]

@@ -128,7 +128,7 @@ fn cost(value: &Rational) -> Integer {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(crate::common::cases(40))]
 
     /// Of a hidden factor, with a few digits or a small denominator, what is recovered is at
     /// least as plain, and no number between the ends is plainer: none was found by trying all.

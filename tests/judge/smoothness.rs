@@ -169,7 +169,7 @@ fn the_digits_of_an_exponent_decide() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::common::cases(64))]
 
     /// a·log_b(x^e) = a·e·log_b(x), and log_b(xy) = log_b(x) + log_b(y): exactly equal, and no longer if
     /// anything is added. Enclosures agree with f64.

@@ -246,7 +246,7 @@ fn rules_that_sum_to_1_need_not_converge() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(crate::common::cases(12))]
 
     /// σβT^k/(1 − T) and what it rests on are true of every scheme with T = T_1 < 1, at
     /// every offset.

@@ -35,7 +35,7 @@ fn greatest_change_of_steps(mask: &Mask, k: u32, l: u32) -> Rational {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::common::cases(24))]
 
     #[test]
     fn changes_are_those_of_all_steps(mask in affine(3, 3), k in 0_u32..3, more in 0_u32..3) {

@@ -62,7 +62,7 @@ fn sampled(limit: &Limit, points: &[Rational], k: u32, m: u32) -> Rational {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::common::cases(24))]
 
     #[test]
     fn no_polygon_is_farther(

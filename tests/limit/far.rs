@@ -35,7 +35,7 @@ fn pulled_back(limit: &Limit, t: &Rational) -> Functional {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::common::cases(24))]
 
     #[test]
     fn far_polygons_are_those_of_the_naive_search(limit in convergent(4, 4), level in 0_u32..6) {

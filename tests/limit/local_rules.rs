@@ -70,7 +70,7 @@ fn check(limit: &LocalLimit<Rational>, witness: &LocalWitness<Rational>) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::common::cases(64))]
 
     #[test]
     fn no_ring_is_farther(

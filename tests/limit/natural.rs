@@ -167,7 +167,7 @@ fn a_mean_is_rounded_only_where_its_digits_repeat_late() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(crate::common::cases(12))]
 
     /// What naive refinement of closed polygons shows is within the constant and the distance of
     /// the polygon; a witness is as far as it says.
@@ -215,7 +215,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::common::cases(24))]
 
     /// Where (n − 1)s is an integer, the natural parametrisation is that of another offset.
     #[test]

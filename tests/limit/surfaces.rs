@@ -96,7 +96,7 @@ fn check(axes: [&Limit; 2], spreads: &[Rational; 2], witness: &SurfaceWitness) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(crate::common::cases(12))]
 
     #[test]
     fn no_net_is_farther(

@@ -65,7 +65,7 @@ pub fn parameter(arity: usize) -> impl Strategy<Value = Rational> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(crate::common::cases(48))]
 
     #[test]
     fn limits_are_what_refinement_tends_to(

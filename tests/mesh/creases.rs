@@ -262,7 +262,7 @@ fn tagged() -> impl Strategy<Value = (MeshScheme, Mesh)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::common::cases(24))]
 
     /// The limit is that of every level: at creases, corners, ends of creases, and where sharpness falls.
     #[test]

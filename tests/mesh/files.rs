@@ -297,7 +297,7 @@ fn files_that_are_cut_off() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(crate::common::cases(400))]
 
     #[test]
     fn files_that_are_changed(

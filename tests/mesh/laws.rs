@@ -35,7 +35,7 @@ fn mapped(mesh: &Mesh, map: &[Point<RealCyclotomic>]) -> Mesh {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4))]
+    #![proptest_config(crate::common::cases(4))]
 
     #[test]
     fn affine_maps_commute_with_refinement_and_limits(map in points(4)) {

@@ -88,7 +88,7 @@ fn normal_with_root_shrinks(n: usize, points: &[Point<RealCyclotomic>]) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4))]
+    #![proptest_config(crate::common::cases(4))]
 
     #[test]
     fn positions_are_left_eigenvectors_of_the_catalogue(points in points(17)) {

@@ -35,7 +35,7 @@ fn agrees_with_ring(scheme: MeshScheme, n: usize, points: &[[RealCyclotomic; 3]]
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4))]
+    #![proptest_config(crate::common::cases(4))]
 
     #[test]
     fn vertices_and_faces_follow_the_catalogue(points in points(21)) {

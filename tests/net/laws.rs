@@ -41,7 +41,7 @@ fn turned(net: &Net) -> Net {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::common::cases(24))]
 
     #[test]
     fn affine_maps_commute_with_refinement_and_limits(net in nets(7, 7), name in names()) {

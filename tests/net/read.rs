@@ -82,7 +82,7 @@ fn small_nets_are_refused_where_they_are_closed() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::common::cases(64))]
 
     /// Whatever the text is, there is a net or an error.
     #[test]

@@ -195,7 +195,7 @@ fn limit_points_of_all_that_is_sharp_are_within_the_tolerance() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(16))]
+    #![proptest_config(crate::common::cases(16))]
 
     /// Any edges and vertices of any sharpness, by both rules for how it falls.
     #[test]

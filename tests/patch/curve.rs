@@ -158,7 +158,7 @@ fn dense(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(20))]
+    #![proptest_config(crate::common::cases(20))]
 
     /// Tolerances above and below the sampled distance of a level: far from it, where a few points show what is far, and so
     /// near that only all of them do.

@@ -196,7 +196,7 @@ fn sampled_limit_points_are_within_the_tolerance_and_the_witness_is_not() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(10))]
+    #![proptest_config(crate::common::cases(10))]
 
     #[test]
     fn any_points(

@@ -110,7 +110,7 @@ fn sampled_limit_points_are_within_the_tolerance() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(6))]
+    #![proptest_config(crate::common::cases(6))]
 
     #[test]
     fn on_any_points(star in moved(star(3, 2, true)), four in moved(tetrahedron())) {

@@ -300,7 +300,7 @@ const TERMS: [(&str, i64); 9] = [
 ];
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::common::cases(64))]
     // Weights that are found once for many places, against each formula at each place; and
     // the rotation against the definition.
     #[test]

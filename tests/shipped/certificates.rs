@@ -97,7 +97,7 @@ fn near(value: f64, digits: usize, change: Option<(usize, u8)>, suffix: &str) ->
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::common::cases(64))]
 
     /// No text is a number for one of the two alone.
     #[test]

@@ -113,7 +113,7 @@ fn what_is_not_shown_has_no_values() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(10))]
+    #![proptest_config(crate::common::cases(10))]
     /// A random scheme, and the one that takes means of its neighbouring points, whose derived scheme it is.
     #[test]
     fn values_keep_the_laws_of_generated_polynomials(

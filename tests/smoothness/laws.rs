@@ -79,7 +79,7 @@ fn check(mask: &Mask, levels: u32) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(16))]
+    #![proptest_config(crate::common::cases(16))]
 
     #[test]
     fn binary_masks(mask in masks(2, 3)) {

@@ -96,7 +96,7 @@ fn the_map_agrees_with_the_range_on_a_line() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(crate::common::cases(40))]
 
     /// What the map says of a box is what holds at its points.
     #[test]

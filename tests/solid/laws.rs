@@ -190,7 +190,7 @@ fn grids_are_tensor_products() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(8))]
+    #![proptest_config(crate::common::cases(8))]
 
     #[test]
     fn limits_stay_on_any_points(solid in moved(tetrahedron())) {

@@ -85,7 +85,7 @@ fn solids_are_refined_as_defined() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(8))]
+    #![proptest_config(crate::common::cases(8))]
 
     #[test]
     fn on_any_points(solid in moved(tetrahedron())) {

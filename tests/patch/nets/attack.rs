@@ -150,7 +150,7 @@ fn no_limit_point_is_farther_away_than_certified() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(5))]
+    #![proptest_config(crate::common::cases(5))]
 
     #[test]
     fn nor_of_random_nets(

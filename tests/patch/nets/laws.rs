@@ -33,7 +33,7 @@ fn near(left: [f64; 2], right: [f64; 2], factor: f64) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(16))]
+    #![proptest_config(crate::common::cases(16))]
 
     /// A similarity of the net and the tolerance keeps levels, and multiplies distances.
     #[test]

@@ -27,7 +27,7 @@ pub(super) fn facts(cells: &CellErratum<'_, '_>) -> Vec<(String, String)> {
 }
 
 /// How the cells came about: a rounding, a reading, a slip, or not explained.
-pub(in crate::report) fn origin(cells: &CellErratum<'_, '_>) -> String {
+pub(crate) fn origin(cells: &CellErratum<'_, '_>) -> String {
     let cause = cells.outcome.cause.as_ref().map(Cause::to_string).unwrap_or_default();
     if cells.as_defined {
         let values = if cause.is_empty() { cause } else { format!(" {cause}") };
@@ -96,7 +96,7 @@ pub(super) fn sound(cell: &CellFinding) -> String {
 
 /// An exact value in the form of the printed number: rounded to its last place or, if only zeros
 /// remain, to as many digits.
-pub(in crate::report) fn correct(exact: Option<&RealCyclotomic>, printed: &Printed) -> String {
+pub(crate) fn correct(exact: Option<&RealCyclotomic>, printed: &Printed) -> String {
     let Some(exact) = exact else { return "no value".to_owned() };
     let digits = u32::try_from(printed.decimal.significant_digits()).unwrap_or(1).clamp(1, 40);
     let places = u32::try_from(-printed.decimal.exponent()).unwrap_or(0);

@@ -3,7 +3,7 @@
 pub(super) mod cells;
 mod claims;
 mod differences;
-pub(in crate::report) mod latex_table;
+pub(crate) mod latex_table;
 
 pub use differences::differences_sheet;
 

@@ -8,7 +8,7 @@ use crate::report::words::parts::titled;
 use crate::report::words::sheet::Sheet;
 
 /// The equations that fail or cannot be checked; with `all`, every one.
-pub(in crate::report) fn equations(sheet: &mut Sheet, findings: &[EquationFinding<'_>], all: bool) {
+pub(crate) fn equations(sheet: &mut Sheet, findings: &[EquationFinding<'_>], all: bool) {
     let shown = |finding: &&EquationFinding<'_>| {
         all || !matches!(finding.verdict, EquationVerdict::Holds { .. })
     };
@@ -31,7 +31,7 @@ const MAX_FAILURES: usize = 2;
 
 /// The finding about an equation, in one line or several.
 #[must_use]
-pub(in crate::report) fn outcome(finding: &EquationFinding<'_>) -> String {
+pub(crate) fn outcome(finding: &EquationFinding<'_>) -> String {
     match &finding.verdict {
         EquationVerdict::Holds { cases: 1 } => format!("holds{}", compared(finding)),
         EquationVerdict::Holds { cases } => {
@@ -80,7 +80,7 @@ fn listed(values: &[(Rational, String)]) -> String {
 }
 
 /// An identity as it stands in the claim file.
-pub(in crate::report) fn sides(identity: &Identity) -> Vec<(String, String)> {
+pub(crate) fn sides(identity: &Identity) -> Vec<(String, String)> {
     let mut facts = Vec::new();
     if let Some(scheme) = &identity.scheme {
         facts.push(("scheme".to_owned(), scheme.reference.to_string()));

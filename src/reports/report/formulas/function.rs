@@ -11,7 +11,7 @@ use crate::report::words::sheet::Sheet;
 
 /// The sections on closed forms and on ranges; without `all`, on those where
 /// something is wrong.
-pub(in crate::report) fn sections(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
+pub(crate) fn sections(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
     let wrong = |finding: &&FunctionFinding<'_>| all || finding.verdict != FunctionVerdict::Holds;
     let facts = audit.functions.iter().filter(wrong).map(|finding| {
         let claim = finding.claim;
@@ -46,7 +46,7 @@ fn lines(title: String, outcome: Vec<String>, note: Option<&str>) -> String {
 }
 
 /// What there is to say of a closed form in full.
-pub(in crate::report) fn function_facts(
+pub(crate) fn function_facts(
     audit: &PaperAudit<'_>,
     finding: &FunctionFinding<'_>,
 ) -> Vec<(String, String)> {
@@ -67,7 +67,7 @@ pub(in crate::report) fn function_facts(
 }
 
 /// What there is to say of a range in full.
-pub(in crate::report) fn range_facts(finding: &RangeFinding<'_>) -> Vec<(String, String)> {
+pub(crate) fn range_facts(finding: &RangeFinding<'_>) -> Vec<(String, String)> {
     let claim = finding.claim;
     let mut facts = head(&claim.variable, claim.scheme.as_ref());
     let condition =
@@ -93,7 +93,7 @@ fn verdict(word: Word) -> String {
     format!("{} {word}", word.mark())
 }
 
-pub(in crate::report) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
+pub(crate) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
     let variable = &finding.claim.variable;
     let (larger, smaller, example) = match &finding.verdict {
         FunctionVerdict::Fails { larger, smaller, example } => (larger, smaller, example),
@@ -111,7 +111,7 @@ pub(in crate::report) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<
     lines
 }
 
-pub(in crate::report) fn range_outcome(finding: &RangeFinding<'_>) -> Vec<String> {
+pub(crate) fn range_outcome(finding: &RangeFinding<'_>) -> Vec<String> {
     let found = match &finding.found {
         Ok(found) => found,
         Err(cap) => return vec![beyond(cap)],
@@ -134,7 +134,7 @@ pub(in crate::report) fn range_outcome(finding: &RangeFinding<'_>) -> Vec<String
 }
 
 /// That a value is beyond a cap, so that nothing is said of the claim.
-pub(in crate::report) fn beyond(cap: &dyn std::fmt::Display) -> String {
+pub(crate) fn beyond(cap: &dyn std::fmt::Display) -> String {
     format!("not checkable: {cap}")
 }
 
@@ -153,7 +153,7 @@ fn end_text(found: &FoundRange, end: &EndFinding) -> String {
 }
 
 /// The range as printed: `0 <= w <= 1/2`, or `w from 0 to 1/2` where the paper does not say whether its ends belong to it.
-pub(in crate::report) fn printed(finding: &RangeFinding<'_>) -> String {
+pub(crate) fn printed(finding: &RangeFinding<'_>) -> String {
     let claim = finding.claim;
     let Some(closed) = claim.closed else {
         let from = claim.from.as_ref().map(|from| format!(" from {}", from.text));

@@ -14,7 +14,7 @@ const AROUND: usize = 3;
 const MAX_WRAPPED: usize = 2;
 
 /// A table in a form that fits the width.
-pub(in crate::report) enum Fitted {
+pub(crate) enum Fitted {
     /// As tables, one below the other, each with the first column.
     Tables(Vec<Grid>),
     /// As records: for each row its first text, and the other texts with their headers.
@@ -44,7 +44,7 @@ fn words(line: &str) -> Vec<String> {
 
 impl Grid {
     /// The table in lines of at most `width` characters.
-    pub(in crate::report) fn fitted(&self, width: usize) -> Fitted {
+    pub(crate) fn fitted(&self, width: usize) -> Fitted {
         let columns = self.header.len();
         let natural: Vec<usize> = (0..columns).map(|j| self.widest(j, |line| vec![line])).collect();
         let least: Vec<usize> = (0..columns).map(|j| self.widest(j, |line| words(&line))).collect();

@@ -31,7 +31,7 @@ impl Sheet {
 }
 
 impl Grid {
-    pub(in crate::report) fn write_latex(&self, columns: usize, out: &mut String) {
+    pub(crate) fn write_latex(&self, columns: usize, out: &mut String) {
         let alignment = |column| if column < self.left_columns { 'l' } else { 'r' };
         let alignment: String = (0..columns).map(alignment).collect();
         let _ = writeln!(out, "\\begin{{tabular}}{{{alignment}}}\n\\toprule");
@@ -59,7 +59,7 @@ fn one_line(text: &str) -> String {
 }
 
 /// Text that LaTeX shows as it is, with mathematical signs, and indices such as that of `T_c`.
-pub(in crate::report) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     let mut rest = text;
     let mut after_letter = false;

@@ -93,7 +93,7 @@ fn one_table(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'
 }
 
 /// A formula; if it is only the name of a definition, with the definition's formula beside it.
-pub(in crate::report) fn spelled_out(audit: &PaperAudit<'_>, formula: &str) -> String {
+pub(crate) fn spelled_out(audit: &PaperAudit<'_>, formula: &str) -> String {
     match audit.paper.definitions.get(formula) {
         Some(definition) => format!("{formula} = {}", definition.text),
         None => formula.to_owned(),
@@ -147,7 +147,7 @@ fn digits_beside(cell: &CellFinding) -> u32 {
 
 /// The remarks below a table: the slips, how damaged text is read, why a value is missing, the
 /// assumptions, how many promises are kept, and what Coq checks.
-pub(in crate::report) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
+pub(crate) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     let mut lines = Vec::new();
     let listed = |word: Word, what: &dyn Fn(&CellFinding) -> Option<String>| {
         let mut all: Vec<String> = cells(finding).filter_map(what).collect();
@@ -232,7 +232,7 @@ fn comparison(finding: &TableFinding<'_>) -> Option<String> {
 }
 
 /// The values that were put in for parameters that the paper does not state.
-pub(in crate::report) fn assumed(cell: &CellFinding) -> String {
+pub(crate) fn assumed(cell: &CellFinding) -> String {
     let value = |(name, value): &(String, Rational)| format!("{name} = {value}");
     cell.assumed.iter().map(value).collect::<Vec<String>>().join(", ")
 }

@@ -5,7 +5,7 @@ use crate::report::tables::reading::place;
 use crate::report::words::sheet::Sheet;
 
 /// The section on contradictions between tables, when there are any.
-pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
+pub(crate) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
     if audit.contradictions.is_empty() {
         return;
     }
@@ -30,7 +30,7 @@ fn line(audit: &PaperAudit<'_>, side: &Side) -> String {
 }
 
 /// The locus of a table, or of a row or column of it.
-pub(in crate::report) fn locus(audit: &PaperAudit<'_>, at: &TablePart) -> String {
+pub(crate) fn locus(audit: &PaperAudit<'_>, at: &TablePart) -> String {
     let Some(table) = at.table_of(audit.paper) else { return at.table.clone() };
     match at.line {
         None => table.locus.clone(),

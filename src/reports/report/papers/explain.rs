@@ -133,7 +133,7 @@ pub fn table_of<'e, 'a>(
 }
 
 /// The place of the printed cell of this id.
-pub(in crate::report) fn cell_place(table: &Table, target: Target<'_>) -> Option<(usize, usize)> {
+pub(crate) fn cell_place(table: &Table, target: Target<'_>) -> Option<(usize, usize)> {
     let at = target.cell()?;
     table.cells.get(at.0)?.get(at.1)?.printed()?;
     Some(at)
@@ -152,7 +152,7 @@ fn definition(
 }
 
 /// What is known of a cell.
-pub(in crate::report) fn cell_facts(cell: &CellFinding) -> Vec<(String, String)> {
+pub(crate) fn cell_facts(cell: &CellFinding) -> Vec<(String, String)> {
     let mut facts = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
     fact("printed", cell.printed.clone().unwrap_or_else(|| "lost".to_owned()));

@@ -18,7 +18,7 @@ const WRONG_CELLS: [Word; 3] = [Word::Refuted, Word::Misprint, Word::OtherReadin
 
 /// What matters most in one sentence of up to 25 words, and then the counts: of the cells of a paper, of their
 /// promises, and of the other claims.
-pub(in crate::report) fn headline(audit: &PaperAudit<'_>) -> String {
+pub(crate) fn headline(audit: &PaperAudit<'_>) -> String {
     let (about, first) = first(audit);
     let promises = if about == About::Promises { open_promises(audit) } else { promises(audit) };
     let claims = claims(audit, about);
@@ -30,7 +30,7 @@ pub(in crate::report) fn headline(audit: &PaperAudit<'_>) -> String {
 }
 
 /// For each scheme whose offset the claim file does not state, that another one is better.
-pub(in crate::report) fn unstated_offsets(audit: &PaperAudit<'_>) -> impl Iterator<Item = String> {
+pub(crate) fn unstated_offsets(audit: &PaperAudit<'_>) -> impl Iterator<Item = String> {
     audit.unstated_offsets.iter().map(|UnstatedOffset { scheme, better }| {
         let BetterOffset { offset, least, at_zero } = better;
         format!(

@@ -28,7 +28,7 @@ pub fn overview_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
 
 /// A sentence for each paper, the cells of the papers' tables by verdict, and then their other
 /// claims, by the kinds that occur.
-pub(in crate::report) fn overview(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
+pub(crate) fn overview(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
     for audit in audits {
         sheet.text(headline(audit));
     }

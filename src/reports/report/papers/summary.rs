@@ -13,7 +13,7 @@ const STANDINGS: [CellStanding; 6] = [
 ];
 
 /// The section that counts the cells, when there are any.
-pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
+pub(crate) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
     let summary = audit.cell_summary();
     if summary.groups.is_empty() {
         return;
@@ -29,7 +29,7 @@ pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
     sheet.facts(facts);
 }
 
-pub(in crate::report) fn standing_mark(standing: CellStanding) -> &'static str {
+pub(crate) fn standing_mark(standing: CellStanding) -> &'static str {
     match standing {
         CellStanding::Confirmed => Word::Confirmed,
         CellStanding::Reproduced => Word::Reproduced,
@@ -66,7 +66,7 @@ fn lines(summary: &CellSummary, standing: CellStanding) -> Vec<String> {
 }
 
 /// An outcome in a few words.
-pub(in crate::report) fn words(outcome: &CellOutcome) -> String {
+pub(crate) fn words(outcome: &CellOutcome) -> String {
     match &outcome.cause {
         Some(cause) => format!("{} ({cause})", outcome.standing.name()),
         None => outcome.standing.name().to_owned(),

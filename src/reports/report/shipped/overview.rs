@@ -26,7 +26,7 @@ pub fn projects_sheet(audits: &[ProjectAudit<'_>], all: bool) -> Sheet {
 }
 
 /// `opensubdiv (OpenSubdiv): of 4 tables, 2 are right, …`.
-pub(in crate::report) fn sentence(audit: &ProjectAudit<'_>) -> String {
+pub(crate) fn sentence(audit: &ProjectAudit<'_>) -> String {
     let Project { key, name, .. } = audit.project;
     let all = audit.findings.len();
     let states = Outcome::ALL.into_iter().flat_map(|outcome| [(outcome, false), (outcome, true)]);
@@ -84,7 +84,7 @@ const COLUMNS: [Column; 7] = [
 ];
 
 /// The numbers of each table by verdict.
-pub(in crate::report) fn counts(audits: &[ProjectAudit<'_>]) -> Grid {
+pub(crate) fn counts(audits: &[ProjectAudit<'_>]) -> Grid {
     let header = ["table", "numbers"].into_iter().chain(COLUMNS.iter().map(|(name, _)| *name));
     let row = |finding: &ShippedFinding<'_>| {
         let counted = COLUMNS.iter().map(|(_, is)| match finding.count(is) {

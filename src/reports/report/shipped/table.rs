@@ -115,10 +115,7 @@ fn ulps(finding: &ShippedFinding<'_>) -> String {
 }
 
 /// What is known of a table, by name.
-pub(in crate::report) fn facts_of(
-    project: &Project,
-    finding: &ShippedFinding<'_>,
-) -> Vec<(String, String)> {
+pub(crate) fn facts_of(project: &Project, finding: &ShippedFinding<'_>) -> Vec<(String, String)> {
     let claim = finding.claim;
     let mut facts = vec![("numbers".to_owned(), numbers(finding))];
     facts.extend(source(finding).map(|text| ("read from".to_owned(), text)));
@@ -194,7 +191,7 @@ fn is_off(finding: &ShippedFinding<'_>, place: usize) -> bool {
 }
 
 /// The numbers that are listed of a table: some of those that are off, the worst verdicts first.
-pub(in crate::report) fn shown(finding: &ShippedFinding<'_>) -> Vec<usize> {
+pub(crate) fn shown(finding: &ShippedFinding<'_>) -> Vec<usize> {
     let mut off: Vec<usize> =
         (0..finding.cells.len()).filter(|&place| is_off(finding, place)).collect();
     if off.len() > MAX_ROWS {
@@ -209,7 +206,7 @@ pub(in crate::report) fn shown(finding: &ShippedFinding<'_>) -> Vec<usize> {
 type Column<'c> = (bool, &'c str, &'c dyn Fn(usize) -> String);
 
 /// Numbers of a table with their exact values and verdicts.
-pub(in crate::report) fn rows(finding: &ShippedFinding<'_>, places: &[usize]) -> Grid {
+pub(crate) fn rows(finding: &ShippedFinding<'_>, places: &[usize]) -> Grid {
     let claim = finding.claim;
     let kind = claim.kind;
     let formulas = matches!(claim.exact, ExactValues::Each(_));

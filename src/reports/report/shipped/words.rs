@@ -9,7 +9,7 @@ use crate::shipped::{
 const ERROR_DIGITS: u32 = 3;
 
 /// What a mark means.
-pub(in crate::report) fn meaning(outcome: Outcome) -> &'static str {
+pub(crate) fn meaning(outcome: Outcome) -> &'static str {
     match outcome {
         Outcome::Nearest => "the nearest number of its type",
         Outcome::Cut | Outcome::Ulps => "rounded or cut to its digits, or off in the last places",
@@ -73,7 +73,7 @@ pub(super) fn type_name(kind: NumberType) -> String {
 }
 
 /// How a table came about.
-pub(in crate::report) fn reading(claim: &ShippedClaim, reading: &Reading) -> String {
+pub(crate) fn reading(claim: &ShippedClaim, reading: &Reading) -> String {
     match reading {
         Reading::Convention(number) => {
             format!("The numbers follow another convention: {}.", claim.conventions[*number].label)

@@ -7,13 +7,13 @@ use crate::report::words::sheet::{Grid, Sheet};
 use std::sync::Arc;
 
 /// A table with the finding of each cell; `None` where nothing is printed.
-pub(in crate::report) struct Regularity<'f, 'a> {
-    pub(in crate::report) table: &'f RegularityTable,
-    pub(in crate::report) cells: Vec<Vec<Option<&'f SmoothnessFinding<'a>>>>,
+pub(crate) struct Regularity<'f, 'a> {
+    pub(crate) table: &'f RegularityTable,
+    pub(crate) cells: Vec<Vec<Option<&'f SmoothnessFinding<'a>>>>,
 }
 
 /// The tables of an audit.
-pub(in crate::report) fn tables<'f, 'a>(audit: &'f PaperAudit<'a>) -> Vec<Regularity<'f, 'a>> {
+pub(crate) fn tables<'f, 'a>(audit: &'f PaperAudit<'a>) -> Vec<Regularity<'f, 'a>> {
     let mut tables: Vec<Regularity<'f, 'a>> = Vec::new();
     let mut seen: Vec<&Arc<RegularityTable>> = Vec::new();
     for finding in &audit.smoothness {
@@ -32,12 +32,12 @@ pub(in crate::report) fn tables<'f, 'a>(audit: &'f PaperAudit<'a>) -> Vec<Regula
 }
 
 /// A cell as printed.
-pub(in crate::report) fn printed<'f>(finding: &SmoothnessFinding<'f>) -> &'f str {
+pub(crate) fn printed<'f>(finding: &SmoothnessFinding<'f>) -> &'f str {
     finding.claim.cell.as_ref().map_or("", |cell| &cell.printed)
 }
 
 /// The table that is named.
-pub(in crate::report) fn table_of<'f, 'a>(
+pub(crate) fn table_of<'f, 'a>(
     audit: &'f PaperAudit<'a>,
     id: Target<'_>,
 ) -> Option<Regularity<'f, 'a>> {
@@ -46,7 +46,7 @@ pub(in crate::report) fn table_of<'f, 'a>(
 }
 
 /// Appends the tables; without `all`, those that are not confirmed throughout.
-pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
+pub(crate) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
     for found in tables(audit) {
         let Regularity { table, cells } = &found;
         let mut findings = cells.iter().flatten().flatten();
@@ -59,7 +59,7 @@ pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all:
 }
 
 /// Appends the cells with their verdicts, and the note.
-pub(in crate::report) fn grid(sheet: &mut Sheet, Regularity { table, cells }: &Regularity<'_, '_>) {
+pub(crate) fn grid(sheet: &mut Sheet, Regularity { table, cells }: &Regularity<'_, '_>) {
     let cell = |finding: Option<&SmoothnessFinding<'_>>| {
         finding.map_or_else(
             || "·".to_owned(),

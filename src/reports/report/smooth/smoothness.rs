@@ -26,7 +26,7 @@ const LONGEST: usize = 100;
 const PLACES: u32 = 12;
 
 /// The section on smoothness; without `all`, on the claims that are not confirmed.
-pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
+pub(crate) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
     let shown =
         |finding: &&SmoothnessFinding<'_>| all || finding.verdict != SmoothnessVerdict::Confirmed;
     let facts = audit.smoothness.iter().filter(shown).map(|finding| {
@@ -46,7 +46,7 @@ pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all:
 }
 
 /// A table of smoothness in full, with each cell.
-pub(in crate::report) fn explain_table(audit: &PaperAudit<'_>, id: Target<'_>) -> Option<Sheet> {
+pub(crate) fn explain_table(audit: &PaperAudit<'_>, id: Target<'_>) -> Option<Sheet> {
     let found = regularity::table_of(audit, id)?;
     let mut sheet = Sheet::default();
     sheet.heading(1, format!("{id} · {}", found.table.locus));
@@ -60,7 +60,7 @@ pub(in crate::report) fn explain_table(audit: &PaperAudit<'_>, id: Target<'_>) -
 }
 
 /// What is stated, what is known and how, and the verdict.
-pub(in crate::report) fn in_full(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
+pub(crate) fn in_full(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
     let claim = finding.claim;
     let fact = |name: &str, text: String| (name.to_owned(), text);
     let mut facts = Vec::new();
@@ -74,14 +74,14 @@ pub(in crate::report) fn in_full(finding: &SmoothnessFinding<'_>) -> Vec<(String
 }
 
 /// The scheme, and the values that the claim itself states: `four-point:w=w, w = 1/16`.
-pub(in crate::report) fn scheme(claim: &SmoothnessClaim) -> Option<String> {
+pub(crate) fn scheme(claim: &SmoothnessClaim) -> Option<String> {
     let SmoothnessBody::Statement(scheme, _) = &claim.body else { return None };
     let values = claim.given.iter().map(|(name, value)| format!(", {name} = {}", value.text));
     Some(format!("{}{}", scheme.reference, values.collect::<Vec<String>>().concat()))
 }
 
 /// What the paper states.
-pub(in crate::report) fn statement(claim: &SmoothnessClaim) -> Option<String> {
+pub(crate) fn statement(claim: &SmoothnessClaim) -> Option<String> {
     let SmoothnessBody::Statement(_, statement) = &claim.body else { return None };
     Some(match &**statement {
         SmoothnessStatement::Continuity { continuous, not_continuous, valences } => {
@@ -163,7 +163,7 @@ fn not_smooth(m: usize) -> String {
 }
 
 /// The range as printed.
-pub(in crate::report) fn printed(range: &SmoothRangeStatement) -> String {
+pub(crate) fn printed(range: &SmoothRangeStatement) -> String {
     let relation = if range.closed { "<=" } else { "<" };
     let from = range.from.as_ref().map(|from| format!("{} {relation} ", from.text));
     let to = range.to.as_ref().map(|to| format!(" {relation} {}", to.text));
@@ -171,7 +171,7 @@ pub(in crate::report) fn printed(range: &SmoothRangeStatement) -> String {
 }
 
 /// What is known, in lines.
-pub(in crate::report) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
+pub(crate) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
     let mut lines = match &finding.known {
         KnownLimits::Absent => {
             vec![format!("not checkable without {}", finding.claim.absent().unwrap_or_default())]
@@ -223,7 +223,7 @@ fn of_limits(limits: &Limits) -> String {
 }
 
 /// `6 - log_2(9), 2.830074998557 to 2.830074998558, attained`.
-pub(in crate::report) fn of_exponent(hoelder: &Hoelder) -> String {
+pub(crate) fn of_exponent(hoelder: &Hoelder) -> String {
     let between = between(hoelder);
     let value = match &hoelder.formula {
         Some(formula) if formula.as_rational().is_some() => formula.to_string(),
@@ -249,7 +249,7 @@ fn between(hoelder: &Hoelder) -> String {
 }
 
 /// A decimal that is not above the exponent, and one that is not below it.
-pub(in crate::report) fn decimals(hoelder: &Hoelder) -> [String; 2] {
+pub(crate) fn decimals(hoelder: &Hoelder) -> [String; 2] {
     let (low, high) = match &hoelder.formula {
         Some(formula) => {
             let enclosure = formula.enclosure(1);
@@ -312,7 +312,7 @@ fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<Strin
 }
 
 /// What else is known of the limits.
-pub(in crate::report) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
+pub(crate) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
     let limits = match &finding.known {
         KnownLimits::Limits(limits) => limits,
         KnownLimits::Range(range) => match &range.witness {

@@ -248,7 +248,7 @@ fn curvature_text(curvature: Curvature) -> &'static str {
 }
 
 /// Decimals around the exponent of the first derivatives.
-pub(in crate::report) fn exponent_ends(found: &Exponent) -> [String; 2] {
+pub(crate) fn exponent_ends(found: &Exponent) -> [String; 2] {
     [down(found.value.lower()), up(found.value.upper())]
 }
 
@@ -271,7 +271,7 @@ pub fn vertex_row(vertex: &Vertex) -> Vec<String> {
 }
 
 /// A decimal that is not above J.
-pub(in crate::report) fn least(vertex: &Vertex) -> Option<String> {
+pub(crate) fn least(vertex: &Vertex) -> Option<String> {
     match &vertex.verdict {
         Verdict::Proved { least, .. } => Some(down(least)),
         _ => None,
@@ -279,7 +279,7 @@ pub(in crate::report) fn least(vertex: &Vertex) -> Option<String> {
 }
 
 /// What is found for a claim, in lines: the valences by their verdicts.
-pub(in crate::report) fn vertices_outcome(found: &Vertices) -> Vec<String> {
+pub(crate) fn vertices_outcome(found: &Vertices) -> Vec<String> {
     if found.all.is_some() {
         return vec![
             "C^1 is proved for all valences N >= 3 at once: by the signs of polynomials in one variable, and theorem 135 of \

@@ -103,7 +103,7 @@ fn net(
 }
 
 /// The name and the text of the fact.
-pub(in crate::report) fn fact(eye: &Eye) -> (String, String) {
+pub(crate) fn fact(eye: &Eye) -> (String, String) {
     let Eye { of_net, level, most, broken } = eye;
     let most = short(most, 6);
     let (of, along) = match of_net {

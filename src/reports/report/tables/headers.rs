@@ -4,7 +4,7 @@ use crate::claim::{Axis, AxisEntry, Headers, LocatedReference, Table};
 use crate::exact::format::short;
 
 /// The scheme of a table, or those of its headers that are not printed as references.
-pub(in crate::report) fn schemes(table: &Table) -> Option<(String, String)> {
+pub(crate) fn schemes(table: &Table) -> Option<(String, String)> {
     let of_axis = |axis: &Axis| {
         let named = axis.entries.iter().zip(axis.schemes());
         let named = named.map(|(entry, scheme)| (&entry.printed, scheme.reference.to_string()));
@@ -17,10 +17,7 @@ pub(in crate::report) fn schemes(table: &Table) -> Option<(String, String)> {
 }
 
 /// The scheme of a cell.
-pub(in crate::report) fn scheme_at(
-    table: &Table,
-    (row, column): (usize, usize),
-) -> Option<(String, String)> {
+pub(crate) fn scheme_at(table: &Table, (row, column): (usize, usize)) -> Option<(String, String)> {
     table.scheme_at(row, column).map(|located| ("scheme".to_owned(), text(located)))
 }
 
@@ -29,7 +26,7 @@ fn text(located: &LocatedReference) -> String {
 }
 
 /// The notes on the headers of an axis.
-pub(in crate::report) fn notes(axis: &Axis) -> Vec<String> {
+pub(crate) fn notes(axis: &Axis) -> Vec<String> {
     let note = |(place, entry): (usize, &AxisEntry)| {
         let (printed, note) = (&entry.printed, entry.note.as_ref()?);
         let means = match &axis.headers {

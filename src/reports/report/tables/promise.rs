@@ -11,7 +11,7 @@ use crate::report::words::data::name;
 const MAX_SHOWN_POINTS: usize = 24;
 
 /// `12 of 28 kept, 10 ✗, 6 open`.
-pub(in crate::report) fn count(counts: PromiseCounts) -> String {
+pub(crate) fn count(counts: PromiseCounts) -> String {
     let kept = format!("{} of {} kept", counts.kept, counts.all());
     let broken = (counts.broken > 0).then(|| format!("{} ✗", counts.broken));
     let open = (counts.open > 0).then(|| format!("{} open", counts.open));
@@ -20,7 +20,7 @@ pub(in crate::report) fn count(counts: PromiseCounts) -> String {
 
 /// The line below a cell of a table whose promise is broken or open, with its sound value; `None`
 /// if it keeps its promise.
-pub(in crate::report) fn line(cell: &CellFinding) -> Option<String> {
+pub(crate) fn line(cell: &CellFinding) -> Option<String> {
     let word = match cell.kept.as_ref()? {
         Kept::Yes => return None,
         Kept::No(_) => Word::Broken,
@@ -36,7 +36,7 @@ pub(in crate::report) fn line(cell: &CellFinding) -> Option<String> {
 
 /// How many cells of a table keep their promise by the formula, by the sound bound, and exactly,
 /// with an example of a cell that does not.
-pub(in crate::report) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
+pub(crate) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     let Some(promise) = &finding.table.promise else { return Vec::new() };
     let what = match promise {
         Promise::Depth { .. } => "depths",
@@ -140,7 +140,7 @@ fn place(broken: &Broken) -> String {
 }
 
 /// The facts of one cell.
-pub(in crate::report) fn facts(cell: &CellFinding) -> Vec<(String, String)> {
+pub(crate) fn facts(cell: &CellFinding) -> Vec<(String, String)> {
     let mut facts = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
     match &cell.kept {

@@ -11,7 +11,7 @@ use crate::exact::{Rational, format::short};
 const MAX_LISTED: usize = 3;
 
 /// The outcome in a sentence or two, below a table.
-pub(in crate::report) fn remark(search: &Search) -> String {
+pub(crate) fn remark(search: &Search) -> String {
     let Search { tried, cells, as_printed, .. } = search;
     let Some(first) = search.best.first() else {
         let tried = grouped(*tried);
@@ -49,7 +49,7 @@ fn uncomputed(search: &Search) -> String {
 }
 
 /// The readings of single rows and columns, a sentence each.
-pub(in crate::report) fn line_remarks(table: &Table, search: &Search) -> Vec<String> {
+pub(crate) fn line_remarks(table: &Table, search: &Search) -> Vec<String> {
     let remark = |line: &LineReading| {
         format!(
             "{} {}: {}. That explains {}",
@@ -63,7 +63,7 @@ pub(in crate::report) fn line_remarks(table: &Table, search: &Search) -> Vec<Str
 }
 
 /// The parameters that were recovered, a sentence each, or the values that fit best.
-pub(in crate::report) fn recovered(finding: &TableFinding<'_>) -> Vec<String> {
+pub(crate) fn recovered(finding: &TableFinding<'_>) -> Vec<String> {
     let sentence = |(name, recovered): (&String, &Recovered)| {
         let value = &recovered.value;
         let from = match &recovered.from {
@@ -87,7 +87,7 @@ pub(in crate::report) fn recovered(finding: &TableFinding<'_>) -> Vec<String> {
 }
 
 /// The values that fit some of the cells of a table, which may be luck.
-pub(in crate::report) fn fitting(fitting: &Fitting, of: usize) -> String {
+pub(crate) fn fitting(fitting: &Fitting, of: usize) -> String {
     let value = |(name, recovered): (&String, &Recovered)| match &recovered.from {
         RecoveredFrom::Solved(low, high) => {
             format!("{name} from {} to {}", short(low, 8), short(high, 8))
@@ -107,7 +107,7 @@ fn named(reading: &Explanation) -> String {
 }
 
 /// How a line is read: its reading, and where its values stand.
-pub(in crate::report) fn line_differs(line: &LineReading) -> String {
+pub(crate) fn line_differs(line: &LineReading) -> String {
     let differs = named(&line.best);
     match line.shift {
         (0, 0) => differs,
@@ -116,7 +116,7 @@ pub(in crate::report) fn line_differs(line: &LineReading) -> String {
 }
 
 /// `row j = 1` of a table.
-pub(in crate::report) fn place(table: &Table, line: Line) -> String {
+pub(crate) fn place(table: &Table, line: Line) -> String {
     let name = |axis: &Axis, place: usize| {
         let printed = axis.entries.get(place).map_or("", |entry| entry.printed.as_str());
         format!("{} = {printed}", axis.label)
@@ -130,7 +130,7 @@ pub(in crate::report) fn place(table: &Table, line: Line) -> String {
     }
 }
 
-pub(in crate::report) fn capital(text: &str) -> String {
+pub(crate) fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map(char::to_uppercase).into_iter().flatten().chain(letters).collect()
 }
@@ -144,7 +144,7 @@ fn by_luck(search: &Search) -> Option<String> {
 }
 
 /// What the search covered, so that a reader can judge a search that found nothing.
-pub(in crate::report) fn covered(search: &Search) -> String {
+pub(crate) fn covered(search: &Search) -> String {
     let best = match search.best.first() {
         None => by_luck(search).map_or(String::new(), |found| format!(" The best {found}")),
         Some(best) => format!(
@@ -160,7 +160,7 @@ pub(in crate::report) fn covered(search: &Search) -> String {
 
 /// How good the reading of these cells is: the table's reading, and the readings of rows and
 /// columns, as far as these cells are read by them.
-pub(in crate::report) fn evidence<'c>(
+pub(crate) fn evidence<'c>(
     table: &Table,
     search: &Search,
     cells: &(impl Iterator<Item = &'c CellFinding> + Clone),
@@ -240,7 +240,7 @@ fn differ_in(search: &Search) -> String {
 }
 
 /// The facts about a search: what it covered, and what it found.
-pub(in crate::report) fn facts(table: &Table, search: &Search) -> Vec<(String, String)> {
+pub(crate) fn facts(table: &Table, search: &Search) -> Vec<(String, String)> {
     let mut facts = vec![
         ("readings differ in".to_owned(), search.choices.join(", ")),
         ("readings tried".to_owned(), grouped(search.tried)),

@@ -18,11 +18,11 @@ const MAX_SHOWN: usize = 10;
 const LUCK: &str = " luck";
 
 /// The place of a cell: row and column, counted from 0.
-pub(in crate::report) type Place = (usize, usize);
+pub(crate) type Place = (usize, usize);
 
 /// The readings in order: those that explain most cells first. For a cell, the readings of its row
 /// and of its column come before all others.
-pub(in crate::report) fn in_order<'r>(
+pub(crate) fn in_order<'r>(
     finding: &'r TableFinding<'_>,
     readings: &'r [Explanation],
     at: Option<Place>,
@@ -37,7 +37,7 @@ pub(in crate::report) fn in_order<'r>(
 }
 
 /// Each reading with the number of cells that it explains; for a cell, also with its value there.
-pub(in crate::report) fn section(
+pub(crate) fn section(
     sheet: &mut Sheet,
     finding: &TableFinding<'_>,
     readings: &[Explanation],

@@ -9,7 +9,7 @@ const MAX_FRACTION: usize = 60;
 
 /// The scheme, the parameters, and each definition with its value. `scheme` is the label and the
 /// text of the printed scheme.
-pub(in crate::report) fn facts(
+pub(crate) fn facts(
     audit: &PaperAudit<'_>,
     finding: &TableFinding<'_>,
     scheme: Option<(String, String)>,

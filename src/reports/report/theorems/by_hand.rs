@@ -12,7 +12,7 @@ use crate::scheme::Mask;
 
 /// The scheme, the data, the refined points, the limit, and both sides, in the order in which one
 /// checks them.
-pub(in crate::report) fn facts(
+pub(crate) fn facts(
     finding: &TheoremFinding<'_>,
     refutation: &Refutation,
     hand: &ByHand,

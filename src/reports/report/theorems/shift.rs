@@ -7,7 +7,7 @@ use crate::limit::{Overshoot, ProofOfGreatest};
 use crate::report::words::numbers::{exact, points};
 
 /// Whether a theorem is refuted in every shift, and the two greatest values that show it.
-pub(in crate::report) fn facts(found: &EveryShift, fact: &mut impl FnMut(&str, String)) {
+pub(crate) fn facts(found: &EveryShift, fact: &mut impl FnMut(&str, String)) {
     let name = "in every shift (i + s)/n^k";
     let (case, data) = match found {
         EveryShift::Refuted { case, data, .. } => (case, &**data),

@@ -15,7 +15,7 @@ use crate::report::words::sheet::Sheet;
 const DIGITS: u32 = 12;
 
 /// The section on theorems. All are shown, since an open theorem is not known to be right either.
-pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
+pub(crate) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
     if audit.theorems.is_empty() {
         return;
     }
@@ -30,7 +30,7 @@ pub(in crate::report) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
 
 /// The verdict, its reason, the corrections that would save a false theorem, and the premises that
 /// fail.
-pub(in crate::report) fn outcome(finding: &TheoremFinding<'_>) -> String {
+pub(crate) fn outcome(finding: &TheoremFinding<'_>) -> String {
     let name = finding.verdict.word();
     let mut lines = match (&finding.refutation, &finding.proof) {
         (Some(refutation), _) => refuted(name, refutation, &finding.by_kernel),
@@ -156,7 +156,7 @@ fn premises(finding: &TheoremFinding<'_>) -> Option<String> {
 }
 
 /// The statement, in the formula language.
-pub(in crate::report) fn statement(statement: &Statement) -> String {
+pub(crate) fn statement(statement: &Statement) -> String {
     match statement {
         Statement::Bound { quantity, by, from } => {
             format!("{} ≤ {} for k ≥ {from}", quantity.notation(), by.text)
@@ -167,7 +167,7 @@ pub(in crate::report) fn statement(statement: &Statement) -> String {
 }
 
 /// What there is to say of a theorem in full.
-pub(in crate::report) fn in_full(
+pub(crate) fn in_full(
     audit: &PaperAudit<'_>,
     finding: &TheoremFinding<'_>,
     hand: Option<&ByHand>,
@@ -190,7 +190,7 @@ pub(in crate::report) fn in_full(
 }
 
 /// The data that refute it, what was corrected, and what it was tried on.
-pub(in crate::report) fn details(
+pub(crate) fn details(
     finding: &TheoremFinding<'_>,
     hand: Option<&ByHand>,
 ) -> Vec<(String, String)> {

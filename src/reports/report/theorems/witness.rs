@@ -10,10 +10,7 @@ use crate::report::words::kernel::CHECKED;
 use crate::report::words::numbers::{DIGITS, exact};
 
 /// The facts for checking the refutation by hand.
-pub(in crate::report) fn facts(
-    finding: &TheoremFinding<'_>,
-    hand: Option<&ByHand>,
-) -> Vec<(String, String)> {
+pub(crate) fn facts(finding: &TheoremFinding<'_>, hand: Option<&ByHand>) -> Vec<(String, String)> {
     let Some(refutation) = &finding.refutation else { return Vec::new() };
     let Refutation { case, violation, supremum, sound, natural, every_shift, .. } = refutation;
     let mut facts = Vec::new();
@@ -74,7 +71,7 @@ pub(in crate::report) fn facts(
 ///
 /// The distance of a point from its limit is at most the sum of its steps, which proofs add up.
 /// Data that exceed a bound of the distance therefore refute the same bound of that sum.
-pub(in crate::report) fn compared(finding: &TheoremFinding<'_>) -> Option<&'static str> {
+pub(crate) fn compared(finding: &TheoremFinding<'_>) -> Option<&'static str> {
     let violation = &finding.refutation.as_ref()?.violation;
     let Control::Points(_) = violation.attained.control else { return None };
     Some(match (violation.quantity, &finding.theorem.tried.interpolant) {

@@ -5,7 +5,7 @@ use crate::audit::{Control, Place, Violation};
 use crate::claim::Quantity;
 
 /// `x_-2, …, x_1 = 0, 1, 2, 1`.
-pub(in crate::report) fn control(control: &Control) -> String {
+pub(crate) fn control(control: &Control) -> String {
     match control {
         Control::Polygon(polygon) => points("x", polygon),
         Control::Net { first: [i, j], rows } => {
@@ -24,7 +24,7 @@ pub(in crate::report) fn control(control: &Control) -> String {
 }
 
 /// The quantity at its place: `|P^∞(t) − P^2(t)| at t = 3/8`.
-pub(in crate::report) fn value_name(violation: &Violation) -> String {
+pub(crate) fn value_name(violation: &Violation) -> String {
     let k = violation.level;
     match (&violation.attained.place, violation.quantity) {
         (Place::Parameter(t), _) => format!("|P^∞(t) − P^{k}(t)| at t = {t}"),
@@ -40,7 +40,7 @@ pub(in crate::report) fn value_name(violation: &Violation) -> String {
 }
 
 /// A place in a few words.
-pub(in crate::report) fn name(place: &Place) -> String {
+pub(crate) fn name(place: &Place) -> String {
     match place {
         Place::Parameter(t) => t.to_string(),
         Place::Parameters([s, t]) => format!("({s}, {t})"),

@@ -4,7 +4,7 @@ use super::sheet::Grid;
 use crate::audit::{CellFinding, KernelCounts, KernelProof, PaperAudit, Share, TableFinding};
 
 /// What is said after a finding that Coq's kernel accepts.
-pub(in crate::report) const CHECKED: &str = " · checked by Coq";
+pub(crate) const CHECKED: &str = " · checked by Coq";
 
 /// The parts of a finding that Coq's kernel accepts, in the words of a list.
 fn part(proof: KernelProof) -> &'static str {
@@ -21,13 +21,13 @@ fn part(proof: KernelProof) -> &'static str {
 }
 
 /// The fact about a cell.
-pub(in crate::report) fn fact(cell: &CellFinding) -> Option<(String, String)> {
+pub(crate) fn fact(cell: &CellFinding) -> Option<(String, String)> {
     let parts: Vec<&str> = cell.by_kernel.iter().map(|proof| part(*proof)).collect();
     (!parts.is_empty()).then(|| ("checked by Coq".to_owned(), parts.join("; ")))
 }
 
 /// How many findings about the cells of a table Coq's kernel accepts.
-pub(in crate::report) fn remark(finding: &TableFinding<'_>) -> Option<String> {
+pub(crate) fn remark(finding: &TableFinding<'_>) -> Option<String> {
     let count = |proof| {
         finding.cells.iter().flatten().filter(|cell| cell.by_kernel.contains(&proof)).count()
     };
@@ -49,7 +49,7 @@ pub(in crate::report) fn remark(finding: &TableFinding<'_>) -> Option<String> {
 }
 
 /// How many findings of each paper Coq's kernel accepts; `None` where it accepts none.
-pub(in crate::report) fn grid(audits: &[PaperAudit<'_>]) -> Option<Grid> {
+pub(crate) fn grid(audits: &[PaperAudit<'_>]) -> Option<Grid> {
     let header = [
         "paper",
         "values of cells",

@@ -4,19 +4,19 @@ use crate::audit::{PaperAudit, Word};
 use crate::formula::LocatedFormula;
 
 /// Whether a word is the mark of a verdict.
-pub(in crate::report) fn is_mark(word: &str) -> bool {
+pub(crate) fn is_mark(word: &str) -> bool {
     Word::ALL.iter().any(|verdict| verdict.mark() == word)
 }
 
 /// Joins parts by points and leaves out the empty ones, such as a claim's title and its id, by
 /// which `subcert explain` finds it.
-pub(in crate::report) fn titled(parts: &[&str]) -> String {
+pub(crate) fn titled(parts: &[&str]) -> String {
     let parts: Vec<&str> = parts.iter().copied().filter(|part| !part.is_empty()).collect();
     parts.join(" · ")
 }
 
 /// The definitions that a formula uses.
-pub(in crate::report) fn definitions(
+pub(crate) fn definitions(
     audit: &PaperAudit<'_>,
     formula: &LocatedFormula,
 ) -> impl Iterator<Item = (String, String)> {

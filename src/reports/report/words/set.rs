@@ -11,7 +11,7 @@ const LONGEST: usize = 12;
 
 /// The values of a parameter for which something is proved: its irrational ends are decimals. A search that
 /// proves it for no value has found none, which is not to say that there are none.
-pub(in crate::report) fn set_text(set: &IntervalSet, variable: &str) -> String {
+pub(crate) fn set_text(set: &IntervalSet, variable: &str) -> String {
     if set.is_empty() {
         return format!("no {variable} that is found");
     }

@@ -7,7 +7,7 @@ use maud::{Markup, html};
 
 /// A picture with its caption.
 #[derive(Clone, Debug)]
-pub struct Picture(pub(in crate::report::html) Markup);
+pub struct Picture(pub(crate) Markup);
 
 /// The parts of a page about one computation.
 #[derive(Clone, Debug)]

@@ -143,7 +143,7 @@ fn rest(audit: &PaperAudit<'_>) -> Sheet {
 }
 
 /// What the signs mean.
-pub(in crate::report::html) fn legend() -> Markup {
+pub(crate) fn legend() -> Markup {
     html! {
         section {
             h2 { "Signs" }

@@ -16,7 +16,7 @@ const HEIGHT: f64 = 190.0;
 const NAMES: [(&str, &str); 4] = [("φ", "c1"), ("φ′", "c2"), ("φ″", "c3"), ("φ‴", "c4")];
 
 /// The functions one below the other, on one scale of parameters.
-pub(in crate::report::html) fn basic<F: Coefficient>(scheme: &str, shape: &CurveShape<F>) -> Panel {
+pub(crate) fn basic<F: Coefficient>(scheme: &str, shape: &CurveShape<F>) -> Panel {
     let title = format!("{scheme}: the basic limit function");
     let Some(first) = shape.functions.first() else {
         let reason = shape.end.as_deref().unwrap_or("nothing is known");

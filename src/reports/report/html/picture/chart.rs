@@ -43,7 +43,7 @@ impl Mark<'_> {
 
 /// A table as a diagram: a line for each row, or, where there are fewer of them, for each column. `None`
 /// of a table with a single number in each line.
-pub(in crate::report::html) fn chart(finding: &TableFinding<'_>) -> Option<Markup> {
+pub(crate) fn chart(finding: &TableFinding<'_>) -> Option<Markup> {
     let table = finding.table;
     let (rows, columns) = (finding.cells.len(), table.columns.entries.len());
     let by_rows = rows <= columns || table.rows.is_none();

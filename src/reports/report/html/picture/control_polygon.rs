@@ -46,7 +46,7 @@ pub struct FarPolygon<'p> {
 }
 
 /// Pictures: of points of the plane or of space the whole polygon, and the graphs of one coordinate near the place.
-pub(in crate::report::html) fn control_polygon(polygon: &FarPolygon<'_>) -> Vec<Markup> {
+pub(crate) fn control_polygon(polygon: &FarPolygon<'_>) -> Vec<Markup> {
     whole(polygon).into_iter().chain(near(polygon)).collect()
 }
 

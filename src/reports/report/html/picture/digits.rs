@@ -6,7 +6,7 @@ use maud::{Markup, html};
 
 /// The printed number above the exact one, with the places marked where they differ; `None` of a cell that
 /// is no misprint.
-pub(in crate::report::html) fn digits(cell: &CellFinding) -> Option<Markup> {
+pub(crate) fn digits(cell: &CellFinding) -> Option<Markup> {
     let (Verdict::Misprint(_), Some(printed)) = (&cell.verdict, &cell.printed) else { return None };
     let exact = cell.as_read.as_ref().map(|read| &read.value).or(cell.exact.as_ref())?;
     // Only plain decimals line up.

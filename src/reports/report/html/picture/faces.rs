@@ -40,7 +40,7 @@ pub struct ColouredFaces<'f> {
 
 /// The faces as a picture: at most 3,000 in colour, those with the greatest values, and as many of the others in
 /// grey. `None` where there are none.
-pub(in crate::report::html) fn faces(faces: &ColouredFaces<'_>) -> Option<Markup> {
+pub(crate) fn faces(faces: &ColouredFaces<'_>) -> Option<Markup> {
     let ColouredFaces { name, values_are, values, place, note, .. } = faces;
     let count = faces.faces.len().min(values.len());
     if count == 0 {

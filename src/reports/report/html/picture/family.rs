@@ -24,7 +24,7 @@ const SIDE: f64 = 240.0;
 const CLASSES: [&str; 3] = ["c1", "c2", "c3"];
 
 /// The sets of one parameter above each other, or maps of two; `None` where there are none with an end.
-pub(in crate::report::html) fn family(scheme: &str, found: &FamilyDrawing) -> Option<Panel> {
+pub(crate) fn family(scheme: &str, found: &FamilyDrawing) -> Option<Panel> {
     match found {
         FamilyDrawing::One { parameter, ranges, end } => one(scheme, parameter, ranges, end),
         FamilyDrawing::Two { parameters, region, maps, end } => {

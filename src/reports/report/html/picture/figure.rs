@@ -28,10 +28,7 @@ struct Line<'f> {
 }
 
 /// Both panels on the same scale; `None` where a line has no numbers.
-pub(in crate::report::html) fn figure(
-    finding: &TableFinding<'_>,
-    figure: &Figure,
-) -> Option<Markup> {
+pub(crate) fn figure(finding: &TableFinding<'_>, figure: &Figure) -> Option<Markup> {
     let table = finding.table;
     let (along, lines) = lines(finding, figure)?;
     let values = |of: fn(&Mark<'_>) -> Option<f64>| {

@@ -12,33 +12,33 @@ const APART: f64 = 18.0;
 
 /// A line of a chart.
 #[derive(Clone, Debug)]
-pub(in crate::report::html) struct Line {
-    pub(in crate::report::html) name: String,
+pub(crate) struct Line {
+    pub(crate) name: String,
     /// The class of its colour.
-    pub(in crate::report::html) class: &'static str,
+    pub(crate) class: &'static str,
     /// Of constants, which are not compared with the tolerance.
-    pub(in crate::report::html) is_dashed: bool,
+    pub(crate) is_dashed: bool,
     /// Levels with values; only positive ones are drawn.
-    pub(in crate::report::html) values: Vec<(u32, f64)>,
+    pub(crate) values: Vec<(u32, f64)>,
     /// The level that gets a ring.
-    pub(in crate::report::html) ring: Option<u32>,
+    pub(crate) ring: Option<u32>,
 }
 
 /// Lines, the tolerance, and levels that papers or formulas promise.
 #[derive(Clone, Debug)]
-pub(in crate::report::html) struct LevelChart {
-    pub(in crate::report::html) title: String,
+pub(crate) struct LevelChart {
+    pub(crate) title: String,
     /// What it shows, in words.
-    pub(in crate::report::html) says: String,
-    pub(in crate::report::html) tolerance: f64,
-    pub(in crate::report::html) lines: Vec<Line>,
+    pub(crate) says: String,
+    pub(crate) tolerance: f64,
+    pub(crate) lines: Vec<Line>,
     /// Levels, with what is said of them.
-    pub(in crate::report::html) promised: Vec<(u32, String)>,
+    pub(crate) promised: Vec<(u32, String)>,
 }
 
 impl LevelChart {
     /// `None` where nothing is positive.
-    pub(in crate::report::html) fn drawn(&self) -> Option<Markup> {
+    pub(crate) fn drawn(&self) -> Option<Markup> {
         let LevelChart { title, says, tolerance, lines, promised } = self;
         let all =
             || lines.iter().flat_map(|line| &line.values).filter(|(_, value)| is_shown(*value));

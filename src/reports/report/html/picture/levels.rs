@@ -7,7 +7,7 @@ use crate::float::nearest;
 use maud::Markup;
 
 /// Levels, and constants of so many levels; `None` where a value is 0.
-pub(in crate::report::html) fn levels(found: &DepthLevels, locus: &str) -> Option<Markup> {
+pub(crate) fn levels(found: &DepthLevels, locus: &str) -> Option<Markup> {
     let DepthLevels { tolerance, printed, sound, bounds, constants } = found;
     let places = |values: &[Rational]| -> Vec<(u32, f64)> {
         (0..).zip(values.iter().take(bounds.len()).map(nearest)).collect()

@@ -17,7 +17,7 @@ const FRAME: Frame = Frame { x: (84.0, 620.0), y: (84.0, 8.0) };
 const BEYOND: f64 = 0.15;
 
 /// Both sets on one axis; `None` where neither has an end.
-pub(in crate::report::html) fn range(finding: &RangeFinding<'_>) -> Option<Markup> {
+pub(crate) fn range(finding: &RangeFinding<'_>) -> Option<Markup> {
     let (claim, exact) = (finding.claim, &finding.found.as_ref().ok()?.exact);
     let printed = |end: &Option<Printed>| end.as_ref().map(|end| nearest(&end.decimal.value()));
     let (from, to) = (printed(&claim.from), printed(&claim.to));

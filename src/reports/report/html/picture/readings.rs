@@ -11,10 +11,7 @@ const MAX_MAPS: usize = 4;
 const SIDE: usize = 12;
 
 /// The table as printed, and by each of the best readings: a filled square is a cell that is explained.
-pub(in crate::report::html) fn readings(
-    finding: &TableFinding<'_>,
-    search: &Search,
-) -> Option<Markup> {
+pub(crate) fn readings(finding: &TableFinding<'_>, search: &Search) -> Option<Markup> {
     search.best.first()?;
     let printed: Vec<Vec<bool>> =
         finding.cells.iter().map(|row| row.iter().map(is_confirmed).collect()).collect();

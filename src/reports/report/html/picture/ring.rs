@@ -19,7 +19,7 @@ fn real(n: usize) -> f64 {
 }
 
 /// The ring in all sectors; `None` where there is none in the plane.
-pub(in crate::report::html) fn ring(vertex: &Vertex) -> Option<Panel> {
+pub(crate) fn ring(vertex: &Vertex) -> Option<Panel> {
     let second = vertex.second.as_ref().filter(|second| second.block > 0)?;
     let (n, k) = (vertex.spectrum.order, second.block);
     let angle = 2.0 * PI * real(k) / real(n);

@@ -18,7 +18,7 @@ const FRAME: Frame = Frame { x: (84.0, 620.0), y: (114.0, 8.0) };
 const BEYOND: f64 = 0.15;
 
 /// The sets inside and outside and the printed one on one axis; `None` where none of them has an end.
-pub(in crate::report::html) fn smooth_range(finding: &SmoothnessFinding<'_>) -> Option<Markup> {
+pub(crate) fn smooth_range(finding: &SmoothnessFinding<'_>) -> Option<Markup> {
     let said = finding.claim.range()?;
     let KnownLimits::Range(range) = &finding.known else { return None };
     let sets = range.sets.as_ref()?;

@@ -7,7 +7,7 @@ use crate::report::smooth::smoothness::statement;
 use std::borrow::Cow;
 
 impl<'a> Claim<'a> {
-    pub(in crate::report::json) fn of_smoothness(finding: &'a SmoothnessFinding<'_>) -> Claim<'a> {
+    pub(crate) fn of_smoothness(finding: &'a SmoothnessFinding<'_>) -> Claim<'a> {
         let claim = finding.claim;
         let details = SmoothnessDetails::of(&finding.known);
         let why = match &finding.known {

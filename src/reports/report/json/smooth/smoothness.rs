@@ -86,7 +86,7 @@ pub struct RangeForm {
 }
 
 impl SmoothnessDetails {
-    pub(in crate::report::json) fn of(known: &KnownLimits) -> SmoothnessDetails {
+    pub(crate) fn of(known: &KnownLimits) -> SmoothnessDetails {
         match known {
             KnownLimits::Limits(limits) => {
                 SmoothnessDetails { limits: Some(LimitsForm::of(limits)), ..Default::default() }
@@ -110,7 +110,7 @@ impl SmoothnessDetails {
     }
 
     /// The exponent as a formula.
-    pub(in crate::report::json) fn exact(&self) -> Option<&String> {
+    pub(crate) fn exact(&self) -> Option<&String> {
         self.limits.as_ref()?.hoelder.as_ref()?.exact.as_ref()
     }
 }
@@ -142,7 +142,7 @@ impl LimitsForm {
 
 impl HoelderForm {
     /// The form of an exponent.
-    pub(in crate::report::json) fn of(hoelder: &Hoelder) -> HoelderForm {
+    pub(crate) fn of(hoelder: &Hoelder) -> HoelderForm {
         let [lower, upper] = decimals(hoelder);
         let exact = hoelder.formula.as_ref().map(ToString::to_string);
         HoelderForm { lower, upper, exact, attained: hoelder.attained }

@@ -65,7 +65,7 @@ pub struct ShapeForm {
 }
 
 impl VerticesForm {
-    pub(in crate::report::json) fn of(found: &Vertices) -> VerticesForm {
+    pub(crate) fn of(found: &Vertices) -> VerticesForm {
         let valences = found.vertices.iter().map(VertexForm::of).collect();
         VerticesForm { all_valences: found.all.is_some(), valences }
     }

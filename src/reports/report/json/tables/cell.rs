@@ -65,7 +65,7 @@ pub enum SoundValue {
 }
 
 impl AsRead {
-    pub(in crate::report::json) fn of(read: &audit::AsRead) -> AsRead {
+    pub(crate) fn of(read: &audit::AsRead) -> AsRead {
         AsRead {
             differs: read.differs(),
             exact: read.value.to_string(),
@@ -75,10 +75,7 @@ impl AsRead {
 }
 
 impl<'a> CellSound<'a> {
-    pub(in crate::report::json) fn of(
-        sound: &'a audit::Sound,
-        cell: &'a CellFinding,
-    ) -> CellSound<'a> {
+    pub(crate) fn of(sound: &'a audit::Sound, cell: &'a CellFinding) -> CellSound<'a> {
         CellSound {
             value: match sound {
                 audit::Sound::Depth { level, block } => {

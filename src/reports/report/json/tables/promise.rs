@@ -84,7 +84,7 @@ pub struct Natural<'a> {
 }
 
 impl<'a> Promise<'a> {
-    pub(in crate::report::json) fn of(cell: &'a CellFinding) -> Option<Promise<'a>> {
+    pub(crate) fn of(cell: &'a CellFinding) -> Option<Promise<'a>> {
         let kept = cell.kept.as_ref()?;
         let broken = |kept: &'a Kept| match kept {
             Kept::No(broken) => Some(Broken::of(broken)),

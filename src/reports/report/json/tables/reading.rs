@@ -114,10 +114,7 @@ pub struct ReadingOfCell {
 }
 
 impl<'a> Search<'a> {
-    pub(in crate::report::json) fn of(
-        table: &claim::Table,
-        search: &'a audit::Search,
-    ) -> Search<'a> {
+    pub(crate) fn of(table: &claim::Table, search: &'a audit::Search) -> Search<'a> {
         let line = |line: &'a LineReading| Line {
             place: place(table, line.line),
             cells: line.cells,
@@ -158,7 +155,7 @@ impl<'a> Explanation<'a> {
 
 impl<'a> Reading<'a> {
     /// All readings of a table, or of its cell at a row and a column, the best first.
-    pub(in crate::report::json) fn all(
+    pub(crate) fn all(
         finding: &'a TableFinding<'_>,
         readings: &'a [audit::Explanation],
         at: Option<(usize, usize)>,

@@ -31,16 +31,14 @@ pub struct Fitting<'a> {
 }
 
 impl<'a> Fitting<'a> {
-    pub(in crate::report::json) fn of(fitting: &'a audit::Fitting) -> Fitting<'a> {
+    pub(crate) fn of(fitting: &'a audit::Fitting) -> Fitting<'a> {
         let parameters = fitting.values.iter().map(Recovered::of).collect();
         Fitting { parameters, cells: fitting.cells }
     }
 }
 
 impl<'a> Recovered<'a> {
-    pub(in crate::report::json) fn of(
-        (name, recovered): (&'a String, &'a audit::Recovered),
-    ) -> Recovered<'a> {
+    pub(crate) fn of((name, recovered): (&'a String, &'a audit::Recovered)) -> Recovered<'a> {
         let (from, to, table) = match &recovered.from {
             RecoveredFrom::Solved(low, high) => {
                 (Some(low.to_string()), Some(high.to_string()), None)

@@ -17,7 +17,7 @@ pub struct Working {
 }
 
 impl Working {
-    pub(in crate::report::json) fn of(working: &audit::Working) -> Working {
+    pub(crate) fn of(working: &audit::Working) -> Working {
         let parameters = working.parameters.iter();
         let definitions = working.definitions.iter();
         Working {

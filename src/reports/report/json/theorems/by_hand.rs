@@ -100,7 +100,7 @@ pub struct Side {
 }
 
 impl<'a> ByHand<'a> {
-    pub(in crate::report::json) fn of(hand: &'a audit::ByHand) -> ByHand<'a> {
+    pub(crate) fn of(hand: &'a audit::ByHand) -> ByHand<'a> {
         let level = |(level, points): &(u32, Vec<(i64, Rational)>)| Level {
             level: *level,
             points: list(points),

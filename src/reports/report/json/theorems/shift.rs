@@ -56,7 +56,7 @@ pub struct Polygon<'a> {
 }
 
 impl<'a> EveryShift<'a> {
-    pub(in crate::report::json) fn of(found: &'a audit::EveryShift) -> EveryShift<'a> {
+    pub(crate) fn of(found: &'a audit::EveryShift) -> EveryShift<'a> {
         match found {
             audit::EveryShift::Refuted { case, data, .. } => {
                 EveryShift { refuted: Some(true), by: Some(Greatest::of(case, data)) }

@@ -44,7 +44,7 @@ pub struct Repair {
 }
 
 impl<'a> Trial<'a> {
-    pub(in crate::report::json) fn of(finding: &'a TheoremFinding<'_>) -> Trial<'a> {
+    pub(crate) fn of(finding: &'a TheoremFinding<'_>) -> Trial<'a> {
         let says = |i: &usize| finding.corrections[*i].to_string();
         let repair = |repair: &audit::Repair| Repair {
             corrections: repair.corrections.iter().map(says).collect(),

@@ -124,7 +124,7 @@ pub struct Supremum {
 }
 
 impl<'a> Witness<'a> {
-    pub(in crate::report::json) fn of(refutation: &'a Refutation) -> Witness<'a> {
+    pub(crate) fn of(refutation: &'a Refutation) -> Witness<'a> {
         let Refutation { case, violation, supremum, sound, natural, every_shift, .. } = refutation;
         Witness {
             exceeding: Exceeding::of(case, violation),

@@ -4,24 +4,19 @@ use super::scale::Scale;
 use maud::{Markup, html};
 
 /// The width of a picture; it shrinks with the page.
-pub(in crate::report::html::picture) const WIDTH: f64 = 640.0;
+pub(crate) const WIDTH: f64 = 640.0;
 
 /// Where a diagram stands in its picture.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::report::html::picture) struct Frame {
+pub(crate) struct Frame {
     /// The left and the right side.
-    pub(in crate::report::html::picture) x: (f64, f64),
+    pub(crate) x: (f64, f64),
     /// The lower and the upper side: places run downwards.
-    pub(in crate::report::html::picture) y: (f64, f64),
+    pub(crate) y: (f64, f64),
 }
 
 /// A picture of this height, with a title and a description for those who do not see it.
-pub(in crate::report::html::picture) fn picture(
-    title: &str,
-    description: &str,
-    height: f64,
-    contents: &Markup,
-) -> Markup {
+pub(crate) fn picture(title: &str, description: &str, height: f64, contents: &Markup) -> Markup {
     html! {
         svg viewBox={ "0 0 " (WIDTH) " " (height) } width=(WIDTH) height=(height) role="img" {
             title { (title) }
@@ -33,7 +28,7 @@ pub(in crate::report::html::picture) fn picture(
 
 impl Frame {
     /// The frame with ticks on both sides.
-    pub(in crate::report::html::picture) fn drawn(&self, x: &[(f64, String)], y: &Scale) -> Markup {
+    pub(crate) fn drawn(&self, x: &[(f64, String)], y: &Scale) -> Markup {
         let (left, right) = self.x;
         let (bottom, top) = self.y;
         html! {
@@ -52,7 +47,7 @@ impl Frame {
 }
 
 /// `x,y x,y`: the points of a line.
-pub(in crate::report::html::picture) fn points(places: &[(f64, f64)]) -> String {
+pub(crate) fn points(places: &[(f64, f64)]) -> String {
     let pair = |(x, y): &(f64, f64)| format!("{x},{y}");
     places.iter().map(pair).collect::<Vec<String>>().join(" ")
 }

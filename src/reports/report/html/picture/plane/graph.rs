@@ -6,25 +6,25 @@ use crate::report::html::picture::curve::{Level, Window};
 use maud::{Markup, html};
 
 /// The height of the picture.
-pub(in crate::report::html::picture) const HEIGHT: f64 = 300.0;
+pub(crate) const HEIGHT: f64 = 300.0;
 const FRAME: Frame = Frame { x: (56.0, 540.0), y: (264.0, 12.0) };
 
 /// The most dots of control points.
 const MAX_DOTS: usize = 200;
 
 /// What is drawn: a level and what it is compared with, and the two values.
-pub(in crate::report::html::picture) struct Graph<'l> {
-    pub(in crate::report::html::picture) control: &'l Level,
+pub(crate) struct Graph<'l> {
+    pub(crate) control: &'l Level,
     /// Places and values.
-    pub(in crate::report::html::picture) ends: [(f64, f64); 2],
-    pub(in crate::report::html::picture) level: &'l Level,
-    pub(in crate::report::html::picture) other: &'l Level,
+    pub(crate) ends: [(f64, f64); 2],
+    pub(crate) level: &'l Level,
+    pub(crate) other: &'l Level,
     /// What the other is.
-    pub(in crate::report::html::picture) name: String,
+    pub(crate) name: String,
 }
 
 impl Graph<'_> {
-    pub(in crate::report::html::picture) fn drawn(&self, window: Window) -> Markup {
+    pub(crate) fn drawn(&self, window: Window) -> Markup {
         let ends = window.ends();
         let lines = [self.control, self.level, self.other].map(|level| level.between(ends));
         let values = || lines.iter().flatten().map(|(_, value)| *value);

@@ -7,10 +7,7 @@ const ENTRY: f64 = 150.0;
 
 /// The names of classes in a row, with a sample of each, below a picture of this height; and the height with
 /// the row.
-pub(in crate::report::html::picture) fn legend(
-    entries: &[(&'static str, String)],
-    height: f64,
-) -> (Markup, f64) {
+pub(crate) fn legend(entries: &[(&'static str, String)], height: f64) -> (Markup, f64) {
     let lefts = (0..8_u8).map(|place| 16.0 + ENTRY * f64::from(place));
     let row = html! {
         @for ((class, name), left) in entries.iter().zip(lefts) {

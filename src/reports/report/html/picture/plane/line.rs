@@ -4,21 +4,21 @@ use crate::scheme::Rules;
 
 /// A piece of a sequence: the numbers of the indices from `first` on.
 #[derive(Clone, Debug)]
-pub(in crate::report::html::picture) struct Line {
-    pub(in crate::report::html::picture) first: i64,
-    pub(in crate::report::html::picture) points: Vec<f64>,
+pub(crate) struct Line {
+    pub(crate) first: i64,
+    pub(crate) points: Vec<f64>,
 }
 
 impl Line {
     /// x_i; beyond the piece the first or the last number.
-    pub(in crate::report::html::picture) fn point(&self, i: i64) -> f64 {
+    pub(crate) fn point(&self, i: i64) -> f64 {
         let last = self.points.len().saturating_sub(1);
         let place = usize::try_from(i.saturating_sub(self.first)).unwrap_or(0).min(last);
         self.points.get(place).copied().unwrap_or(0.0)
     }
 
     /// The next level; `None` where there are too many points to count.
-    pub(in crate::report::html::picture) fn refined(&self, rules: &Rules<f64>) -> Option<Line> {
+    pub(crate) fn refined(&self, rules: &Rules<f64>) -> Option<Line> {
         let [arity, width] = [rules.arity(), rules.width()].map(|n| i64::try_from(n).unwrap_or(0));
         let count = i64::try_from(self.points.len()).ok()?;
         // Beyond these indices, every rule sees one value only.
@@ -32,7 +32,7 @@ impl Line {
     }
 
     /// The part between two indices, as far as it is there.
-    pub(in crate::report::html::picture) fn part(mut self, from: i64, to: i64) -> Line {
+    pub(crate) fn part(mut self, from: i64, to: i64) -> Line {
         let last = self.points.len().saturating_sub(1);
         let place = |i: i64| usize::try_from(i - self.first).unwrap_or(0).min(last);
         let (from, to) = (place(from), place(to));
@@ -44,12 +44,12 @@ impl Line {
 
 /// An integer as f64.
 #[allow(clippy::cast_precision_loss, reason = "indices of a picture are small")]
-pub(in crate::report::html::picture) fn float(i: i64) -> f64 {
+pub(crate) fn float(i: i64) -> f64 {
     i as f64
 }
 
 /// The whole number at a place.
 #[allow(clippy::cast_possible_truncation, reason = "a cast of a float saturates")]
-pub(in crate::report::html::picture) fn index(place: f64) -> i64 {
+pub(crate) fn index(place: f64) -> i64 {
     place.clamp(-1e15, 1e15) as i64
 }

@@ -13,23 +13,23 @@ const APART: f64 = 20.0;
 
 /// A picture of [`WIDTH`].
 #[derive(Clone, Debug)]
-pub(in crate::report::html) struct Panel {
-    pub(in crate::report::html) title: String,
+pub(crate) struct Panel {
+    pub(crate) title: String,
     /// What it shows, in words, and what it does not show, with the reason.
-    pub(in crate::report::html) says: String,
+    pub(crate) says: String,
     /// 0 where there are words alone.
-    pub(in crate::report::html) height: f64,
-    pub(in crate::report::html) drawing: Markup,
+    pub(crate) height: f64,
+    pub(crate) drawing: Markup,
 }
 
 impl Panel {
     /// Words alone.
-    pub(in crate::report::html) fn of_words(title: String, says: String) -> Panel {
+    pub(crate) fn of_words(title: String, says: String) -> Panel {
         Panel { title, says, height: 0.0, drawing: html! {} }
     }
 
     /// With the words below it.
-    pub(in crate::report::html) fn figure(&self) -> Markup {
+    pub(crate) fn figure(&self) -> Markup {
         let Panel { title, says, height, drawing } = self;
         html! {
             figure {
@@ -41,7 +41,7 @@ impl Panel {
 }
 
 /// One file with all pictures, from top to bottom, each below its title and above its words.
-pub(in crate::report::html) fn standalone(title: &str, panels: &[Panel]) -> String {
+pub(crate) fn standalone(title: &str, panels: &[Panel]) -> String {
     let mut top = APART + 12.0;
     let mut placed = Vec::new();
     for panel in panels {

@@ -28,10 +28,7 @@ fn path(places: &[(f64, f64)]) -> String {
 }
 
 /// The levels in rows.
-pub(in crate::report::html) fn sample<F: Coefficient>(
-    scheme: &str,
-    shape: &CurveShape<F>,
-) -> Panel {
+pub(crate) fn sample<F: Coefficient>(scheme: &str, shape: &CurveShape<F>) -> Panel {
     let rounded = |line: &Vec<[F; 2]>| -> Vec<[f64; 2]> {
         line.iter().map(|point| point.each_ref().map(nearest)).collect()
     };

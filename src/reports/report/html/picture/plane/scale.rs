@@ -2,7 +2,7 @@
 
 /// A scale from the values `from` to the places `to`.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::report::html::picture) struct Scale {
+pub(crate) struct Scale {
     from: (f64, f64),
     to: (f64, f64),
     log: bool,
@@ -10,11 +10,7 @@ pub(in crate::report::html::picture) struct Scale {
 
 impl Scale {
     /// A linear scale, or a logarithmic one of positive values.
-    pub(in crate::report::html::picture) fn new(
-        from: (f64, f64),
-        to: (f64, f64),
-        log: bool,
-    ) -> Scale {
+    pub(crate) fn new(from: (f64, f64), to: (f64, f64), log: bool) -> Scale {
         let (low, high) = if log { (from.0.log10(), from.1.log10()) } else { from };
         // A single value stands in the middle.
         let from = if high > low { (low, high) } else { (low - 0.5, high + 0.5) };
@@ -22,7 +18,7 @@ impl Scale {
     }
 
     /// The place of a value, to a tenth of a pixel.
-    pub(in crate::report::html::picture) fn at(&self, value: f64) -> f64 {
+    pub(crate) fn at(&self, value: f64) -> f64 {
         let value = if self.log { value.log10() } else { value };
         let part = (value - self.from.0) / (self.from.1 - self.from.0);
         let place = self.to.0 + part * (self.to.1 - self.to.0);
@@ -30,7 +26,7 @@ impl Scale {
     }
 
     /// Round values on it, at most some ten, with their labels.
-    pub(in crate::report::html::picture) fn ticks(&self) -> Vec<(f64, String)> {
+    pub(crate) fn ticks(&self) -> Vec<(f64, String)> {
         if self.log { self.powers() } else { self.multiples() }
     }
 

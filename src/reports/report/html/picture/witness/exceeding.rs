@@ -8,28 +8,28 @@ use crate::exact::{RealCyclotomic, format::short};
 pub(super) const SEEN: f64 = 0.03;
 
 /// Data that exceed a bound.
-pub(in crate::report::html) struct Exceeding<'v> {
-    pub(in crate::report::html) quantity: Quantity,
-    pub(in crate::report::html) level: u32,
-    pub(in crate::report::html) attained: &'v Attained,
+pub(crate) struct Exceeding<'v> {
+    pub(crate) quantity: Quantity,
+    pub(crate) level: u32,
+    pub(crate) attained: &'v Attained,
     /// What it is said to be at most.
-    pub(in crate::report::html) most: RealCyclotomic,
+    pub(crate) most: RealCyclotomic,
     /// By whom: `claimed` or `wanted`.
-    pub(in crate::report::html) said: &'static str,
+    pub(crate) said: &'static str,
     /// The points are compared with the limit at (i + s)/n^k, and of a net at (j + t)/m^k.
-    pub(in crate::report::html) shift: [f64; 2],
+    pub(crate) shift: [f64; 2],
 }
 
 impl<'v> Exceeding<'v> {
     /// What refutes a theorem.
-    pub(in crate::report::html) fn of_theorem(violation: &'v Violation) -> Exceeding<'v> {
+    pub(crate) fn of_theorem(violation: &'v Violation) -> Exceeding<'v> {
         let Violation { quantity, level, attained, bound } = violation;
         let (quantity, level, most) = (*quantity, *level, bound.clone());
         Exceeding { quantity, level, attained, most, said: "claimed", shift: [0.0; 2] }
     }
 
     /// What breaks a promise, divided by the spread.
-    pub(in crate::report::html) fn of_promise(broken: &'v Broken) -> Exceeding<'v> {
+    pub(crate) fn of_promise(broken: &'v Broken) -> Exceeding<'v> {
         let Broken { attained, spread, level, most, .. } = broken;
         let most = (most / spread).into();
         let quantity = Quantity::Distance;

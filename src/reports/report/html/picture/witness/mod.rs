@@ -6,15 +6,12 @@ mod polygon;
 mod ring;
 
 use crate::audit::{Control, Refiner};
-pub(in crate::report::html) use exceeding::Exceeding;
+pub(crate) use exceeding::Exceeding;
 use maud::Markup;
 
 /// The data with what they are refined by; `None` where the place is not at points of a picture, or the level
 /// has too many of them.
-pub(in crate::report::html) fn witness(
-    refiner: &Refiner,
-    exceeding: &Exceeding<'_>,
-) -> Option<Markup> {
+pub(crate) fn witness(refiner: &Refiner, exceeding: &Exceeding<'_>) -> Option<Markup> {
     match (refiner, &exceeding.attained.control) {
         (Refiner::Masks(masks), control) => match (&masks[..], control) {
             ([mask], Control::Polygon(polygon)) => polygon::drawing(mask, polygon, exceeding),
