@@ -3,6 +3,7 @@
 use super::contents::Item;
 use super::equation::Equation;
 use super::function::{FunctionClaim, RangeClaim};
+use super::regularity::RegularityTable;
 use super::smoothness::SmoothnessClaim;
 use super::table::Table;
 use super::theorem::Theorem;
@@ -41,6 +42,8 @@ pub struct Paper {
     /// What it says of the smoothness of limits: of C^m, then of Hölder exponents, then of ranges of a
     /// parameter, each in the paper's order.
     pub smoothness: Vec<SmoothnessClaim>,
+    /// The tables of orders and exponents, of which each cell is a claim about smoothness.
+    pub regularity: Vec<Arc<RegularityTable>>,
     /// The theorems, lemmas and corollaries, in the paper's order.
     pub theorems: Vec<Theorem>,
     /// The claim file.

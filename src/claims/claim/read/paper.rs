@@ -55,7 +55,9 @@ pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
         .map_err(|error| Errors::from(if begun { error } else { error.with_help(BEGIN) }))?;
     let reader = Reader { source };
     let mut errors = Collected::default();
+    let mut regularity = Vec::new();
     for cells in errors.all(&file.regularity, |table| reader.regularity(table)) {
+        regularity.push(cells.table);
         file.smoothness.extend(cells.smoothness);
         file.exponent.extend(cells.exponents);
     }
@@ -85,6 +87,7 @@ pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
         functions: errors.all(&file.function, |function| reader.function(function)),
         ranges,
         smoothness,
+        regularity,
         theorems: errors.all(&file.theorem, |theorem| reader.theorem(theorem, &ids, &theorems)),
         source: Arc::clone(source),
     };

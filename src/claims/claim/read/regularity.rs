@@ -29,9 +29,9 @@ const BLANK: [&str; 3] = ["-", "–", "—"];
 const EXAMPLE: &str = "rows = { schemes = [\"chaikin\", \"four-point:w=1/16\"] }, columns = [\"order\", \"exponent\"], \
                        cells = [['1', '2.000'], ['1', '2.000']]";
 
-/// The claims of the cells.
-#[derive(Default)]
+/// A table, and the claims of its cells.
 pub(super) struct Cells {
+    pub(super) table: Arc<RegularityTable>,
     pub(super) smoothness: Vec<SmoothnessTable>,
     pub(super) exponents: Vec<ExponentTable>,
 }
@@ -66,7 +66,8 @@ impl Reader<'_> {
             columns,
             note: file.note.clone(),
         });
-        let mut cells = Cells::default();
+        let (smoothness, exponents) = Default::default();
+        let mut cells = Cells { table: Arc::clone(&table), smoothness, exponents };
         for (line, (row, header)) in lines.iter().zip(rows.iter().enumerate()) {
             let found = line.get_ref().len();
             if found != table.columns.len() {

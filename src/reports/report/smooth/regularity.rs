@@ -12,23 +12,20 @@ pub(crate) struct Regularity<'f, 'a> {
     pub(crate) cells: Vec<Vec<Option<&'f SmoothnessFinding<'a>>>>,
 }
 
-/// The tables of an audit.
+/// The tables of which an audit has judged cells.
 pub(crate) fn tables<'f, 'a>(audit: &'f PaperAudit<'a>) -> Vec<Regularity<'f, 'a>> {
-    let mut tables: Vec<Regularity<'f, 'a>> = Vec::new();
-    let mut seen: Vec<&Arc<RegularityTable>> = Vec::new();
-    for finding in &audit.smoothness {
-        let Some(cell) = &finding.claim.cell else { continue };
-        let known = seen.iter().position(|table| Arc::ptr_eq(table, &cell.table));
-        let place = known.unwrap_or_else(|| {
-            let RegularityTable { rows, columns, .. } = &*cell.table;
-            let cells = vec![vec![None; columns.len()]; rows.len()];
-            tables.push(Regularity { table: &cell.table, cells });
-            seen.push(&cell.table);
-            tables.len() - 1
-        });
-        tables[place].cells[cell.row][cell.column] = Some(finding);
-    }
-    tables
+    let of = |table: &'f Arc<RegularityTable>| {
+        let mut cells = vec![vec![None; table.columns.len()]; table.rows.len()];
+        for finding in &audit.smoothness {
+            if let Some(cell) = finding.claim.cell.as_ref().filter(|cell| cell.table.id == table.id)
+            {
+                cells[cell.row][cell.column] = Some(finding);
+            }
+        }
+        Regularity { table, cells }
+    };
+    let judged = |found: &Regularity<'_, '_>| found.cells.iter().flatten().any(Option::is_some);
+    audit.paper.regularity.iter().map(of).filter(judged).collect()
 }
 
 /// A cell as printed.

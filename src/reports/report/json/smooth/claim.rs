@@ -21,7 +21,8 @@ impl<'a> Claim<'a> {
         };
         let exact = details.exact().cloned();
         let note = why.into_iter().chain(claim.note.clone()).collect::<Vec<String>>().join("; ");
-        let printed = statement(claim).map(Cow::Owned);
+        let cell = claim.cell.as_ref().map(|cell| cell.printed.as_str().into());
+        let printed = cell.or_else(|| statement(claim).map(Cow::Owned));
         let (kind, verdict) = (claim.kind.name(), finding.verdict.word().name());
         let details = Details::Smoothness(Box::new(details));
         let plain = Claim::plain(&finding.id, &claim.locus, kind, "", verdict, details);
