@@ -21,8 +21,8 @@ pub struct Claim<'a> {
     pub id: &'a str,
     /// Where in the paper it is.
     pub locus: &'a str,
-    /// `number` for a cell, `equation` for an equation or a closed form, `range`, `smoothness`, `exponent`
-    /// or `theorem`.
+    /// `number` for a cell, `equation`, `function` for a closed form, `range`, `smoothness`, `exponent` or
+    /// `theorem`.
     pub kind: &'static str,
     /// What is printed; null where a cell is lost.
     pub printed: Option<Cow<'a, str>>,
@@ -280,7 +280,7 @@ impl<'a> Claim<'a> {
         let variable = &claim.variable;
         let details = Details::Function { variable, failures, printed_larger, printed_smaller };
         let verdict = finding.verdict.word().name();
-        let plain = Claim::plain(&finding.id, &claim.locus, "equation", printed, verdict, details);
+        let plain = Claim::plain(&finding.id, &claim.locus, "function", printed, verdict, details);
         Claim { note: joined(cap, claim.note.as_deref()), ..plain }
     }
 
