@@ -12,7 +12,7 @@
 //! everywhere.
 
 use subcert_numbers::{diagnostic, exact, suggestion};
-use subcert_schemes::{bound, float, limit, scheme};
+use subcert_schemes::{bound, characteristic, float, limit, scheme};
 
 mod grouped;
 pub mod mesh;

@@ -39,8 +39,7 @@ mod scalar;
 mod symbolic;
 mod word;
 
-pub use common::CommonDenominator;
-pub use common::common_denominator;
+pub use common::{CommonDenominator, common_denominator};
 pub use enclosures::enclosure::{Enclosed, Enclosure};
 pub use enclosures::format;
 pub use enclosures::log_sum::{LogSum, LogTerm};
@@ -58,6 +57,7 @@ pub use parameter::interval::Interval;
 pub use parameter::interval_set::IntervalSet;
 pub use parameter::parametric::Parametric;
 pub use parameter::piecewise::PiecewisePolynomial;
+pub use polynomials::dense::{divided, greatest_divisor, square_free, stretched, value_at};
 pub use polynomials::rational_polynomial::RationalPolynomial;
 pub use polynomials::sturm::SturmSequence;
 pub use polynomials::univariate::IntegerPolynomial;
@@ -69,12 +69,10 @@ pub use real::comparable::comparable;
 pub use real::cyclotomic::{
     CosineError, MAX_CONDUCTOR, RealCyclotomic, StoredForm, common_conductor, cosine_polynomial,
 };
-pub use real::expression::floor_root;
-pub use real::expression::{MAX_ROOT_DEGREE, RealExpression, RootError};
+pub use real::expression::{MAX_ROOT_DEGREE, RealExpression, RootError, floor_root};
 pub use real::number_field::{
     AlgebraicNumber, FieldElement, FieldError, MAX_FIELD_DEGREE, MAX_NORM_DEGREE,
 };
-pub use real::number_field::{divided, greatest_divisor, square_free, value_at};
 pub use scalar::{Real, Scalar};
 pub use symbolic::bivariate::BivariatePolynomial;
 pub use symbolic::polynomial::Polynomial;

@@ -49,6 +49,7 @@ pub use ball::Ball;
 pub use exponent::Exponent;
 pub use family::Family;
 pub use lines::RingLine;
+pub use pieces::{BOX_SPLINE_BEZIER, BOX_SPLINE_POINTS, CUBIC_BEZIER, QUADRATIC_BEZIER};
 pub use range::{VertexRange, VertexRangeError, vertex_range};
 pub use ring::{RingBox, RingPoint};
 pub use rules::Reason;

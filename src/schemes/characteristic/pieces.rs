@@ -13,12 +13,14 @@ pub(super) struct Piece<R> {
     pub(super) coordinates: [Form<R>; 2],
 }
 
-/// The Bézier points of degree 2 and 3 of a uniform B-spline, times 2 and 6.
-const QUADRATIC: [[i64; 3]; 3] = [[1, 1, 0], [0, 2, 0], [0, 1, 1]];
-const CUBIC: [[i64; 4]; 4] = [[1, 4, 1, 0], [0, 4, 2, 0], [0, 2, 4, 0], [0, 1, 4, 1]];
+/// The Bézier points of a uniform quadratic B-spline on an interval, times 2: row i has the weights of the three points.
+pub const QUADRATIC_BEZIER: [[i64; 3]; 3] = [[1, 1, 0], [0, 2, 0], [0, 1, 1]];
+
+/// Those of a cubic one, times 6.
+pub const CUBIC_BEZIER: [[i64; 4]; 4] = [[1, 4, 1, 0], [0, 4, 2, 0], [0, 2, 4, 0], [0, 1, 4, 1]];
 
 /// The control points of a triangle of the quartic box spline with the corners (0, 0), (1, 0), (0, 1).
-const AROUND: [(i32, i32); 12] = [
+pub const BOX_SPLINE_POINTS: [(i32, i32); 12] = [
     (-1, 0),
     (-1, 1),
     (-1, 2),
@@ -33,8 +35,9 @@ const AROUND: [(i32, i32); 12] = [
     (2, 0),
 ];
 
-/// The Bézier points (i, j), i + j ≤ 4, in lexicographic order, times 24.
-const QUARTIC: [[i64; 12]; 15] = [
+/// The Bézier points (i, j), i + j ≤ 4, of that triangle in lexicographic order, times 24: each row has the weights of these
+/// points. The exponent i belongs to (1, 0), and j to (0, 1).
+pub const BOX_SPLINE_BEZIER: [[i64; 12]; 15] = [
     [2, 2, 0, 2, 12, 2, 0, 2, 2, 0, 0, 0],
     [1, 3, 0, 0, 12, 4, 0, 1, 3, 0, 0, 0],
     [0, 4, 0, 0, 8, 8, 0, 0, 4, 0, 0, 0],
@@ -104,11 +107,11 @@ fn coordinate<R: Scalar>(
         }
     };
     match fine.lattice {
-        Lattice::Primal => tensor(CUBIC.iter().map(|row| &row[..]).collect(), 6),
-        Lattice::Dual => tensor(QUADRATIC.iter().map(|row| &row[..]).collect(), 2),
+        Lattice::Primal => tensor(CUBIC_BEZIER.iter().map(|row| &row[..]).collect(), 6),
+        Lattice::Dual => tensor(QUADRATIC_BEZIER.iter().map(|row| &row[..]).collect(), 2),
         Lattice::Triangle => {
-            let values: Vec<R> = AROUND.iter().map(|&(u, v)| at(u, v)).collect();
-            let mut all = QUARTIC.iter().map(|weights| combined(weights, 24, &values));
+            let values: Vec<R> = BOX_SPLINE_POINTS.iter().map(|&(u, v)| at(u, v)).collect();
+            let mut all = BOX_SPLINE_BEZIER.iter().map(|weights| combined(weights, 24, &values));
             let rows = (0..5).map(|i| all.by_ref().take(5 - i).collect()).collect();
             Form { triangle: true, degrees: (4, 4), rows }
         }

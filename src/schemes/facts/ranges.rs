@@ -5,7 +5,7 @@ use crate::bound::polynomial_rules;
 use crate::characteristic::{VertexRange, vertex_range};
 use crate::exact::IntervalSet;
 use crate::scheme::{
-    AnyScheme, Reference, find, parse_any_scheme, parse_parametric, parse_rules_in_parameter,
+    Reference, find, parse_local_rules, parse_parametric, parse_rules_in_parameter,
 };
 use crate::smoothness::{SmoothRangeError, smooth_range};
 use std::collections::BTreeMap;
@@ -66,12 +66,12 @@ impl FamilyFacts {
         let mut parameters = entry.parameters.keys().filter(free);
         let (Some(parameter), None) = (parameters.next(), parameters.next()) else { return None };
         let (ranges, end) = if valence.is_some() {
-            let valences = match parse_any_scheme(scheme) {
-                Ok(AnyScheme::LocalRules(ring)) => {
+            let valences = match parse_local_rules(scheme) {
+                Ok(ring) => {
                     let valence = ring.orbits().last()?.count;
                     valence..=valence
                 }
-                _ => VALENCES,
+                Err(_) => VALENCES,
             };
             weight_facts(&entry.name, parameter, valences)?
         } else {

@@ -8,7 +8,7 @@ use super::matrix_set::MatrixSet;
 use super::product::{Root, largest_real, shown, square_of_radius};
 use super::proposal::hull;
 use super::roots::{algebraic_root, rational_root};
-use crate::exact::{Rational, RealAlgebraic};
+use crate::exact::{Rational, RealAlgebraic, stretched};
 use crate::float::extremal::{Candidates, Rows, SearchCaps, close, row_times};
 use crate::float::nearest;
 
@@ -227,14 +227,4 @@ pub(super) fn eigenvectors(matrices: &[Rows], word: &[usize]) -> Vec<Vec<f64>> {
         rows.push(std::mem::replace(&mut row, next));
     }
     rows
-}
-
-/// p(x^degree).
-fn stretched<F: Entry>(p: &[F], degree: usize) -> Vec<F> {
-    let mut stretched = Vec::new();
-    for c in p {
-        stretched.resize(stretched.len().next_multiple_of(degree), F::zero());
-        stretched.push(c.clone());
-    }
-    stretched
 }

@@ -86,6 +86,16 @@ pub(super) fn limit_at_zero(mask: &Mask) -> Result<Functional, LimitError> {
     // which it is o + N − 1.
     let first = (arity * (mask.offset() - 1)).div_euclid(arity - 1) + 1;
     let last = (arity * (mask.offset() + width - 1)).div_euclid(arity - 1);
+    let row = |i: i64| rule_at(mask.rules(), i).map(|(column, c)| (column, c.clone())).collect();
+    invariant(first, last, row)
+}
+
+/// The only w on a window with w = wB and Σ w_i = 1, for a matrix B whose rows have this window and sum to 1.
+fn invariant(
+    first: i64,
+    last: i64,
+    row: impl Fn(i64) -> Vec<(i64, Rational)>,
+) -> Result<Functional, LimitError> {
     let size = usize::try_from(last - first + 1).expect("the window is not empty");
     if size > MAX_WINDOW {
         return Err(LimitError::Window(size));
@@ -93,11 +103,12 @@ pub(super) fn limit_at_zero(mask: &Mask) -> Result<Functional, LimitError> {
     let at = |i: i64| usize::try_from(i - first).expect("the window is invariant");
     let mut equations = vec![vec![Rational::zero(); size + 1]; size];
     for i in first..=last {
-        for (column, coefficient) in rule_at(mask.rules(), i) {
-            equations[at(column)][at(i)] += coefficient;
+        for (column, coefficient) in row(i) {
+            equations[at(column)][at(i)] += &coefficient;
         }
         equations[at(i)][at(i)] -= &Rational::one();
     }
+    // The equations sum to 0, as the rows of B sum to 1.
     equations[0] = vec![Rational::one(); size + 1];
     let weights = solve(&equations).ok_or(LimitError::NoLimit { first, last })?;
     Ok(Functional::new(first, weights))
@@ -115,25 +126,15 @@ pub(super) fn limit_at_repeating(mask: &Mask, t: &Rational) -> Result<Functional
     let arity = mask.arity();
     let refused = || LimitError::Parameter { parameter: format::short(t, 12), arity };
     let period = Parameter::period(t, arity, MAX_PERIOD).ok_or_else(refused)?;
-    let (first, last) = window(mask)?;
-    let size = usize::try_from(last - first + 1).expect("the window holds 0");
-    let at = |i: i64| usize::try_from(i - first).expect("the window is invariant");
-    let mut equations = vec![vec![Rational::zero(); size + 1]; size];
-    for i in first..=last {
-        let point = Functional::new(i, [Rational::one()]);
-        for (column, coefficient) in period.pull_back(&point, mask.rules()).terms() {
-            equations[at(column)][at(i)] += coefficient;
-        }
-        equations[at(i)][at(i)] -= &Rational::one();
-    }
-    // The equations sum to 0, as the rows of B sum to 1.
-    equations[0] = vec![Rational::one(); size + 1];
-    let weights = solve(&equations).ok_or(LimitError::NoLimit { first, last })?;
-    Ok(Functional::new(first, weights))
+    let (first, last) = window(mask);
+    invariant(first, last, |i| {
+        let pulled = period.pull_back(&Functional::new(i, [Rational::one()]), mask.rules());
+        pulled.terms().map(|(column, c)| (column, c.clone())).collect()
+    })
 }
 
 /// The l and h that are nearest to 0.
-fn window(mask: &Mask) -> Result<(i64, i64), LimitError> {
+fn window(mask: &Mask) -> (i64, i64) {
     let arity = i64::try_from(mask.arity()).expect("the arity is capped");
     let width = i64::try_from(mask.width()).expect("the width is capped");
     let (mut first, mut last) = (0_i64, 0_i64);
@@ -143,6 +144,5 @@ fn window(mask: &Mask) -> Result<(i64, i64), LimitError> {
     while (last + arity - 1).div_euclid(arity) + mask.offset() + width - 1 > last {
         last += 1;
     }
-    let size = usize::try_from(last - first + 1).expect("the window holds 0");
-    if size > MAX_WINDOW { Err(LimitError::Window(size)) } else { Ok((first, last)) }
+    (first, last)
 }

@@ -26,19 +26,17 @@ pub use distances::polygon::ControlPolygon;
 pub use distances::remainder::second_contraction_constants;
 pub use error::{LimitError, MAX_LEVEL, MAX_OFFSET, MAX_PARAMETER_DIGITS, MAX_PERIOD, MAX_WINDOW};
 pub use extremes::far_polygon::FarPolygon;
-pub use extremes::overshoot::{Later, Overshoots};
-pub use extremes::overshoot::{Overshoot, ProofOfGreatest};
-pub use extremes::step::step_supremum;
+pub use extremes::overshoot::{Later, Overshoot, Overshoots, ProofOfGreatest};
 pub use extremes::step::{
     Attained, greatest_change, greatest_difference, greatest_step, greatest_step_from,
+    step_supremum,
 };
 pub use functional::{ExtremalPolygon, Functional, rule_at};
 pub use natural::{NaturalShift, Parametrisation, natural_shift};
 pub use parameter::is_fraction;
-pub use points::Points;
-pub use points::{Combination, LimitWeights};
-pub use rings::distance::{LocalDepth, LocalDistances, LocalWitness, least_flows};
-pub use rings::distance::{minus, unit};
+pub use points::{Combination, LimitWeights, Points};
+pub use rings::distance::{LocalDepth, LocalDistances, LocalWitness};
+pub use rings::flows::{least_flows, minus, unit};
 pub use rings::limit::{LocalLimit, LocalLimitError};
 pub use surfaces::surface::{
     MAX_NET_POINTS, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness,

@@ -2,7 +2,7 @@
 
 use super::symbol::Symbol;
 use crate::exact::{
-    Integer, IntegerPolynomial, Rational, Scalar, divided, greatest_divisor, square_free,
+    Integer, IntegerPolynomial, Rational, Scalar, divided, greatest_divisor, square_free, stretched,
 };
 use crate::joint::Entry;
 
@@ -43,16 +43,6 @@ pub(super) fn dependence<F: Entry>(symbols: &[Vec<F>], n: usize) -> Option<Depen
         return Some(Dependence { g, cycles: false });
     }
     Some(Dependence { g: of_cycles(symbols, n)?, cycles: true })
-}
-
-/// g(z^n).
-fn stretched<F: Entry>(g: &[F], n: usize) -> Vec<F> {
-    let mut coefficients = Vec::new();
-    for c in g {
-        coefficients.resize(coefficients.len().next_multiple_of(n), F::zero());
-        coefficients.push(c.clone());
-    }
-    coefficients
 }
 
 /// The elements of cycles of z ↦ z^n, of the least order of which there are some, all of whose other preimages are

@@ -2,6 +2,7 @@
 
 use super::independence::{Dependence, dependence, exchanged};
 use super::range_error::SmoothRangeError;
+use super::symbol::over_sigma;
 use super::transition::windows;
 use crate::exact::{BivariatePolynomial, Integer, Rational, RationalPolynomial, Scalar};
 use crate::scheme::Rules;
@@ -121,18 +122,8 @@ impl<P: Scalar + PartialEq> ParametricSymbol<P> {
 
     /// The symbol over σ(z) = 1 + z + … + z^{n−1}, if σ divides it for every value of the parameter.
     pub(super) fn over_sigma(&self) -> Option<ParametricSymbol<P>> {
-        let n = self.arity;
-        let mut rest = self.coefficients.clone();
-        let count = (rest.len() + 1).checked_sub(n)?;
-        let mut quotient = Vec::with_capacity(count);
-        for i in 0..count {
-            let c = rest[i].clone();
-            rest[i..i + n].iter_mut().for_each(|x| x.lessen(&c));
-            quotient.push(c);
-        }
-        let zero = P::zero();
-        let divides = count > 0 && rest.iter().all(|x| *x == zero);
-        divides.then(|| ParametricSymbol { arity: n, coefficients: quotient }.trimmed())
+        let coefficients = over_sigma(&self.coefficients, self.arity)?;
+        Some(ParametricSymbol { arity: self.arity, coefficients }.trimmed())
     }
 
     /// This times a number.

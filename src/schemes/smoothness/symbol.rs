@@ -1,6 +1,6 @@
 //! The symbol of a mask.
 
-use crate::exact::{Rational, Real};
+use crate::exact::{Rational, Scalar};
 use crate::joint::Entry;
 use crate::scheme::{Mask, Rules};
 
@@ -122,7 +122,7 @@ impl<F: Entry> Symbol<F> {
 }
 
 /// p/σ, σ(z) = 1 + z + … + z^{n−1}, if σ divides p ≠ 0.
-fn over_sigma<F: Real + PartialEq>(p: &[F], n: usize) -> Option<Vec<F>> {
+pub(super) fn over_sigma<F: Scalar + PartialEq>(p: &[F], n: usize) -> Option<Vec<F>> {
     let count = (p.len() + 1).checked_sub(n).filter(|count| *count > 0)?;
     let mut rest = p.to_vec();
     let mut quotient = Vec::with_capacity(count);

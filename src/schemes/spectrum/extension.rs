@@ -1,7 +1,7 @@
 //! The field that a real root generates over Q(2cos(2π/n)).
 
 use super::polynomial::Polynomial;
-use crate::exact::{Rational, RealCyclotomic, RealExpression, Scalar, only_solution};
+use crate::exact::{Rational, RealCyclotomic, RealExpression, Scalar, divided, only_solution};
 
 /// K(λ) for a real root λ of a monic polynomial f of degree e over K = Q(2cos(2π/n)). Its elements are
 /// Σ_{t<e} a_t λ^t with a_t in K.
@@ -93,16 +93,8 @@ impl Extension {
 
     /// Σ_i a_i λ^i for any number of coefficients, brought to e of them.
     pub(super) fn reduced(&self, coefficients: &[RealCyclotomic]) -> Vec<RealCyclotomic> {
-        let degree = self.degree();
-        let mut rest = coefficients.to_vec();
-        while rest.len() > degree {
-            let top = rest.pop().expect("longer than the degree");
-            let shift = rest.len() - degree;
-            for (target, c) in rest[shift..].iter_mut().zip(&self.polynomial) {
-                target.lessen(&top.times(c));
-            }
-        }
-        rest.resize(degree, RealCyclotomic::zero());
+        let mut rest = divided(coefficients, &self.polynomial).1;
+        rest.resize(self.degree(), RealCyclotomic::zero());
         rest
     }
 

@@ -1,22 +1,13 @@
 //! Monic polynomials over Q(2cos(2π/n)), from the constant term upwards.
 
-use crate::exact::{IntegerPolynomial, Rational, RealCyclotomic, Scalar};
+use crate::exact::{IntegerPolynomial, Rational, RealCyclotomic, divided};
 
 pub(super) type Polynomial = Vec<RealCyclotomic>;
 
 /// The quotient by a monic polynomial, if there is no remainder.
 pub(super) fn quotient(polynomial: &Polynomial, divisor: &Polynomial) -> Option<Polynomial> {
-    let (_, lower) = divisor.split_last()?;
-    let mut rest = polynomial.clone();
-    let mut quotient = vec![RealCyclotomic::zero(); rest.len().checked_sub(lower.len())?];
-    for shift in (0..quotient.len()).rev() {
-        let top = rest.pop()?;
-        for (target, c) in rest[shift..].iter_mut().zip(lower) {
-            target.lessen(&top.times(c));
-        }
-        quotient[shift] = top;
-    }
-    rest.iter().all(|c| c.sign() == 0).then_some(quotient)
+    let (quotient, rest) = divided(polynomial, divisor);
+    rest.is_empty().then_some(quotient)
 }
 
 /// The greatest polynomial over the rationals that divides this one. A polynomial over the rationals

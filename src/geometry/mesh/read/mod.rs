@@ -10,7 +10,6 @@ mod ply;
 mod stl;
 mod tags;
 mod usd;
-mod usd_tokens;
 mod vtk;
 mod words;
 

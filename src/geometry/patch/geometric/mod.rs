@@ -19,6 +19,7 @@
 mod cover;
 mod depth;
 mod level;
+mod level_scene;
 mod levels;
 mod node;
 mod patch;

@@ -59,6 +59,16 @@ impl Distances<Model> {
     pub fn new(net: Net, scheme: &NetScheme) -> Result<NetDistances, NetError> {
         Ok(Distances::of(Model::new(net, scheme)?))
     }
+
+    /// The natural parameters of the cells that are compared, in each direction; `None` for a closed one.
+    #[must_use]
+    pub fn ranges(&self) -> [Option<[Rational; 2]>; 2] {
+        self.model.directions.each_ref().map(|direction| {
+            let first = direction.window.first_cell(false);
+            let last = first + i64::try_from(direction.cells()).unwrap_or(i64::MAX);
+            (!direction.closed).then(|| [first, last].map(Rational::from))
+        })
+    }
 }
 
 impl Model {

@@ -16,6 +16,7 @@ mod polynomial;
 mod rules;
 mod scaled;
 mod search;
+mod set_places;
 mod sets;
 mod spot;
 

@@ -1,20 +1,16 @@
 //! The least level whose net is within a tolerance of the limit surface as a set of points.
 
 use super::super::geometric::{
-    FaceDepth, FarPoint, GeometricDepth, GeometricPlace, Levels, MAX_LEVEL, MeshNearness,
-    Pieces as _, Scene, SetKind, Whole, check, distances, far_distance, first_far, sweep,
+    FaceDepth, GeometricDepth, Levels, MAX_LEVEL, MeshNearness, Scene, Whole, check, distances,
+    first_far, sweep,
 };
-use super::super::number::squared;
-use super::super::place::{FarPlace, Place};
 use super::super::threads::in_threads;
 use super::cell::{Cell, bound};
 use super::direction::Direction;
 use super::distances::NetDistances;
 use super::pieces::{NetPieces, unit};
-use super::search::Node;
 use crate::exact::Rational;
 use crate::float::nearest;
-use crate::mesh::Point;
 use crate::net::NetError;
 use crate::patch::distance::judge::Judge as _;
 use crate::patch::distance::surface::Surface as _;
@@ -32,9 +28,6 @@ const MAX_CELLS: usize = 1 << 20;
 /// How many cells are tried first.
 const FIRST: usize = 400;
 
-/// How many levels deeper the parameters of a far point are looked for.
-const NEAR_LEVELS: u32 = 10;
-
 type Index = [i128; 2];
 
 /// A cell of the level of which simple bounds do not show that it is near.
@@ -45,9 +38,9 @@ struct Own {
 }
 
 /// The search on a net; its faces are the cells of level 0.
-struct NetLevels<'a> {
-    distances: &'a NetDistances,
-    tolerance: Rational,
+pub(super) struct NetLevels<'a> {
+    pub(super) distances: &'a NetDistances,
+    pub(super) tolerance: Rational,
 }
 
 impl NetDistances {
@@ -91,16 +84,6 @@ impl NetDistances {
     /// As [`geometric_depth`](Self::geometric_depth).
     pub fn is_within(&self, level: u32, tolerance: &Rational) -> Result<Option<bool>, NetError> {
         NetLevels::new(self, tolerance)?.is_within(level)
-    }
-
-    /// The natural parameters of the cells that are compared, in each direction; `None` for a closed one.
-    #[must_use]
-    pub fn ranges(&self) -> [Option<[Rational; 2]>; 2] {
-        self.model.directions.each_ref().map(|direction| {
-            let first = direction.window.first_cell(false);
-            let last = first + i64::try_from(direction.cells()).unwrap_or(i64::MAX);
-            (!direction.closed).then(|| [first, last].map(Rational::from))
-        })
     }
 
     /// What each face of the net needs: its part of the net of a level, and its part of the limit, are within the
@@ -154,11 +137,11 @@ impl<'a> NetLevels<'a> {
         Ok(NetLevels { distances, tolerance: tolerance.clone() })
     }
 
-    fn directions(&self) -> &'a [Direction; 2] {
+    pub(super) fn directions(&self) -> &'a [Direction; 2] {
         &self.distances.model.directions
     }
 
-    fn pieces(&self, level: u32, cells: Vec<Cell<f64>>) -> NetPieces<'a> {
+    pub(super) fn pieces(&self, level: u32, cells: Vec<Cell<f64>>) -> NetPieces<'a> {
         let model = &self.distances.model;
         NetPieces { model, judge: model.rounded_judge(&self.tolerance), level, cells }
     }
@@ -239,13 +222,19 @@ impl<'a> NetLevels<'a> {
         cells
     }
 
-    /// Some cells of a level with what is around them, and for each unit which of them it is.
-    fn scene(&self, level: u32, own: &[&Own]) -> (Scene<NetPieces<'a>>, Vec<Option<usize>>) {
+    /// Some cells of a level with what is around them, for each unit which of them it is, and the units that are any.
+    fn scene(
+        &self,
+        level: u32,
+        own: &[&Own],
+    ) -> (Scene<NetPieces<'a>>, Vec<Option<usize>>, Vec<usize>) {
         let directions = self.directions();
         let cells = self.cells(level, self.around(level, own));
         let numbers: HashMap<Index, usize> =
             own.iter().enumerate().map(|(i, own)| (own.index, i)).collect();
-        let owners = cells.iter().map(|cell| numbers.get(&cell.index).copied()).collect();
+        let owners: Vec<Option<usize>> =
+            cells.iter().map(|cell| numbers.get(&cell.index).copied()).collect();
+        let own_units = (0..owners.len()).filter(|unit| owners[*unit].is_some()).collect();
         let ends = [0, 1].map(|which| {
             let rules = &directions[which].rounded;
             let steps = rules.phases[rules.start].nodes.len() as i128 - 1;
@@ -264,117 +253,7 @@ impl<'a> NetLevels<'a> {
         let units = cells.iter().map(|cell| unit(cell, directions, &mut number)).collect();
         let pieces = self.pieces(level, cells);
         let slack = pieces.off();
-        (Scene::new(pieces, units, slack), owners)
-    }
-
-    /// Natural parameters in a cell of a level near which the net, or the limit, has a point.
-    fn parameters(&self, cell: &Cell<f64>, point: &Point<f64>, from: SetKind) -> [Rational; 2] {
-        let directions = self.directions();
-        let pieces = self.pieces(cell.level(), Vec::new());
-        let at = |cell: &Cell<f64>, which: usize, share: &Rational| {
-            let unit = Rational::from(directions[which].arity).pow(cell.level().cast_signed());
-            (Rational::from(cell.index[which]) + share) / unit
-        };
-        let mut best: Option<(f64, [Rational; 2])> = None;
-        let mut offer = |square: f64, parameters: [Rational; 2]| {
-            if best.as_ref().is_none_or(|(least, _)| square < *least) {
-                best = Some((square, parameters));
-            }
-        };
-        match from {
-            SetKind::Limit => {
-                // Those parts whose corners are nearest, level by level.
-                let mut cells = vec![cell.clone()];
-                for _ in 0..NEAR_LEVELS {
-                    let mut parts: Vec<(f64, Cell<f64>)> = Vec::new();
-                    for part in cells.iter().flat_map(|cell| cell.parts(directions, [true; 2])) {
-                        let corners = [[0, 0], [0, 1], [1, 1], [1, 0]];
-                        let mut least = f64::INFINITY;
-                        for (corner, limit) in corners.into_iter().zip(&pieces.hull(&part).limits) {
-                            let (square, shares) =
-                                (squared(limit, point), corner.map(Rational::from));
-                            least = least.min(square);
-                            offer(square, [0, 1].map(|which| at(&part, which, &shares[which])));
-                        }
-                        parts.push((least, part));
-                    }
-                    parts.sort_by(|left, right| left.0.total_cmp(&right.0));
-                    cells = parts.into_iter().take(4).map(|(_, part)| part).collect();
-                }
-            }
-            SetKind::Mesh => {
-                let base = cell.clone().begun(directions).base;
-                let Some(base) = base else {
-                    return [0, 1].map(|which| at(cell, which, &Rational::zero()));
-                };
-                let nodes =
-                    [0, 1].map(|which| &directions[which].exact.phases[base.phases[which]].nodes);
-                let columns = nodes[1].len();
-                let shares = [0, 1, 2, 3, 4].map(|i| Rational::new(i, 4));
-                for (i, j) in (1..nodes[0].len()).flat_map(|i| (1..columns).map(move |j| (i, j))) {
-                    let corner =
-                        |a: usize, b: usize| &base.points[(i - 1 + a) * columns + j - 1 + b];
-                    for (u, v) in shares.iter().flat_map(|u| shares.iter().map(move |v| (u, v))) {
-                        let (s, t) = (nearest(u), nearest(v));
-                        let x = [0, 1, 2].map(|c| {
-                            (1.0 - s) * ((1.0 - t) * corner(0, 0)[c] + t * corner(0, 1)[c])
-                                + s * ((1.0 - t) * corner(1, 0)[c] + t * corner(1, 1)[c])
-                        });
-                        let share = |which: usize, end: usize, part: &Rational| {
-                            let (low, high) = (&nodes[which][end - 1], &nodes[which][end]);
-                            at(cell, which, &(low + &(part * &(high - low))))
-                        };
-                        offer(squared(&x, point), [share(0, i, u), share(1, j, v)]);
-                    }
-                }
-            }
-        }
-        best.map_or_else(|| [0, 1].map(|which| at(cell, which, &Rational::zero())), |(_, at)| at)
-    }
-
-    fn place(
-        &self,
-        scene: &Scene<NetPieces>,
-        whole: &Whole<NetPieces>,
-        far: &FarPoint,
-    ) -> GeometricPlace {
-        let model = &self.distances.model;
-        let (level, cell) = (scene.pieces.level, &scene.pieces.cells[far.unit]);
-        let distance = far_distance(whole, far, &(&self.tolerance / &model.scale));
-        let (phases, grid) = match cell.clone().begun(self.directions()).base {
-            Some(base) => (base.phases, base.points),
-            None => ([0; 2], Vec::new()),
-        };
-        let square = |i: usize| squared(&grid[i], &far.point);
-        let nearest_node =
-            (0..grid.len()).min_by(|i, j| square(*i).total_cmp(&square(*j))).unwrap_or(0);
-        let columns = self.directions()[1].rounded.phases[phases[1]].nodes.len();
-        let parameters = self.parameters(cell, &far.point, far.from);
-        let (polygon, limit) = match far.from {
-            SetKind::Mesh => (far.point, far.other),
-            SetKind::Limit => (far.other, far.point),
-        };
-        let number = [nearest_node / columns, nearest_node % columns];
-        let at = Node { levels: cell.levels, index: cell.index, phases, number };
-        let place = Place { level: cell.level(), at, limit, polygon };
-        let FarPlace { face, vertex, level_face, on_mesh, on_limit } =
-            model.far_place(0, level, &place);
-        let (point, other) = match far.from {
-            SetKind::Mesh => (on_mesh, on_limit),
-            SetKind::Limit => (on_limit, on_mesh),
-        };
-        // The scale is a power of two.
-        let distance = distance * nearest(&model.scale);
-        GeometricPlace {
-            face,
-            parameters: Some(parameters),
-            vertex,
-            level_face,
-            from: far.from,
-            point,
-            other,
-            distance,
-        }
+        (Scene::new(pieces, units, slack), owners, own_units)
     }
 }
 
@@ -417,10 +296,8 @@ impl Levels for NetLevels<'_> {
             let mut first: Vec<&Own> = own.iter().collect();
             first.sort_by(|left, right| right.bound.total_cmp(&left.bound));
             first.truncate(FIRST);
-            let (scene, owners) = self.scene(level, &first);
-            let units: Vec<usize> =
-                (0..owners.len()).filter(|unit| owners[*unit].is_some()).collect();
-            if let Some(far) = first_far(&scene, &units, &whole) {
+            let (scene, owners, own_units) = self.scene(level, &first);
+            if let Some(far) = first_far(&scene, &own_units, &whole) {
                 let root = owners[far.unit].map_or(0, |i| first[i].root);
                 return Ok(vec![(root, MeshNearness::Far(self.place(&scene, &whole, &far)))]);
             }
@@ -433,11 +310,9 @@ impl Levels for NetLevels<'_> {
         let own: Vec<&Own> = own.iter().collect();
         let mut last = None;
         for chunk in own.chunks(CHUNK) {
-            let (scene, owners) = self.scene(level, chunk);
-            let units: Vec<usize> =
-                (0..owners.len()).filter(|unit| owners[*unit].is_some()).collect();
-            let found = sweep(&scene, &units, &whole, tolerance, &work, all);
-            for (unit, nearness) in units.iter().zip(&found) {
+            let (scene, owners, own_units) = self.scene(level, chunk);
+            let found = sweep(&scene, &own_units, &whole, tolerance, &work, all);
+            for (unit, nearness) in own_units.iter().zip(&found) {
                 let root = owners[*unit].map_or(0, |i| chunk[i].root);
                 let entry = known.entry(root).or_insert(MeshNearness::Near);
                 entry.add(nearness, |far| self.place(&scene, &whole, far));

@@ -1,5 +1,6 @@
 //! Characteristic polynomials of matrices.
 
+use super::elimination::row_times;
 use crate::exact::{IntegerPolynomial, Rational, Scalar};
 
 /// det(xI − M) times its least common denominator, for a square matrix M.
@@ -55,7 +56,7 @@ pub fn characteristic_coefficients<F: Scalar + PartialEq>(rows: &[Vec<F>]) -> Ve
     let mut power = rows.to_vec();
     for k in 1..=size {
         if k > 1 {
-            power = product(rows, &power);
+            power = rows.iter().map(|row| row_times(row, &power)).collect();
         }
         let trace = F::total((0..size).map(|i| &power[i][i]));
         let c = trace.times(&F::from_rational(&-Rational::from(k).recip()));
@@ -101,18 +102,6 @@ fn convolved<'a, F: Scalar + 'a>(
         sum.accumulate(&c(i).times(&s[i]));
     }
     sum
-}
-
-fn product<F: Scalar + PartialEq>(a: &[Vec<F>], b: &[Vec<F>]) -> Vec<Vec<F>> {
-    let zero = F::zero();
-    let entry = |row: &Vec<F>, j: usize| {
-        let mut sum = F::zero();
-        for (x, other) in row.iter().zip(b).filter(|(x, _)| **x != zero) {
-            sum.accumulate(&x.times(&other[j]));
-        }
-        sum
-    };
-    a.iter().map(|row| (0..b.len()).map(|j| entry(row, j)).collect()).collect()
 }
 
 /// p_0, …, p_{count} of the roots of a monic polynomial, by Newton's identities.

@@ -1,6 +1,6 @@
 //! Gaussian elimination over any field of real numbers.
 
-use crate::exact::{Rational, Real};
+use crate::exact::{Rational, Real, Scalar};
 
 /// The reduced echelon form of a matrix, without rows of zeros, and the column of each pivot.
 ///
@@ -69,7 +69,7 @@ pub fn null_rows<F: Real + PartialEq>(matrix: &[Vec<F>]) -> Vec<Vec<F>> {
 
 /// xM.
 #[must_use]
-pub fn row_times<F: Real + PartialEq>(x: &[F], matrix: &[Vec<F>]) -> Vec<F> {
+pub fn row_times<F: Scalar + PartialEq>(x: &[F], matrix: &[Vec<F>]) -> Vec<F> {
     let zero = F::zero();
     let mut sum = vec![zero.clone(); matrix.first().map_or(0, Vec::len)];
     for (x, row) in x.iter().zip(matrix).filter(|(x, _)| **x != zero) {

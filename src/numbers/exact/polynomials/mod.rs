@@ -1,5 +1,6 @@
 //! Polynomials in one variable, and their real roots.
 
+pub(super) mod dense;
 pub(super) mod descartes;
 pub(super) mod factor;
 pub(super) mod rational_polynomial;

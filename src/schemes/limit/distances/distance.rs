@@ -1,6 +1,7 @@
 //! The distance of a polygon from its limit, bounded from above and below.
 
-use super::cell::{Cell, Splitting, middles};
+use super::cell::{Cell, Splitting};
+use super::middles::middles;
 use super::polygon::{ControlPolygon, Polygons};
 use super::remainder::Remainders;
 use super::search::{Best, Goal, Search};

@@ -5,6 +5,7 @@ pub(super) mod comparison;
 pub(super) mod depth;
 pub(super) mod distance;
 pub(super) mod fraction;
+pub(super) mod middles;
 pub(super) mod polygon;
 pub(super) mod remainder;
 pub(super) mod search;

@@ -1,7 +1,8 @@
 //! Bounds of the limit between the parameters at which it is computed.
 
-use super::cell::{Middles, Sizes};
+use super::cell::Sizes;
 use super::fraction::Fraction;
+use super::middles::Middles;
 use crate::bound::SoundBound;
 use crate::exact::{Integer, Rational};
 use crate::limit::convergence::contraction_constants;
@@ -75,7 +76,7 @@ impl LevelBound {
 }
 
 impl Remainders {
-    /// The bounds for a shift, and for the [`middles`](super::cell::middles) of this
+    /// The bounds for a shift, and for the [`middles`](super::middles::middles) of this
     /// shift.
     pub(in crate::limit) fn new(
         limit: &Limit,

@@ -1,6 +1,7 @@
 //! Expressions as elements of an algebra over one cyclotomic field.
 
 use super::node::{Field, Generator, Operation, RealExpression};
+use crate::exact::polynomials::dense::product;
 use crate::exact::{Adjugate, Rational, Real, RealCyclotomic, Scalar};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -159,15 +160,7 @@ impl Algebra<'_> {
         let conjugates = units.map(|a| -> Vec<RealCyclotomic> {
             polynomial.iter().map(|c| c.conjugate(a)).collect()
         });
-        let product = conjugates.reduce(|a, b| {
-            let mut product = vec![RealCyclotomic::zero(); a.len() + b.len() - 1];
-            for (i, x) in a.iter().enumerate() {
-                for (j, y) in b.iter().enumerate() {
-                    product[i + j].accumulate(&x.times(y));
-                }
-            }
-            product
-        });
+        let product = conjugates.reduce(|a, b| product(&a, &b));
         let rational = |c: &RealCyclotomic| c.as_rational().expect("a norm is rational").clone();
         product.unwrap_or_default().iter().map(rational).collect()
     }

@@ -1,8 +1,9 @@
 //! A real root of a polynomial with cyclotomic coefficients.
 
 use super::rounded::{outward, power_of_half};
+use crate::exact::polynomials::dense::{derivative, divided, value_at};
 use crate::exact::polynomials::sturm::changes;
-use crate::exact::{Enclosed, Enclosure, Integer, Rational, Real, RealCyclotomic, Scalar};
+use crate::exact::{Enclosed, Enclosure, Integer, Rational, Real, RealCyclotomic};
 
 /// A polynomial Σ c_k x^k with numbers c_k of one field, from the constant term upwards, without leading
 /// zeros.
@@ -164,40 +165,9 @@ impl Sturm {
     }
 }
 
-/// The polynomial without leading zeros.
-pub(super) fn trimmed(mut polynomial: Coefficients) -> Coefficients {
-    while polynomial.last().is_some_and(|c| c.sign() == 0) {
-        polynomial.pop();
-    }
-    polynomial
-}
-
-fn derivative(polynomial: &Coefficients) -> Coefficients {
-    let terms = polynomial.iter().enumerate().skip(1);
-    terms.map(|(k, c)| c.times(&RealCyclotomic::from(Rational::from(k)))).collect()
-}
-
-/// The quotient and the remainder.
-fn divided(polynomial: &Coefficients, divisor: &Coefficients) -> (Coefficients, Coefficients) {
-    let (leading, lower) = divisor.split_last().expect("a divisor other than 0");
-    let inverse = leading.recip();
-    let mut rest = polynomial.clone();
-    let mut quotient = vec![RealCyclotomic::zero(); rest.len().saturating_sub(lower.len())];
-    for shift in (0..quotient.len()).rev() {
-        let top = rest.pop().expect("as long as shift + divisor").times(&inverse);
-        for (target, c) in rest[shift..].iter_mut().zip(lower) {
-            target.lessen(&top.times(c));
-        }
-        quotient[shift] = top;
-    }
-    (trimmed(quotient), trimmed(rest))
-}
-
 /// The sign of the value at a rational number.
 fn sign_at(polynomial: &Coefficients, at: &Rational) -> i8 {
-    let at = RealCyclotomic::from(at.clone());
-    let value = polynomial.iter().rev();
-    value.fold(RealCyclotomic::zero(), |value, c| value.times(&at).plus(c)).sign()
+    value_at(polynomial, &RealCyclotomic::from(at.clone())).sign()
 }
 
 /// A power of two above all roots in absolute value: Cauchy's bound 1 + max |c_k/c_d|.

@@ -1,10 +1,11 @@
 //! Square roots, and roots of polynomials.
 
 use super::error::{MAX_ROOT_DEGREE, RootError};
-use super::isolated::{Isolated, RootKind, trimmed};
+use super::isolated::{Isolated, RootKind};
 use super::node::{Field, Generator, Operation, RealExpression};
 use super::size::Size;
 use super::square::square_part;
+use crate::exact::polynomials::dense::trimmed;
 use crate::exact::{Integer, Rational, Real, RealCyclotomic, Scalar, format::short};
 use std::sync::Arc;
 

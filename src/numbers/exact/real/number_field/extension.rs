@@ -1,8 +1,10 @@
 //! Roots of polynomials over Q(α).
 
-use super::dense::{composed, greatest_divisor, product, square_free, trimmed, value_at};
 use super::element::{Field, FieldElement};
 use super::error::{FieldError, MAX_FIELD_DEGREE, MAX_NORM_DEGREE};
+use crate::exact::polynomials::dense::{
+    composed, greatest_divisor, product, square_free, trimmed, value_at,
+};
 use crate::exact::{
     Enclosed as _, Enclosure, IntegerPolynomial, Rational, RationalPolynomial, RealAlgebraic,
     Scalar as _, determinant, interpolated, solve,

@@ -3,20 +3,17 @@
 //! | file | subject |
 //! |---|---|
 //! | `element` | the number type |
-//! | `dense` | polynomials over a field |
 //! | `extension` | a root of a polynomial over Q(α) |
 //! | `merge` | one field for the numbers of two |
 //! | `number` | numbers of any field, which meet each other |
 //! | `error` | the caps |
 
-mod dense;
 mod element;
 mod error;
 mod extension;
 mod merge;
 mod number;
 
-pub use dense::{divided, greatest_divisor, square_free, value_at};
 pub use element::FieldElement;
 pub use error::{FieldError, MAX_FIELD_DEGREE, MAX_NORM_DEGREE};
 pub use number::AlgebraicNumber;

@@ -3,7 +3,7 @@
 use crate::exact::{Rational, Real};
 
 /// Without the coefficients 0 at the end.
-pub(super) fn trimmed<F: Real + PartialEq>(mut p: Vec<F>) -> Vec<F> {
+pub(in crate::exact) fn trimmed<F: Real + PartialEq>(mut p: Vec<F>) -> Vec<F> {
     let zero = F::zero();
     let length = p.iter().rposition(|c| *c != zero).map_or(0, |last| last + 1);
     p.truncate(length);
@@ -57,14 +57,27 @@ fn monic<F: Real + PartialEq>(mut p: Vec<F>) -> Vec<F> {
 /// The polynomial with the same roots, each of them simple.
 pub fn square_free<F: Real + PartialEq>(p: &[F]) -> Vec<F> {
     let p = trimmed(p.to_vec());
-    let place = |i: usize| F::from_rational(&Rational::from(i));
-    let derivative: Vec<F> = (1..p.len()).map(|i| p[i].times(&place(i))).collect();
-    let common = greatest_divisor(&p, &derivative);
+    let common = greatest_divisor(&p, &derivative(&p));
     if common.len() <= 1 { p } else { divided(&p, &common).0 }
 }
 
+/// The derivative.
+pub(in crate::exact) fn derivative<F: Real>(p: &[F]) -> Vec<F> {
+    (1..p.len()).map(|i| p[i].times(&F::from_rational(&Rational::from(i)))).collect()
+}
+
+/// p(x^n).
+pub fn stretched<F: Real>(p: &[F], n: usize) -> Vec<F> {
+    let mut stretched = Vec::new();
+    for c in p {
+        stretched.resize(stretched.len().next_multiple_of(n), F::zero());
+        stretched.push(c.clone());
+    }
+    stretched
+}
+
 /// p(q(z)) for a polynomial q.
-pub(super) fn composed<F: Real>(p: &[F], q: &[F]) -> Vec<F> {
+pub(in crate::exact) fn composed<F: Real>(p: &[F], q: &[F]) -> Vec<F> {
     p.iter().rev().fold(Vec::new(), |value, c| {
         let mut next = product(&value, q);
         match next.first_mut() {
@@ -76,7 +89,7 @@ pub(super) fn composed<F: Real>(p: &[F], q: &[F]) -> Vec<F> {
 }
 
 /// The product.
-pub(super) fn product<F: Real>(p: &[F], q: &[F]) -> Vec<F> {
+pub(in crate::exact) fn product<F: Real>(p: &[F], q: &[F]) -> Vec<F> {
     let mut product = vec![F::zero(); (p.len() + q.len()).saturating_sub(1)];
     if p.is_empty() {
         return Vec::new();
