@@ -123,6 +123,12 @@ fn components(count: usize, edge: impl Fn(usize, usize) -> bool) -> Vec<Vec<usiz
     (0..count).filter(first).map(|i| (0..count).filter(|&j| both(i, j)).collect()).collect()
 }
 
+/// The part of a matrix with these rows and columns.
+pub(super) fn part<T: Clone>(matrix: &[Vec<T>], places: &[usize]) -> Vec<Vec<T>> {
+    let row = |&a: &usize| places.iter().map(|&b| matrix[a][b].clone()).collect();
+    places.iter().map(row).collect()
+}
+
 /// cos(2πj/n) for j = 0, …, n−1.
 pub(super) fn cosines(n: usize) -> Vec<RealCyclotomic> {
     let cosine = |j| RealCyclotomic::cosine(&Rational::new(j, n));

@@ -1,6 +1,6 @@
 //! The eigenvalues of a ring, by Fourier blocks.
 
-use super::blocks::Blocks;
+use super::blocks::{Blocks, part};
 use super::circulant::Circulant;
 use super::error::SpectrumError;
 use super::polynomial::Polynomial;
@@ -45,9 +45,7 @@ pub(super) fn eigenvalues(
     let mut add = |root: &Root, of: &[usize]| found.push(Eigenvalue::of(root, of));
     for component in blocks.still_components() {
         check(component.len(), 1)?;
-        let rows = |&a: &usize| component.iter().map(|&b| blocks.still[a][b].clone()).collect();
-        let matrix: Vec<Vec<RealCyclotomic>> = component.iter().map(rows).collect();
-        let polynomial = Adjugate::of(&matrix).characteristic;
+        let polynomial = Adjugate::of(&part(&blocks.still, &component)).characteristic;
         block_roots(0, polynomial)?.iter().for_each(|root| add(root, &[0]));
     }
     let n = blocks.order;
@@ -84,10 +82,7 @@ pub(super) fn turning_characteristic(
     component: &[usize],
 ) -> Result<Vec<Circulant>, SpectrumError> {
     check(component.len(), blocks.order)?;
-    let turning = blocks.turning();
-    let rows = |&a: &usize| component.iter().map(|&b| turning[a][b].clone()).collect();
-    let matrix: Vec<Vec<Circulant>> = component.iter().map(rows).collect();
-    let characteristic = Adjugate::of(&matrix).characteristic;
+    let characteristic = Adjugate::of(&part(blocks.turning(), component)).characteristic;
     if characteristic.iter().all(Circulant::is_even) {
         Ok(characteristic)
     } else {

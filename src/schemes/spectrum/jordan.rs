@@ -1,6 +1,6 @@
 //! The sizes of Jordan blocks, exactly.
 
-use super::blocks::Blocks;
+use super::blocks::{Blocks, part};
 use super::eigenvalues::{Eigenvalue, at_block, block_roots, turning_characteristic};
 use super::error::SpectrumError;
 use super::polynomial::Polynomial;
@@ -80,12 +80,9 @@ fn characteristics(
     cosines: &[RealCyclotomic],
 ) -> Result<Vec<Polynomial>, SpectrumError> {
     if k == 0 {
-        let of = |component: Vec<usize>| {
-            let row = |a: &usize| component.iter().map(|b| blocks.still[*a][*b].clone()).collect();
-            let matrix: Vec<Vec<RealCyclotomic>> = component.iter().map(row).collect();
-            Adjugate::of(&matrix).characteristic
-        };
-        return Ok(blocks.still_components().into_iter().map(of).collect());
+        let of =
+            |component: &Vec<usize>| Adjugate::of(&part(&blocks.still, component)).characteristic;
+        return Ok(blocks.still_components().iter().map(of).collect());
     }
     let of = |component: Vec<usize>| {
         let characteristic = turning_characteristic(blocks, &component)?;

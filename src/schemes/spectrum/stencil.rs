@@ -1,6 +1,6 @@
 //! Left eigenvectors: the stencils of limits and tangents.
 
-use super::blocks::Blocks;
+use super::blocks::{Blocks, part};
 use super::circulant::Circulant;
 use super::eigenvalues::{at_block, block_roots, check, turning_characteristic};
 use super::error::SpectrumError;
@@ -83,10 +83,7 @@ fn eigenvector(
     // The eigenvector is 0 on the cycles on which those of the component do not depend.
     let sources = blocks.turning_sources(component);
     check(sources.len(), blocks.order)?;
-    let turning = blocks.turning();
-    let rows = |&a: &usize| sources.iter().map(|&b| turning[a][b].clone()).collect();
-    let matrix: Vec<Vec<Circulant>> = sources.iter().map(rows).collect();
-    let adjugate = Adjugate::of(&matrix).adjugate;
+    let adjugate = Adjugate::of(&part(blocks.turning(), &sources)).adjugate;
     let row = |r: usize| (0..sources.len()).filter(|a| component.contains(&sources[*a])).nth(r);
     let scaled = (0..component.len()).filter_map(row).find_map(|r| {
         let entries: Vec<&Circulant> = adjugate.iter().map(|matrix| &matrix[r][r]).collect();

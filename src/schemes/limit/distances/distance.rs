@@ -4,7 +4,7 @@ use super::cell::{Cell, Splitting};
 use super::middles::middles;
 use super::polygon::{ControlPolygon, Polygons};
 use super::remainder::Remainders;
-use super::search::{Best, Goal, Search};
+use super::search::{Best, Search};
 use crate::bound::{Budget, Share};
 use crate::exact::{Enclosure, Integer, Rational};
 use crate::limit::error::{LimitError, MAX_LEVEL, positive};
@@ -216,13 +216,7 @@ impl Distances {
         if self.looks_at_roots(among, &share) {
             upper = search.bound(&mut best).min(upper);
         }
-        // A first, coarse search finds a good value; with it the next search splits fewer
-        // cells.
-        let mut step = &upper - &best.value;
-        while &upper - &best.value > *width && step > *width && search.goes_on() {
-            step = (step / Rational::from(4)).max(width.clone());
-            upper = search.run(&Goal::Width(step.clone()), &mut best).min(upper);
-        }
+        upper = search.narrowed(upper, width, &mut best);
         let enclosure = Enclosure::new(best.value.clone(), upper);
         if enclosure.width() > *width {
             return Err(LimitError::TooFine { cells: self.cells, reached: Box::new(enclosure) });

@@ -77,7 +77,7 @@ impl<'a> Search<'a> {
     }
 
     /// Whether more cells may be split.
-    pub(in crate::limit) fn goes_on(&self) -> bool {
+    fn goes_on(&self) -> bool {
         self.cells > 0 && self.share.goes_on()
     }
 
@@ -109,6 +109,22 @@ impl<'a> Search<'a> {
             stack.extend(self.bounded(parts.filter(inside), Some(&bound), best));
         }
         upper.reduced()
+    }
+
+    /// Improves an upper bound and `best` until they differ by `width` or a cap is reached. First, coarse searches find good
+    /// values; with them the next search splits fewer cells.
+    pub(in crate::limit) fn narrowed(
+        &mut self,
+        mut upper: Rational,
+        width: &Rational,
+        best: &mut Best,
+    ) -> Rational {
+        let mut step = &upper - &best.value;
+        while &upper - &best.value > *width && step > *width && self.goes_on() {
+            step = (step / Rational::from(4)).max(width.clone());
+            upper = self.run(&Goal::Width(step.clone()), best).min(upper);
+        }
+        upper
     }
 
     /// Takes the cost of splitting this cell; if it does not remain, no further cell may

@@ -121,12 +121,8 @@ impl Axis {
     ) -> Result<Constant, LimitError> {
         let any = self.distances.any_polygon();
         let (mut search, mut best) = self.distances.search(&any, level, share)?;
-        let mut upper = search.bound(&mut best);
-        let mut step = &upper - &best.value;
-        while &upper - &best.value > *width && step > *width && search.goes_on() {
-            step = (step / Rational::from(4)).max(width.clone());
-            upper = search.run(&Goal::Width(step.clone()), &mut best).min(upper);
-        }
+        let upper = search.bound(&mut best);
+        let upper = search.narrowed(upper, width, &mut best);
         Ok(Constant { level, upper, parameter: best.parameter })
     }
 
