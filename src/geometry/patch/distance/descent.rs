@@ -3,22 +3,22 @@
 use crate::patch::place::FarPlace;
 
 /// How many pieces are looked at, in f64 and exactly; for one level at most a half of what is left.
-pub(in crate::patch) const STEPS: u64 = 80_000_000;
+pub(super) const STEPS: u64 = 80_000_000;
 const EXACT_STEPS: u64 = 20_000;
 
 /// How many pieces may still be looked at, in f64 and exactly.
 pub(super) struct Budget {
-    pub(in crate::patch) rounded: u64,
+    pub(super) rounded: u64,
     pub(in crate::patch) exact: u64,
 }
 
 /// What was found at a level.
 #[derive(Default)]
-pub(in crate::patch) struct LevelResult {
+pub(super) struct LevelResult {
     /// A place that is beyond the tolerance.
-    pub(in crate::patch) beyond: Option<FarPlace>,
+    pub(super) beyond: Option<FarPlace>,
     /// Whether some piece was not decided.
-    pub(in crate::patch) open: bool,
+    pub(super) open: bool,
     /// How many pieces were looked at exactly.
     pub(super) exact_pieces: usize,
 }
@@ -28,7 +28,7 @@ pub(super) struct Descent {
     /// The least level that is sufficient with all later ones, as far as they were decided.
     pub(in crate::patch) level: u32,
     /// The greatest level that is not sufficient, and a place that shows it.
-    pub(in crate::patch) beyond: Option<(u32, FarPlace)>,
+    pub(super) beyond: Option<(u32, FarPlace)>,
     pub(super) exact_pieces: usize,
 }
 

@@ -6,10 +6,10 @@ use crate::patch::threads::{in_rounds, in_threads};
 
 /// What is known of the greatest distance.
 pub(super) struct Maximum<P> {
-    pub(in crate::patch) lower: f64,
-    pub(in crate::patch) upper: f64,
+    pub(super) lower: f64,
+    pub(super) upper: f64,
     /// Where the lower bound is attained; `None` where it is 0.
-    pub(in crate::patch) place: Option<P>,
+    pub(super) place: Option<P>,
 }
 
 /// Measures pieces, which come with upper bounds, the greatest first. `measure` gets a piece and the

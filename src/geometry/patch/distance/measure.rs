@@ -72,7 +72,7 @@ impl<S: Surface> Distances<S> {
 
     /// A lower bound of the one-sided Hausdorff distance at a level: the greatest distance, from the
     /// whole mesh, of the limit points that are farthest from it at their parameters, each in its root.
-    pub(in crate::patch) fn apart(&self, level: u32) -> f64 {
+    pub(super) fn apart(&self, level: u32) -> f64 {
         let model = &self.model;
         let judge = model.rounded_judge(&Rational::one());
         let waiting = model.above(level, 0.0);

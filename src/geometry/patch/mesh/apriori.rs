@@ -160,7 +160,7 @@ pub(in crate::patch) fn longest_edge(
 }
 
 /// An f64 that is at least this.
-pub(in crate::patch) fn above(value: &RealCyclotomic) -> f64 {
+pub(super) fn above(value: &RealCyclotomic) -> f64 {
     f64::from_bits(value.step(|x| upper(x).to_bits()))
 }
 

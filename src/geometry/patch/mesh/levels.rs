@@ -21,7 +21,7 @@ enum Start<V: Vector> {
 
 impl<V: Vector> Levels<V> {
     /// What the control mesh has at the corners of a piece.
-    pub(in crate::patch) fn start(&self, root: &Root, roots: &Roots, faces: &Source) -> Vec<V> {
+    pub(super) fn start(&self, root: &Root, roots: &Roots, faces: &Source) -> Vec<V> {
         match (&self.start, faces) {
             (Start::Faces { control, corners }, Source::Surface { mesh, .. }) => {
                 let face = &mesh.faces()[root.face];
@@ -52,7 +52,7 @@ impl Source {
     }
 
     /// How many faces there are; of a solid, cells.
-    pub(in crate::patch) fn face_count(&self) -> usize {
+    pub(super) fn face_count(&self) -> usize {
         match self {
             Source::Surface { mesh, .. } => mesh.faces().len(),
             Source::Solid(mesh) => mesh.complex().cells.len(),
@@ -60,7 +60,7 @@ impl Source {
     }
 
     /// The vertex whose part of a face or cell a piece is.
-    pub(in crate::patch) fn vertex(&self, root: &Root) -> Option<usize> {
+    pub(super) fn vertex(&self, root: &Root) -> Option<usize> {
         match self {
             Source::Surface { mesh, .. } => mesh.faces()[root.face].get(root.part).copied(),
             Source::Solid(mesh) => Some(mesh.complex().cells[root.face][root.part]),
@@ -108,10 +108,7 @@ pub(in crate::patch) fn surface<S: Number>(
 }
 
 /// The points of a solid.
-pub(in crate::patch) fn solid<S: Number>(
-    complex: &Complex,
-    points: &[Point<S>],
-) -> Levels<Point<S>> {
+pub(super) fn solid<S: Number>(complex: &Complex, points: &[Point<S>]) -> Levels<Point<S>> {
     let refined = refined_points(complex, points);
     let [edges, faces, cells] = split_points(complex, points);
     let split = points.iter().cloned().chain(edges).chain(faces).chain(cells).collect();

@@ -34,9 +34,9 @@ pub struct Model {
     size: f64,
     terms: usize,
     /// The sizes of the pieces of level 1.
-    pub(in crate::patch) sizes: Vec<f64>,
+    pub(super) sizes: Vec<f64>,
     /// The corners of the parts of a bilinear or flat piece.
-    pub(in crate::patch) quarters: Vec<Vec<Row<f64>>>,
+    pub(super) quarters: Vec<Vec<Row<f64>>>,
 }
 
 impl Model {
@@ -66,7 +66,7 @@ impl Model {
 
     /// # Errors
     /// When there would be too many points, or there are too many shapes.
-    pub(in crate::patch) fn of_solid(control: HexMesh<Rational>) -> Result<Model, SolidError> {
+    pub(super) fn of_solid(control: HexMesh<Rational>) -> Result<Model, SolidError> {
         let complex = control.complex();
         let (edges, faces) = (complex.edges.len(), complex.faces.len());
         let points = complex.points + edges + faces + complex.cells.len();
@@ -144,7 +144,7 @@ impl Model {
     }
 
     /// The same exactly; `None` where exact numbers are too much work.
-    pub(in crate::patch) fn exact_cell(
+    pub(super) fn exact_cell(
         &self,
         root: &Root,
         level: u32,

@@ -23,16 +23,16 @@ pub(in crate::patch) struct LevelPiece<V> {
 }
 
 /// What is known of the distance on a piece.
-pub(in crate::patch) struct Estimate<V> {
-    pub(in crate::patch) upper: f64,
-    pub(in crate::patch) lower: f64,
+pub(super) struct Estimate<V> {
+    pub(super) upper: f64,
+    pub(super) lower: f64,
     /// Whether all is within the tolerance.
-    pub(in crate::patch) within: bool,
+    pub(super) within: bool,
     /// The limit at the corner with the greatest lower bound, and the point of the polygon there.
-    pub(in crate::patch) limit: V,
-    pub(in crate::patch) polygon: V,
+    pub(super) limit: V,
+    pub(super) polygon: V,
     /// Whether the distance at that corner is beyond the tolerance.
-    pub(in crate::patch) beyond: bool,
+    pub(super) beyond: bool,
 }
 
 impl<V: Points> LevelPiece<V> {
@@ -46,7 +46,7 @@ impl<V: Points> LevelPiece<V> {
     }
 
     /// The points that the mesh of its level, or that of the polygon, is in the hull of.
-    pub(in crate::patch) fn of_mesh(&self) -> &[V] {
+    pub(super) fn of_mesh(&self) -> &[V] {
         self.base.as_ref().unwrap_or(&self.points)
     }
 
@@ -96,7 +96,7 @@ impl<V: Points> LevelPiece<V> {
 
     /// What bounds of this piece are multiples of: of a regular piece the bound of 92, else N, or what 102
     /// has in its place.
-    pub(in crate::patch) fn size(&self, shapes: &Shapes, judge: &impl Judge<V>) -> f64 {
+    pub(super) fn size(&self, shapes: &Shapes, judge: &impl Judge<V>) -> f64 {
         let shape = self.shape(shapes);
         match shape.surroundings.layers() {
             _ if shape.is_regular() => self.bend(shapes, judge),
@@ -195,11 +195,7 @@ impl<V: Points> LevelPiece<V> {
     }
 
     /// What is known of the distance from the polygon that is to be compared with.
-    pub(in crate::patch) fn known(
-        &self,
-        shapes: &Shapes,
-        judge: &impl Judge<V>,
-    ) -> Option<Estimate<V>> {
+    pub(super) fn known(&self, shapes: &Shapes, judge: &impl Judge<V>) -> Option<Estimate<V>> {
         let base = self.base.as_ref()?;
         let shape = self.shape(shapes);
         let rules = V::rules(shape);

@@ -90,13 +90,13 @@ impl Roots {
     }
 
     /// The numbers of the first points of a piece.
-    pub(in crate::patch) fn first_points(&self, root: &Root, count: usize) -> &[u32] {
+    pub(super) fn first_points(&self, root: &Root, count: usize) -> &[u32] {
         &self.points[root.first..root.first + count]
     }
 }
 
 /// For faces of each number of vertices, the corners of their parts.
-pub(in crate::patch) type Corners<W> = BTreeMap<usize, Vec<Vec<Row<W>>>>;
+pub(super) type Corners<W> = BTreeMap<usize, Vec<Vec<Row<W>>>>;
 
 /// Those of all faces of a mesh.
 pub(in crate::patch) fn corners<W: Number>(

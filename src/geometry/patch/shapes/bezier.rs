@@ -11,7 +11,7 @@ pub(in crate::patch) type Bezier<W> = Vec<(Row<W>, Row<W>)>;
 
 impl<W: Number> Layout<W> {
     /// The Bézier coefficients. The first ones are at the corners of the piece.
-    pub(in crate::patch) fn bezier(&self) -> Bezier<W> {
+    pub(super) fn bezier(&self) -> Bezier<W> {
         match self.scheme {
             MeshScheme::CatmullClark | MeshScheme::Bajaj => self.tensor(&CUBIC_BEZIER, 6),
             MeshScheme::DooSabin => self.tensor(&QUADRATIC_BEZIER, 2),

@@ -45,7 +45,7 @@ impl Sharp {
     ///
     /// # Panics
     /// Never: its edges are edges there.
-    pub(in crate::patch) fn tags(&self, connectivity: &Connectivity) -> Tags {
+    pub(super) fn tags(&self, connectivity: &Connectivity) -> Tags {
         let mut tags = Tags::default();
         tags.creasing = self.creasing;
         for (point, sharp) in &self.points {

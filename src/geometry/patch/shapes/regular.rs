@@ -9,12 +9,12 @@ use crate::patch::number::{Number, Row, index};
 use std::collections::BTreeMap;
 
 /// A point of a grid or of a triangular lattice.
-pub(in crate::patch) type Place = (i32, i32);
+pub(super) type Place = (i32, i32);
 
 /// The points of a regular piece by their places: rows over the points of the neighbourhood.
 pub(super) struct Layout<W> {
     pub(in crate::patch) scheme: MeshScheme,
-    pub(in crate::patch) at: BTreeMap<Place, Row<W>>,
+    pub(super) at: BTreeMap<Place, Row<W>>,
 }
 
 /// Second differences, as rows: in each direction, and (Loop) across edges.
@@ -183,7 +183,7 @@ impl<W: Number> Layout<W> {
     }
 
     /// The second differences.
-    pub(in crate::patch) fn bends(&self) -> Bends<W> {
+    pub(super) fn bends(&self) -> Bends<W> {
         let directions: &[Place] = match self.scheme {
             MeshScheme::CatmullClark | MeshScheme::Bajaj | MeshScheme::DooSabin => {
                 &[(1, 0), (0, 1)]

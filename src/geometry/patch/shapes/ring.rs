@@ -3,14 +3,14 @@
 use crate::mesh::{Connectivity, Sharpness, Star, Tags, VertexMask};
 
 /// Faces around a vertex in turn: all of them, or those between two sharp edges.
-pub(in crate::patch) struct Ring {
+pub(super) struct Ring {
     /// The first one in the star.
-    pub(in crate::patch) start: usize,
+    pub(super) start: usize,
     /// The place of the face itself, from the first one on.
-    pub(in crate::patch) position: usize,
+    pub(super) position: usize,
     pub(in crate::patch) count: usize,
     /// Whether the first and the last one do not meet.
-    pub(in crate::patch) open: bool,
+    pub(super) open: bool,
 }
 
 impl Ring {
@@ -28,15 +28,15 @@ impl Ring {
 }
 
 /// A vertex of a face.
-pub(in crate::patch) struct Corner {
-    pub(in crate::patch) vertex: usize,
-    pub(in crate::patch) star: Star,
+pub(super) struct Corner {
+    pub(super) vertex: usize,
+    pub(super) star: Star,
     /// The place of the face in the star.
     own: usize,
     /// The infinitely sharp edges, where none at the vertex has a finite sharpness, nor the vertex itself.
     sharp: Option<Vec<usize>>,
     /// Whether the vertex stays where it is.
-    pub(in crate::patch) stays: bool,
+    pub(super) stays: bool,
 }
 
 impl Corner {
@@ -63,7 +63,7 @@ impl Corner {
     }
 
     /// The faces between the sharp edges around the face, where the ring is cut there; else all.
-    pub(in crate::patch) fn ring(&self, is_cut: bool) -> Ring {
+    pub(super) fn ring(&self, is_cut: bool) -> Ring {
         let count = self.star.faces.len();
         let Some(sharp) = self.sharp.as_ref().filter(|_| is_cut) else {
             let (start, position) = if self.star.boundary { (0, self.own) } else { (self.own, 0) };
@@ -81,7 +81,7 @@ impl Corner {
 }
 
 /// The vertices of a face.
-pub(in crate::patch) struct Corners {
+pub(super) struct Corners {
     pub(in crate::patch) all: Vec<Corner>,
     /// Whether only the faces between two sharp edges count at a vertex: two or more of its edges are infinitely sharp,
     /// nothing falls there, and the same holds at the other end of a sharp edge of the face.

@@ -34,7 +34,7 @@ pub(in crate::patch) struct Shape {
     pub(in crate::patch) scheme: PieceScheme,
     pub(in crate::patch) surroundings: Surroundings,
     /// The points of the next level that the parts need.
-    pub(in crate::patch) wanted: Vec<usize>,
+    pub(super) wanted: Vec<usize>,
     pub(in crate::patch) exact: OnceLock<Rules<RealCyclotomic>>,
 }
 
@@ -79,7 +79,7 @@ impl Shape {
 /// first point.
 #[derive(Clone, Debug, Default)]
 pub(in crate::patch) struct Convergence {
-    pub(in crate::patch) bounds: Vec<f64>,
+    pub(super) bounds: Vec<f64>,
     /// The part that has the same shape, and the same bounds for all other parts.
     pub(super) repeated: Option<(usize, Vec<f64>)>,
 }

@@ -165,7 +165,7 @@ impl IntegerPolynomial {
 
     /// The remainder of self modulo `divisor` up to a positive factor, divided by its
     /// content.
-    pub(in crate::exact) fn remainder(&self, divisor: &IntegerPolynomial) -> IntegerPolynomial {
+    pub(super) fn remainder(&self, divisor: &IntegerPolynomial) -> IntegerPolynomial {
         self.div_rem(divisor).2.without_content()
     }
 

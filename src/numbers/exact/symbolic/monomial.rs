@@ -9,11 +9,11 @@ use std::sync::Arc;
 pub(super) struct Monomial(Arc<[(Arc<str>, u32)]>);
 
 impl Monomial {
-    pub(in crate::exact) fn one() -> Monomial {
+    pub(super) fn one() -> Monomial {
         Monomial(Arc::from([]))
     }
 
-    pub(in crate::exact) fn variable(name: &str) -> Monomial {
+    pub(super) fn variable(name: &str) -> Monomial {
         Monomial(Arc::from([(Arc::from(name), 1)]))
     }
 
@@ -21,13 +21,13 @@ impl Monomial {
         self.0.is_empty()
     }
 
-    pub(in crate::exact) fn powers(&self) -> &[(Arc<str>, u32)] {
+    pub(super) fn powers(&self) -> &[(Arc<str>, u32)] {
         &self.0
     }
 
     /// The exponent of `variable`, 0 for the monomial 1; `None` when another variable
     /// occurs.
-    pub(in crate::exact) fn only(&self, variable: &str) -> Option<u32> {
+    pub(super) fn only(&self, variable: &str) -> Option<u32> {
         match self.powers() {
             [] => Some(0),
             [(name, exponent)] if **name == *variable => Some(*exponent),
@@ -36,7 +36,7 @@ impl Monomial {
     }
 
     /// The sum of the exponents.
-    pub(in crate::exact) fn degree(&self) -> u64 {
+    pub(super) fn degree(&self) -> u64 {
         self.powers().iter().map(|&(_, exponent)| u64::from(exponent)).sum()
     }
 
@@ -44,7 +44,7 @@ impl Monomial {
     ///
     /// # Panics
     /// When an exponent is 2^32 or more.
-    pub(in crate::exact) fn times(&self, other: &Monomial) -> Monomial {
+    pub(super) fn times(&self, other: &Monomial) -> Monomial {
         if self.is_one() || other.is_one() {
             return if self.is_one() { other.clone() } else { self.clone() };
         }

@@ -26,9 +26,9 @@ type Sparse = Vec<(usize, Integer)>;
 #[derive(Clone, Debug)]
 pub(super) struct Cell {
     /// M.
-    pub(in crate::limit) level: u32,
+    pub(super) level: u32,
     /// i.
-    pub(in crate::limit) index: Integer,
+    pub(super) index: Integer,
     /// The number of its [`Phase`], for M ≥ k.
     phase: usize,
     /// The differences Δ^M in the window, times `scale`.
@@ -49,12 +49,12 @@ impl Cell {
 /// The sizes of Δ = Δ^M and ∇Δ in the window of a cell, from which bounds are computed.
 pub(super) struct Sizes<'c> {
     /// max|Δ|, times `scale`.
-    pub(in crate::limit) spread: Integer,
+    pub(super) spread: Integer,
     /// |Δ_i| for the cell of index i, times `scale`.
-    pub(in crate::limit) own: Integer,
+    pub(super) own: Integer,
     /// max|∇Δ|, where `(∇Δ)_i = Δ_{i+1} − Δ_i`, times `scale`.
     pub(super) turn: Integer,
-    pub(in crate::limit) scale: &'c Integer,
+    pub(super) scale: &'c Integer,
 }
 
 /// The split of a cell into n parts, in integers: Δ^{M+1} = DΔ^M, and P^∞ at a new end
@@ -62,12 +62,12 @@ pub(super) struct Sizes<'c> {
 #[derive(Clone, Debug)]
 pub(super) struct Splitting {
     /// n.
-    pub(in crate::limit) arity: usize,
+    pub(super) arity: usize,
     /// The window of cell i holds the differences with the indices i + first, …, i +
     /// first + size − 1. They determine P^∞ − P^k on the cell, and the differences in the
     /// windows of its parts.
-    pub(in crate::limit) first: i64,
-    pub(in crate::limit) size: usize,
+    pub(super) first: i64,
+    pub(super) size: usize,
     /// q, a multiple of n: the factor from the scale of a cell to the scale of its parts.
     base: Integer,
     /// For each part α the rows of qD, for cells of levels below k.
@@ -99,7 +99,7 @@ struct Phase {
 
 impl Splitting {
     /// The splitting for a shift, and for the [`middles`](super::middles::middles) of this shift.
-    pub(in crate::limit) fn new(
+    pub(super) fn new(
         limit: &Limit,
         shift: &Rational,
         middles: &[Middles],
@@ -192,7 +192,7 @@ impl Splitting {
     }
 
     /// Whether a part of a cell is between these parameters, or may be, of a level below k.
-    pub(in crate::limit) fn meets(&self, cell: &Cell, range: &[Rational; 2]) -> bool {
+    pub(super) fn meets(&self, cell: &Cell, range: &[Rational; 2]) -> bool {
         let [start, end] = self.in_units(cell, range);
         let part = &self.phases[cell.phase].part;
         let low = if cell.ends.is_some() { end - part } else { end };
@@ -225,7 +225,7 @@ impl Splitting {
     }
 
     /// The cost in steps of splitting this cell.
-    pub(in crate::limit) fn cost(&self, cell: &Cell) -> u64 {
+    pub(super) fn cost(&self, cell: &Cell) -> u64 {
         let columns = cell.rows[0].len();
         (self.products * columns) as u64 * (cell.scale.bits() / 64 + OVERHEAD)
     }
@@ -263,7 +263,7 @@ impl Splitting {
     }
 
     /// The n parts of a cell, for the distance from P^k with k = `level`.
-    pub(in crate::limit) fn split(&self, cell: &Cell, level: u32) -> Vec<Cell> {
+    pub(super) fn split(&self, cell: &Cell, level: u32) -> Vec<Cell> {
         let nodes = cell.ends.as_ref().map(|ends| self.nodes(cell, ends));
         let phase = &self.phases[cell.phase];
         let (differences, carry, next) = if cell.level < level {

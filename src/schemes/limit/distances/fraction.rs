@@ -7,8 +7,8 @@ use std::cmp::Ordering;
 /// than a greatest common divisor.
 #[derive(Clone, Debug)]
 pub(super) struct Fraction {
-    pub(in crate::limit) p: Integer,
-    pub(in crate::limit) q: Integer,
+    pub(super) p: Integer,
+    pub(super) q: Integer,
 }
 
 impl Fraction {

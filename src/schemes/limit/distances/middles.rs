@@ -16,7 +16,7 @@ pub(super) struct Middles {
     pub(super) carry: i64,
     /// {nφ}.
     pub(super) next: Rational,
-    pub(in crate::limit) functionals: Vec<Functional>,
+    pub(super) functionals: Vec<Functional>,
 }
 
 /// The [`Middles`] for φ = {s} and for all φ = {n^m s}, m = 1, 2, …, each φ once.

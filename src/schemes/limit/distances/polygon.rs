@@ -37,7 +37,7 @@ impl ControlPolygon {
     }
 
     /// Δ_i, with i mod m for a closed polygon. An open one goes on in a line beyond its ends.
-    pub(in crate::limit) fn difference(&self, i: i64) -> Rational {
+    pub(super) fn difference(&self, i: i64) -> Rational {
         let count = i64::try_from(self.differences.len()).unwrap_or(i64::MAX).max(1);
         let at = if self.closed { i.rem_euclid(count) } else { i.clamp(0, count - 1) };
         let difference = usize::try_from(at).ok().and_then(|at| self.differences.get(at));
@@ -45,7 +45,7 @@ impl ControlPolygon {
     }
 
     /// How many points there are.
-    pub(in crate::limit) fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         self.differences.len() + usize::from(!self.closed)
     }
 
@@ -76,7 +76,7 @@ pub(in crate::limit) struct Polygons<'a> {
     /// The cells of level 0.
     pub(super) roots: Vec<Cell>,
     /// For an open polygon the parameters between which it determines the limit.
-    pub(in crate::limit) range: Option<[Rational; 2]>,
+    pub(super) range: Option<[Rational; 2]>,
     /// The polygon, if it is a single one.
-    pub(in crate::limit) only: Option<&'a ControlPolygon>,
+    pub(super) only: Option<&'a ControlPolygon>,
 }

@@ -62,7 +62,7 @@ impl LevelBound {
     }
 
     /// The bound on a cell with these sizes.
-    pub(in crate::limit) fn over(&self, sizes: &Sizes) -> Fraction {
+    pub(super) fn over(&self, sizes: &Sizes) -> Fraction {
         let Fraction { p, q } = &self.spread;
         let bound = Fraction { p: p * &sizes.spread, q: q * sizes.scale };
         match &self.smooth {
@@ -78,7 +78,7 @@ impl LevelBound {
 impl Remainders {
     /// The bounds for a shift, and for the [`middles`](super::middles::middles) of this
     /// shift.
-    pub(in crate::limit) fn new(
+    pub(super) fn new(
         limit: &Limit,
         shift: &Rational,
         middles: &[Middles],
@@ -106,7 +106,7 @@ impl Remainders {
 
     /// A bound of |P^∞ − P^k| on a cell from its values at both ends. Both values have
     /// the same denominator, which is `factor` times that of the sizes.
-    pub(in crate::limit) fn between(
+    pub(super) fn between(
         &self,
         [left, right]: &[Fraction; 2],
         factor: &Integer,
@@ -138,7 +138,7 @@ impl Remainders {
     }
 
     /// The bounds of |P^∞ − P^j| for j = 0, …, k.
-    pub(in crate::limit) fn levels(&self, level: u32) -> Vec<LevelBound> {
+    pub(super) fn levels(&self, level: u32) -> Vec<LevelBound> {
         let spreads = self.polygon.levels(level).expect("some T_c is below 1");
         let smooth = self.smooth_polygon.as_ref().and_then(|smooth| smooth.levels(level));
         let bound = |(j, spread): (usize, Rational)| {

@@ -14,7 +14,7 @@ const MAX_DEEPER: u32 = 96;
 /// The greatest value found, and its parameter.
 #[derive(Clone, Debug)]
 pub(in crate::limit) struct Best {
-    pub(in crate::limit) value: Rational,
+    pub(super) value: Rational,
     /// t.
     pub(in crate::limit) parameter: Rational,
 }

@@ -39,7 +39,7 @@ struct Level {
 }
 
 impl Summits {
-    pub(in crate::limit) fn new(polygon: ExtremalPolygon) -> Summits {
+    pub(super) fn new(polygon: ExtremalPolygon) -> Summits {
         let points: Vec<Integer> = polygon.points.iter().map(|x| Integer::from(*x)).collect();
         let (first, denominator) = (polygon.first, Integer::one());
         let mut summits = Summits { polygon, levels: Vec::new(), first, points, denominator };
@@ -79,11 +79,7 @@ impl Summits {
     }
 
     /// The greatest point of a level; `None` if it has too many points.
-    pub(in crate::limit) fn greatest(
-        &mut self,
-        rules: &Refinement,
-        level: u32,
-    ) -> Option<Rational> {
+    pub(super) fn greatest(&mut self, rules: &Refinement, level: u32) -> Option<Rational> {
         self.reach(rules, level).then(|| self.levels[level as usize].greatest.clone())
     }
 
@@ -115,15 +111,15 @@ impl Summits {
 /// A scheme, prepared for the greatest values of its limits.
 pub(super) struct Peaked {
     pub(in crate::limit) limit: Limit,
-    pub(in crate::limit) rules: Refinement,
+    pub(super) rules: Refinement,
     /// The natural shift.
-    pub(in crate::limit) shift: Rational,
+    pub(super) shift: Rational,
     /// A number f such that P^∞ ≤ max x + f·max|Δ|; `None` if none is known.
     near: Option<Rational>,
 }
 
 impl Peaked {
-    pub(in crate::limit) fn new(limit: &Limit, shift: Rational) -> Peaked {
+    pub(super) fn new(limit: &Limit, shift: Rational) -> Peaked {
         let rules = Refinement::of(limit.mask().rules());
         Peaked { near: near(limit), limit: limit.clone(), rules, shift }
     }

@@ -143,7 +143,7 @@ pub(super) fn pulled_back<S: Real, L: Copy>(
 }
 
 /// The first functional with the greatest norm ‖·‖_*, as its label and its norm.
-pub(in crate::limit) fn greatest<S: Real + Ord, L: Copy>(
+pub(super) fn greatest<S: Real + Ord, L: Copy>(
     ring: &LocalRules<S>,
     functionals: &[Labelled<S, L>],
 ) -> (L, Transport<S>) {

@@ -34,19 +34,19 @@ const STEPS: u32 = 1 << 12;
 #[derive(Clone, Debug)]
 pub(super) struct Norms {
     /// The norm of P^∞ − P^k as a functional of the differences.
-    pub(in crate::limit) error: Rational,
+    pub(super) error: Rational,
     /// The norm of P^∞ as a functional of the points: Σ|coefficients|.
     pub(in crate::limit) limit: Rational,
     /// The norm of P^k as a functional of the points.
-    pub(in crate::limit) polygon: Rational,
+    pub(super) polygon: Rational,
 }
 
 /// An upper bound of C_k of a curve scheme, and a parameter at which C_k is nearly
 /// attained.
 #[derive(Clone, Debug)]
 pub(super) struct Constant {
-    pub(in crate::limit) level: u32,
-    pub(in crate::limit) upper: Rational,
+    pub(super) level: u32,
+    pub(super) upper: Rational,
     pub(in crate::limit) parameter: Rational,
 }
 
@@ -64,14 +64,14 @@ pub(super) struct Axis {
 /// The norms at the points of a level M.
 pub(super) struct Samples {
     /// The parameters t, with the norms at t, where P^M replaces P^∞.
-    pub(in crate::limit) at: Vec<(Rational, Norms)>,
+    pub(super) at: Vec<(Rational, Norms)>,
     /// A bound of the distance between P^∞ and P^M, per unit of max|Δ|.
     rest: Rational,
 }
 
 impl Axis {
     /// The axis for these distances, in their parametrisation.
-    pub(in crate::limit) fn new(distances: Distances, budget: &Budget) -> Result<Axis, LimitError> {
+    pub(super) fn new(distances: Distances, budget: &Budget) -> Result<Axis, LimitError> {
         let distances = distances.with_cells(CELLS).with_budget(budget.clone());
         let limit = distances.limit().clone();
         let rules = limit.mask().rules();
@@ -113,7 +113,7 @@ impl Axis {
     }
 
     /// C_k to this width, or as precisely as the caps allow.
-    pub(in crate::limit) fn constant(
+    pub(super) fn constant(
         &self,
         level: u32,
         width: &Rational,
@@ -145,14 +145,14 @@ impl Axis {
     }
 
     /// Bounds of the norms for all t.
-    pub(in crate::limit) fn bounds(&self, constant: &Constant) -> Norms {
+    pub(super) fn bounds(&self, constant: &Constant) -> Norms {
         let polygon = &self.norm + Rational::from(2) * &constant.upper;
         let polygon = if self.averages { Rational::one() } else { polygon };
         Norms { error: constant.upper.clone(), limit: self.norm.clone(), polygon }
     }
 
     /// The cost of [`samples`](Self::samples), in steps.
-    pub(in crate::limit) fn cost(&self, constant: &Constant) -> u64 {
+    pub(super) fn cost(&self, constant: &Constant) -> u64 {
         let rules = self.limit().mask().rules();
         let Some(depth) = self.depth(constant) else { return 0 };
         let points = rules.arity().pow(depth) as u64;
@@ -210,7 +210,7 @@ impl Axis {
     /// Bounds of the norms on intervals that cover [0, 1]. Bounds that are dominated by
     /// those on another interval are left out. Between samples P^M and P^k are linear, so
     /// their norms are convex; P^∞ is within `rest` of P^M.
-    pub(in crate::limit) fn intervals(&self, constant: &Constant, samples: &Samples) -> Vec<Norms> {
+    pub(super) fn intervals(&self, constant: &Constant, samples: &Samples) -> Vec<Norms> {
         let all = self.bounds(constant);
         if samples.at.is_empty() {
             return vec![all];

@@ -45,7 +45,7 @@ pub enum SurfaceError {
 pub struct Spreads {
     /// β_1/unit and β_2/unit, without a common factor.
     pub(super) costs: [u32; 2],
-    pub(in crate::limit) unit: Rational,
+    pub(super) unit: Rational,
 }
 
 impl Spreads {
@@ -135,7 +135,7 @@ pub struct SurfaceWitness {
 #[derive(Clone, Debug)]
 pub struct SurfaceDistances {
     pub(super) axes: [Axis; 2],
-    pub(in crate::limit) budget: Budget,
+    pub(super) budget: Budget,
 }
 
 impl SurfaceDistances {
