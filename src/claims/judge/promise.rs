@@ -25,8 +25,14 @@ const MAX_INTEGER: i64 = 10_000;
 
 /// Why there is no sound value: a finding, or an error of the claim file.
 enum NoSound {
-    Because(Reason),
+    Because(Box<Reason>),
     Wrong(Diagnostic),
+}
+
+impl NoSound {
+    fn because(why: impl Into<Reason>) -> NoSound {
+        NoSound::Because(Box::new(why.into()))
+    }
 }
 
 impl From<Diagnostic> for NoSound {
@@ -37,7 +43,7 @@ impl From<Diagnostic> for NoSound {
 
 impl From<Outcome> for NoSound {
     fn from(outcome: Outcome) -> NoSound {
-        NoSound::Because(match outcome {
+        NoSound::because(match outcome {
             Outcome::Value(value) => Reason::Irrational(value),
             Outcome::Unstated(name) => Reason::Unstated(name),
             Outcome::Undefined(why) => FormulaErrorKind::Undefined(why).into(),
@@ -99,8 +105,8 @@ impl Evaluator<'_> {
         let promised = match self.promised(promise, at, distances) {
             Ok(promised) => promised,
             Err(NoSound::Because(why)) => {
-                finding.kept = printed.map(|_| Kept::Open(why.clone()));
-                finding.sound = Some(Sound::None(why));
+                finding.kept = printed.map(|_| Kept::Open((*why).clone()));
+                finding.sound = Some(Sound::None(*why));
                 return Ok(());
             }
             Err(NoSound::Wrong(diagnostic)) => return Err(diagnostic),
@@ -139,11 +145,11 @@ impl Evaluator<'_> {
         | Promise::Bound { spread, offset, ring, .. }) = promise;
         let scheme = if let Some(ring) = ring {
             PromisedScheme::LocalRules(
-                distances.of_ring(&self.ring(ring, at)??).map_err(NoSound::Because)?,
+                distances.of_ring(&self.ring(ring, at)??).map_err(NoSound::because)?,
             )
         } else {
             let Quantities { scheme, .. } = self.quantities(at)??;
-            let no_scheme = || NoSound::Because(Reason::NoScheme);
+            let no_scheme = || NoSound::because(Reason::NoScheme);
             let offset = offset.as_ref().map(|formula| self.integer(formula, at)).transpose()?;
             PromisedScheme::Masks(scheme.ok_or_else(no_scheme)?, offset)
         };
@@ -230,7 +236,7 @@ impl Evaluator<'_> {
     fn number(&self, formula: &LocatedFormula, at: CellReading<'_>) -> Result<Rational, NoSound> {
         match self.evaluate(formula, at)? {
             Outcome::Value(value) => {
-                value.as_rational().cloned().ok_or(NoSound::Because(Reason::Irrational(value)))
+                value.as_rational().cloned().ok_or(NoSound::because(Reason::Irrational(value)))
             }
             outcome => Err(outcome.into()),
         }
@@ -245,7 +251,7 @@ impl Evaluator<'_> {
         let integer = value.numerator().within(MAX_INTEGER);
         integer.ok_or_else(|| {
             let cap = Cap::new("a level or an offset", MAX_INTEGER.unsigned_abs());
-            NoSound::Because(cap.into())
+            NoSound::because(cap)
         })
     }
 }

@@ -70,7 +70,7 @@ impl Overshoot {
         match (&mut self.shown, other.shown) {
             (ProofOfGreatest::AtMost(levels), ProofOfGreatest::AtMost(more)) => levels.extend(more),
             (ProofOfGreatest::AtLeast(places), ProofOfGreatest::AtLeast(more)) => {
-                places.extend(more)
+                places.extend(more);
             }
             _ => {}
         }
