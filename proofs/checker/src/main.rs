@@ -1,10 +1,12 @@
 //! The program `subcert-check CLAIMS CERT…`. It prints a line for each claim and a last one with
 //! the counts.
 
+use std::fmt::Display;
 use std::io::{Read, Write};
 use std::process::ExitCode;
 use subcert_check::{
-    Agreement, Outcome, Reason, Rejection, Report, check, check_depth, check_radius, check_theorems,
+    Agreement, DepthRejection, Outcome, RadiusRejection, Reason, Rejection, Report, check,
+    check_depth, check_radius, check_theorems,
 };
 
 const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… [--accept WHAT]… CLAIMS CERTIFICATE…
@@ -195,23 +197,15 @@ fn alone(flag: &str, paths: &[String], check: impl Fn(&str) -> (&'static str, St
     ExitCode::from(code)
 }
 
-/// A joint spectral radius.
-fn radius(text: &str) -> (&'static str, String) {
-    match check_radius(text) {
-        Ok(radius) => ("certified", format!(": {radius}")),
+/// The outcome of a certificate that stands alone, and what is said of it.
+fn said<R: Display>(
+    checked: Result<impl Display, Rejection<R>>,
+    given_up: fn(&Rejection<R>) -> bool,
+) -> (&'static str, String) {
+    match checked {
+        Ok(proved) => ("certified", format!(": {proved}")),
         Err(rejection) => {
-            let outcome = if rejection.given_up() { "incomplete" } else { "invalid" };
-            (outcome, format!(":{}: {}", rejection.line, rejection.reason))
-        }
-    }
-}
-
-/// A depth.
-fn depth(text: &str) -> (&'static str, String) {
-    match check_depth(text) {
-        Ok(depth) => ("certified", format!(": {depth}")),
-        Err(rejection) => {
-            let outcome = if rejection.given_up() { "incomplete" } else { "invalid" };
+            let outcome = if given_up(&rejection) { "incomplete" } else { "invalid" };
             (outcome, format!(":{}: {}", rejection.line, rejection.reason))
         }
     }
@@ -270,6 +264,8 @@ fn main() -> ExitCode {
         let _ = writeln!(std::io::stdout(), "{text}");
         return ExitCode::SUCCESS;
     }
+    let radius = |text: &str| said(check_radius(text), RadiusRejection::given_up);
+    let depth = |text: &str| said(check_depth(text), DepthRejection::given_up);
     let outcome = match arguments.first() {
         Some(first) if first == "--radius" => return alone(first, &arguments[1..], radius),
         Some(first) if first == "--depth" => return alone(first, &arguments[1..], depth),

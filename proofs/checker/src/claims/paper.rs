@@ -2,7 +2,6 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::shape::KINDS;
 use crate::formulas::definitions::{Definitions, formulas};
 use crate::formulas::evaluate::Scope;
 use crate::formulas::formula::parse;
@@ -33,14 +32,6 @@ impl<'a> Paper<'a> {
         let mut paper = Paper { file, definitions, given: BTreeMap::new(), library };
         paper.given = paper.constants(file.entries("given"))?;
         Ok(paper)
-    }
-
-    /// The ids of all claims, with their kinds.
-    pub fn claims(&self) -> Vec<(&'static str, &'a str)> {
-        let of = |kind: &'static str| {
-            self.file.list(kind).iter().map(move |claim| (kind, claim.text("id").unwrap_or("")))
-        };
-        KINDS.into_iter().flat_map(of).collect()
     }
 
     /// The values of named formulas without parameters.

@@ -2,6 +2,7 @@
 //! certificate is valid.
 
 use crate::text::certificate::Block;
+use crate::text::verdict::{Promise, Verdict};
 
 /// The longest number that is shown whole.
 const LONGEST: usize = 60;
@@ -12,32 +13,28 @@ pub fn verdict(kind: &str, block: &Block<'_>) -> String {
     if kind == "table" {
         return cells(block);
     }
-    let (mut verdict, mut failing) = (("", ""), 0);
+    let (mut verdict, mut failing) = (None, 0);
     let mut sides = Vec::new();
     for line in block.lines() {
         match line.word() {
             ("case", _) => failing += 1,
             ("sides", both) => sides.extend(both.split_once(' ')),
-            (
-                word @ ("confirmed" | "holds" | "exact" | "inexact" | "rounding" | "fails"
-                | "proved" | "refuted"),
-                cases,
-            ) => verdict = (word, cases),
-            _ => {}
+            (word, rest) => verdict = Verdict::named(word).map(|word| (word, rest)).or(verdict),
         }
     }
-    let words: Vec<&str> = verdict.1.split_whitespace().collect();
-    let verdict = match verdict {
-        ("", _) => "not checkable".to_owned(),
+    let words: Vec<&str> = verdict.map_or("", |(_, rest)| rest).split_whitespace().collect();
+    let verdict = match (verdict, &words[..]) {
+        (None, _) => "not checkable".to_owned(),
         // For a function: the parameter, and both sides there.
-        (word, _) if words.len() == 3 => {
-            let [left, right] = [1, 2].map(|i| shortened(words[i]));
-            format!("{word}: {left} is not {right}, at {}", words[0])
+        (Some((word, _)), [at, left, right]) => {
+            format!("{word}: {} is not {}, at {at}", shortened(left), shortened(right))
         }
-        (word @ "rounding", how) if !how.is_empty() => format!("{word}, {how}"),
-        (word, "" | "1") => word.to_owned(),
-        (word @ "fails", cases) => format!("{word} in {failing} of {cases} cases"),
-        (word, cases) => format!("{word} in {cases} cases"),
+        (Some((Verdict::Rounding, how)), [_, ..]) => format!("{}, {how}", Verdict::Rounding),
+        (Some((word, _)), [] | ["1"]) => word.to_string(),
+        (Some((Verdict::Fails, cases)), _) => {
+            format!("{} in {failing} of {cases} cases", Verdict::Fails)
+        }
+        (Some((word, cases)), _) => format!("{word} in {cases} cases"),
     };
     let sides: Vec<String> = sides
         .into_iter()
@@ -56,14 +53,17 @@ fn cells(block: &Block<'_>) -> String {
                 Some((_, found)) => {
                     let mut words = found.split_whitespace().skip(1);
                     let verdict = words.next().unwrap_or_default();
-                    let assumed = words.any(|word| word == "assuming") && verdict != "reproduced";
+                    let assumed = words.any(|word| word == "assuming")
+                        && Verdict::named(verdict) != Some(Verdict::Reproduced);
                     let assumed = if assumed { ", assuming" } else { "" };
                     cells.add(&format!("{verdict}{assumed}"));
                 }
                 None => cells.add("lost"),
             },
-            (promise @ ("kept" | "broken"), _) => promises.add(promise),
-            _ => {}
+            (word, _) => match Promise::named(word) {
+                Some(promise @ (Promise::Kept | Promise::Broken)) => promises.add(promise.name()),
+                _ => {}
+            },
         }
     }
     match promises.text() {

@@ -1,7 +1,8 @@
 //! Theorems about the cells of a table: constants, sound bounds and depths, and promises that are not kept.
 
-use super::read::{Argument, Theorem, Theorems};
+use super::read::Theorems;
 use super::stated::{comment, mask, parameters, placed, rational, stated};
+use super::statement::{Argument, Theorem};
 use crate::claims::paper::{Paper, printed};
 use crate::data::witness::Points;
 use crate::kinds::table::claim::{Place, Read, Table};

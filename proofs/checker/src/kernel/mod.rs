@@ -4,15 +4,16 @@
 mod cell;
 mod read;
 mod stated;
+mod statement;
 mod theorem;
 
 pub use cell::Given;
 
 use crate::claims::paper::Paper;
-use crate::claims::shape::misfit;
+use crate::kinds;
 use crate::numbers::decimal::Q;
 use crate::text::reject::{At, Checked, Reason, Rejection, compare};
-use read::Theorem;
+use statement::Theorem;
 
 /// A file of theorems that agrees with the claim file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,9 +42,7 @@ pub fn agree<'a>(
         let mut claims = paper.file.list(&file.kind).iter();
         let claim = claims.find(|claim| claim.text("id") == Some(&file.id));
         let claim = claim.ok_or(Reason::NoSuchClaim)?;
-        if let Some(path) = misfit(claim, &file.kind) {
-            return Err(Reason::Field(path).into());
-        }
+        kinds::fit(claim, &file.kind)?;
         once(&file.statements)?;
         let recovered = match &file.kind[..] {
             "table" => cell::agree(paper, claim, recovered, &file)?,

@@ -1,6 +1,6 @@
 //! What theorems of Coq hold of a claim file: its comments, masks, shifts and rings.
 
-use super::read::{Argument, Object, Theorem};
+use super::statement::{Argument, Object, Theorem};
 use crate::data::functional::Rules;
 use crate::data::witness::Points;
 use crate::numbers::decimal::{Q, int};

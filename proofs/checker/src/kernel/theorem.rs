@@ -2,8 +2,9 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::read::{Argument, Theorem, Theorems};
+use super::read::Theorems;
 use super::stated::{comment, masks, parameters, placed, ring};
+use super::statement::{Argument, Theorem};
 use crate::claims::paper::Paper;
 use crate::data::setting::Setting;
 use crate::data::witness::Points;

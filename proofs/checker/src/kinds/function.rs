@@ -1,5 +1,6 @@
 //! The rule `function`: two sides as functions of a parameter.
 
+use super::kind::{Kind, Proof};
 use crate::claims::paper::Paper;
 use crate::formulas::definitions::formula_of;
 use crate::lines::pieces::Free;
@@ -8,9 +9,18 @@ use crate::numbers::root::Root;
 use crate::text::certificate::Block;
 use crate::text::reject::{Checked, Reason, agree, compare, require};
 use crate::text::toml::Toml;
+use crate::text::verdict::Verdict;
+
+/// Claims of this kind.
+pub const KIND: Kind = Kind {
+    name: "function",
+    fields: "function: claim variable=text left=text right=text",
+    names: |claim| claim.text("variable").into_iter().collect(),
+    check: |paper, claim, block| check(paper, claim, block).map(|()| Proof::Other),
+};
 
 /// Checks a function.
-pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
     let free = Free::read(paper, claim, block)?;
     block.restates("left", claim.text("left"))?;
     block.restates("right", claim.text("right"))?;
@@ -19,7 +29,8 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         free.pieces(block, &|scope| scope.value(&sides[0])?.minus(&scope.value(&sides[1])?))?;
     let (word, said) = block.any()?;
     let equal = pieces.signs.iter().all(|sign| *sign == 0);
-    agree(word, if equal { "holds" } else { "fails" }, Reason::Verdict)?;
+    let verdict = if equal { Verdict::Holds } else { Verdict::Fails };
+    agree(word, verdict.name(), Reason::Verdict)?;
     match said.split_whitespace().collect::<Vec<&str>>()[..] {
         [] if equal => Ok(()),
         [at, left, right] if !equal => {

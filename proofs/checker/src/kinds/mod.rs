@@ -1,7 +1,9 @@
-//! The rules of FORMAT.md: one place for each kind of claim.
+//! The rules of FORMAT.md: one place for each kind of claim, and one list of kinds.
 
 pub mod equation;
+pub mod exponent;
 pub mod function;
+pub mod kind;
 pub mod range;
 pub mod regularity;
 pub mod smoothness;
@@ -14,20 +16,35 @@ use crate::lines::constant;
 use crate::text::certificate::Block;
 use crate::text::reject::{At, Checked, Reason};
 use crate::text::toml::Toml;
-use range::smooth;
-use table::recovered::Recovered;
-use theorem::Citation;
+use kind::{Kind, Proof};
 
-/// The verdict that a valid certificate proves.
-pub enum Verdict {
-    /// An identity, a closed form, a range or a claim about smoothness holds.
-    Holds,
-    /// Another verdict that needs no other claim.
-    Other,
-    /// A theorem is proved or refuted by a statement of THEOREMS.md.
-    Cited(Citation),
-    /// A table rests on recovered values, or gives them to others.
-    Recovers(Recovered),
+/// The kinds of claims.
+pub static KINDS: [Kind; 7] = [
+    table::KIND,
+    equation::KIND,
+    function::KIND,
+    range::KIND,
+    smoothness::KIND,
+    exponent::KIND,
+    theorem::KIND,
+];
+
+/// The claims of a file, each with its kind.
+pub fn claims(file: &Toml) -> impl Iterator<Item = (&'static Kind, &Toml)> {
+    KINDS.iter().flat_map(|kind| file.list(kind.name).iter().map(move |claim| (kind, claim)))
+}
+
+/// The kind of this name.
+fn named(name: &str) -> Checked<&'static Kind> {
+    Ok(KINDS.iter().find(|kind| kind.name == name).ok_or(Reason::NoSuchClaim)?)
+}
+
+/// Checks the fields of a claim. An unknown field could change the meaning of the claim.
+pub fn fit(claim: &Toml, kind: &str) -> Checked<()> {
+    match misfit(claim, kind, named(kind)?.fields) {
+        Some(path) => Err(Reason::Field(path).into()),
+        None => Ok(()),
+    }
 }
 
 /// Checks a block that is about a claim.
@@ -36,7 +53,7 @@ pub fn check<'a>(
     kind: &str,
     claim: &'a Toml,
     mut block: Block<'_>,
-) -> Checked<Verdict> {
+) -> Checked<Proof> {
     paper.library.restart();
     judge(paper, kind, claim, &mut block).at(block.at)
 }
@@ -46,30 +63,12 @@ fn judge<'a>(
     kind: &str,
     claim: &'a Toml,
     block: &mut Block<'_>,
-) -> Checked<Verdict> {
-    // An unknown field could change the meaning of the claim.
-    if let Some(path) = misfit(claim, kind) {
-        return Err(Reason::Field(path).into());
-    }
+) -> Checked<Proof> {
+    fit(claim, kind)?;
     while let Some(said) = block.maybe("constant") {
         constant::check(paper, said, block)?;
     }
-    let (mut cited, mut recovered) = (None, None);
-    match kind {
-        "table" => recovered = Some(table::check(paper, claim, block)?),
-        "equation" => equation::check(paper, claim, block)?,
-        "function" => function::check(paper, claim, block)?,
-        "range" if claim.get("smoothness").is_some() => smooth::check(paper, claim, block)?,
-        "range" => range::check(paper, claim, block)?,
-        "smoothness" => cited = smoothness::check(paper, claim, block)?,
-        "exponent" => smoothness::exponent(paper, claim, block)?,
-        "theorem" => cited = theorem::check(paper, claim, block)?,
-        _ => return Err(Reason::NoSuchClaim.into()),
-    }
+    let proof = (named(kind)?.check)(paper, claim, block)?;
     block.finished()?;
-    let holds = ["holds", "exact", "confirmed"].contains(&block.last().word().0);
-    let table = recovered.map(Verdict::Recovers);
-    let other = cited.map(Verdict::Cited).or(table).unwrap_or(Verdict::Other);
-    let holds = holds && !matches!(other, Verdict::Cited(_));
-    Ok(if holds { Verdict::Holds } else { other })
+    Ok(proof)
 }

@@ -8,6 +8,9 @@ use crate::claims::shape::misfit;
 use crate::text::toml::Toml;
 use std::collections::BTreeSet;
 
+/// The fields of the tables.
+const FIELDS: &str = "regularity: claim rows=axis columns=*text cells=**number";
+
 /// The columns of each kind.
 const ORDERS: [&str; 3] = ["order", "continuous", "not_continuous"];
 const EXPONENTS: [&str; 4] = ["exponent", "value", "at_least", "at_most"];
@@ -33,7 +36,7 @@ type Row<'a> = (&'a str, Option<(&'a str, &'a str)>);
 
 /// The claims of the cells, with their kinds.
 fn cells(table: &Toml) -> Result<Vec<(&'static str, Toml)>, String> {
-    if let Some(path) = misfit(table, "regularity") {
+    if let Some(path) = misfit(table, "regularity", FIELDS) {
         return Err(format!("`{path}` is unknown, or not of its type"));
     }
     let (id, locus) = (table.text("id").unwrap_or_default(), table.text("locus"));

@@ -1,17 +1,26 @@
-//! The rules `smoothness` and `exponent`: how smooth the limits of a scheme are.
+//! The rule `smoothness`: whether the limits of a scheme are C^m.
 
-use super::theorem::Citation;
-use crate::claims::paper::{Paper, printed};
-use crate::formulas::definitions::formula;
-use crate::functions::exponent::LogSum;
+use super::kind::{Citation, Kind, Proof};
+use crate::claims::paper::Paper;
+use crate::formulas::evaluate::Scope;
 use crate::lines::limits::{Shown, mask, verdict};
-use crate::numbers::decimal::{Decimal, int};
-use crate::numbers::rounding::is_one_unit;
 use crate::schemes::local_rules::LocalRules;
 use crate::text::certificate::Block;
 use crate::text::reject::{Checked, Reason, Stop, agree, require};
 use crate::text::toml::Toml;
+use crate::text::verdict::Verdict;
 use crate::vertex::{Found, check_vertex};
+
+/// Claims of this kind.
+pub const KIND: Kind = Kind {
+    name: "smoothness",
+    fields: "smoothness: claim continuous=text not_continuous=text valences=text absent=text given=%text",
+    names: |claim| claim.names("given").collect(),
+    check: |paper, claim, block| {
+        let cited = check(paper, claim, block)?;
+        Ok(cited.map_or(Proof::Other, Proof::Cited))
+    },
+};
 
 /// The greatest m of a C^m.
 const MAX_ORDER: usize = 64;
@@ -23,7 +32,7 @@ const MAX_VALENCE: i64 = 100;
 const VERTEX_STEPS: u64 = 100_000;
 
 /// Checks a claim that all limits are C^m, or not all; gives the statement that is cited, if one is.
-pub fn check<'a>(
+fn check<'a>(
     paper: &'a Paper<'a>,
     claim: &'a Toml,
     block: &mut Block<'_>,
@@ -78,7 +87,7 @@ fn cited(
         && continuous.is_some_and(|m| m <= 1)
         && not_continuous.is_none();
     require(states, Reason::Vertex("135 says what is stated"))?;
-    block.verdict("confirmed")?;
+    block.verdict(Verdict::Confirmed)?;
     Ok(Citation { statement: "THEOREMS.md, 135".to_owned(), uses: Vec::new() })
 }
 
@@ -108,7 +117,7 @@ pub fn vertex(
     paper: &Paper<'_>,
     claim: &Toml,
     (said, ends): (&str, Valences),
-    scope: &crate::formulas::evaluate::Scope<'_>,
+    scope: &Scope<'_>,
     block: &mut Block<'_>,
 ) -> Checked<(i64, Found)> {
     let valence: i64 =
@@ -155,79 +164,8 @@ fn vertices<'a>(
     block.verdict(found)
 }
 
-/// Checks a claim about the Hölder exponent.
-pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
-    if lacking(claim, &["value", "printed", "at_least", "at_most", "attained"], block)? {
-        return Ok(());
-    }
-    block.restates("scheme", claim.text("scheme"))?;
-    for (word, key) in [("value", "value"), ("at-least", "at_least"), ("at-most", "at_most")] {
-        block.may_restate(word, claim.text(key))?;
-    }
-    if let Some(field) = claim.get("printed") {
-        block.restates("printed", printed(field).map(|(text, _)| text))?;
-    }
-    let has = |keys: &[&str]| keys.iter().any(|key| claim.get(key).is_some());
-    let statements = [&["value"][..], &["printed"], &["at_least", "at_most"]];
-    let one = statements.iter().filter(|keys| has(keys)).count() == 1;
-    require(one, Reason::Malformed("one of `value`, `printed` and bounds"))?;
-    let shown = Shown::read(paper, mask(paper, claim, &scope(paper, claim)?)?, block)?;
-    let closed = paper.library.closed();
-    let number = |key: &str| -> Checked<Option<LogSum>> {
-        let text = claim.text(key).map(formula);
-        Ok(text.transpose()?.map(|expr| LogSum::of(&expr, &closed)).transpose()?)
-    };
-    let of_value = number("value")?;
-    let [lower, upper] = [number("at_least")?, number("at_most")?];
-    block.look();
-    let found = if shown.diverges() {
-        "refuted"
-    } else if let Some(field) = claim.get("printed") {
-        let read = printed(field).and_then(|(_, read)| Decimal::read(read));
-        decimal(&shown, &read.ok_or(Reason::Malformed("a decimal"))?)?
-    } else {
-        let (lower, upper) =
-            (lower.as_ref().or(of_value.as_ref()), upper.as_ref().or(of_value.as_ref()));
-        let part = |value: Option<&LogSum>, test: &dyn Fn(&LogSum) -> Checked<bool>, none: bool| {
-            value.map_or(Ok(none), test)
-        };
-        verdict(
-            part(lower, &|value| shown.at_least(value, false), true)?
-                && part(upper, &|value| shown.at_most(value, false), true)?,
-            part(lower, &|value| shown.at_most(value, true), false)?
-                || part(upper, &|value| shown.at_least(value, true), false)?,
-        )?
-    };
-    // The certificate does not show whether an exponent is attained.
-    require(claim.get("attained").is_none() || found == "refuted", Reason::NotShown)?;
-    block.verdict(found)
-}
-
-/// How the decimal came from the exponent.
-fn decimal(shown: &Shown, decimal: &Decimal) -> Checked<&'static str> {
-    require(decimal.value > int(0), Reason::Malformed("a positive decimal"))?;
-    let half = &decimal.unit / int(2);
-    let place = |halves: i64| LogSum::from(&decimal.value + &half * int(halves));
-    let between = |low: i64, high: i64, strictly: bool| -> Checked<bool> {
-        Ok(shown.at_least(&place(low), strictly)? && shown.at_most(&place(high), strictly)?)
-    };
-    let below = if is_one_unit(decimal) { (-1, true) } else { (-2, false) };
-    let far = shown.at_least(&place(2), false)? || shown.at_most(&place(below.0), below.1)?;
-    if far {
-        Ok("refuted")
-    } else if between(-1, 1, false)? {
-        Ok("confirmed")
-    } else if between(1, 2, true)? {
-        Ok("rounding cut")
-    } else if between(-2, -1, true)? {
-        Ok("rounding away")
-    } else {
-        Err(Reason::NotShown.into())
-    }
-}
-
 /// Whether the paper lacks what the claim would need. Then the claim states nothing.
-fn lacking(claim: &Toml, stated: &[&str], block: &mut Block<'_>) -> Checked<bool> {
+pub fn lacking(claim: &Toml, stated: &[&str], block: &mut Block<'_>) -> Checked<bool> {
     if claim.get("absent").is_none() {
         return Ok(false);
     }
@@ -244,10 +182,7 @@ pub fn order(text: &str) -> Checked<usize> {
 }
 
 /// The scope of a claim: the values of the paper, and its own, which hide those.
-pub fn scope<'a>(
-    paper: &'a Paper<'a>,
-    claim: &Toml,
-) -> Checked<crate::formulas::evaluate::Scope<'a>> {
+pub fn scope<'a>(paper: &'a Paper<'a>, claim: &Toml) -> Checked<Scope<'a>> {
     let mut scope = paper.scope();
     scope.values.clone_from(&paper.given);
     scope.values.extend(paper.constants(claim.entries("given"))?);

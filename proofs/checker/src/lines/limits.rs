@@ -9,6 +9,7 @@ use crate::radius::{Radius, check_mask, has_independent_shifts};
 use crate::text::certificate::Block;
 use crate::text::reject::{Checked, RadiusReason, Reason, Stop, require};
 use crate::text::toml::Toml;
+use crate::text::verdict::Verdict;
 
 /// What is shown of the limits of a mask.
 pub struct Shown {
@@ -92,8 +93,8 @@ impl Shown {
     }
 }
 
-/// The verdict that follows: `refuted` if a part is refuted, `confirmed` if all are shown.
-pub fn verdict(confirmed: bool, refuted: bool) -> Checked<&'static str> {
+/// The verdict that follows: refuted if a part is refuted, confirmed if all are shown.
+pub fn verdict(confirmed: bool, refuted: bool) -> Checked<Verdict> {
     require(confirmed || refuted, Reason::NotShown)?;
-    Ok(if refuted { "refuted" } else { "confirmed" })
+    Ok(if refuted { Verdict::Refuted } else { Verdict::Confirmed })
 }

@@ -1,7 +1,9 @@
 //! Whether a point of one set is far from all of the other (THEOREMS.md, 167).
 
 use super::near::{Set, cell, is_inside, parts, roots};
-use super::net::{Cell, Net, Point, Ratio, TOLERANCE, length, square};
+use super::net::{Cell, Net, TOLERANCE};
+use super::point::{Point, length, square};
+use super::ratio::Ratio;
 use crate::numbers::meter::Meter;
 use crate::text::reject::{DepthChecked as Checked, DepthReason, require};
 

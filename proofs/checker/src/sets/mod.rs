@@ -4,13 +4,16 @@ mod direction;
 mod far;
 mod near;
 mod net;
+mod point;
+mod ratio;
 mod read;
 
 use crate::numbers::meter::Meter;
 use crate::text::reject::{At, DepthChecked as Checked, DepthReason, DepthRejection, require};
 use direction::Direction;
 use near::Set;
-use net::{Net, Ratio, less};
+use net::Net;
+use ratio::{Ratio, less};
 use read::Certificate;
 use std::fmt;
 

@@ -1,6 +1,8 @@
 //! Whether all of one set is near the other: each piece is in a ball around a point of the other set (THEOREMS.md, 167).
 
-use super::net::{Cell, Net, Point, Ratio, TOLERANCE, less, square};
+use super::net::{Cell, Net, TOLERANCE};
+use super::point::{Point, length, square};
+use super::ratio::{Ratio, less};
 use crate::numbers::meter::Meter;
 use crate::text::reject::{DepthChecked as Checked, Stop};
 
@@ -201,7 +203,7 @@ impl Near<'_, '_, '_> {
             let cell = cell(self.net, &at, other)?;
             more += self.net.radius(other, cell)?;
         }
-        Ok((at, Some(super::net::length(least)), more))
+        Ok((at, Some(length(least)), more))
     }
 }
 

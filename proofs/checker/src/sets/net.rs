@@ -1,10 +1,12 @@
 //! The refined points of a control polygon or net, in whole multiples of a small unit with bounds of their errors.
 
 use super::direction::Direction;
+use super::point::{Point, bend, length, square};
+use super::ratio::{Ratio, capped, less};
 use crate::numbers::decimal::{Q, capped as within, int};
 use crate::numbers::meter::Meter;
-use crate::text::reject::{DepthChecked as Checked, Stop};
-use num_integer::{Integer as _, Roots as _};
+use crate::text::reject::DepthChecked as Checked;
+use num_integer::Integer as _;
 use num_traits::ToPrimitive as _;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -21,65 +23,10 @@ const MAX_KEPT: usize = 1 << 20;
 /// The tolerance in units.
 pub const TOLERANCE: i128 = 1 << UNITS;
 
-/// A point in units.
-pub type Point = Rc<[i128]>;
-
-/// A parameter, or an index that need not be whole.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ratio {
-    pub top: i128,
-    pub bottom: i128,
-}
-
 /// A cell of a level in each direction: the parameters from i to i + 1 over n^level.
 pub type Cell = [i64; 2];
 
 const LARGE: &str = "how large points are in units of the tolerance";
-
-fn capped<T>(what: &'static str) -> Checked<T> {
-    Err(Stop::Capped(what).into())
-}
-
-impl Ratio {
-    pub fn of(x: &Q) -> Checked<Ratio> {
-        match (within(x.numer(), (1 << 48) - 1), within(x.denom(), (1 << 24) - 1)) {
-            (Some(top), Some(bottom)) => Ok(Ratio { top: top.into(), bottom: bottom.into() }),
-            _ => capped("the size of parameters"),
-        }
-    }
-
-    fn floor(self) -> i64 {
-        i64::try_from(self.top.div_euclid(self.bottom)).unwrap_or(i64::MAX)
-    }
-
-    /// self·factor + sign·other, in lowest terms.
-    pub fn times_plus(self, factor: i128, sign: i128, other: Ratio) -> Checked<Ratio> {
-        let first = self.top.checked_mul(factor).and_then(|x| x.checked_mul(other.bottom));
-        let second = other.top.checked_mul(sign * self.bottom);
-        let top = first.zip(second).and_then(|(x, y)| x.checked_add(y));
-        let (Some(top), Some(bottom)) = (top, self.bottom.checked_mul(other.bottom)) else {
-            return capped("the size of parameters");
-        };
-        let common = top.gcd(&bottom).max(1);
-        let (top, bottom) = (top / common, bottom / common);
-        // So that comparisons have room.
-        if within(top, (1 << 62) - 1).is_some() && bottom < 1 << 46 {
-            Ok(Ratio { top, bottom })
-        } else {
-            capped("the size of parameters")
-        }
-    }
-}
-
-/// |x|, rounded upwards.
-pub fn length(square: i128) -> i128 {
-    let root = square.sqrt();
-    if root * root < square { root + 1 } else { root }
-}
-
-pub fn square(x: &[i128], y: &[i128]) -> i128 {
-    x.iter().zip(y).map(|(x, y)| (x - y) * (x - y)).sum()
-}
 
 /// The polygons or nets of all levels.
 pub struct Net<'a> {
@@ -384,24 +331,4 @@ impl<'a> Net<'a> {
         }
         Ok(all)
     }
-}
-
-/// max |Δ_i − b|, with b in the middle of the differences.
-fn bend(points: &[Point]) -> i128 {
-    let differences: Vec<Vec<i128>> = points
-        .windows(2)
-        .map(|pair| pair[0].iter().zip(&*pair[1]).map(|(x, y)| y - x).collect())
-        .collect();
-    let dimensions = points.first().map_or(0, |point| point.len());
-    let middle: Vec<i128> = (0..dimensions)
-        .map(|c| {
-            let of = || differences.iter().map(|difference| difference[c]);
-            i128::midpoint(of().min().unwrap_or(0), of().max().unwrap_or(0))
-        })
-        .collect();
-    length(differences.iter().map(|difference| square(difference, &middle)).max().unwrap_or(0))
-}
-
-pub fn less(x: Ratio, y: Ratio) -> bool {
-    x.top * y.bottom < y.top * x.bottom
 }

@@ -10,8 +10,9 @@ use crate::claims::said::Counts;
 use crate::formulas::definitions::Definitions;
 use crate::numbers::meter::Meter;
 use crate::text::certificate::Block;
-use crate::text::reject::{At, Checked, Reason, Stop, compare, require};
+use crate::text::reject::{At, Checked, Reason, Stop, agree, compare, require};
 use crate::text::toml::Toml;
+use crate::text::verdict::Outcome;
 
 /// The least and the greatest number of binary digits of enclosures.
 const BITS: std::ops::RangeInclusive<u64> = 64..=20_000;
@@ -45,10 +46,10 @@ fn judge(claim: &Toml, definitions: &Definitions, block: &mut Block<'_>) -> Chec
     let printed = Values::new(definitions, bits, meter, None);
     let read = Values::new(definitions, bits, meter, change);
     let mut counts = Counts::default();
-    let (mut worst, mut better, mut is_open) = (Verdict::Nearest, false, false);
+    let (mut worst, mut better, mut is_open) = (Outcome::Nearest, false, false);
     for place in 0..table.count {
         let (said, number) = cell(&table, block, place)?;
-        let found = if said == "open" {
+        let found = if said == Outcome::Open.name() {
             Verdict::Open
         } else {
             verdict(&table.value(&table.exact, place, &printed)?, &number, table.of)?
@@ -61,20 +62,20 @@ fn judge(claim: &Toml, definitions: &Definitions, block: &mut Block<'_>) -> Chec
             let by_reading = table.value(reading.exact(&table), place, &read)?;
             let by_reading = verdict(&by_reading, &number, table.of)?;
             compare(by_reading.is_right(), &(place + 1), &by_reading, Reason::NotRight)?;
-            better |= by_reading.outcome().0 < found.outcome().0;
+            better |= by_reading.outcome() < found.outcome();
         }
-        counts.add(found.outcome().1);
-        worst = if found.outcome().0 > worst.outcome().0 { found } else { worst };
+        counts.add(found.outcome().name());
+        worst = worst.max(found.outcome());
     }
     let outcome = match &reading {
         // Numbers that are the nearest, rounded or cut need no reading.
         // A reading by which no number is better explains nothing.
-        Some(_) if worst.outcome().0 < 2 || !better => return Err(Reason::NoNeed.into()),
-        Some(_) => "otherwise",
-        None => worst.outcome().1,
+        Some(_) if worst <= Outcome::Cut || !better => return Err(Reason::NoNeed.into()),
+        Some(_) => Outcome::Otherwise,
+        None => worst,
     };
     let said = block.after("outcome")?;
-    compare(said == outcome, said, outcome, Reason::Verdict)?;
+    agree(said, outcome.name(), Reason::Verdict)?;
     block.finished()?;
     // Nothing is computed of a number that is open, and so nothing of the table is certified.
     require(!is_open, Reason::OpenNumber)?;

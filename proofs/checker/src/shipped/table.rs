@@ -44,6 +44,13 @@ pub enum Exact {
     Each(Vec<Expr>),
 }
 
+/// The fields of the tables.
+const FIELDS: &str = "shipped: id=text locus=text title=text type=text indices=*text equals=text \
+ equals_cells=nested cells=nested cells_from=source language=text tolerance=text note=text \
+ convention=*convention
+source: file=text after=text shape=*text skip=text
+convention: label=text equals=text equals_cells=nested";
+
 fn wrong(why: impl Into<String>) -> Stop {
     Stop::Wrong(why.into())
 }
@@ -52,7 +59,7 @@ impl<'a> Table<'a> {
     /// Reads a table.
     pub fn read(claim: &'a Toml, definitions: &Definitions) -> Checked<Table<'a>> {
         // An unknown field could change the meaning of the claim.
-        if let Some(path) = misfit(claim, "shipped") {
+        if let Some(path) = misfit(claim, "shipped", FIELDS) {
             return Err(Reason::Field(path).into());
         }
         let of =

@@ -8,6 +8,7 @@ use super::rounding::{Type, ten};
 use super::slip::slip;
 use crate::numbers::decimal::{Q, int};
 use crate::text::reject::Stop;
+use crate::text::verdict::Outcome;
 use num_traits::{Signed, Zero};
 use std::fmt;
 
@@ -41,28 +42,28 @@ pub enum Verdict {
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let outcome = self.outcome();
         match self {
-            Verdict::Nearest => write!(f, "nearest"),
+            Verdict::Nearest | Verdict::Open => write!(f, "{outcome}"),
             Verdict::Rounded(digits) => write!(f, "rounded {digits}"),
             Verdict::Truncated(digits) => write!(f, "truncated {digits}"),
-            Verdict::Ulps(steps) => write!(f, "ulps {steps}"),
-            Verdict::Misprint(kind) => write!(f, "misprint {kind}"),
-            Verdict::Refuted(digits) => write!(f, "refuted {digits}"),
-            Verdict::Open => write!(f, "open"),
+            Verdict::Ulps(steps) => write!(f, "{outcome} {steps}"),
+            Verdict::Misprint(kind) => write!(f, "{outcome} {kind}"),
+            Verdict::Refuted(digits) => write!(f, "{outcome} {digits}"),
         }
     }
 }
 
 impl Verdict {
-    /// The outcome of a claim whose worst number this is, with its place in the order of outcomes.
-    pub fn outcome(self) -> (u8, &'static str) {
+    /// The outcome of a claim whose worst number this is.
+    pub fn outcome(self) -> Outcome {
         match self {
-            Verdict::Nearest => (0, "nearest"),
-            Verdict::Rounded(_) | Verdict::Truncated(_) => (1, "cut"),
-            Verdict::Ulps(_) => (2, "ulps"),
-            Verdict::Open => (3, "open"),
-            Verdict::Misprint(_) => (4, "misprint"),
-            Verdict::Refuted(_) => (5, "refuted"),
+            Verdict::Nearest => Outcome::Nearest,
+            Verdict::Rounded(_) | Verdict::Truncated(_) => Outcome::Cut,
+            Verdict::Ulps(_) => Outcome::Ulps,
+            Verdict::Open => Outcome::Open,
+            Verdict::Misprint(_) => Outcome::Misprint,
+            Verdict::Refuted(_) => Outcome::Refuted,
         }
     }
 
@@ -70,7 +71,7 @@ impl Verdict {
     pub fn is_right(self) -> bool {
         match self {
             Verdict::Ulps(steps) => steps <= RIGHT_STEPS,
-            other => other.outcome().0 < 2,
+            other => other.outcome() <= Outcome::Cut,
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Certificates: lines, and blocks of lines.
 
 use super::reject::{At, Checked, Compared, Reason, Rejection, Text, agree, compare, require};
+use super::verdict::Verdict;
+use std::fmt::Display;
 
 /// The first line of a certificate.
 const VERSION: &str = "subcert-certificate 4";
@@ -107,11 +109,11 @@ impl<'a> Block<'a> {
     }
 
     /// Takes the next line. It has to be this verdict, with nothing behind it.
-    pub fn verdict(&mut self, found: &str) -> Checked<()> {
+    pub fn verdict(&mut self, found: impl Display) -> Checked<()> {
         self.look();
         let said = self.peek().map_or("", |line| line.text);
         self.taken += 1;
-        agree(said, found, Reason::Verdict)
+        agree(said, &found.to_string(), Reason::Verdict)
     }
 
     /// All lines.
@@ -119,9 +121,10 @@ impl<'a> Block<'a> {
         &self.lines
     }
 
-    /// The last line.
-    pub fn last(&self) -> Line<'a> {
-        self.lines.last().copied().unwrap_or(self.head)
+    /// Whether the verdict, which is the last line, is that the claim holds.
+    pub fn holds(&self) -> bool {
+        let last = self.lines.last().and_then(|line| Verdict::named(line.word().0));
+        last.is_some_and(Verdict::holds)
     }
 
     /// Checks that every line has been taken.

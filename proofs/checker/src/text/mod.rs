@@ -4,3 +4,4 @@ pub mod certificate;
 pub mod cursor;
 pub mod reject;
 pub mod toml;
+pub mod verdict;

@@ -219,35 +219,6 @@ pub type RadiusRejection = Rejection<RadiusReason>;
 /// A reason to refuse a certificate of a depth, and the line.
 pub type DepthRejection = Rejection<DepthReason>;
 
-macro_rules! given_up {
-    ($($reason:ident)*) => {$(
-        impl Rejection<$reason> {
-            /// Whether the certificate may be right: what it says is beyond a cap, or too near to call.
-            #[must_use]
-            pub fn given_up(&self) -> bool {
-                matches!(self.reason, $reason::Stopped(Stop::Capped(_) | Stop::Undecided(_)))
-            }
-        }
-    )*};
-}
-
-given_up!(RadiusReason DepthReason);
-
-impl Rejection {
-    /// Whether the claim is left open. Otherwise its certificate is wrong.
-    #[must_use]
-    pub fn given_up(&self) -> bool {
-        matches!(
-            self.reason,
-            Reason::Open
-                | Reason::OpenNumber
-                | Reason::Premise(_)
-                | Reason::Field(_)
-                | Reason::Stopped(Stop::Capped(_) | Stop::Undecided(_))
-        )
-    }
-}
-
 impl<R> From<R> for Rejection<R> {
     fn from(reason: R) -> Rejection<R> {
         Rejection { line: 0, reason }
@@ -255,16 +226,32 @@ impl<R> From<R> for Rejection<R> {
 }
 
 macro_rules! stopped {
-    ($($reason:ident)*) => {$(
+    ($($reason:ident: $($open:pat)?,)*) => {$(
         impl From<Stop> for Rejection<$reason> {
             fn from(stop: Stop) -> Rejection<$reason> {
                 $reason::Stopped(stop).into()
             }
         }
+
+        impl Rejection<$reason> {
+            /// Whether the certificate may be right: what it says is beyond a cap, too near to call, or left open.
+            /// Otherwise it is wrong.
+            #[must_use]
+            pub fn given_up(&self) -> bool {
+                matches!(
+                    self.reason,
+                    $reason::Stopped(Stop::Capped(_) | Stop::Undecided(_)) $(| $open)?
+                )
+            }
+        }
     )*};
 }
 
-stopped!(Reason RadiusReason DepthReason);
+stopped! {
+    Reason: Reason::Open | Reason::OpenNumber | Reason::Premise(_) | Reason::Field(_),
+    RadiusReason:,
+    DepthReason:,
+}
 
 /// The result of a check.
 pub type Checked<T, R = Reason> = Result<T, Rejection<R>>;

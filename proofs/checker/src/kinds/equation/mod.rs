@@ -2,6 +2,7 @@
 
 mod hypotheses;
 
+use super::kind::{Kind, Proof};
 use crate::claims::headers::Axis;
 use crate::claims::paper::{Paper, value};
 use crate::formulas::definitions::{formula, formula_of};
@@ -12,7 +13,17 @@ use crate::numbers::value::Value;
 use crate::text::certificate::Block;
 use crate::text::reject::{Checked, Reason, Stop, Text, agree, compare, require};
 use crate::text::toml::Toml;
+use crate::text::verdict::Verdict;
 use std::rc::Rc;
+
+/// Claims of this kind.
+pub const KIND: Kind = Kind {
+    name: "equation",
+    fields: "equation: claim symbols=*text hypotheses=*text indices=*axis left=text|*text right=text \
+ absent=text",
+    names: names,
+    check: |paper, claim, block| check(paper, claim, block).map(|()| Proof::Other),
+};
 
 /// The most cases of an equation.
 const MAX_CASES: usize = 100_000;
@@ -21,7 +32,7 @@ const MAX_CASES: usize = 100_000;
 type Case<'a> = Vec<(&'a str, Q)>;
 
 /// Checks an equation.
-pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
     if claim.get("absent").is_some() {
         let sides = claim.get("left").or(claim.get("right"));
         require(sides.is_none(), Reason::Malformed("sides, or what is absent, but not both"))?;
@@ -45,7 +56,9 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     // An equation without cases states nothing.
     require(!cases.is_empty(), Reason::NoCase)?;
     let (verdict, count) = block.any()?;
-    require(["holds", "fails"].contains(&verdict), Reason::Malformed("holds or fails"))?;
+    let verdict = Verdict::named(verdict);
+    let verdict = verdict.filter(|said| matches!(said, Verdict::Holds | Verdict::Fails));
+    let verdict = verdict.ok_or(Reason::Malformed("holds or fails"))?;
     agree(count, &cases.len().to_string(), Reason::Cases)?;
     let (mut listed, memory) = (0, Rc::default());
     for (case, left) in cases.iter().zip(lefts.iter().cycle()) {
@@ -68,7 +81,8 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         listed += 1;
     }
     require(block.maybe("case").is_none(), Reason::Case)?;
-    agree(verdict, if listed > 0 { "fails" } else { "holds" }, Reason::Verdict)
+    let found = if listed > 0 { Verdict::Fails } else { Verdict::Holds };
+    compare(verdict == found, &verdict, &found, Reason::Verdict)
 }
 
 /// The scope of a case. It shares the known values of definitions with other cases.
@@ -122,4 +136,10 @@ fn cases<'a>(paper: &'a Paper<'a>, claim: &'a Toml) -> Result<Vec<Case<'a>>, Sto
         cases = longer;
     }
     Ok(cases)
+}
+
+/// The symbols and the indices of an equation.
+fn names(claim: &Toml) -> Vec<&str> {
+    let indices = claim.list("indices").iter().filter_map(|axis| axis.text("name"));
+    claim.texts("symbols").chain(indices).collect()
 }

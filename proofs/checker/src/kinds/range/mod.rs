@@ -2,6 +2,7 @@
 
 pub mod smooth;
 
+use super::kind::{Kind, Proof};
 use crate::claims::paper::{Paper, printed};
 use crate::formulas::definitions::formula_of;
 use crate::lines::pieces::{Free, Pieces};
@@ -14,12 +15,25 @@ use crate::numbers::value::Value;
 use crate::text::certificate::Block;
 use crate::text::reject::{Checked, Reason, Stop, Text, agree, compare, require};
 use crate::text::toml::Toml;
+use crate::text::verdict::Verdict;
+
+/// Claims of this kind.
+pub const KIND: Kind = Kind {
+    name: "range",
+    fields: "range: claim variable=text value=text below=text at_most=text smoothness=text from=number \
+ to=number closed=flag only=flag valences=text",
+    names: |claim| claim.text("variable").into_iter().collect(),
+    check: |paper, claim, block| check(paper, claim, block).map(|()| Proof::Other),
+};
 
 /// An end of an interval, `None` if it is infinite, and whether the end belongs to the set.
 type End = (Option<Root>, bool);
 
 /// Checks a range.
-pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+    if claim.get("smoothness").is_some() {
+        return smooth::check(paper, claim, block);
+    }
     require(claim.get("valences").is_none(), Reason::Malformed("`valences` beside `smoothness`"))?;
     let free = Free::read(paper, claim, block)?;
     block.restates("value", claim.text("value"))?;
@@ -82,10 +96,12 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let closed = claim.is_set("closed");
     let reversed = from.zip(to).is_some_and(|(from, to)| from > to || from == to && !closed);
     let expected = match &set[..] {
-        [_] if reversed => "inexact",
-        [_] if relations.iter().all(|relation| *relation == "equal") => "exact",
-        [_] if relations.iter().all(|word| !["belonging", "apart"].contains(word)) => "rounding",
-        _ => "inexact",
+        [_] if reversed => Verdict::Inexact,
+        [_] if relations.iter().all(|relation| *relation == "equal") => Verdict::Exact,
+        [_] if relations.iter().all(|word| !["belonging", "apart"].contains(word)) => {
+            Verdict::Rounding
+        }
+        _ => Verdict::Inexact,
     };
     block.verdict(expected)
 }

@@ -15,6 +15,7 @@ use crate::schemes::convolution::{Convolution, MAX_LENGTH, Sequence};
 use crate::text::certificate::Block;
 use crate::text::reject::{Checked, Reason, Stop, Text, require};
 use crate::text::toml::Toml;
+use crate::text::verdict::Verdict;
 use crate::vertex::Found;
 use std::cmp::Ordering;
 
@@ -67,7 +68,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         let pieces = free.pieces(block, &above)?;
         let within = covered(&pieces.breaks, &pieces.signs, &ends, closed, paper.library.meter)?;
         require(within, Reason::Uncovered)?;
-        return block.verdict("confirmed");
+        return block.verdict(Verdict::Confirmed);
     }
     let said = block.after("at")?;
     let at = read_rational(said).ok_or(Reason::Malformed("a number"))?;
@@ -89,7 +90,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let [inside, outside] = sides(&at, &printed, closed)?;
     let refutes = inside && fails || outside && only && holds;
     require(refutes, Reason::NoRefutation(Text(said.to_string())))?;
-    block.verdict("refuted")
+    block.verdict(Verdict::Refuted)
 }
 
 /// An end of the printed range, and the unit of its last place if it may be rounded.

@@ -8,11 +8,12 @@ use crate::numbers::rounding::{gives, has_digits, rounding, slips, telling};
 use crate::numbers::show::shown;
 use crate::numbers::value::Value;
 use crate::text::reject::{Checked, Compared, Reason, Stop, Text, agree, compare, require};
+use crate::text::verdict::Verdict;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a verdict needs of the family.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum Standing {
     /// The cell is refuted.
     Refuted,
     /// The cell is reproduced by the printed text.
@@ -24,7 +25,7 @@ pub enum Kind {
 }
 
 /// Checks a cell: `ROW COLUMN "PRINTED" VALUE VERDICT … [assuming NAMES]`.
-pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Checked<Kind> {
+pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Checked<Standing> {
     let malformed = Reason::Malformed("cell ROW COLUMN \"PRINTED\" VALUE VERDICT");
     let position = format!("{} {} ", place.0 + 1, place.1 + 1);
     let said = said.strip_prefix(&position).ok_or(Reason::Cell)?;
@@ -40,7 +41,7 @@ pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Chec
         _ => return Err(Reason::Lost.into()),
     };
     let words: Vec<&str> = rest.split_whitespace().collect();
-    let (value, verdict) = words.split_first().ok_or(malformed.clone())?;
+    let (value, words) = words.split_first().ok_or(malformed.clone())?;
     let (needed, exact) = table.needed(place);
     let assumed: BTreeSet<String> = assumed.split_whitespace().map(str::to_owned).collect();
     let names = |names: &BTreeSet<String>| Vec::from_iter(names.clone()).join(" ");
@@ -52,15 +53,20 @@ pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Chec
     };
     same(table, value, exact.as_ref())?;
     let Some((text, decimal)) = printed else {
-        require(verdict.is_empty(), malformed)?;
-        return Ok(Kind::Other);
+        require(words.is_empty(), malformed)?;
+        return Ok(Standing::Other);
     };
-    if unknown || verdict == ["unknown"] {
-        agree(&verdict.join(" "), if unknown { "unknown" } else { "a value" }, Reason::Assumed)?;
-        return Ok(Kind::Other);
+    let verdict = words.split_first().map(|(word, rest)| (Verdict::named(word), rest));
+    if unknown || verdict == Some((Some(Verdict::Unknown), &[])) {
+        let found = if unknown { Verdict::Unknown.name() } else { "a value" };
+        agree(&words.join(" "), found, Reason::Assumed)?;
+        return Ok(Standing::Other);
     }
+    let (Some(verdict), rest) = verdict.unwrap_or_default() else {
+        return Err(Reason::Malformed("a verdict").into());
+    };
     let cell = Cell { table, place, text, decimal, plain: needed.is_empty() };
-    cell.judge(reads, exact.as_ref(), verdict)
+    cell.judge(reads, exact.as_ref(), (verdict, rest))
 }
 
 /// Checks that a value of the certificate equals this value.
@@ -85,32 +91,37 @@ struct Cell<'c> {
 }
 
 impl Cell<'_> {
-    fn judge(&self, reads: &Reads, exact: Option<&Value>, verdict: &[&str]) -> Checked<Kind> {
+    fn judge(
+        &self,
+        reads: &Reads,
+        exact: Option<&Value>,
+        (verdict, rest): (Verdict, &[&str]),
+    ) -> Checked<Standing> {
         let as_printed = &self.table.as_printed;
         let found = self.rounding(exact)?;
         let not_nearest = || self.need(found != "nearest", exact, Reason::Nearest);
-        match verdict {
-            ["confirmed"] => self.need(found == "nearest", exact, Reason::NotNearest)?,
-            ["rounding", way @ ("cut" | "away")] => self.rounded(exact, way)?,
-            ["rounding", way @ ("down" | "nearest")] => {
+        match (verdict, rest) {
+            (Verdict::Confirmed, []) => self.need(found == "nearest", exact, Reason::NotNearest)?,
+            (Verdict::Rounding, [way @ ("cut" | "away")]) => self.rounded(exact, way)?,
+            (Verdict::Rounding, [way @ ("down" | "nearest")]) => {
                 require(self.is_depth(), Reason::Depth)?;
                 not_nearest()?;
                 let (equal, value) = self.depth_rounded(way)?;
                 self.need(equal, value.as_ref(), Reason::NotRounded)?;
             }
-            ["misprint", slip @ ..] => {
+            (Verdict::Misprint, slip) => {
                 not_nearest()?;
                 self.slip(&slip.join(" "), exact, Some(as_printed))?;
             }
-            ["reproduced"] => {
+            (Verdict::Reproduced, []) => {
                 self.recovered()?;
                 self.need(found == "nearest", exact, Reason::NotNearest)?;
                 let read = reads.by(self.table, self.place, "");
                 require(read.is_none(), Reason::NoReading)?;
-                return Ok(Kind::AsPrinted);
+                return Ok(Standing::AsPrinted);
             }
-            [word @ ("other-reading" | "reproduced"), value, rest @ ..] => {
-                let reproduced = *word == "reproduced";
+            (Verdict::OtherReading | Verdict::Reproduced, [value, rest @ ..]) => {
+                let reproduced = verdict == Verdict::Reproduced;
                 if reproduced {
                     self.recovered()?;
                 } else {
@@ -130,25 +141,26 @@ impl Cell<'_> {
                         known.as_ref(),
                         Reason::NotExplained,
                     )?;
-                    return Ok(Kind::Reproduced);
+                    return Ok(Standing::Reproduced);
                 }
                 self.explained(part, known.as_ref(), rest, exact)?;
             }
-            [word @ ("refuted" | "differs")] => {
+            (Verdict::Refuted | Verdict::Differs, []) => {
                 // Under assumptions there is no refutation, only a difference.
-                agree(word, if self.plain { "refuted" } else { "differs" }, Reason::Assumed)?;
+                let due = if self.plain { Verdict::Refuted } else { Verdict::Differs };
+                compare(verdict == due, &verdict, &due, Reason::Assumed)?;
                 self.need(found == "neither", exact, Reason::Nearest)?;
                 self.no_slip(exact, Some(as_printed))?;
                 for way in ["down", "nearest"].iter().filter(|_| self.is_depth()) {
-                    let slip = Reason::Slip(Text(format!("rounding {way}")));
+                    let slip = Reason::Slip(Text(format!("{} {way}", Verdict::Rounding)));
                     require(!self.depth_rounded(way)?.0, slip)?;
                 }
                 self.unexplained(reads)?;
-                return Ok(if self.plain { Kind::Refuted } else { Kind::Other });
+                return Ok(if self.plain { Standing::Refuted } else { Standing::Other });
             }
             _ => return Err(Reason::Malformed("a verdict").into()),
         }
-        Ok(Kind::Other)
+        Ok(Standing::Other)
     }
 
     /// Checks that some parameter is not stated, and that all such parameters were recovered.
@@ -170,18 +182,22 @@ impl Cell<'_> {
         let given = self.gives(part, known)?;
         match (rest, part.slip()) {
             (_, Some(slip)) => {
-                agree(&rest.join(" "), &format!("misprint {slip}"), Reason::NotThisSlip)?;
+                agree(
+                    &rest.join(" "),
+                    &format!("{} {slip}", Verdict::Misprint),
+                    Reason::NotThisSlip,
+                )?;
                 self.need(given, known, Reason::NotExplained)
             }
             ([], None) => self.need(given, known, Reason::NotExplained),
-            (["rounding", way @ ("cut" | "away")], None) => {
+            ([word, way @ ("cut" | "away")], None) if *word == Verdict::Rounding.name() => {
                 self.need(self.rounding(exact)? == "neither", exact, Reason::Nearest)?;
                 self.rounded(known, way)?;
                 self.digits("rounding")?;
                 require(self.bears(part)?, Reason::GivesFew)
             }
             ([word, slip @ ..], None) => {
-                require(*word == "misprint", Reason::Depth)?;
+                require(*word == Verdict::Misprint.name(), Reason::Depth)?;
                 self.slip(&slip.join(" "), known, around(part))?;
                 require(self.bears(part)?, Reason::GivesFew)
             }

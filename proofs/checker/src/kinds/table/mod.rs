@@ -11,22 +11,30 @@ pub mod reading;
 pub mod recovered;
 pub mod sound;
 
+use super::kind::{Kind, Proof};
 use crate::claims::paper::Paper;
 use crate::text::certificate::Block;
 use crate::text::reject::{Checked, Reason, require};
 use crate::text::toml::Toml;
-use cell::Kind;
+use cell::Standing;
 use claim::{Read, Table};
 use reading::Reads;
 use recovered::Recovered;
 
+/// Claims of this kind.
+pub const KIND: Kind = Kind {
+    name: "table",
+    fields: "table: claim value=text promise=promise rows=axis columns=axis \
+ cells=text|**number given=%text unstated=%text|*text figures=*figure
+promise: tolerance=text level=text spread=text offset=text ring=text
+figure: locus=text lines=*text",
+    names: names,
+    check: |paper, claim, block| check(paper, claim, block).map(Proof::Recovers),
+};
+
 /// Checks a table. Gives the recovered values that it takes from other tables, and those that its own
 /// numbers give.
-pub fn check<'a>(
-    paper: &'a Paper<'a>,
-    claim: &'a Toml,
-    block: &mut Block<'_>,
-) -> Checked<Recovered> {
+fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<Recovered> {
     let mut table = Table::new(paper, claim)?;
     block.may_restate("scheme", claim.text("scheme"))?;
     block.restates("value", claim.text("value"))?;
@@ -49,9 +57,18 @@ pub fn check<'a>(
     promise::check(&table, block)?;
     family::check(&table, &reads, &kinds, block)?;
     // Only what they reproduce gives a value: without it, promises and theorems could rest on any.
-    let gives = kinds.iter().any(|(_, kind)| matches!(kind, Kind::AsPrinted | Kind::Reproduced));
+    let gives =
+        kinds.iter().any(|(_, kind)| matches!(kind, Standing::AsPrinted | Standing::Reproduced));
     if let Some((name, _)) = recovered.own.first().filter(|_| !gives) {
         return Err(Reason::Undetermined(name.clone()).into());
     }
     Ok(recovered)
+}
+
+/// The parameters of a table.
+fn names(claim: &Toml) -> Vec<&str> {
+    let axes = ["rows", "columns"].iter().filter_map(|key| claim.get(key));
+    let axes = axes.filter_map(|axis| axis.text("name"));
+    let open = claim.names("unstated").chain(claim.texts("unstated"));
+    axes.chain(claim.names("given")).chain(open).collect()
 }

@@ -14,6 +14,7 @@ use crate::numbers::value::Value;
 use crate::schemes::local_rules::{LocalRules, less};
 use crate::text::certificate::Block;
 use crate::text::reject::{Checked, Reason, Stop, compare, require};
+use crate::text::verdict::Promise;
 use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -35,12 +36,11 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
     for at in table.places() {
         let Some((_, printed)) = table.printed(at) else { continue };
         block.look();
-        let mut lines = ["kept", "broken", "undecided"].into_iter();
-        let line = lines.find_map(|verdict| Some((verdict, block.maybe(verdict)?)));
-        let (verdict, said) = line.ok_or(Reason::Promises)?;
+        let verdict = Promise::named(block.next_word()).ok_or(Reason::Promises)?;
+        let (_, said) = block.any()?;
         let (found, said) = table.place(said)?;
         require(found == at, Reason::Promises)?;
-        if verdict == "undecided" {
+        if verdict == Promise::Undecided {
             require(said.is_empty(), Reason::Malformed("ROW COLUMN"))?;
             continue;
         }
@@ -48,7 +48,7 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
         let (level, most) = promised.stated(printed.value.into())?;
         let level = sound::level(level)?;
         let setting = setting(table, &promised, &mut settings)?;
-        if verdict == "kept" {
+        if verdict == Promise::Kept {
             match &*setting {
                 Setting::LocalRules(ring, _) => {
                     require(said.is_empty(), Reason::Malformed("ROW COLUMN"))?;

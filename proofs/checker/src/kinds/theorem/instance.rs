@@ -61,8 +61,7 @@ impl<'a> Instance<'a> {
         // The theorem defines these names, whatever the paper states.
         scope.values.retain(|name, _| !OF_THEOREMS.contains(&&name[..]));
         scope.reserved = &OF_THEOREMS;
-        let mut left: BTreeSet<&String> =
-            claim.entries("values").iter().map(|(name, _)| name).collect();
+        let mut left: BTreeSet<&str> = claim.names("values").collect();
         for (name, value) in values {
             let same = |text: &Toml| {
                 let known =
@@ -71,12 +70,12 @@ impl<'a> Instance<'a> {
             };
             let values = claim.get("values").map_or(&[][..], |values| values.list(&name));
             let same = values.iter().map(same).collect::<Result<Vec<bool>, Stop>>()?;
-            let listed = left.remove(&name) && same.contains(&true);
+            let listed = left.remove(&name[..]) && same.contains(&true);
             require(listed, Reason::NotListed(name.clone()))?;
             scope.values.insert(name, value);
         }
         if let Some(name) = left.first() {
-            return Err(Reason::NotListed((*name).clone()).into());
+            return Err(Reason::NotListed((*name).to_owned()).into());
         }
         let (mut schemes, mut offset) = (Vec::new(), None);
         let setting = if paper.library.is_ring(reference) {

@@ -13,6 +13,7 @@ use crate::schemes::local_rules::less;
 use crate::text::certificate::Block;
 use crate::text::reject::{Checked, Reason, Stop, Text, compare, require};
 use crate::text::toml::Toml;
+use crate::text::verdict::Verdict;
 use std::cell::RefCell;
 
 /// Checks `grows …`, `times …` and the levels.
@@ -115,5 +116,5 @@ pub fn check<'a>(
             }
         }
     }
-    block.word("proved")
+    block.word(Verdict::Proved.name())
 }

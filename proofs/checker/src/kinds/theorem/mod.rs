@@ -7,27 +7,37 @@ pub mod levels;
 pub mod shift;
 pub mod sides;
 
+use super::kind::{Citation, Kind, Proof};
+use crate::claims::names::OF_THEOREMS;
 use crate::claims::paper::Paper;
 use crate::data::witness::{Points, Witness};
 use crate::text::certificate::Block;
 use crate::text::reject::{Checked, Reason, require};
 use crate::text::toml::Toml;
+use crate::text::verdict::Verdict;
 use instance::Instance;
 use sides::Stated;
+
+/// Claims of this kind.
+pub const KIND: Kind = Kind {
+    name: "theorem",
+    fields: "theorem: claim bounds=text by=text from=text says=text rests=*text schemes=*text values=%*text \
+ offset=text interpolant=text supposes=supposes block=text corrections=*correction \
+ proved_by=text refuted_by=text proof_uses=*text
+supposes: value=text below=text
+correction: of=text says=text value=text",
+    names: names,
+    check: |paper, claim, block| {
+        let cited = check(paper, claim, block)?;
+        Ok(cited.map_or(Proof::Other, Proof::Cited))
+    },
+};
 
 /// The statements that may be cited.
 const THEOREMS: &str = include_str!("../../../THEOREMS.md");
 
-/// A statement of THEOREMS.md that decides a theorem, if some claims hold.
-pub struct Citation {
-    /// The statement.
-    pub statement: String,
-    /// The ids of the claims.
-    pub uses: Vec<String>,
-}
-
 /// Checks a theorem; gives the statement that is cited, if one is.
-pub fn check<'a>(
+fn check<'a>(
     paper: &'a Paper<'a>,
     claim: &'a Toml,
     block: &mut Block<'_>,
@@ -38,8 +48,8 @@ pub fn check<'a>(
     }
     let next = block.next_word();
     let (word, text, verdict) = match next {
-        "proved-by" => ("proved-by", claim.text("proved_by"), "proved"),
-        "refuted-by" => ("refuted-by", claim.text("refuted_by"), "refuted"),
+        "proved-by" => ("proved-by", claim.text("proved_by"), Verdict::Proved),
+        "refuted-by" => ("refuted-by", claim.text("refuted_by"), Verdict::Refuted),
         _ => {
             let instance = Instance::read(paper, claim, block)?;
             if block.next_word() == "grows" {
@@ -56,7 +66,7 @@ pub fn check<'a>(
                 let instance = Instance::read(paper, claim, block)?;
                 shift::check(paper, claim, block, instance)?;
             }
-            block.word("refuted")?;
+            block.word(Verdict::Refuted.name())?;
             return Ok(None);
         }
     };
@@ -65,7 +75,7 @@ pub fn check<'a>(
     let number = number.split(|c: char| !c.is_ascii_digit()).next().unwrap_or_default();
     let heading = format!("**{number}. ");
     require(THEOREMS.lines().any(|line| line.starts_with(&heading)), Reason::NoStatement)?;
-    block.word(verdict)?;
+    block.word(verdict.name())?;
     let uses = claim.texts("proof_uses").map(str::to_owned).collect();
     Ok(Some(Citation { statement: format!("THEOREMS.md, {number}"), uses }))
 }
@@ -83,4 +93,10 @@ fn refuted<'a>(
     let spreads = witness.spreads(&setting)?;
     let left = witness.value(&setting, stated.quantity, (stated.level, points))?;
     stated.violated((paper, claim), scope, block, &spreads, &left)
+}
+
+/// The parameters of a theorem, and the names that its kind of bound defines.
+fn names(claim: &Toml) -> Vec<&str> {
+    let of_theorems = OF_THEOREMS.into_iter().filter(|_| claim.get("by").is_some());
+    claim.names("values").chain(of_theorems).collect()
 }

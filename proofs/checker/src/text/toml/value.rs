@@ -71,4 +71,9 @@ impl Toml {
     pub fn entries(&self, key: &str) -> &[(String, Toml)] {
         self.get(key).map_or(&[], Toml::as_table)
     }
+
+    /// The names of the entries of the table of a key.
+    pub fn names(&self, key: &str) -> impl Iterator<Item = &str> {
+        self.entries(key).iter().map(|(name, _)| name.as_str())
+    }
 }

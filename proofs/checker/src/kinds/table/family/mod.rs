@@ -8,7 +8,7 @@ pub mod luck;
 pub mod members;
 pub mod scale;
 
-use crate::kinds::table::cell::Kind;
+use crate::kinds::table::cell::Standing;
 use crate::kinds::table::claim::{Cells, Place, Read, Table};
 use crate::kinds::table::reading::{MAX_DIFFERENCES, PartRead, Reads};
 use crate::numbers::decimal::{Q, count, int};
@@ -32,18 +32,18 @@ const SHIFTS: i64 = 5;
 pub fn check(
     table: &Table<'_>,
     reads: &Reads,
-    kinds: &[(Place, Kind)],
+    kinds: &[(Place, Standing)],
     block: &mut Block<'_>,
 ) -> Checked<()> {
     assumed(table, reads)?;
-    let of = |wanted: Kind| kinds.iter().filter(move |(_, kind)| *kind == wanted);
-    let refuted: Vec<Place> = of(Kind::Refuted).map(|(place, _)| *place).collect();
+    let of = |wanted: Standing| kinds.iter().filter(move |(_, kind)| *kind == wanted);
+    let refuted: Vec<Place> = of(Standing::Refuted).map(|(place, _)| *place).collect();
     if !refuted.is_empty() || reads.all(true).count() > 0 {
         let whole = reads.all(true).find(|part| part.is_whole()).map(|part| &part.read);
         family(table, reads, &refuted, (true, whole), block)?;
     }
-    let as_printed = of(Kind::AsPrinted).count() > 0;
-    if as_printed || of(Kind::Reproduced).count() > 0 {
+    let as_printed = of(Standing::AsPrinted).count() > 0;
+    if as_printed || of(Standing::Reproduced).count() > 0 {
         let whole = reads.all(false).find(|part| part.is_whole()).map(|part| &part.read);
         let whole = whole.or(as_printed.then_some(&table.as_printed));
         family(table, reads, &[], (false, whole), block)?;
