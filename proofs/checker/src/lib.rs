@@ -5,7 +5,7 @@
 //! state, and says of each claim whether the certificate proves its verdict. FORMAT.md in the
 //! folder above specifies what certificates say and when they are valid.
 //!
-//! The folders are listed from below, and no files import each other in a circle.
+//! No files import each other in a circle.
 
 mod claims;
 mod data;
@@ -29,28 +29,26 @@ mod shipped;
 
 mod check;
 
-pub use check::outcome::{Outcome, Report};
-use claims::paper::Paper;
+pub use check::{Outcome, Report};
+use claims::Paper;
 pub use kernel::Agreement;
 use kinds::regularity::expanded;
-use numbers::meter::Meter;
+use numbers::Meter;
 pub use radius::{Radius, check_radius};
-use schemes::catalogue::catalogue;
-use schemes::library::Library;
+use schemes::{Library, catalogue};
 pub use sets::{Depth, check_depth};
 use std::collections::BTreeSet;
 use std::panic::resume_unwind;
 use std::thread::Builder;
-use text::reject::{At, require};
-pub use text::reject::{
+use text::{At, Toml, require};
+pub use text::{
     DepthReason, DepthRejection, RadiusReason, RadiusRejection, Reason, Rejection, Stop, Text,
 };
-use text::toml::Toml;
 
 /// Whether a text is a formula of a claim file.
 #[must_use]
 pub fn is_formula(text: &str) -> bool {
-    formulas::formula::parse(text, formulas::formula::MAX_LENGTH).is_ok()
+    formulas::parse(text, formulas::MAX_LENGTH).is_ok()
 }
 
 /// Checks certificates against their claim file, on all cores.

@@ -1,21 +1,14 @@
 //! The check of the claims of a paper.
 
-use super::outcome::{Outcome, Report, is_id, refused};
-use crate::claims::names::misuse;
-use crate::claims::paper::Paper;
-use crate::claims::said;
-use crate::claims::shape::misfit;
-use crate::claims::tasks::{Task, tasks};
+use super::{Outcome, Report, is_id, refused};
+use crate::claims::{Paper, Task, misfit, misuse, said, tasks};
 use crate::kernel;
 use crate::kinds::kind::Proof;
 use crate::kinds::table::recovered::{Given, Recovered};
 use crate::kinds::{self, KINDS};
-use crate::numbers::meter::Meter;
-use crate::schemes::catalogue::catalogue;
-use crate::schemes::library::Library;
-use crate::text::certificate::About;
-use crate::text::reject::{Checked, Reason, Text};
-use crate::text::toml::Toml;
+use crate::numbers::Meter;
+use crate::schemes::{Library, catalogue};
+use crate::text::{About, Checked, Reason, Text, Toml};
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::panic::resume_unwind;
@@ -69,7 +62,7 @@ pub fn check(file: &Toml, certificates: &[&str]) -> Result<(Report, Vec<kernel::
             Err(rejection) => refused(task, rejection),
         };
         if matches!(outcome, Outcome::Valid | Outcome::Cited(_)) {
-            verdicts.insert(task.id.to_owned(), said::verdict(task.kind, &task.block));
+            verdicts.insert(task.id.to_owned(), said(task.kind, &task.block));
         }
         outcomes.insert((task.kind, task.id), outcome);
     }

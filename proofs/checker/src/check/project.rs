@@ -1,12 +1,10 @@
 //! The check of the constants of a project.
 
-use super::outcome::{Outcome, Report, is_id, refused};
-use crate::claims::shape::misfit;
-use crate::claims::tasks::tasks;
-use crate::formulas::definitions::formulas;
+use super::{Outcome, Report, is_id, refused};
+use crate::claims::{misfit, tasks};
+use crate::formulas::formulas;
 use crate::shipped;
-use crate::text::certificate::About;
-use crate::text::toml::Toml;
+use crate::text::{About, Toml};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The fields of the file.

@@ -3,10 +3,9 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::paper::printed;
-use crate::formulas::formula::is_name;
-use crate::numbers::decimal::{Q, read_rational};
-use crate::text::reject::Stop;
-use crate::text::toml::Toml;
+use crate::formulas::is_name;
+use crate::numbers::{Q, read_rational};
+use crate::text::{Stop, Toml};
 
 /// The headers of rows or of columns.
 pub enum Headers<'a> {

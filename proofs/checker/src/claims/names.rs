@@ -1,7 +1,7 @@
 //! The names of a claim file. In a claim each name has one meaning (FORMAT.md, Names).
 
-use crate::formulas::formula::is_name;
-use crate::text::toml::Toml;
+use crate::formulas::is_name;
+use crate::text::Toml;
 use std::collections::BTreeSet;
 
 /// The names that theorems about bounds and depths define: the spreads of the data, the level and

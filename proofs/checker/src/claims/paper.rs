@@ -2,15 +2,10 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::formulas::definitions::{Definitions, formulas};
-use crate::formulas::evaluate::Scope;
-use crate::formulas::formula::parse;
-use crate::numbers::decimal::read_rational;
-use crate::numbers::value::Value;
-use crate::schemes::library::Library;
-use crate::text::certificate::MAX_LINE;
-use crate::text::reject::{Checked, Reason, Stop};
-use crate::text::toml::Toml;
+use crate::formulas::{Definitions, Scope, formulas, parse};
+use crate::numbers::{Value, read_rational};
+use crate::schemes::Library;
+use crate::text::{Checked, MAX_LINE, Reason, Stop, Toml};
 use std::collections::BTreeMap;
 
 /// A claim file with the schemes that it may use.

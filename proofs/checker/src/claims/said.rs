@@ -1,15 +1,14 @@
 //! The verdict that a certificate states for its claim, in a few words. It is true only if the
 //! certificate is valid.
 
-use crate::text::certificate::Block;
-use crate::text::verdict::{Promise, Verdict};
+use crate::text::{Block, Promise, Verdict};
 
 /// The longest number that is shown whole.
 const LONGEST: usize = 60;
 
 /// The verdict; for a table, how many cells have each verdict; for a refuted theorem, with both
 /// sides.
-pub fn verdict(kind: &str, block: &Block<'_>) -> String {
+pub fn said(kind: &str, block: &Block<'_>) -> String {
     if kind == "table" {
         return cells(block);
     }

@@ -1,6 +1,6 @@
 //! The fields of claim files and their types.
 
-use crate::text::toml::Toml;
+use crate::text::Toml;
 
 /// The fields of tables that several kinds of claims have, with their types. `*t` is a list of t,
 /// `%t` is a table of t with any names, `s|t` is s or t, and `nested` is a text or a list of such.

@@ -1,8 +1,6 @@
 //! The blocks of certificates, each with the claim that it is about.
 
-use crate::text::certificate::{About, Block, blocks};
-use crate::text::reject::{At, Checked, Reason, Rejection, require};
-use crate::text::toml::Toml;
+use crate::text::{About, At, Block, Checked, Reason, Rejection, Toml, blocks, require};
 use std::collections::BTreeMap;
 
 /// A claim and its block of a certificate.

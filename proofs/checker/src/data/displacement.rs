@@ -1,11 +1,8 @@
 //! The displacement of a refined polygon from the polygon before.
 
-use crate::numbers::decimal::Q;
-use crate::numbers::meter::Meter;
-use crate::numbers::piece::Piece;
-use crate::numbers::value::Value;
-use crate::schemes::scheme::Scheme;
-use crate::text::reject::Stop;
+use crate::numbers::{Meter, Piece, Q, Value};
+use crate::schemes::Scheme;
+use crate::text::Stop;
 
 /// The sum of the absolute values (terms = 0), or the absolute value of the sum (terms = 1).
 pub fn gather(piece: Option<&Piece<'_>>, values: &[Value], terms: usize) -> Result<Value, Stop> {

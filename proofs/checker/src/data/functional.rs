@@ -1,12 +1,9 @@
 //! Points of refined control data and of their limits, as functionals of the data.
 
 use super::polygon::Polygon;
-use crate::numbers::decimal::{Q, capped, int, over_one_denominator};
-use crate::numbers::linear::solve;
-use crate::numbers::meter::Meter;
-use crate::numbers::value::Value;
-use crate::schemes::scheme::Scheme;
-use crate::text::reject::Stop;
+use crate::numbers::{Meter, Q, Value, capped, int, over_one_denominator, solve};
+use crate::schemes::Scheme;
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero as _};

@@ -1,7 +1,13 @@
 //! Control data: polygons, nets and rings, their refinement, and witnesses.
 
-pub mod displacement;
-pub mod functional;
-pub mod polygon;
-pub mod setting;
-pub mod witness;
+mod displacement;
+mod functional;
+mod polygon;
+mod setting;
+mod witness;
+
+pub use displacement::{best_offset, gather, moved, surface};
+pub use functional::Rules;
+pub use polygon::Polygon;
+pub use setting::{MAX_CLASSES, Setting};
+pub use witness::{Points, Witness, violated};

@@ -2,8 +2,8 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::numbers::decimal::{Q, capped, read_rational};
-use crate::text::reject::{Checked, Reason};
+use crate::numbers::{Q, capped, read_rational};
+use crate::text::{Checked, Reason};
 use num_bigint::BigInt;
 use num_traits::Signed;
 

@@ -1,12 +1,9 @@
 //! The setting of a witness: the masks or the ring that refine control data.
 
 use super::functional::Rules;
-use crate::numbers::value::Value;
-use crate::schemes::convolution::Sequence;
-use crate::schemes::library::Library;
-use crate::schemes::local_rules::LocalRules;
-use crate::schemes::scheme::Scheme;
-use crate::text::reject::{Checked, Reason, Stop, require};
+use crate::numbers::Value;
+use crate::schemes::{Library, LocalRules, Scheme, Sequence};
+use crate::text::{Checked, Reason, Stop, require};
 use std::rc::Rc;
 
 /// The most residue classes of a constant that shows convergence.

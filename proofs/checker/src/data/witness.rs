@@ -3,12 +3,10 @@
 use super::functional::{Functional, Rules, product};
 use super::polygon::{Polygon, index, integers, place, spread};
 use super::setting::Setting;
-use crate::claims::paper::Paper;
-use crate::numbers::decimal::{Q, int, read_rational};
-use crate::numbers::value::Value;
-use crate::schemes::local_rules::LocalRules;
-use crate::text::certificate::{Block, words};
-use crate::text::reject::{Checked, Reason, Stop, compare, require};
+use crate::claims::Paper;
+use crate::numbers::{Q, Value, int, read_rational};
+use crate::schemes::LocalRules;
+use crate::text::{Block, Checked, Reason, Stop, compare, require, words};
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 

@@ -1,8 +1,7 @@
 //! The formulas of a claim file, and the names that stand for formulas.
 
 use super::formula::{Expr, Head, MAX_LENGTH, is_name, parse};
-use crate::text::reject::Stop;
-use crate::text::toml::Toml;
+use crate::text::{Stop, Toml};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 

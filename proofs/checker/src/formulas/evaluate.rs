@@ -3,11 +3,9 @@
 use super::definitions::{Definitions, names as names_in};
 use super::formula::{Expr, Head};
 use super::reading::Reading;
-use crate::numbers::meter::Meter;
-use crate::numbers::piece::Piece;
-use crate::numbers::value::Value;
-use crate::schemes::scheme::Scheme;
-use crate::text::reject::Stop;
+use crate::numbers::{Meter, Piece, Value};
+use crate::schemes::Scheme;
+use crate::text::Stop;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;

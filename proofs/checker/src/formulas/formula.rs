@@ -1,8 +1,7 @@
 //! The parser of formulas.
 
-use crate::numbers::decimal::Decimal;
-use crate::numbers::value::Value;
-use crate::text::cursor::{Cursor, Parsed};
+use crate::numbers::{Decimal, Value};
+use crate::text::{Cursor, Parsed};
 
 /// The longest formula of a claim file, in characters.
 pub const MAX_LENGTH: usize = 4_096;

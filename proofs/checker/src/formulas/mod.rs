@@ -1,6 +1,11 @@
 //! Formulas, and the scopes in which they have values.
 
-pub mod definitions;
-pub mod evaluate;
-pub mod formula;
-pub mod reading;
+mod definitions;
+mod evaluate;
+mod formula;
+mod reading;
+
+pub use definitions::{Definitions, formula, formula_of, formulas, free, names};
+pub use evaluate::{Asked, Functions, Indices, MAX_INTEGER, Memory, Scope, member};
+pub use formula::{Expr, Head, MAX_LENGTH, is_name, parse};
+pub use reading::{CHOICES, Reading};

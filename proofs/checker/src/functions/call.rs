@@ -2,13 +2,10 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::formulas::evaluate::{Asked, Indices, MAX_INTEGER, Scope};
-use crate::numbers::decimal::count;
-use crate::numbers::value::Value;
-use crate::schemes::convolution::{Convolution, Sequence};
-use crate::schemes::library::Library;
-use crate::schemes::scheme::Scheme;
-use crate::text::reject::Stop;
+use crate::formulas::{Asked, Indices, MAX_INTEGER, Scope};
+use crate::numbers::{Value, count};
+use crate::schemes::{Convolution, Library, Scheme, Sequence};
+use crate::text::Stop;
 use std::rc::Rc;
 
 /// The words that these options may have. The default is the first.

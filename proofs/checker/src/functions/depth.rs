@@ -1,8 +1,7 @@
 //! Depths: logarithms that are rounded to integers.
 
-use crate::numbers::meter::Meter;
-use crate::numbers::value::Value;
-use crate::text::reject::Stop;
+use crate::numbers::{Meter, Value};
+use crate::text::Stop;
 use std::cmp::Ordering;
 
 /// A depth is at most two to the power of this.

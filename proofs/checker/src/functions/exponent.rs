@@ -1,10 +1,8 @@
 //! Printed Hölder exponents, and their comparison with K − log_n(q)/l.
 
-use crate::formulas::evaluate::Scope;
-use crate::formulas::formula::{Expr, Head};
-use crate::numbers::decimal::{Q, count, int};
-use crate::numbers::magnitude::compare;
-use crate::text::reject::Stop;
+use crate::formulas::{Expr, Head, Scope};
+use crate::numbers::{Q, compare, count, int};
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};

@@ -5,16 +5,11 @@
 use super::call::{Call, TERMS, entry, number, within, wrong};
 use super::depth::depth;
 use super::sums::greatest;
-use crate::data::displacement::{best_offset, moved, surface};
-use crate::formulas::evaluate::{Asked, Functions, Indices, MAX_INTEGER, Scope};
-use crate::numbers::decimal::{Q, capped};
-use crate::numbers::meter::Meter;
-use crate::numbers::number::Number;
-use crate::numbers::value::Value;
-use crate::schemes::convolution::Product;
-use crate::schemes::library::Library;
-use crate::schemes::scheme::MAX_OFFSET;
-use crate::text::reject::Stop;
+use crate::data::{best_offset, moved, surface};
+use crate::formulas::{Asked, Functions, Indices, MAX_INTEGER, Scope};
+use crate::numbers::{Meter, Number, Q, Value, capped};
+use crate::schemes::{Library, MAX_OFFSET, Product};
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive as _;
 

@@ -4,13 +4,11 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::call::{Call, SUPREMA, TERMS, wrong};
-use crate::data::displacement::gather;
-use crate::formulas::evaluate::{Indices, MAX_INTEGER, Scope};
-use crate::formulas::formula::{Expr, Head};
-use crate::numbers::value::Value;
-use crate::schemes::convolution::{MAX_LENGTH, Sequence, Sums};
-use crate::schemes::library::{Constant, Library};
-use crate::text::reject::Stop;
+use crate::data::gather;
+use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Scope};
+use crate::numbers::Value;
+use crate::schemes::{Constant, Library, MAX_LENGTH, Sequence, Sums};
+use crate::text::Stop;
 use std::rc::Rc;
 
 /// The value of such a function.

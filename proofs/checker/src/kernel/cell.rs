@@ -3,16 +3,13 @@
 use super::read::Theorems;
 use super::stated::{comment, mask, parameters, placed, rational, stated};
 use super::statement::{Argument, Theorem};
-use crate::claims::paper::{Paper, printed};
-use crate::data::witness::Points;
+use crate::claims::{Paper, printed};
+use crate::data::Points;
 use crate::kinds::table::claim::{Place, Read, Table};
 use crate::kinds::table::sound::{Promised, level as promised_level};
-use crate::numbers::decimal::{Q, int};
-use crate::numbers::value::Value;
-use crate::schemes::library::Constant;
-use crate::schemes::local_rules::LocalRules;
-use crate::text::reject::{At, Checked, Reason, compare, require};
-use crate::text::toml::Toml;
+use crate::numbers::{Q, Value, int};
+use crate::schemes::{Constant, LocalRules};
+use crate::text::{At, Checked, Reason, Toml, compare, require};
 use num_traits::Signed;
 
 /// A value of a parameter that a valid certificate of a table recovers.

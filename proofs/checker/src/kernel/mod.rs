@@ -9,10 +9,10 @@ mod theorem;
 
 pub use cell::Given;
 
-use crate::claims::paper::Paper;
+use crate::claims::Paper;
 use crate::kinds;
-use crate::numbers::decimal::Q;
-use crate::text::reject::{At, Checked, Reason, Rejection, compare};
+use crate::numbers::Q;
+use crate::text::{At, Checked, Reason, Rejection, compare};
 use statement::Theorem;
 
 /// A file of theorems that agrees with the claim file.

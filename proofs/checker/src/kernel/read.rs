@@ -4,9 +4,8 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::statement::{Argument, Object, STATEMENTS, Theorem};
-use crate::numbers::decimal::Q;
-use crate::text::cursor::{Cursor, Parsed};
-use crate::text::reject::{Checked, Reason, Rejection, require};
+use crate::numbers::Q;
+use crate::text::{Checked, Cursor, Parsed, Reason, Rejection, require};
 use num_bigint::BigInt;
 use num_traits::Zero;
 use std::collections::BTreeMap;

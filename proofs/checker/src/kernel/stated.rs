@@ -1,14 +1,10 @@
 //! What theorems of Coq hold of a claim file: its comments, masks, shifts and rings.
 
 use super::statement::{Argument, Object, Theorem};
-use crate::data::functional::Rules;
-use crate::data::witness::Points;
-use crate::numbers::decimal::{Q, int};
-use crate::numbers::value::Value;
-use crate::schemes::library::Library;
-use crate::schemes::local_rules::LocalRules;
-use crate::schemes::scheme::Scheme;
-use crate::text::reject::{Checked, Reason, compare, require};
+use crate::data::{Points, Rules};
+use crate::numbers::{Q, Value, int};
+use crate::schemes::{Library, LocalRules, Scheme};
+use crate::text::{Checked, Reason, compare, require};
 use std::rc::Rc;
 
 /// A text of the claim file as comments of Coq hold it: in one line, and without what would end a comment.

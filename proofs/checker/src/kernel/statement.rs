@@ -1,6 +1,6 @@
 //! The statements of theorems of Coq, and their arguments.
 
-use crate::numbers::decimal::Q;
+use crate::numbers::Q;
 use std::fmt;
 
 /// The statements, each with its arguments: a mask, a difference mask, a ring, a number of levels, or a

@@ -5,15 +5,12 @@
 use super::read::Theorems;
 use super::stated::{comment, masks, parameters, placed, ring};
 use super::statement::{Argument, Theorem};
-use crate::claims::paper::Paper;
-use crate::data::setting::Setting;
-use crate::data::witness::Points;
+use crate::claims::Paper;
+use crate::data::{Points, Setting};
 use crate::kinds::theorem::instance::{Instance, first_level};
 use crate::kinds::theorem::sides::Stated;
-use crate::numbers::decimal::{Q, int, read_rational};
-use crate::numbers::value::Value;
-use crate::text::reject::{At, Checked, Reason, compare, require};
-use crate::text::toml::Toml;
+use crate::numbers::{Q, Value, int, read_rational};
+use crate::text::{At, Checked, Reason, Toml, compare, require};
 use num_traits::Signed;
 
 /// Compares theorems with a theorem of the paper.

@@ -2,16 +2,12 @@
 
 use super::kind::{Kind, Proof};
 use super::smoothness::{lacking, scope};
-use crate::claims::paper::{Paper, printed};
-use crate::formulas::definitions::formula;
+use crate::claims::{Paper, printed};
+use crate::formulas::formula;
 use crate::functions::exponent::LogSum;
 use crate::lines::limits::{Shown, mask, verdict};
-use crate::numbers::decimal::{Decimal, int};
-use crate::numbers::rounding::is_one_unit;
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, require};
-use crate::text::toml::Toml;
-use crate::text::verdict::Verdict;
+use crate::numbers::{Decimal, int, is_one_unit};
+use crate::text::{Block, Checked, Reason, Toml, Verdict, require};
 
 /// Claims about exponents.
 pub const KIND: Kind = Kind {

@@ -1,15 +1,11 @@
 //! The rule `function`: two sides as functions of a parameter.
 
 use super::kind::{Kind, Proof};
-use crate::claims::paper::Paper;
-use crate::formulas::definitions::formula_of;
+use crate::claims::Paper;
+use crate::formulas::formula_of;
 use crate::lines::pieces::Free;
-use crate::numbers::decimal::read_rational;
-use crate::numbers::root::Root;
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, agree, compare, require};
-use crate::text::toml::Toml;
-use crate::text::verdict::Verdict;
+use crate::numbers::{Root, read_rational};
+use crate::text::{Block, Checked, Reason, Toml, Verdict, agree, compare, require};
 
 /// Claims of this kind.
 pub const KIND: Kind = Kind {

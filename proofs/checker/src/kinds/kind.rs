@@ -1,10 +1,8 @@
 //! What a kind of claim is to the checker.
 
 use super::table::recovered::Recovered;
-use crate::claims::paper::Paper;
-use crate::text::certificate::Block;
-use crate::text::reject::Checked;
-use crate::text::toml::Toml;
+use crate::claims::Paper;
+use crate::text::{Block, Checked, Toml};
 
 /// A kind of claim.
 pub struct Kind {

@@ -10,12 +10,9 @@ pub mod smoothness;
 pub mod table;
 pub mod theorem;
 
-use crate::claims::paper::Paper;
-use crate::claims::shape::misfit;
+use crate::claims::{Paper, misfit};
 use crate::lines::constant;
-use crate::text::certificate::Block;
-use crate::text::reject::{At, Checked, Reason};
-use crate::text::toml::Toml;
+use crate::text::{At, Block, Checked, Reason, Toml};
 use kind::{Kind, Proof};
 
 /// The kinds of claims.

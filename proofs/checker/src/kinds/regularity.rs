@@ -3,9 +3,8 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::claims::paper::printed;
-use crate::claims::shape::misfit;
-use crate::text::toml::Toml;
+use crate::claims::{misfit, printed};
+use crate::text::Toml;
 use std::collections::BTreeSet;
 
 /// The fields of the tables.

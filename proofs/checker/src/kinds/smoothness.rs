@@ -1,14 +1,11 @@
 //! The rule `smoothness`: whether the limits of a scheme are C^m.
 
 use super::kind::{Citation, Kind, Proof};
-use crate::claims::paper::Paper;
-use crate::formulas::evaluate::Scope;
+use crate::claims::Paper;
+use crate::formulas::Scope;
 use crate::lines::limits::{Shown, mask, verdict};
-use crate::schemes::local_rules::LocalRules;
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, Stop, agree, require};
-use crate::text::toml::Toml;
-use crate::text::verdict::Verdict;
+use crate::schemes::LocalRules;
+use crate::text::{Block, Checked, Reason, Stop, Toml, Verdict, agree, require};
 use crate::vertex::{Found, check_vertex};
 
 /// Claims of this kind.

@@ -1,13 +1,10 @@
 //! The rule `constant`: T_c or Λ_c of a scheme with too many residue classes for the functions
 //! of formulas.
 
-use crate::claims::paper::Paper;
-use crate::numbers::decimal::{Q, int, read_rational};
-use crate::numbers::value::Value;
-use crate::schemes::convolution::Sequence;
-use crate::schemes::powers::{Operator, PLACES};
-use crate::text::certificate::{Block, words};
-use crate::text::reject::{Checked, Reason, compare, require};
+use crate::claims::Paper;
+use crate::numbers::{Q, Value, int, read_rational};
+use crate::schemes::{Operator, PLACES, Sequence};
+use crate::text::{Block, Checked, Reason, compare, require, words};
 use num_traits::Signed;
 
 /// The words of the line.

@@ -1,15 +1,11 @@
 //! What a certificate of a joint spectral radius, embedded in a block, shows of the limits of a mask.
 
-use crate::claims::paper::Paper;
-use crate::formulas::evaluate::Scope;
+use crate::claims::Paper;
+use crate::formulas::Scope;
 use crate::functions::exponent::{Bound, LogSum};
-use crate::numbers::decimal::Q;
-use crate::numbers::value::Value;
+use crate::numbers::{Q, Value};
 use crate::radius::{Radius, check_mask, has_independent_shifts};
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, RadiusReason, Reason, Stop, require};
-use crate::text::toml::Toml;
-use crate::text::verdict::Verdict;
+use crate::text::{Block, Checked, RadiusReason, Reason, Stop, Toml, Verdict, require};
 
 /// What is shown of the limits of a mask.
 pub struct Shown {

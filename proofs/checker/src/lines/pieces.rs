@@ -1,13 +1,9 @@
 //! Signs on the pieces of a line, for the rules `function` and `range`.
 
-use crate::claims::paper::Paper;
-use crate::formulas::evaluate::Scope;
-use crate::numbers::piece::{Ends, MAX_CUTS, Piece};
-use crate::numbers::root::Root;
-use crate::numbers::value::Value;
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, Stop, Text, compare, require};
-use crate::text::toml::Toml;
+use crate::claims::Paper;
+use crate::formulas::Scope;
+use crate::numbers::{Ends, MAX_CUTS, Piece, Root, Value};
+use crate::text::{Block, Checked, Reason, Stop, Text, Toml, compare, require};
 
 /// The most breaks.
 const MAX_BREAKS: usize = 1_000;

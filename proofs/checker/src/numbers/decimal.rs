@@ -2,7 +2,7 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::text::reject::Stop;
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;

@@ -4,7 +4,7 @@ use super::decimal::{Q, int};
 use super::field::{chebyshev, field, multiply, reduce, scaled};
 use super::linear::solve;
 use super::polynomial::signum;
-use crate::text::reject::Stop;
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};

@@ -1,7 +1,7 @@
 //! Products of powers of positive numbers, compared with 1.
 
 use super::decimal::Q;
-use crate::text::reject::Stop;
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Pow, Signed};

@@ -1,6 +1,6 @@
 //! The steps that a claim costs.
 
-use crate::text::reject::Stop;
+use crate::text::Stop;
 use std::cell::Cell;
 
 /// The most steps of one claim. Nodes of formulas and terms of sums are steps; a product costs

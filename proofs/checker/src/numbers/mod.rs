@@ -1,15 +1,33 @@
 //! Numbers, polynomials and their signs, and decimals as they are printed.
 
-pub mod decimal;
-pub mod element;
-pub mod field;
-pub mod linear;
-pub mod magnitude;
-pub mod meter;
-pub mod number;
-pub mod piece;
-pub mod polynomial;
-pub mod root;
-pub mod rounding;
-pub mod show;
-pub mod value;
+mod decimal;
+mod element;
+mod field;
+mod linear;
+mod magnitude;
+mod meter;
+mod number;
+mod piece;
+mod polynomial;
+mod root;
+mod rounding;
+mod show;
+mod value;
+
+pub use decimal::{
+    Decimal, Q, bits, capped, common_multiple, count, int, over_one_denominator, read_rational,
+};
+pub use field::field;
+pub use linear::{solve, unit};
+pub use magnitude::compare;
+pub use meter::Meter;
+pub use number::Number;
+pub use piece::{Ends, MAX_CUTS, Piece};
+pub use polynomial::{at, divide, gcd, multiplied, roots_between, signum, steps_of_gcd, trimmed};
+pub use root::Root;
+pub use rounding::{
+    differing, gives, has_digits, interval, is_exchanged, is_one_unit, is_rounded, rounding,
+    rounding_on, slips, telling, telling_digits,
+};
+pub use show::shown;
+pub use value::Value;

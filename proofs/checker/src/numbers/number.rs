@@ -4,7 +4,7 @@ use super::decimal::Q;
 use super::element::{Element, sign};
 use super::field::{chebyshev, multiply};
 use super::polynomial::signum;
-use crate::text::reject::Stop;
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};

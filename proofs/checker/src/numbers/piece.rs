@@ -4,7 +4,7 @@ use super::decimal::Q;
 use super::meter::Meter;
 use super::root::{Root, sign_between};
 use super::value::Value;
-use crate::text::reject::Stop;
+use crate::text::Stop;
 use std::cell::RefCell;
 use std::cmp::Ordering;
 

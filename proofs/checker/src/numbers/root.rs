@@ -5,7 +5,7 @@ use super::meter::Meter;
 use super::polynomial::{
     at, beyond_roots, divide, gcd, roots_between, signum, steps_between, steps_of_gcd, trimmed,
 };
-use crate::text::reject::Stop;
+use crate::text::Stop;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 use std::fmt;

@@ -4,7 +4,7 @@ use super::decimal::{Decimal, Q, int};
 use super::piece::Piece;
 use super::polynomial::signum;
 use super::value::Value;
-use crate::text::reject::Stop;
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Signed, Zero};
 

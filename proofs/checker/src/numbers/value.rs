@@ -2,7 +2,7 @@
 
 use super::decimal::{Q, capped, common_multiple};
 use super::number::Number;
-use crate::text::reject::Stop;
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::Zero;
 use std::collections::BTreeMap;

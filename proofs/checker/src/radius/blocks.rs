@@ -2,10 +2,8 @@
 
 use super::element::Element;
 use super::matrices::{Matrix, multiplied};
-use crate::numbers::decimal::Q;
-use crate::numbers::linear::unit;
-use crate::numbers::meter::Meter;
-use crate::text::reject::{At, RadiusChecked as Checked, RadiusReason, require};
+use crate::numbers::{Meter, Q, unit};
+use crate::text::{At, RadiusChecked as Checked, RadiusReason, require};
 use std::ops::Range;
 
 /// What a certificate says of it, with the lines.

@@ -1,8 +1,7 @@
 //! Entries of matrices: fractions, or numbers of one field Q(α) by their coordinates.
 
 use super::field::Field;
-use crate::numbers::decimal::{Q, bits, int};
-use crate::numbers::polynomial::{divide, gcd, multiplied, signum, trimmed};
+use crate::numbers::{Q, bits, divide, gcd, int, multiplied, signum, trimmed};
 use num_traits::{One, Zero};
 use std::rc::Rc;
 

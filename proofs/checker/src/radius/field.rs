@@ -3,9 +3,7 @@
 //! A number p(α) has many coordinates p, if the polynomial is reducible. It is 0 if and only if the greatest common
 //! divisor of p and the polynomial has the root α. THEOREMS.md, 120.
 
-use crate::numbers::decimal::{Q, bits, int};
-use crate::numbers::meter::Meter;
-use crate::numbers::polynomial::{at, gcd, roots_between, signum, steps_of_gcd, trimmed};
+use crate::numbers::{Meter, Q, at, bits, gcd, int, roots_between, signum, steps_of_gcd, trimmed};
 use num_traits::Zero;
 use std::cell::{Cell, RefCell};
 

@@ -3,8 +3,8 @@
 use super::element::Element;
 use super::matrices::Matrix;
 use super::read::{Certificate, Coordinates};
-use crate::numbers::decimal::int;
-use crate::text::reject::{At, RadiusChecked as Checked, RadiusReason, RadiusRejection, require};
+use crate::numbers::int;
+use crate::text::{At, RadiusChecked as Checked, RadiusReason, RadiusRejection, require};
 
 /// The most rows of a matrix, and the most matrices.
 const MAX_SIZE: usize = 64;

@@ -1,7 +1,7 @@
 //! Whether the shifts of the limit function of a mask are linearly independent. THEOREMS.md, 108 and 121.
 
 use super::element::Element;
-use crate::numbers::decimal::count;
+use crate::numbers::count;
 
 /// Whether no z ≠ 0 is a common zero of the n parts of the symbol, and there is no z ≠ 1 such that A(wω) = 0 for all w =
 /// z, z^n, z^{n²}, …, and all ω ≠ 1 with ω^n = 1.

@@ -1,9 +1,8 @@
 //! Matrices of real numbers.
 
 use super::element::Element;
-use crate::numbers::decimal::{Q, int};
-use crate::numbers::meter::Meter;
-use crate::text::reject::Stop;
+use crate::numbers::{Meter, Q, int};
+use crate::text::Stop;
 
 /// A square matrix, row by row.
 pub type Matrix = Vec<Vec<Element>>;

@@ -10,12 +10,10 @@ mod matrices;
 mod read;
 mod smoothness;
 
-use crate::numbers::decimal::{Q, int};
 use crate::numbers::linear;
-use crate::numbers::meter::Meter;
-use crate::text::certificate::Line;
-use crate::text::reject::{
-    At, RadiusChecked as Checked, RadiusReason, RadiusRejection, Stop, Text, require,
+use crate::numbers::{Meter, Q, int};
+use crate::text::{
+    At, Line, RadiusChecked as Checked, RadiusReason, RadiusRejection, Stop, Text, require,
 };
 use element::Element;
 use given::symbol;

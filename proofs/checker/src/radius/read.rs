@@ -2,9 +2,8 @@
 
 use super::blocks::Blocks;
 use super::field::Field;
-use crate::numbers::decimal::{Q, read_rational};
-use crate::text::certificate::{Line, alone};
-use crate::text::reject::{At, RadiusChecked as Checked, RadiusReason, Stop, require};
+use crate::numbers::{Q, read_rational};
+use crate::text::{At, Line, RadiusChecked as Checked, RadiusReason, Stop, alone, require};
 use num_traits::{Signed, Zero};
 use std::rc::Rc;
 

@@ -2,8 +2,8 @@
 
 use super::independence::is_independent;
 use super::read::{Certificate, Lower};
-use crate::numbers::decimal::count;
-use crate::text::reject::{At, RadiusChecked as Checked, RadiusReason, RadiusRejection, require};
+use crate::numbers::count;
+use crate::text::{At, RadiusChecked as Checked, RadiusReason, RadiusRejection, require};
 use num_traits::Pow as _;
 
 /// The m for which the limits are C^m, and that for which not all are.

@@ -1,6 +1,6 @@
 //! The catalogue of schemes.
 
-use crate::text::toml::Toml;
+use crate::text::Toml;
 
 /// The schemes that every claim file may name, as listed by `build.rs`. They are data.
 const CATALOGUE: &[&str] = &include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));

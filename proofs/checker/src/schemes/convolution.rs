@@ -1,10 +1,7 @@
 //! Products of sequences: t(z)·t(z^n)·t(z^(n²))…
 
-use crate::numbers::meter::Meter;
-use crate::numbers::number::Number;
-use crate::numbers::piece::Piece;
-use crate::numbers::value::Value;
-use crate::text::reject::Stop;
+use crate::numbers::{Meter, Number, Piece, Value};
+use crate::text::Stop;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;

@@ -2,13 +2,9 @@
 
 use super::products::Products;
 use super::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Scheme};
-use crate::formulas::definitions::{Definitions, formula, formulas, free};
-use crate::formulas::evaluate::{Indices, Scope};
-use crate::formulas::reading::Reading;
-use crate::numbers::meter::Meter;
-use crate::numbers::value::Value;
-use crate::text::reject::Stop;
-use crate::text::toml::Toml;
+use crate::formulas::{Definitions, Indices, Reading, Scope, formula, formulas, free};
+use crate::numbers::{Meter, Value};
+use crate::text::{Stop, Toml};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;

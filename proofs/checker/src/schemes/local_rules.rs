@@ -2,12 +2,9 @@
 
 use super::library::Library;
 use super::orbits::{Orbits, wrong};
-use crate::formulas::definitions::formulas;
-use crate::formulas::evaluate::Scope;
-use crate::numbers::linear::unit;
-use crate::numbers::meter::Meter;
-use crate::numbers::value::Value;
-use crate::text::reject::Stop;
+use crate::formulas::{Scope, formulas};
+use crate::numbers::{Meter, Value, unit};
+use crate::text::Stop;
 use std::cell::OnceCell;
 
 /// The greatest level at which a contraction is looked for.

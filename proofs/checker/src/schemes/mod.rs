@@ -1,10 +1,17 @@
 //! Schemes: the catalogue, masks and rules around vertices, and products of their sequences.
 
-pub mod catalogue;
-pub mod convolution;
-pub mod library;
-pub mod local_rules;
-pub mod orbits;
-pub mod powers;
-pub mod products;
-pub mod scheme;
+mod catalogue;
+mod convolution;
+mod library;
+mod local_rules;
+mod orbits;
+mod powers;
+mod products;
+mod scheme;
+
+pub use catalogue::catalogue;
+pub use convolution::{Convolution, MAX_LENGTH, Product, Sequence, Sums};
+pub use library::{Constant, Library, names};
+pub use local_rules::{LocalRules, less};
+pub use powers::{Operator, PLACES};
+pub use scheme::{MAX_OFFSET, Scheme};

@@ -1,11 +1,8 @@
 //! The orbits of the points of a ring, and the weights and edges between points.
 
-use crate::formulas::definitions::formula;
-use crate::formulas::evaluate::Scope;
-use crate::formulas::formula::{Expr, Head};
-use crate::numbers::value::Value;
-use crate::text::reject::Stop;
-use crate::text::toml::Toml;
+use crate::formulas::{Expr, Head, Scope, formula};
+use crate::numbers::Value;
+use crate::text::{Stop, Toml};
 
 /// The most points.
 const MAX_POINTS: i64 = 201;

@@ -1,10 +1,8 @@
 //! Norms of powers of a mask's operator that have too many residue classes to sum each: a tree
 //! of rows, and bounds of all rows below a node.
 
-use crate::numbers::decimal::{Q, int, over_one_denominator};
-use crate::numbers::linear::unit;
-use crate::numbers::meter::Meter;
-use crate::text::reject::{Checked, Reason, Stop, require};
+use crate::numbers::{Meter, Q, int, over_one_denominator, unit};
+use crate::text::{Checked, Reason, Stop, require};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};

@@ -1,10 +1,8 @@
 //! Caches of products of sequences, and of constants.
 
 use super::convolution::{Convolution, MAX_LENGTH, Product, Sequence, Sums};
-use crate::numbers::meter::Meter;
-use crate::numbers::piece::Piece;
-use crate::numbers::value::Value;
-use crate::text::reject::Stop;
+use crate::numbers::{Meter, Piece, Value};
+use crate::text::Stop;
 use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::HashMap;

@@ -1,7 +1,7 @@
 //! Schemes: their masks and difference masks.
 
-use crate::numbers::value::Value;
-use crate::text::reject::Stop;
+use crate::numbers::Value;
+use crate::text::Stop;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;

@@ -1,10 +1,9 @@
 //! What is certain of one direction, whatever the points are (THEOREMS.md, 167).
 
 use super::read::Given;
-use crate::data::functional::Rules;
-use crate::numbers::decimal::{Q, capped, int};
-use crate::numbers::meter::Meter;
-use crate::text::reject::{DepthChecked as Checked, DepthReason, Stop, require};
+use crate::data::Rules;
+use crate::numbers::{Meter, Q, capped, int};
+use crate::text::{DepthChecked as Checked, DepthReason, Stop, require};
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::{One as _, Signed, ToPrimitive as _, Zero};

@@ -4,8 +4,8 @@ use super::near::{Set, cell, is_inside, parts, roots};
 use super::net::{Cell, Net, TOLERANCE};
 use super::point::{Point, length, square};
 use super::ratio::Ratio;
-use crate::numbers::meter::Meter;
-use crate::text::reject::{DepthChecked as Checked, DepthReason, require};
+use crate::numbers::Meter;
+use crate::text::{DepthChecked as Checked, DepthReason, require};
 
 /// The highest level of cells.
 const DEEPEST: u32 = 30;

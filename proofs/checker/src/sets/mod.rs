@@ -8,8 +8,8 @@ mod point;
 mod ratio;
 mod read;
 
-use crate::numbers::meter::Meter;
-use crate::text::reject::{At, DepthChecked as Checked, DepthReason, DepthRejection, require};
+use crate::numbers::Meter;
+use crate::text::{At, DepthChecked as Checked, DepthReason, DepthRejection, require};
 use direction::Direction;
 use near::Set;
 use net::Net;

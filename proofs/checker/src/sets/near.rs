@@ -3,8 +3,8 @@
 use super::net::{Cell, Net, TOLERANCE};
 use super::point::{Point, length, square};
 use super::ratio::{Ratio, less};
-use crate::numbers::meter::Meter;
-use crate::text::reject::{DepthChecked as Checked, Stop};
+use crate::numbers::Meter;
+use crate::text::{DepthChecked as Checked, Stop};
 
 /// How many levels beyond that of the polygon cells are divided.
 const MORE_LEVELS: u32 = 14;

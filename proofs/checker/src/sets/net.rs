@@ -3,9 +3,8 @@
 use super::direction::Direction;
 use super::point::{Point, bend, length, square};
 use super::ratio::{Ratio, capped, less};
-use crate::numbers::decimal::{Q, capped as within, int};
-use crate::numbers::meter::Meter;
-use crate::text::reject::DepthChecked as Checked;
+use crate::numbers::{Meter, Q, capped as within, int};
+use crate::text::DepthChecked as Checked;
 use num_integer::Integer as _;
 use num_traits::ToPrimitive as _;
 use std::collections::HashMap;

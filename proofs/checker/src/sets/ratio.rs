@@ -1,7 +1,7 @@
 //! Parameters, and indices that need not be whole, in small fractions.
 
-use crate::numbers::decimal::{Q, capped as within};
-use crate::text::reject::{DepthChecked as Checked, Stop};
+use crate::numbers::{Q, capped as within};
+use crate::text::{DepthChecked as Checked, Stop};
 use num_integer::Integer as _;
 
 /// A parameter, or an index that need not be whole.

@@ -2,10 +2,9 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::numbers::decimal::{Q, bits, capped as within, read_rational};
-use crate::text::certificate::{Line, alone};
-use crate::text::reject::{
-    At, DepthChecked as Checked, DepthReason, DepthRejection, Stop, require,
+use crate::numbers::{Q, bits, capped as within, read_rational};
+use crate::text::{
+    At, DepthChecked as Checked, DepthReason, DepthRejection, Line, Stop, alone, require,
 };
 use num_traits::{Signed, Zero};
 

@@ -1,8 +1,8 @@
 //! Arithmetic of intervals: the result encloses the results for all numbers in them.
 
 use super::interval::Interval;
-use crate::numbers::decimal::{Q, capped};
-use crate::text::reject::Stop;
+use crate::numbers::{Q, capped};
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Pow, Signed, Zero};

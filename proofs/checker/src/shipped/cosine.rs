@@ -1,8 +1,8 @@
 //! Cosines of rational multiples of π, by Taylor's series (THEOREMS.md, 131).
 
 use super::interval::Interval;
-use crate::numbers::decimal::{Q, int};
-use crate::text::reject::Stop;
+use crate::numbers::{Q, int};
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};

@@ -2,8 +2,8 @@
 
 use super::number::Written;
 use super::rounding::ten;
-use crate::numbers::decimal::{Q, int};
-use crate::text::reject::Stop;
+use crate::numbers::{Q, int};
+use crate::text::Stop;
 
 /// The ends of an enclosure.
 pub type Ends = (Q, Q);

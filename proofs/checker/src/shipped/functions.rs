@@ -2,10 +2,9 @@
 
 use super::interval::Interval;
 use super::roots::Sturm;
-use crate::formulas::evaluate::MAX_INTEGER;
-use crate::numbers::decimal::Q;
-use crate::numbers::meter::Meter;
-use crate::text::reject::Stop;
+use crate::formulas::MAX_INTEGER;
+use crate::numbers::{Meter, Q};
+use crate::text::Stop;
 use num_traits::Zero;
 use std::cmp::Ordering;
 

@@ -3,8 +3,8 @@
 use super::language::Language;
 use super::rounding::{DOUBLE, Format, SINGLE, Type};
 use super::whole::Whole;
-use crate::numbers::decimal::Q;
-use crate::text::reject::Stop;
+use crate::numbers::Q;
+use crate::text::Stop;
 use num_traits::Zero;
 
 /// The type of the table in which a number stands.

@@ -1,8 +1,7 @@
 //! Intervals with rational ends, which enclose real numbers.
 
-use crate::numbers::decimal::{Q, bits, capped};
-use crate::numbers::polynomial::signum;
-use crate::text::reject::Stop;
+use crate::numbers::{Q, bits, capped, signum};
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};

@@ -4,9 +4,8 @@ use super::held::{Kind, Target};
 use super::language::Language;
 use super::number::{Literal, Written, literal};
 use super::rounding::Type;
-use crate::numbers::decimal::Q;
-use crate::text::cursor::Cursor;
-use crate::text::reject::{Checked, Reason, Stop, Text};
+use crate::numbers::Q;
+use crate::text::{Checked, Cursor, Reason, Stop, Text};
 
 /// The most characters.
 const MAX_LENGTH: usize = 2_000;

@@ -4,7 +4,7 @@ use super::held::{Held, Kind, Target};
 use super::language::Language;
 use super::rounding::ten;
 use super::whole::Whole;
-use crate::numbers::decimal::Q;
+use crate::numbers::Q;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 

@@ -5,9 +5,9 @@
 use super::interval::Interval;
 use super::rounding::{SINGLE, rounded, ten};
 use super::table::{Exact, Table};
-use crate::formulas::definitions::Definitions;
-use crate::numbers::decimal::Q;
-use crate::text::reject::{Checked, Reason, Stop};
+use crate::formulas::Definitions;
+use crate::numbers::Q;
+use crate::text::{Checked, Reason, Stop};
 use num_traits::Signed;
 
 /// The most digits after the point that a definition is rounded to.

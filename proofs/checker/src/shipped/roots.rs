@@ -2,9 +2,8 @@
 //! decided holds for all polynomials with coefficients in them (THEOREMS.md, 132).
 
 use super::interval::Interval;
-use crate::numbers::decimal::{Q, common_multiple, int};
-use crate::numbers::meter::Meter;
-use crate::text::reject::Stop;
+use crate::numbers::{Meter, Q, common_multiple, int};
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::{One, Signed};
 

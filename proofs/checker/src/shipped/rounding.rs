@@ -1,6 +1,6 @@
 //! The types of numbers, and the numbers of a type that are nearest to a number.
 
-use crate::numbers::decimal::{Q, int};
+use crate::numbers::{Q, int};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Pow, Signed, ToPrimitive, Zero};

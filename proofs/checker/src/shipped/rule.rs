@@ -6,13 +6,10 @@ use super::reading::Reading;
 use super::table::Table;
 use super::value::{Change, Values};
 use super::verdict::{Verdict, verdict};
-use crate::claims::said::Counts;
-use crate::formulas::definitions::Definitions;
-use crate::numbers::meter::Meter;
-use crate::text::certificate::Block;
-use crate::text::reject::{At, Checked, Reason, Stop, agree, compare, require};
-use crate::text::toml::Toml;
-use crate::text::verdict::Outcome;
+use crate::claims::Counts;
+use crate::formulas::Definitions;
+use crate::numbers::Meter;
+use crate::text::{At, Block, Checked, Outcome, Reason, Stop, Toml, agree, compare, require};
 
 /// The least and the greatest number of binary digits of enclosures.
 const BITS: std::ops::RangeInclusive<u64> = 64..=20_000;

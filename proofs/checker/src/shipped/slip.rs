@@ -3,9 +3,8 @@
 use super::decided::{Ends, decided, is_rounded, within};
 use super::number::Written;
 use super::rounding::{Type, half_even, ten};
-use crate::numbers::decimal::Q;
-use crate::numbers::rounding::{differing, is_exchanged};
-use crate::text::reject::Stop;
+use crate::numbers::{Q, differing, is_exchanged};
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 

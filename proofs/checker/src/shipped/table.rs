@@ -3,11 +3,9 @@
 use super::language::Language;
 use super::rounding::Type;
 use super::value::Values;
-use crate::claims::shape::misfit;
-use crate::formulas::definitions::{Definitions, formula};
-use crate::formulas::formula::{Expr, is_name};
-use crate::text::reject::{Checked, Reason, Stop};
-use crate::text::toml::Toml;
+use crate::claims::misfit;
+use crate::formulas::{Definitions, Expr, formula, is_name};
+use crate::text::{Checked, Reason, Stop, Toml};
 
 /// The most numbers of a table.
 const MAX_NUMBERS: usize = 20_000;

@@ -3,12 +3,9 @@
 use super::cosine::Circle;
 use super::functions::{Call, is_zero};
 use super::interval::Interval;
-use crate::formulas::definitions::{Definitions, names as names_in};
-use crate::formulas::evaluate::MAX_INTEGER;
-use crate::formulas::formula::{Expr, Head};
-use crate::numbers::decimal::Q;
-use crate::numbers::meter::Meter;
-use crate::text::reject::Stop;
+use crate::formulas::{Definitions, Expr, Head, MAX_INTEGER, names as names_in};
+use crate::numbers::{Meter, Q};
+use crate::text::Stop;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeSet, HashMap};
 

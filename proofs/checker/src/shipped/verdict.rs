@@ -6,9 +6,8 @@ use super::literal::Shipped;
 use super::number::Written;
 use super::rounding::{Type, ten};
 use super::slip::slip;
-use crate::numbers::decimal::{Q, int};
-use crate::text::reject::Stop;
-use crate::text::verdict::Outcome;
+use crate::numbers::{Q, int};
+use crate::text::{Outcome, Stop};
 use num_traits::{Signed, Zero};
 use std::fmt;
 

@@ -1,8 +1,8 @@
 //! The types of integers in programs, and what their operations give.
 
 use super::language::Language;
-use crate::numbers::decimal::Q;
-use crate::text::reject::Stop;
+use crate::numbers::Q;
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};

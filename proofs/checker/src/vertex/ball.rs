@@ -1,8 +1,6 @@
 //! Real numbers between multiples of 2^−PLACES.
 
-use crate::numbers::decimal::Q;
-use crate::numbers::field::field;
-use crate::numbers::number::Number;
+use crate::numbers::{Number, Q, field};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};

@@ -1,7 +1,7 @@
 //! Polynomials on a square or a triangle by their coefficients in Bernstein form.
 
 use super::ball::Ball;
-use crate::numbers::decimal::{Q, count, int};
+use crate::numbers::{Q, count, int};
 use num_traits::Pow;
 
 /// The coefficients x_{i,j} of Σ x_{i,j} C(d,i)u^i(1−u)^{d−i} C(d,j)v^j(1−v)^{d−j}; or, on a triangle, for i + j ≤ d, of

@@ -7,10 +7,9 @@ use super::lattice::Part;
 use super::net::Net;
 use super::pieces::{Piece, pieces};
 use super::spectrum;
-use crate::numbers::decimal::{Q, int, read_rational};
-use crate::schemes::local_rules::LocalRules;
-use crate::text::certificate::{Block, words};
-use crate::text::reject::{Checked, Reason, Stop, agree, require};
+use crate::numbers::{Q, int, read_rational};
+use crate::schemes::LocalRules;
+use crate::text::{Block, Checked, Reason, Stop, agree, require, words};
 use num_traits::Zero;
 
 /// The most bisections of a piece.

@@ -2,11 +2,9 @@
 
 use super::ball::Ball;
 use super::lattice::Part;
-use crate::numbers::decimal::{Q, count, int};
-use crate::numbers::number::Number;
-use crate::numbers::value::Value;
-use crate::schemes::local_rules::LocalRules;
-use crate::text::reject::{Checked, Reason, Stop, require};
+use crate::numbers::{Number, Q, Value, count, int};
+use crate::schemes::LocalRules;
+use crate::text::{Checked, Reason, Stop, require};
 use std::ops::Range;
 
 /// The inner ring.

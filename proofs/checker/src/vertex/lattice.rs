@@ -1,6 +1,6 @@
 //! The regular parts: lattices, and the rules that their directions give.
 
-use crate::numbers::decimal::{Q, int};
+use crate::numbers::{Q, int};
 use num_traits::Zero;
 use std::collections::BTreeMap;
 

@@ -4,7 +4,7 @@ use super::ball::Ball;
 use super::equations::{kernel, solve};
 use super::inner::Inner;
 use super::lattice::{Part, Place};
-use crate::text::reject::{Checked, Reason, Stop};
+use crate::text::{Checked, Reason, Stop};
 use std::collections::BTreeMap;
 
 /// p and q.

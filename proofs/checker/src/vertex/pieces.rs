@@ -4,9 +4,9 @@ use super::ball::Ball;
 use super::bernstein::{Form, on_triangle};
 use super::lattice::{Part, Place};
 use super::net::{Net, Point};
-use crate::numbers::decimal::{Q, int};
 use crate::numbers::linear;
-use crate::text::reject::{Checked, Stop};
+use crate::numbers::{Q, int};
+use crate::text::{Checked, Stop};
 use num_traits::Zero;
 use std::collections::BTreeMap;
 

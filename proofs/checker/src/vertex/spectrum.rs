@@ -3,8 +3,8 @@
 use super::ball::Ball;
 use super::inner::Inner;
 use super::lattice::Part;
-use crate::numbers::decimal::{Q, count, int};
-use crate::text::reject::{Checked, Reason, require};
+use crate::numbers::{Q, count, int};
+use crate::text::{Checked, Reason, require};
 use num_traits::Zero;
 
 /// The most powers of the matrix of the outer points.

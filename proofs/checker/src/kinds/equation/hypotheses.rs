@@ -1,11 +1,8 @@
 //! The hypotheses of an equation: linear equations between symbols, solved together.
 
-use crate::formulas::definitions::formula;
-use crate::formulas::evaluate::{Scope, member};
-use crate::formulas::formula::{Expr, Head};
-use crate::numbers::value::Value;
-use crate::text::reject::Stop;
-use crate::text::toml::Toml;
+use crate::formulas::{Expr, Head, Scope, formula, member};
+use crate::numbers::Value;
+use crate::text::{Stop, Toml};
 
 /// A symbol and its value in terms of the others.
 type Solved = (String, Value);

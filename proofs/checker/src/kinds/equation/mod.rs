@@ -3,17 +3,10 @@
 mod hypotheses;
 
 use super::kind::{Kind, Proof};
-use crate::claims::headers::Axis;
-use crate::claims::paper::{Paper, value};
-use crate::formulas::definitions::{formula, formula_of};
-use crate::formulas::evaluate::{MAX_INTEGER, Memory, Scope};
-use crate::formulas::formula::Expr;
-use crate::numbers::decimal::{Q, int};
-use crate::numbers::value::Value;
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, Stop, Text, agree, compare, require};
-use crate::text::toml::Toml;
-use crate::text::verdict::Verdict;
+use crate::claims::{Axis, Paper, value};
+use crate::formulas::{Expr, MAX_INTEGER, Memory, Scope, formula, formula_of};
+use crate::numbers::{Q, Value, int};
+use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, agree, compare, require};
 use std::rc::Rc;
 
 /// Claims of this kind.

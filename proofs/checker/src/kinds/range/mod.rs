@@ -3,19 +3,11 @@
 pub mod smooth;
 
 use super::kind::{Kind, Proof};
-use crate::claims::paper::{Paper, printed};
-use crate::formulas::definitions::formula_of;
+use crate::claims::{Paper, printed};
+use crate::formulas::formula_of;
 use crate::lines::pieces::{Free, Pieces};
-use crate::numbers::decimal::{Decimal, int};
-use crate::numbers::meter::Meter;
-use crate::numbers::piece::Piece;
-use crate::numbers::root::Root;
-use crate::numbers::rounding::{is_rounded, rounding_on};
-use crate::numbers::value::Value;
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, Stop, Text, agree, compare, require};
-use crate::text::toml::Toml;
-use crate::text::verdict::Verdict;
+use crate::numbers::{Decimal, Meter, Piece, Root, Value, int, is_rounded, rounding_on};
+use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, agree, compare, require};
 
 /// Claims of this kind.
 pub const KIND: Kind = Kind {

@@ -1,21 +1,13 @@
 //! The rule `range` of smoothness: the values of a parameter for which the limits of a scheme are C^m.
 
-use crate::claims::paper::{Paper, printed};
-use crate::formulas::definitions::formula;
-use crate::formulas::evaluate::Scope;
+use crate::claims::{Paper, printed};
+use crate::formulas::{Scope, formula};
 use crate::kinds::smoothness::{order, scope, valences, vertex};
 use crate::lines::limits::{Shown, mask};
 use crate::lines::pieces::Free;
-use crate::numbers::decimal::{Decimal, Q, int, read_rational};
-use crate::numbers::meter::Meter;
-use crate::numbers::root::Root;
-use crate::numbers::rounding::is_rounded;
-use crate::numbers::value::Value;
-use crate::schemes::convolution::{Convolution, MAX_LENGTH, Sequence};
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, Stop, Text, require};
-use crate::text::toml::Toml;
-use crate::text::verdict::Verdict;
+use crate::numbers::{Decimal, Meter, Q, Root, Value, int, is_rounded, read_rational};
+use crate::schemes::{Convolution, MAX_LENGTH, Sequence};
+use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, require};
 use crate::vertex::Found;
 use std::cmp::Ordering;
 

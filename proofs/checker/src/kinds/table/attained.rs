@@ -3,10 +3,9 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::claim::{Read, Table};
-use crate::formulas::formula::parse;
+use crate::formulas::parse;
 use crate::functions::sums::of_constant;
-use crate::text::certificate::MAX_LINE;
-use crate::text::reject::{Checked, Reason, Text, compare, require};
+use crate::text::{Checked, MAX_LINE, Reason, Text, compare, require};
 
 /// Checks `ROW COLUMN CLASS VALUE FORMULA`. `read` is a reading as printed, and not the table's
 /// own, since this records which choices are consulted, and its record must not change.

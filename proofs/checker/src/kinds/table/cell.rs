@@ -3,12 +3,8 @@
 use super::claim::{Place, Read, Table};
 use super::family::members::{explained, values};
 use super::reading::{PartRead, Reads};
-use crate::numbers::decimal::Decimal;
-use crate::numbers::rounding::{gives, has_digits, rounding, slips, telling};
-use crate::numbers::show::shown;
-use crate::numbers::value::Value;
-use crate::text::reject::{Checked, Compared, Reason, Stop, Text, agree, compare, require};
-use crate::text::verdict::Verdict;
+use crate::numbers::{Decimal, Value, gives, has_digits, rounding, shown, slips, telling};
+use crate::text::{Checked, Compared, Reason, Stop, Text, Verdict, agree, compare, require};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a verdict needs of the family.

@@ -1,19 +1,11 @@
 //! A table of a claim file, and the values of its cells.
 
 use super::copied::Copied;
-use crate::claims::headers::Headers;
-use crate::claims::paper::{Paper, printed};
-use crate::formulas::definitions::{Definitions, formula_of};
-use crate::formulas::evaluate::{Memory, Scope};
-use crate::formulas::formula::Expr;
-use crate::formulas::reading::Reading;
-use crate::numbers::decimal::{Decimal, Q};
-use crate::numbers::rounding::interval;
-use crate::numbers::value::Value;
-use crate::schemes::library::names;
-use crate::schemes::scheme::Scheme;
-use crate::text::reject::{Checked, Reason, Stop};
-use crate::text::toml::Toml;
+use crate::claims::{Headers, Paper, printed};
+use crate::formulas::{Definitions, Expr, Memory, Reading, Scope, formula_of};
+use crate::numbers::{Decimal, Q, Value, interval};
+use crate::schemes::{Scheme, names};
+use crate::text::{Checked, Reason, Stop, Toml};
 use num_traits::Signed;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,6 +1,6 @@
 //! The names, in certificates, of quantities that a reading takes from another place of the paper.
 
-use crate::numbers::decimal::{Q, read_rational};
+use crate::numbers::{Q, read_rational};
 
 /// A quantity from another place. Numbers are counted from 0.
 #[derive(Clone, Debug)]

@@ -2,15 +2,11 @@
 
 use super::claim::{Asked, Instead, Place, Scoped, Table};
 use super::copied::Copied;
-use crate::claims::headers::Headers;
-use crate::claims::paper::{Paper, printed};
-use crate::formulas::evaluate::Scope;
-use crate::formulas::formula::{Expr, Head};
+use crate::claims::{Headers, Paper, printed};
+use crate::formulas::{Expr, Head, Scope};
 use crate::functions::depth::depth;
-use crate::numbers::decimal::Decimal;
-use crate::numbers::rounding::interval;
-use crate::numbers::value::Value;
-use crate::text::reject::Stop;
+use crate::numbers::{Decimal, Value, interval};
+use crate::text::Stop;
 use num_traits::Pow;
 use std::collections::BTreeMap;
 

@@ -12,10 +12,8 @@ pub mod recovered;
 pub mod sound;
 
 use super::kind::{Kind, Proof};
-use crate::claims::paper::Paper;
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, require};
-use crate::text::toml::Toml;
+use crate::claims::Paper;
+use crate::text::{Block, Checked, Reason, Toml, require};
 use cell::Standing;
 use claim::{Read, Table};
 use reading::Reads;

@@ -5,16 +5,11 @@
 
 use super::claim::Table;
 use super::sound::{self, MAX_LEVEL, Promised};
-use crate::claims::paper::Paper;
-use crate::data::functional::Rules;
-use crate::data::setting::Setting;
-use crate::data::witness::{Points, Witness, violated};
-use crate::numbers::decimal::Q;
-use crate::numbers::value::Value;
-use crate::schemes::local_rules::{LocalRules, less};
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, Stop, compare, require};
-use crate::text::verdict::Promise;
+use crate::claims::Paper;
+use crate::data::{Points, Rules, Setting, Witness, violated};
+use crate::numbers::{Q, Value};
+use crate::schemes::{LocalRules, less};
+use crate::text::{Block, Checked, Promise, Reason, Stop, compare, require};
 use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::rc::Rc;

@@ -2,12 +2,9 @@
 
 use super::claim::{Place, Read, Table};
 use super::copied::Copied;
-use crate::formulas::definitions::formula;
-use crate::formulas::reading::CHOICES;
-use crate::numbers::value::Value;
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, Stop, require};
-use crate::text::toml::Toml;
+use crate::formulas::{CHOICES, formula};
+use crate::numbers::Value;
+use crate::text::{Block, Checked, Reason, Stop, Toml, require};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 

@@ -1,10 +1,8 @@
 //! The rule `recovered`: the values of parameters that the paper does not state.
 
 use super::claim::Table;
-use crate::numbers::decimal::{Q, count, int, read_rational};
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, require};
-use crate::text::toml::Toml;
+use crate::numbers::{Q, count, int, read_rational};
+use crate::text::{Block, Checked, Reason, Toml, require};
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Signed};
 

@@ -1,14 +1,12 @@
 //! The rule `sound`: a sound bound, beside the one that a table promises.
 
 use super::claim::{Bounds, Place, Table};
-use crate::claims::paper::Paper;
-use crate::data::displacement::{gather, moved};
-use crate::formulas::definitions::formula;
-use crate::formulas::evaluate::Scope;
-use crate::numbers::value::Value;
-use crate::schemes::scheme::{MAX_OFFSET, Scheme};
-use crate::text::certificate::words;
-use crate::text::reject::{Checked, Reason, Stop, compare, require};
+use crate::claims::Paper;
+use crate::data::{gather, moved};
+use crate::formulas::{Scope, formula};
+use crate::numbers::Value;
+use crate::schemes::{MAX_OFFSET, Scheme};
+use crate::text::{Checked, Reason, Stop, compare, require, words};
 use std::cell::RefCell;
 use std::rc::Rc;
 

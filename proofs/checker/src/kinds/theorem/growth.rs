@@ -1,9 +1,8 @@
 //! The growth of a formula in `k` and `beta`.
 
-use crate::formulas::evaluate::Scope;
-use crate::formulas::formula::{Expr, Head};
-use crate::numbers::value::Value;
-use crate::text::reject::Stop;
+use crate::formulas::{Expr, Head, Scope};
+use crate::numbers::Value;
+use crate::text::Stop;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 

@@ -2,17 +2,12 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::claims::names::OF_THEOREMS;
-use crate::claims::paper::Paper;
-use crate::data::setting::Setting;
-use crate::formulas::definitions::{formula, formula_of};
-use crate::formulas::evaluate::Scope;
-use crate::numbers::value::Value;
-use crate::schemes::local_rules::LocalRules;
-use crate::schemes::scheme::{MAX_OFFSET, Scheme};
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, Stop, compare, require};
-use crate::text::toml::Toml;
+use crate::claims::{OF_THEOREMS, Paper};
+use crate::data::Setting;
+use crate::formulas::{Scope, formula, formula_of};
+use crate::numbers::Value;
+use crate::schemes::{LocalRules, MAX_OFFSET, Scheme};
+use crate::text::{Block, Checked, Reason, Stop, Toml, compare, require};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 

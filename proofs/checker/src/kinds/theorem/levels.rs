@@ -3,17 +3,14 @@
 
 use super::growth::{MAX_PERIOD, growth};
 use super::instance::{Instance, first_level};
-use crate::claims::paper::Paper;
-use crate::data::setting::Setting;
-use crate::formulas::definitions::formula_of;
+use crate::claims::Paper;
+use crate::data::Setting;
+use crate::formulas::formula_of;
 use crate::kinds::table::promise::{change, errors, flows, kept};
 use crate::kinds::table::sound::Promised;
-use crate::numbers::value::Value;
-use crate::schemes::local_rules::less;
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, Stop, Text, compare, require};
-use crate::text::toml::Toml;
-use crate::text::verdict::Verdict;
+use crate::numbers::Value;
+use crate::schemes::less;
+use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, compare, require};
 use std::cell::RefCell;
 
 /// Checks `grows …`, `times …` and the levels.

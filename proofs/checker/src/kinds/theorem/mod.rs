@@ -8,13 +8,9 @@ pub mod shift;
 pub mod sides;
 
 use super::kind::{Citation, Kind, Proof};
-use crate::claims::names::OF_THEOREMS;
-use crate::claims::paper::Paper;
-use crate::data::witness::{Points, Witness};
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, require};
-use crate::text::toml::Toml;
-use crate::text::verdict::Verdict;
+use crate::claims::{OF_THEOREMS, Paper};
+use crate::data::{Points, Witness};
+use crate::text::{Block, Checked, Reason, Toml, Verdict, require};
 use instance::Instance;
 use sides::Stated;
 

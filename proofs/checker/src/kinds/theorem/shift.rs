@@ -3,18 +3,11 @@
 
 use super::instance::Instance;
 use super::sides::{MAX_LEVEL, Stated};
-use crate::claims::paper::Paper;
-use crate::data::displacement::moved;
-use crate::data::functional::Rules;
-use crate::data::polygon::Polygon;
-use crate::data::setting::{MAX_CLASSES, Setting};
-use crate::numbers::decimal::{Q, int, read_rational};
-use crate::numbers::value::Value;
-use crate::schemes::library::Library;
-use crate::schemes::scheme::Scheme;
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, compare, require};
-use crate::text::toml::Toml;
+use crate::claims::Paper;
+use crate::data::{MAX_CLASSES, Polygon, Rules, Setting, moved};
+use crate::numbers::{Q, Value, int, read_rational};
+use crate::schemes::{Library, Scheme};
+use crate::text::{Block, Checked, Reason, Toml, compare, require};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 

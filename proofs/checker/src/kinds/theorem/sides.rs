@@ -3,15 +3,11 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::instance::first_level;
-use crate::claims::paper::Paper;
-use crate::data::witness::violated;
-use crate::formulas::definitions::formula_of;
-use crate::formulas::evaluate::Scope;
-use crate::numbers::decimal::{Q, read_rational};
-use crate::numbers::value::Value;
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, require};
-use crate::text::toml::Toml;
+use crate::claims::Paper;
+use crate::data::violated;
+use crate::formulas::{Scope, formula_of};
+use crate::numbers::{Q, Value, read_rational};
+use crate::text::{Block, Checked, Reason, Toml, require};
 use num_traits::Signed;
 
 /// The greatest level of a witness.

@@ -2,16 +2,12 @@
 
 use super::degree::{OF_NUMBERS, depends};
 use super::members::{MAX_MEMBERS, Members, values as values_of};
-use crate::claims::headers::Headers;
-use crate::claims::paper::printed;
-use crate::formulas::definitions::{formula, names};
-use crate::formulas::formula::{Expr, Head};
+use crate::claims::{Headers, printed};
+use crate::formulas::{Expr, Head, formula, names};
 use crate::kinds::table::claim::{Cells, Read, Table};
 use crate::kinds::table::elsewhere::{behind_names, references};
-use crate::numbers::decimal::Q;
-use crate::numbers::value::Value;
-use crate::text::reject::Stop;
-use crate::text::toml::Toml;
+use crate::numbers::{Q, Value};
+use crate::text::{Stop, Toml};
 use std::collections::BTreeSet;
 
 /// The most differences of such a member.

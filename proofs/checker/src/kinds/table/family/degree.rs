@@ -1,8 +1,8 @@
 //! Degrees of formulas in a parameter.
 
-use crate::formulas::definitions::Definitions;
-use crate::formulas::formula::{Expr, Head};
+use crate::formulas::{Definitions, Expr, Head};
 use crate::kinds::table::claim::{Read, Table};
+use crate::numbers::Q;
 use num_traits::ToPrimitive;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -140,9 +140,7 @@ impl Form<'_> {
 /// The value of an integer literal, with a sign or without.
 fn written(exponent: &Expr) -> Option<i64> {
     match exponent {
-        Expr::Number(value) => {
-            value.rational().filter(crate::numbers::decimal::Q::is_integer)?.to_integer().to_i64()
-        }
+        Expr::Number(value) => value.rational().filter(Q::is_integer)?.to_integer().to_i64(),
         Expr::Of(Head::Minus, parts) => written(&parts[0])?.checked_neg(),
         _ => None,
     }

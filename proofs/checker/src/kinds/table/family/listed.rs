@@ -1,10 +1,8 @@
 //! The lines `values`: the values of a family's members in the refuted cells.
 
 use crate::kinds::table::claim::{Cells, Place, Table};
-use crate::numbers::show::shown;
-use crate::numbers::value::Value;
-use crate::text::certificate::Block;
-use crate::text::reject::{Checked, Reason, Stop, Text, compare, require};
+use crate::numbers::{Value, shown};
+use crate::text::{Block, Checked, Reason, Stop, Text, compare, require};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A value, and whether a member has it.

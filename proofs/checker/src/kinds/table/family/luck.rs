@@ -1,9 +1,8 @@
 //! Luck: how many cells readings of unrelated values would explain.
 
 use crate::kinds::table::claim::{Cells, Place, Table};
-use crate::numbers::decimal::Q;
-use crate::numbers::rounding::telling_digits;
-use crate::text::reject::Stop;
+use crate::numbers::{Q, telling_digits};
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,13 +1,11 @@
 //! The members of the family of a table, and the cells that they explain.
 
-use crate::claims::headers::Headers;
-use crate::formulas::definitions::names;
-use crate::formulas::reading::CHOICES;
+use crate::claims::Headers;
+use crate::formulas::{CHOICES, names};
 use crate::kinds::table::claim::{Cells, Place, Read, Table};
 use crate::kinds::table::reading::{MAX_DIFFERENCES, choose, define};
-use crate::numbers::rounding::gives;
-use crate::numbers::value::Value;
-use crate::text::reject::{Checked, Stop};
+use crate::numbers::{Value, gives};
+use crate::text::{Checked, Stop};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most members of a family.

@@ -3,11 +3,8 @@
 use super::degree::is_linear;
 use super::members::{self, explained, values};
 use crate::kinds::table::claim::{Cells, Read, Table};
-use crate::numbers::decimal::Q;
-use crate::numbers::polynomial::signum;
-use crate::numbers::rounding::interval;
-use crate::numbers::value::Value;
-use crate::text::reject::{Checked, Stop};
+use crate::numbers::{Q, Value, interval, signum};
+use crate::text::{Checked, Stop};
 use num_bigint::BigInt;
 use num_traits::Signed;
 
