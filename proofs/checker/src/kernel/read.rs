@@ -95,10 +95,10 @@ fn definition(c: &mut Cursor) -> Parsed<(String, Object)> {
     c.expect("_")?;
     let name = format!("{kind}_{}", natural(c)?);
     c.expect(" :=\n  ")?;
+    c.expect(if kind == "ring" { "Ring " } else { "Scheme " })?;
+    let over = positive(c)?;
+    c.expect(" ")?;
     let object = if kind == "ring" {
-        c.expect("Ring ")?;
-        let over = positive(c)?;
-        c.expect(" ")?;
         let rows = rows(c, &over)?;
         c.expect("\n    ")?;
         let edges = list(c, |c| {
@@ -112,9 +112,6 @@ fn definition(c: &mut Cursor) -> Parsed<(String, Object)> {
         c.expect("%nat")?;
         Object::Ring(rows, edges)
     } else {
-        c.expect("Scheme ")?;
-        let over = positive(c)?;
-        c.expect(" ")?;
         let offset = i64::try_from(&signed(c)?).map_err(|_| "a smaller offset")?;
         c.expect(" ")?;
         Object::Mask(offset, rows(c, &over)?)

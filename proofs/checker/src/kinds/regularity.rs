@@ -10,9 +10,14 @@ use std::collections::BTreeSet;
 /// The fields of the tables.
 const FIELDS: &str = "regularity: claim rows=axis columns=*text cells=**number";
 
-/// The columns of each kind.
-const ORDERS: [&str; 3] = ["order", "continuous", "not_continuous"];
-const EXPONENTS: [&str; 4] = ["exponent", "value", "at_least", "at_most"];
+/// The columns that are fields of claims, with the kinds of these.
+const COLUMNS: [(&str, &str); 5] = [
+    ("continuous", "smoothness"),
+    ("not_continuous", "smoothness"),
+    ("value", "exponent"),
+    ("at_least", "exponent"),
+    ("at_most", "exponent"),
+];
 
 /// What stands in a cell where nothing is printed.
 const BLANK: [&str; 3] = ["-", "–", "—"];
@@ -101,12 +106,9 @@ fn states(
         claim.push(("printed", cell.clone()));
         return Ok("exponent");
     }
-    let of = |all: &[&'static str]| all.iter().find(|name| **name == column).copied();
-    let (kind, field) = match (of(&ORDERS), of(&EXPONENTS)) {
-        (Some(field), _) => ("smoothness", field),
-        (_, Some(field)) => ("exponent", field),
-        _ => return Err(format!("`{column}` is nothing that a column states")),
-    };
+    let known = COLUMNS.into_iter().find(|(field, _)| *field == column);
+    let (field, kind) =
+        known.ok_or_else(|| format!("`{column}` is nothing that a column states"))?;
     claim.push((field, text(said)));
     Ok(kind)
 }

@@ -13,10 +13,7 @@ pub const KIND: Kind = Kind {
     name: "smoothness",
     fields: "smoothness: claim continuous=text not_continuous=text valences=text absent=text given=%text",
     names: |claim| claim.names("given").collect(),
-    check: |paper, claim, block| {
-        let cited = check(paper, claim, block)?;
-        Ok(cited.map_or(Proof::Other, Proof::Cited))
-    },
+    check,
 };
 
 /// The greatest m of a C^m.
@@ -29,14 +26,10 @@ const MAX_VALENCE: i64 = 100;
 const VERTEX_STEPS: u64 = 100_000;
 
 /// Checks a claim that all limits are C^m, or not all; gives the statement that is cited, if one is.
-fn check<'a>(
-    paper: &'a Paper<'a>,
-    claim: &'a Toml,
-    block: &mut Block<'_>,
-) -> Checked<Option<Citation>> {
+fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<Proof> {
     let keys = ["continuous", "not_continuous"];
     if lacking(claim, &keys, block)? {
-        return Ok(None);
+        return Ok(Proof::Other);
     }
     block.restates("scheme", claim.text("scheme"))?;
     let orders = keys.map(|key| claim.text(key).map(order));
@@ -49,9 +42,10 @@ fn check<'a>(
     require(stated, Reason::Malformed("continuous or not_continuous"))?;
     if paper.library.is_ring(claim.text("scheme").unwrap_or_default()) {
         if let Some(said) = block.maybe("proved-by") {
-            return cited(paper, claim, (continuous, not_continuous), said, block).map(Some);
+            return cited(paper, claim, (continuous, not_continuous), said, block)
+                .map(Proof::Cited);
         }
-        return vertices(paper, claim, (continuous, not_continuous), block).map(|()| None);
+        return vertices(paper, claim, (continuous, not_continuous), block).map(|()| Proof::Other);
     }
     require(claim.get("valences").is_none(), Reason::Malformed("rules around a vertex"))?;
     let shown = Shown::read(paper, mask(paper, claim, &scope(paper, claim)?)?, block)?;
@@ -61,8 +55,7 @@ fn check<'a>(
         continuous.is_some_and(|m| shown.not_continuous(m))
             || not_continuous.is_some_and(|m| shown.continuous(m)),
     )?;
-    block.verdict(found)?;
-    Ok(None)
+    block.verdict(found).map(|()| Proof::Other)
 }
 
 /// The schemes of the catalogue of which THEOREMS.md, 133 and 135, say that they are C¹ for all valences.

@@ -14,7 +14,7 @@ pub const KIND: Kind = Kind {
     name: "equation",
     fields: "equation: claim symbols=*text hypotheses=*text indices=*axis left=text|*text right=text \
  absent=text",
-    names: names,
+    names,
     check: |paper, claim, block| check(paper, claim, block).map(|()| Proof::Other),
 };
 

@@ -26,7 +26,7 @@ pub const KIND: Kind = Kind {
  cells=text|**number given=%text unstated=%text|*text figures=*figure
 promise: tolerance=text level=text spread=text offset=text ring=text
 figure: locus=text lines=*text",
-    names: names,
+    names,
     check: |paper, claim, block| check(paper, claim, block).map(Proof::Recovers),
 };
 

@@ -22,22 +22,15 @@ pub const KIND: Kind = Kind {
  proved_by=text refuted_by=text proof_uses=*text
 supposes: value=text below=text
 correction: of=text says=text value=text",
-    names: names,
-    check: |paper, claim, block| {
-        let cited = check(paper, claim, block)?;
-        Ok(cited.map_or(Proof::Other, Proof::Cited))
-    },
+    names,
+    check,
 };
 
 /// The statements that may be cited.
 const THEOREMS: &str = include_str!("../../../THEOREMS.md");
 
 /// Checks a theorem; gives the statement that is cited, if one is.
-fn check<'a>(
-    paper: &'a Paper<'a>,
-    claim: &'a Toml,
-    block: &mut Block<'_>,
-) -> Checked<Option<Citation>> {
+fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<Proof> {
     require(block.maybe("open").is_none(), Reason::Open)?;
     for key in ["says", "bounds", "by"] {
         block.may_restate(key, claim.text(key))?;
@@ -49,7 +42,7 @@ fn check<'a>(
         _ => {
             let instance = Instance::read(paper, claim, block)?;
             if block.next_word() == "grows" {
-                return levels::check(paper, claim, block, instance).map(|()| None);
+                return levels::check(paper, claim, block, instance).map(|()| Proof::Other);
             }
             refuted(paper, claim, block, instance, Points::Indexed)?;
             if block.next_word() == "naturally" {
@@ -63,7 +56,7 @@ fn check<'a>(
                 shift::check(paper, claim, block, instance)?;
             }
             block.word(Verdict::Refuted.name())?;
-            return Ok(None);
+            return Ok(Proof::Other);
         }
     };
     block.restates(word, text)?;
@@ -73,7 +66,7 @@ fn check<'a>(
     require(THEOREMS.lines().any(|line| line.starts_with(&heading)), Reason::NoStatement)?;
     block.word(verdict.name())?;
     let uses = claim.texts("proof_uses").map(str::to_owned).collect();
-    Ok(Some(Citation { statement: format!("THEOREMS.md, {number}"), uses }))
+    Ok(Proof::Cited(Citation { statement: format!("THEOREMS.md, {number}"), uses }))
 }
 
 /// Checks control data that violate the bound, with the points of a level at these parameters.
