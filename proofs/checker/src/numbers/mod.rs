@@ -3,7 +3,7 @@
 mod decimal;
 mod element;
 mod field;
-mod linear;
+pub mod linear;
 mod magnitude;
 mod meter;
 mod number;

@@ -46,7 +46,7 @@ fn judge(claim: &Toml, definitions: &Definitions, block: &mut Block<'_>) -> Chec
     let (mut worst, mut better, mut is_open) = (Outcome::Nearest, false, false);
     for place in 0..table.count {
         let (said, number) = cell(&table, block, place)?;
-        let found = if said == Outcome::Open.name() {
+        let found = if Outcome::named(said) == Some(Outcome::Open) {
             Verdict::Open
         } else {
             verdict(&table.value(&table.exact, place, &printed)?, &number, table.of)?

@@ -238,10 +238,8 @@ macro_rules! stopped {
             /// Otherwise it is wrong.
             #[must_use]
             pub fn given_up(&self) -> bool {
-                matches!(
-                    self.reason,
-                    $reason::Stopped(Stop::Capped(_) | Stop::Undecided(_)) $(| $open)?
-                )
+                matches!(self.reason, $reason::Stopped(Stop::Capped(_) | Stop::Undecided(_)))
+                    $(|| matches!(self.reason, $open))?
             }
         }
     )*};
