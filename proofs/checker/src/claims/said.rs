@@ -59,10 +59,11 @@ fn cells(block: &Block<'_>) -> String {
                 }
                 None => cells.add("lost"),
             },
-            (word, _) => match Promise::named(word) {
-                Some(promise @ (Promise::Kept | Promise::Broken)) => promises.add(promise.name()),
-                _ => {}
-            },
+            (word, _) => {
+                if let Some(promise @ (Promise::Kept | Promise::Broken)) = Promise::named(word) {
+                    promises.add(promise.name());
+                }
+            }
         }
     }
     match promises.text() {
