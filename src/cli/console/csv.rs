@@ -1,64 +1,21 @@
 //! Tables as comma-separated values (RFC 4180, with line feeds).
 
-use crate::cli::json::constants::{Constants, LocalConstants};
 use serde::Serialize;
 use serde_json::Value;
 use subcert::audit::PaperAudit;
 use subcert::exact::format::short;
-use subcert::report::json::{Exact, ProjectsReport};
+use subcert::report::Grid;
+use subcert::report::json::ProjectsReport;
 use subcert::shipped::ProjectAudit;
 
 /// How many significant digits a decimal beside an exact value has.
 const DIGITS: u32 = 17;
 
-/// The constants of a scheme: one row for each number.
-pub(crate) fn constants(constants: &Constants<'_>) -> String {
-    let mut out = Table::new(&["direction", "quantity", "c", "exact", "decimal"]);
-    for (number, direction) in (1..).zip(&constants.directions) {
-        let number: u32 = number;
-        let mut row = |quantity: &str, c: String, value: &Exact| {
-            out.row(&[&number.to_string(), quantity, &c, &value.exact, &value.decimal]);
-        };
-        for sigma in &direction.displacement {
-            row(sigma.name, String::new(), &sigma.value);
-        }
-        for level in &direction.levels {
-            let forward = level.forward.as_ref();
-            for (quantity, value) in [
-                ("contraction", level.contraction.as_ref()),
-                ("norm", level.norm.as_ref()),
-                ("contraction_forward", forward.and_then(|both| both.contraction_forward.as_ref())),
-                ("norm_forward", forward.and_then(|both| both.norm_forward.as_ref())),
-            ] {
-                if let Some(value) = value {
-                    row(quantity, level.c.to_string(), value);
-                }
-            }
-        }
-    }
-    if let Some(surface) = &constants.surface {
-        let mut row = |quantity: &str, c: String, value: &Exact| {
-            out.row(&["surface", quantity, &c, &value.exact, &value.decimal]);
-        };
-        row("factor", String::new(), &surface.factor);
-        row("delta", String::new(), &surface.delta.value);
-        for (c, value) in (1_u32..).zip(&surface.constants) {
-            row("contraction_norm", c.to_string(), value);
-        }
-    }
-    out.text
-}
-
-/// The constants of a ring: one row for each number.
-pub(crate) fn local_constants(constants: &LocalConstants<'_>) -> String {
-    let mut out = Table::new(&["quantity", "c", "exact", "decimal"]);
-    let mut row = |quantity: &str, c: &str, value: &Exact| {
-        out.row(&[quantity, c, &value.exact, &value.decimal]);
-    };
-    row("displacement", "", &constants.displacement.value);
-    for level in &constants.levels {
-        row("contraction", &level.c.to_string(), &level.contraction);
-        row("norm", &level.c.to_string(), &level.norm);
+/// A table.
+pub(crate) fn of_grid(grid: &Grid) -> String {
+    let mut out = Table { text: String::new() };
+    for row in std::iter::once(&grid.header).chain(&grid.rows) {
+        out.row(&row.iter().map(String::as_str).collect::<Vec<&str>>());
     }
     out.text
 }

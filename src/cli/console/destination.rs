@@ -33,21 +33,30 @@ impl Destination {
         }
     }
 
-    /// Writes the finding.
-    pub(crate) fn deliver<J: Serialize>(
+    /// Writes a finding: a text by `text`, or the page.
+    pub(crate) fn page_or(
         &self,
-        sheet: impl FnOnce() -> Sheet,
-        json: impl FnOnce() -> J,
+        text: impl FnOnce(&Output) -> Outcome,
         page: impl FnOnce() -> Result<String, Failure>,
     ) -> Outcome {
         match self {
-            Destination::Output(to) => show(to, sheet, json),
+            Destination::Output(to) => text(to),
             Destination::Page => write_results(&page()?),
             Destination::File(path) => {
                 write_page(path, &page()?)?;
                 write_results(&format!("{}\n", path.display()))
             }
         }
+    }
+
+    /// Writes a finding whose form is no answer.
+    pub(crate) fn deliver<J: Serialize>(
+        &self,
+        sheet: impl FnOnce() -> Sheet,
+        json: impl FnOnce() -> J,
+        page: impl FnOnce() -> Result<String, Failure>,
+    ) -> Outcome {
+        self.page_or(|to| show(to, sheet, json), page)
     }
 }
 

@@ -1,9 +1,11 @@
 //! What goes to the terminal and to files: answers in every format, notes, progress, interrupts.
 
+pub(super) mod answer;
 pub(super) mod csv;
 pub(super) mod destination;
 pub(super) mod interrupt;
 pub(super) mod output;
 pub(super) mod progress;
+pub(super) mod quantity;
 pub(super) mod save;
 pub(super) mod terminal;

@@ -8,3 +8,5 @@ mod uniform;
 
 pub(super) use certify::certify;
 pub(super) use uniform::constants;
+#[cfg(feature = "schema")]
+pub(super) use {certify::Certification, ring::RingConstants, uniform::Constants};

@@ -1,12 +1,14 @@
 //! `subcert constants` of a ring.
 
+use super::uniform::{Delta, number_row};
 use crate::cli::arguments::ConstantsArguments;
-use crate::cli::console::csv;
-use crate::cli::console::output::{Failure, Outcome, show_table, with_decimal};
-use crate::cli::json::{SCHEMA, constants as form};
+use crate::cli::console::answer::{Answer, SCHEMA, show};
+use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::console::quantity::{Number, Orbit, Text};
+use serde::Serialize;
 use subcert::bound::{LocalConstants, Transport};
 use subcert::exact::{RealCyclotomic, format::short};
-use subcert::report::{Grid, Sheet, json::Exact};
+use subcert::report::{Grid, Sheet};
 use subcert::scheme::LocalRules;
 
 /// The most weights of a row that the text shows.
@@ -21,42 +23,143 @@ const SHOWN_POINTS: usize = 30;
 pub(crate) fn local_constants(ring: &LocalRules, arguments: &ConstantsArguments) -> Outcome {
     let constants = LocalConstants::new(ring, arguments.block.levels)
         .map_err(|error| Failure::Input(error.to_string()))?;
-    let report = Report { ring, constants };
-    let name = &arguments.scheme;
-    show_table(
-        &arguments.output,
-        || report.sheet(name),
-        || report.form(name),
-        || csv::local_constants(&report.form(name)),
-    )
+    show(&arguments.output, &RingConstants::of(&arguments.scheme, ring, &constants))
 }
 
-struct Report<'a> {
+/// The constants of a ring.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LocalConstants"))]
+pub(crate) struct RingConstants<'a> {
+    /// The version of this form.
+    schema: u32,
+    /// The scheme as it was given.
+    scheme: &'a str,
+    /// The kinds of points.
+    orbits: Vec<Orbit>,
+    /// The edges: pairs of points.
+    edges: &'a [(usize, usize)],
+    /// The weights of each point.
+    weights: Vec<Vec<Text<RealCyclotomic>>>,
+    /// δ = T_1.
+    delta: Option<Delta>,
+    /// σ.
+    displacement: LocalDisplacement<'a>,
+    /// T_c and Λ_c for c = 1, 2, …
+    levels: Vec<LocalLevel<'a>>,
+    /// The ring.
+    #[serde(skip)]
     ring: &'a LocalRules,
-    constants: LocalConstants,
 }
 
-type Contraction = ((usize, usize), Transport<RealCyclotomic>);
+/// σ of a ring.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct LocalDisplacement<'a> {
+    /// The value; its fields stand here.
+    #[serde(flatten)]
+    value: Number,
+    /// The point that attains it.
+    point: usize,
+    /// A control ring that attains it.
+    heights: &'a [i64],
+}
 
-impl Report<'_> {
-    /// T_c and where it is attained, and Λ_c, from c = 1.
-    fn levels(&self) -> impl Iterator<Item = (u32, &Contraction, &RealCyclotomic)> {
-        (1..).zip(&self.constants.levels).map(|(c, level)| (c, level.contraction(), &level.norm))
+/// The constants of a ring for blocks of c levels.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct LocalLevel<'a> {
+    /// c.
+    c: u32,
+    /// T_c.
+    contraction: Number,
+    /// The edge that attains it.
+    edge: (usize, usize),
+    /// A control ring that attains it.
+    heights: &'a [i64],
+    /// Λ_c.
+    norm: Number,
+}
+
+impl<'a> RingConstants<'a> {
+    fn of(
+        scheme: &'a str,
+        ring: &'a LocalRules,
+        constants: &'a LocalConstants,
+    ) -> RingConstants<'a> {
+        let levels = (1..).zip(&constants.levels).map(|(c, level)| {
+            let (edge, Transport { value, heights, .. }) = level.contraction();
+            LocalLevel {
+                c,
+                contraction: value.into(),
+                edge: *edge,
+                heights,
+                norm: (&level.norm).into(),
+            }
+        });
+        let levels: Vec<LocalLevel<'_>> = levels.collect();
+        let one = RealCyclotomic::from(1);
+        let delta = constants
+            .contraction(1)
+            .map(|(_, found)| Delta { holds: found.value < one, value: (&found.value).into() });
+        let (point, moved) = constants.displacement();
+        let row = |a| ring.weights().row(a).cloned().map(Text).collect();
+        RingConstants {
+            schema: SCHEMA,
+            scheme,
+            orbits: Orbit::all(ring.orbits()),
+            edges: ring.edges(),
+            weights: (0..ring.point_count()).map(row).collect(),
+            delta,
+            displacement: LocalDisplacement {
+                value: (&moved.value).into(),
+                point: *point,
+                heights: &moved.heights,
+            },
+            levels,
+            ring,
+        }
     }
 
     fn edge(&self, (a, b): (usize, usize)) -> String {
         format!("{} – {}", self.ring.name(a), self.ring.name(b))
     }
 
-    fn sheet(&self, name: &str) -> Sheet {
+    fn facts(&self) -> Vec<(String, String)> {
+        let mut facts = vec![
+            ("points".to_owned(), Orbit::words(&self.orbits)),
+            ("edges".to_owned(), self.edges.len().to_string()),
+        ];
+        let rows = self.ring.representatives().points.into_iter();
+        facts.extend(rows.map(|point| {
+            (format!("weights of {}", self.ring.name(point)), row_text(&self.weights[point]))
+        }));
+        if let (Some(delta), Some(first)) = (&self.delta, self.levels.first()) {
+            facts.push(("δ = T_1".to_owned(), delta.words()));
+            if self.ring.point_count() <= SHOWN_POINTS {
+                let heights = first.heights.iter().map(i64::to_string).collect::<Vec<String>>();
+                let text = format!("{}, by the ring {}", self.edge(first.edge), heights.join(" "));
+                facts.push(("T_1 attained on".to_owned(), text));
+            }
+        }
+        facts.push(("σ".to_owned(), self.displacement.value.words()));
+        facts
+    }
+}
+
+impl Answer for RingConstants<'_> {
+    const NAME: &'static str = "constants-ring";
+
+    fn sheet(&self) -> Sheet {
         let mut sheet = Sheet::default();
-        sheet.heading(1, name);
+        sheet.heading(1, self.scheme);
         sheet.facts(self.facts());
         let header = ["c", "T_c", "Λ_c", "T_c attained on"].map(str::to_owned).to_vec();
-        let rows = self.levels().map(|(c, (edge, found), norm)| {
-            vec![c.to_string(), short(&found.value, 10), short(norm, 10), self.edge(*edge)]
-        });
-        sheet.grid(Grid { header, rows: rows.collect(), left_columns: 0 });
+        let row = |level: &LocalLevel<'_>| {
+            let [contraction, norm] = [&level.contraction, &level.norm].map(|x| x.short(10));
+            vec![level.c.to_string(), contraction, norm, self.edge(level.edge)]
+        };
+        let rows = self.levels.iter().map(row).collect();
+        sheet.grid(Grid { header, rows, left_columns: 0 });
         sheet.text(
             "T_c bounds the differences along the edges of the ring after c levels, and no smaller \
              number does. σ bounds how far a new point is from the old point of the same name. \
@@ -65,77 +168,25 @@ impl Report<'_> {
         sheet
     }
 
-    fn facts(&self) -> Vec<(String, String)> {
-        let orbits =
-            self.ring.orbits().iter().map(|orbit| format!("{} {}", orbit.count, orbit.name));
-        let mut facts = vec![
-            ("points".to_owned(), orbits.collect::<Vec<String>>().join(", ")),
-            ("edges".to_owned(), self.ring.edges().len().to_string()),
-        ];
-        let rows = self.ring.representatives().points.into_iter();
-        facts.extend(rows.map(|point| {
-            (
-                format!("weights of {}", self.ring.name(point)),
-                row_text(self.ring.weights().row(point)),
-            )
-        }));
-        if let Some((edge, found)) = self.constants.contraction(1) {
-            let holds = if self.contracts() { "< 1: one level contracts" } else { "not < 1" };
-            facts.push(("δ = T_1".to_owned(), format!("{}, {holds}", with_decimal(&found.value))));
-            if self.ring.point_count() <= SHOWN_POINTS {
-                let heights = found.heights.iter().map(i64::to_string).collect::<Vec<String>>();
-                let text = format!("{}, by the ring {}", self.edge(*edge), heights.join(" "));
-                facts.push(("T_1 attained on".to_owned(), text));
-            }
+    /// One row for each number.
+    fn grid(&self) -> Option<Grid> {
+        let mut rows = vec![number_row(&["displacement", ""], &self.displacement.value)];
+        for level in &self.levels {
+            let c = &level.c.to_string();
+            rows.push(number_row(&["contraction", c], &level.contraction));
+            rows.push(number_row(&["norm", c], &level.norm));
         }
-        facts.push(("σ".to_owned(), with_decimal(&self.constants.displacement().1.value)));
-        facts
-    }
-
-    fn contracts(&self) -> bool {
-        let one = RealCyclotomic::from(1);
-        self.constants.contraction(1).is_some_and(|(_, found)| found.value < one)
-    }
-
-    fn form<'a>(&'a self, name: &'a str) -> form::LocalConstants<'a> {
-        let orbits = self.ring.orbits().iter();
-        let orbits = orbits.map(|orbit| form::Orbit { name: &orbit.name, count: orbit.count });
-        let levels = self.levels().map(|(c, (edge, found), norm)| form::LocalLevel {
-            c,
-            contraction: Exact::of(&found.value),
-            edge: *edge,
-            heights: &found.heights,
-            norm: Exact::of(norm),
-        });
-        let (point, moved) = self.constants.displacement();
-        let delta = |found: &Transport<RealCyclotomic>| form::Delta {
-            value: Exact::of(&found.value),
-            holds: self.contracts(),
-        };
-        let texts = |a| self.ring.weights().row(a).map(ToString::to_string).collect();
-        form::LocalConstants {
-            schema: SCHEMA,
-            scheme: name,
-            orbits: orbits.collect(),
-            edges: self.ring.edges(),
-            weights: (0..self.ring.point_count()).map(texts).collect(),
-            delta: self.constants.contraction(1).map(|(_, found)| delta(found)),
-            displacement: form::LocalDisplacement {
-                value: Exact::of(&moved.value),
-                point: *point,
-                heights: &moved.heights,
-            },
-            levels: levels.collect(),
-        }
+        let header = ["quantity", "c", "exact", "decimal"].map(str::to_owned).to_vec();
+        Some(Grid { header, rows, left_columns: 2 })
     }
 }
 
-fn row_text<'a>(row: impl ExactSizeIterator<Item = &'a RealCyclotomic>) -> String {
-    let weight = |weight: &RealCyclotomic| {
+fn row_text(row: &[Text<RealCyclotomic>]) -> String {
+    let weight = |Text(weight): &Text<RealCyclotomic>| {
         let exact = weight.to_string();
         if exact.len() > SHOWN_LENGTH { short(weight, 10) } else { exact }
     };
+    let shown = row.iter().take(SHOWN_WEIGHTS).map(weight).collect::<Vec<String>>().join("  ");
     let more = row.len() > SHOWN_WEIGHTS;
-    let shown = row.take(SHOWN_WEIGHTS).map(weight).collect::<Vec<String>>().join("  ");
     if more { format!("{shown}  … (all in --format json)") } else { shown }
 }

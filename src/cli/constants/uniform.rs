@@ -1,19 +1,20 @@
 //! `subcert constants`.
 
-use super::columns::{Columns, Wanted, columns};
-use super::offset::OfFile;
+use super::columns::{Wanted, columns};
+use super::offset::BetterOffset;
 use super::ring::local_constants;
 use crate::cli::arguments::{ConstantsArguments, Format};
-use crate::cli::console::csv;
-use crate::cli::console::output::{Failure, Outcome, show_table, with_decimal};
-use crate::cli::json::{SCHEMA, constants as form};
+use crate::cli::console::answer::{Answer, SCHEMA, show};
+use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::console::quantity::{Number, Text};
+use serde::Serialize;
 use subcert::bound::{
-    ClassCap, Constants, DeltaCondition, Terms, best_offset, displacement, surface_factor,
+    self, ClassCap, DeltaCondition, Terms, best_offset, displacement, surface_factor,
 };
 use subcert::exact::{Rational, format::short};
-use subcert::limit::{NaturalShift, natural_shift};
+use subcert::limit::natural_shift;
 use subcert::report::{Grid, Sheet, json::Exact};
-use subcert::scheme::{AnyScheme, Mask, Rules, Scheme, parse_any_scheme};
+use subcert::scheme::{AnyScheme, Rules, Scheme, parse_any_scheme};
 
 pub(crate) fn constants(arguments: &ConstantsArguments) -> Outcome {
     let scheme = match parse_any_scheme(&arguments.scheme)? {
@@ -29,181 +30,233 @@ pub(crate) fn constants(arguments: &ConstantsArguments) -> Outcome {
         forward: arguments.forward,
         progress: arguments.output.format != Format::Json,
     };
-    let mut report = Report::of(&scheme, &wanted).map_err(|e| Failure::Input(e.to_string()))?;
     let name = &arguments.scheme;
-    report.better_offsets = OfFile::all_of(name, &scheme)?;
-    show_table(
-        &arguments.output,
-        || report.sheet(name),
-        || report.form(name),
-        || csv::constants(&report.form(name)),
-    )
+    let mut answer =
+        Constants::of(name, &scheme, &wanted).map_err(|e| Failure::Input(e.to_string()))?;
+    answer.better_offsets = BetterOffset::all_of(name, &scheme)?;
+    show(&arguments.output, &answer)
 }
 
-/// The constants of a scheme, computed once for every format.
-struct Report {
+/// The constants of a mask, or of a tensor product of two.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Constants<'a> {
+    /// The version of this form.
+    schema: u32,
+    /// The scheme as it was given.
+    scheme: &'a str,
+    /// The masks.
     directions: Vec<Direction>,
+    /// The tensor product; null of a curve.
     surface: Option<Surface>,
-    better_offsets: Vec<OfFile>,
+    /// The better offsets of files that state none; missing where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    better_offsets: Vec<BetterOffset>,
 }
 
-/// A tensor product: the factor, δ, and C_c for each c.
-struct Surface {
-    factor: Rational,
-    delta: DeltaCondition,
-    constants: Vec<Rational>,
-}
-
+/// The constants of a mask.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Direction {
-    delta: DeltaCondition,
-    mask: Mask,
-    difference: Rules,
-    columns: Columns,
-    sigma: Vec<(String, Rational)>,
-    shift: NaturalShift,
+    /// How many rules there are.
+    arity: usize,
+    /// How many coefficients a rule has.
+    width: usize,
+    /// The offset of the indices.
+    offset: i64,
+    /// The mask, rule by rule.
+    mask: Vec<Vec<Text<Rational>>>,
+    /// The difference mask.
+    difference: Vec<Vec<Text<Rational>>>,
+    /// δ = T_1.
+    delta: Delta,
+    /// σ at several offsets.
+    displacement: Vec<Displacement>,
+    /// Whether the mask takes lines to lines, with some shift of the parameter.
+    keeps_lines: bool,
+    /// The shifts of the parameter, rule by rule.
+    #[serde(skip)]
+    shifts: Vec<Rational>,
+    /// T_c and Λ_c for c = 1, 2, …
+    levels: Vec<Level>,
 }
 
-impl Report {
-    fn of(scheme: &Scheme, wanted: &Wanted) -> Result<Report, ClassCap> {
-        let constants: Vec<Constants> =
-            scheme.masks().into_iter().cloned().map(Constants::new).collect();
+/// δ.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Delta {
+    /// The value; its fields stand here.
+    #[serde(flatten)]
+    pub(crate) value: Number,
+    /// Whether it is less than 1.
+    pub(crate) holds: bool,
+}
+
+/// σ at one offset.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Displacement {
+    /// The value; its fields stand here.
+    #[serde(flatten)]
+    value: Number,
+    /// The name of this σ.
+    name: String,
+}
+
+/// The constants for blocks of c levels; null where they are beyond reach.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Level {
+    /// c.
+    c: usize,
+    /// T_c.
+    contraction: Option<Number>,
+    /// Λ_c.
+    norm: Option<Number>,
+    /// Both with the masks read forwards; its fields stand here, and are missing where they were not asked for.
+    #[serde(flatten)]
+    forward: Option<Forward>,
+}
+
+/// The constants for blocks of c levels with the masks read forwards; null where they are beyond reach.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Forward {
+    /// T_c.
+    contraction_forward: Option<Number>,
+    /// Λ_c.
+    norm_forward: Option<Number>,
+}
+
+/// The constants of a tensor product.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Surface {
+    /// The factor σ of the surface.
+    factor: Number,
+    /// δ = T_1·Λ_1.
+    delta: Delta,
+    /// T_c·Λ_c for c = 1, 2, …
+    constants: Vec<Number>,
+}
+
+impl<'a> Constants<'a> {
+    fn of(name: &'a str, scheme: &Scheme, wanted: &Wanted) -> Result<Constants<'a>, ClassCap> {
+        let constants: Vec<bound::Constants> =
+            scheme.masks().into_iter().cloned().map(bound::Constants::new).collect();
         let directions = constants
             .iter()
             .map(|one| Direction::of(one, wanted))
             .collect::<Result<Vec<Direction>, ClassCap>>()?;
-        let surface = match &constants[..] {
-            [first, second] => {
-                let factor = surface_factor(first.mask(), second.mask());
-                let delta = DeltaCondition::surface(first, second)?;
-                let product = |i: usize, j: usize| {
-                    let columns: [&[Rational]; 2] =
-                        [&directions[i].columns[0], &directions[j].columns[1]];
-                    columns[0].iter().zip(columns[1]).map(|(t, norm)| t * norm).collect()
+        let surface = match (&constants[..], &directions[..]) {
+            ([first, second], [u, v]) => {
+                let product = |t: &Level, norm: &Level| match (&t.contraction, &norm.norm) {
+                    (Some(Number::Rational(t)), Some(Number::Rational(norm))) => Some(t * norm),
+                    _ => None,
                 };
-                let products: [Vec<Rational>; 2] = [product(0, 1), product(1, 0)];
-                let [left, right] = products;
-                let constants = left.into_iter().zip(right).map(|(x, y)| x.max(y)).collect();
-                Some(Surface { factor, delta, constants })
+                let constant = |(u, v): (&Level, &Level)| {
+                    Some(Number::Rational(product(u, v)?.max(product(v, u)?)))
+                };
+                Some(Surface {
+                    factor: (&surface_factor(first.mask(), second.mask())).into(),
+                    delta: Delta::of(&DeltaCondition::surface(first, second)?),
+                    constants: u.levels.iter().zip(&v.levels).map_while(constant).collect(),
+                })
             }
             _ => None,
         };
-        Ok(Report { directions, surface, better_offsets: Vec::new() })
-    }
-}
-
-impl Direction {
-    fn of(constants: &Constants, wanted: &Wanted) -> Result<Direction, ClassCap> {
-        let mask = constants.mask().clone();
-        let (best, least) = best_offset(&mask);
-        let own = mask.offset();
-        let unshifted = mask.with_offset(0);
-        let sigma = vec![
-            (format!("σ at the scheme's offset {own}"), displacement(&mask, Terms::Each)),
-            (format!("σ at the best offset {best}"), least),
-            ("σ at offset 0".to_owned(), displacement(&unshifted, Terms::Each)),
-            ("|Σ| in place of σ at offset 0".to_owned(), displacement(&unshifted, Terms::Total)),
-        ];
-        let difference = constants.difference().clone();
-        let columns = columns(&mask, &difference, wanted);
-        let delta = DeltaCondition::curve(constants)?;
-        let shift = natural_shift(&mask);
-        Ok(Direction { delta, mask, difference, columns, sigma, shift })
-    }
-
-    /// For each c the values of all columns; `None` beyond reach.
-    fn rows(&self) -> impl Iterator<Item = (usize, Vec<Option<&Rational>>)> {
-        let longest = self.columns.iter().map(Vec::len).max().unwrap_or(0);
-        (0..longest).map(|i| (i + 1, self.columns.iter().map(|column| column.get(i)).collect()))
-    }
-}
-
-impl Report {
-    fn sheet(&self, name: &str) -> Sheet {
-        let mut sheet = Sheet::default();
-        sheet.heading(1, name);
-        for (i, direction) in self.directions.iter().enumerate() {
-            if self.directions.len() > 1 {
-                sheet.heading(2, format!("Direction {}", i + 1));
-            }
-            direction.write(&mut sheet);
-        }
-        if let Some(Surface { factor, delta, constants }) = &self.surface {
-            sheet.heading(2, "Tensor product");
-            let mut facts = vec![
-                ("factor σ of the surface".to_owned(), with_decimal(factor)),
-                ("δ = T_1·Λ_1".to_owned(), delta_text(delta)),
-            ];
-            facts.extend(
-                (1..)
-                    .zip(constants)
-                    .map(|(c, constant)| (format!("T_{c}·Λ_{c}"), with_decimal(constant))),
-            );
-            sheet.facts(facts);
-        }
-        self.better_offsets.iter().for_each(|better| better.write(&mut sheet));
-        sheet
-    }
-
-    fn form<'a>(&'a self, name: &'a str) -> form::Constants<'a> {
-        let surface = |Surface { factor, delta, constants }: &Surface| form::Surface {
-            factor: Exact::of(factor),
-            delta: delta_form(delta),
-            constants: constants.iter().map(Exact::of).collect(),
-        };
-        form::Constants {
+        Ok(Constants {
             schema: SCHEMA,
             scheme: name,
-            directions: self.directions.iter().map(Direction::form).collect(),
-            surface: self.surface.as_ref().map(surface),
-            better_offsets: self.better_offsets.iter().map(OfFile::form).collect(),
-        }
+            directions,
+            surface,
+            better_offsets: Vec::new(),
+        })
     }
 }
 
-fn delta_text(condition: &DeltaCondition) -> String {
-    let holds = if condition.holds() { "< 1: one level contracts" } else { "not < 1" };
-    format!("{}, {holds}", with_decimal(&condition.delta))
-}
-
-fn delta_form(condition: &DeltaCondition) -> form::Delta {
-    form::Delta { value: Exact::of(&condition.delta), holds: condition.holds() }
-}
-
-fn row_texts(rows: &[Vec<Rational>]) -> Vec<Vec<String>> {
-    rows.iter().map(|row| row.iter().map(Rational::to_string).collect()).collect()
-}
-
 impl Direction {
+    fn of(constants: &bound::Constants, wanted: &Wanted) -> Result<Direction, ClassCap> {
+        let mask = constants.mask();
+        let (best, least) = best_offset(mask);
+        let own = mask.offset();
+        let unshifted = mask.with_offset(0);
+        let sigma = |name: String, value| Displacement { value: Number::Rational(value), name };
+        let columns = columns(mask, constants.difference(), wanted);
+        let value = |column: usize, i: usize| columns[column].get(i).map(Number::from);
+        let level = |i| Level {
+            c: i + 1,
+            contraction: value(0, i),
+            norm: value(1, i),
+            forward: wanted
+                .forward
+                .then(|| Forward { contraction_forward: value(2, i), norm_forward: value(3, i) }),
+        };
+        let longest = columns.iter().map(Vec::len).max().unwrap_or(0);
+        let texts = |rules: &Rules| {
+            let row = |row: &Vec<Rational>| row.iter().cloned().map(Text).collect();
+            rules.rows().iter().map(row).collect()
+        };
+        let shift = natural_shift(mask);
+        Ok(Direction {
+            arity: mask.arity(),
+            width: mask.width(),
+            offset: own,
+            mask: texts(mask.rules()),
+            difference: texts(constants.difference()),
+            delta: Delta::of(&DeltaCondition::curve(constants)?),
+            displacement: vec![
+                sigma(format!("σ at the scheme's offset {own}"), displacement(mask, Terms::Each)),
+                sigma(format!("σ at the best offset {best}"), least),
+                sigma("σ at offset 0".to_owned(), displacement(&unshifted, Terms::Each)),
+                sigma(
+                    "|Σ| in place of σ at offset 0".to_owned(),
+                    displacement(&unshifted, Terms::Total),
+                ),
+            ],
+            keeps_lines: shift.keeps_lines,
+            shifts: shift.of_rules,
+            levels: (0..longest).map(level).collect(),
+        })
+    }
+
     fn write(&self, sheet: &mut Sheet) {
         let mut facts = vec![
-            ("arity n".to_owned(), self.mask.arity().to_string()),
-            ("mask".to_owned(), rules_text(self.mask.rules().rows())),
-            ("difference mask".to_owned(), rules_text(self.difference.rows())),
+            ("arity n".to_owned(), self.arity.to_string()),
+            ("mask".to_owned(), rules_text(&self.mask)),
+            ("difference mask".to_owned(), rules_text(&self.difference)),
+            ("δ = T_1".to_owned(), self.delta.words()),
         ];
-        facts.push(("δ = T_1".to_owned(), delta_text(&self.delta)));
-        facts.extend(self.sigma.iter().map(|(name, value)| (name.clone(), with_decimal(value))));
+        facts.extend(self.displacement.iter().map(|one| (one.name.clone(), one.value.words())));
         sheet.facts(facts);
+        let rows: Vec<Vec<Option<&Number>>> = self
+            .levels
+            .iter()
+            .map(|level| level.values().map(|(_, value)| value).collect())
+            .collect();
+        let width = rows.first().map_or(2, Vec::len);
         let names = ["c", "T_c", "Λ_c", "T_c forward", "Λ_c forward"];
-        let header = names[..=self.columns.len()].iter().map(|&name| name.to_owned()).collect();
-        let rows = self.rows().map(|(c, row)| {
-            let cell = |value: Option<&Rational>| value.map_or("–".to_owned(), |x| short(x, 10));
-            std::iter::once(c.to_string()).chain(row.into_iter().map(cell)).collect()
+        let header = names[..=width].iter().map(|&name| name.to_owned()).collect();
+        let cells = self.levels.iter().zip(&rows).map(|(level, row)| {
+            let cell =
+                |value: &Option<&Number>| value.map_or("–".to_owned(), |value| value.short(10));
+            std::iter::once(level.c.to_string()).chain(row.iter().map(cell)).collect()
         });
-        sheet.grid(Grid { header, rows: rows.collect(), left_columns: 0 });
+        sheet.grid(Grid { header, rows: cells.collect(), left_columns: 0 });
         let mut meaning = "T_c bounds the differences after c levels".to_owned();
-        if self.columns.len() > 2 {
+        if width > 2 {
             meaning += "; the forward columns are what papers that read the masks forwards \
                         compute, and bound nothing";
         }
         sheet.text(meaning + ".");
-        if self.rows().any(|(_, row)| row.contains(&None)) {
+        if rows.iter().flatten().any(Option::is_none) {
             sheet.text(
                 "–: not found within the caps on work, by branch and bound, by extreme rows or by a \
                  visit of all rows.",
             );
         }
-        if !self.shift.keeps_lines {
-            let shifts = self.shift.of_rules.iter().map(|shift| short(shift, 6));
+        if !self.keeps_lines {
+            let shifts = self.shifts.iter().map(|shift| short(shift, 6));
             sheet.text(format!(
                 "Lines are not kept: from points at equal distances on a line, the rules make \
                  points at unequal distances, for the shift of the parameter differs from rule to \
@@ -213,40 +266,100 @@ impl Direction {
             ));
         }
     }
+}
 
-    fn form(&self) -> form::Direction<'_> {
-        let levels = self.rows().map(|(c, row)| {
-            let mut row = row.into_iter().map(|value| value.map(Exact::of));
-            let (contraction, norm) = (row.next().flatten(), row.next().flatten());
-            let forward = (self.columns.len() > 2).then(|| form::Forward {
-                contraction_forward: row.next().flatten(),
-                norm_forward: row.next().flatten(),
-            });
-            form::Level { c, contraction, norm, forward }
+impl Level {
+    /// The columns by their names in JSON.
+    fn values(&self) -> impl Iterator<Item = (&'static str, Option<&Number>)> {
+        let forward = self.forward.as_ref().map(|both| {
+            [
+                ("contraction_forward", both.contraction_forward.as_ref()),
+                ("norm_forward", both.norm_forward.as_ref()),
+            ]
         });
-        let sigma = self.sigma.iter();
-        let sigma = sigma.map(|(name, value)| form::Displacement { value: Exact::of(value), name });
-        form::Direction {
-            arity: self.mask.arity(),
-            width: self.mask.width(),
-            offset: self.mask.offset(),
-            mask: row_texts(self.mask.rules().rows()),
-            difference: row_texts(self.difference.rows()),
-            delta: delta_form(&self.delta),
-            displacement: sigma.collect(),
-            keeps_lines: self.shift.keeps_lines,
-            levels: levels.collect(),
+        let own = [("contraction", self.contraction.as_ref()), ("norm", self.norm.as_ref())];
+        own.into_iter().chain(forward.into_iter().flatten())
+    }
+}
+
+impl Delta {
+    fn of(condition: &DeltaCondition) -> Delta {
+        Delta { holds: condition.holds(), value: (&condition.delta).into() }
+    }
+}
+
+impl Delta {
+    pub(crate) fn words(&self) -> String {
+        let holds = if self.holds { "< 1: one level contracts" } else { "not < 1" };
+        format!("{}, {holds}", self.value.words())
+    }
+}
+
+/// A row of a table of numbers: these texts, and the number.
+pub(crate) fn number_row(of: &[&str], value: &Number) -> Vec<String> {
+    let Exact { exact, decimal } = Exact::of(value);
+    of.iter().map(|&text| text.to_owned()).chain([exact, decimal]).collect()
+}
+
+impl Answer for Constants<'_> {
+    const NAME: &'static str = "constants";
+
+    fn sheet(&self) -> Sheet {
+        let mut sheet = Sheet::default();
+        sheet.heading(1, self.scheme);
+        for (i, direction) in self.directions.iter().enumerate() {
+            if self.directions.len() > 1 {
+                sheet.heading(2, format!("Direction {}", i + 1));
+            }
+            direction.write(&mut sheet);
         }
+        if let Some(Surface { factor, delta, constants }) = &self.surface {
+            sheet.heading(2, "Tensor product");
+            let mut facts = vec![
+                ("factor σ of the surface".to_owned(), factor.words()),
+                ("δ = T_1·Λ_1".to_owned(), delta.words()),
+            ];
+            let constants = (1..).zip(constants);
+            facts.extend(constants.map(|(c, value)| (format!("T_{c}·Λ_{c}"), value.words())));
+            sheet.facts(facts);
+        }
+        self.better_offsets.iter().for_each(|better| sheet.text(better.words.clone()));
+        sheet
+    }
+
+    /// One row for each number.
+    fn grid(&self) -> Option<Grid> {
+        let mut rows = Vec::new();
+        for (number, direction) in (1_u32..).zip(&self.directions) {
+            let number = &number.to_string();
+            let sigma = direction.displacement.iter();
+            rows.extend(sigma.map(|sigma| number_row(&[number, &sigma.name, ""], &sigma.value)));
+            for level in &direction.levels {
+                let c = &level.c.to_string();
+                let found = level.values().filter_map(|(name, value)| Some((name, value?)));
+                rows.extend(found.map(|(name, value)| number_row(&[number, name, c], value)));
+            }
+        }
+        if let Some(Surface { factor, delta, constants }) = &self.surface {
+            rows.push(number_row(&["surface", "factor", ""], factor));
+            rows.push(number_row(&["surface", "delta", ""], &delta.value));
+            rows.extend((1_u32..).zip(constants).map(|(c, value)| {
+                number_row(&["surface", "contraction_norm", &c.to_string()], value)
+            }));
+        }
+        let header = ["direction", "quantity", "c", "exact", "decimal"].map(str::to_owned).to_vec();
+        Some(Grid { header, rows, left_columns: 3 })
     }
 }
 
 /// The longest fraction that is shown in a mask; one with a longer one is shown in decimals.
 const MAX_FRACTION: usize = 40;
 
-fn rules_text(rows: &[Vec<Rational>]) -> String {
-    let exact = rows.iter().flatten().all(|entry| entry.to_string().len() <= MAX_FRACTION);
-    let entry = |entry: &Rational| if exact { entry.to_string() } else { short(entry, 9) };
-    let row = |row: &Vec<Rational>| row.iter().map(entry).collect::<Vec<String>>().join("  ");
+fn rules_text(rows: &[Vec<Text<Rational>>]) -> String {
+    let exact = rows.iter().flatten().all(|entry| entry.0.to_string().len() <= MAX_FRACTION);
+    let entry =
+        |entry: &Text<Rational>| if exact { entry.0.to_string() } else { short(&entry.0, 9) };
+    let row = |row: &Vec<Text<Rational>>| row.iter().map(entry).collect::<Vec<String>>().join("  ");
     let mut lines: Vec<String> = rows.iter().map(row).collect();
     if !exact {
         lines.push("(exact in --format json)".to_owned());

@@ -3,15 +3,18 @@
 use super::exact::points_text;
 use super::numbers::{levels, too_few};
 use crate::cli::arguments::DepthArguments;
-use crate::cli::console::destination::{Destination, command};
-use crate::cli::console::output::{Failure, Outcome, positive, with_decimal};
-use crate::cli::json::{SCHEMA, depth as form};
+use crate::cli::console::answer::{Answer, SCHEMA, deliver};
+use crate::cli::console::destination::Destination;
+use crate::cli::console::output::{Failure, Outcome, positive};
+use crate::cli::console::quantity::{Number, Text};
+use crate::cli::json::depth::{OrNone, TwoSided};
+use serde::Serialize;
 use subcert::audit::{Attained, Control, Place, Refiner};
 use subcert::exact::{Rational, RealCyclotomic, format::short};
 use subcert::float::nearest;
-use subcert::limit::{LocalDepth, LocalDistances, LocalLimit, LocalLimitError, LocalWitness};
-use subcert::report::html::{FindingPage, LevelLine, Levels, Picture};
-use subcert::report::{Sheet, json::Exact};
+use subcert::limit::{self, LocalDepth, LocalDistances, LocalLimit, LocalLimitError};
+use subcert::report::Sheet;
+use subcert::report::html::{LevelLine, Levels, Picture};
 use subcert::scheme::LocalRules;
 
 pub(super) fn ring_depth(
@@ -26,32 +29,89 @@ pub(super) fn ring_depth(
     }
     let tolerance = positive("--tolerance", &arguments.tolerance)?;
     let spread = positive("--spread", &arguments.spread.spread)?;
-    let depth = Depth::of(ring, &tolerance, &spread);
-    let report = Report { ring, tolerance, spread, depth };
-    let page = || {
-        let (sentence, command, pictures) = (report.sentence(), command(), report.pictures());
-        let sheet = &report.sheet(arguments);
-        let pictures = &pictures;
-        Ok(FindingPage { sentence: &sentence, sheet, pictures, command: &command }.to_html())
+    let (depth, pictures) = match Depth::of(ring, &tolerance, &spread) {
+        Ok(found) => (
+            OrNone::Found(ExactlyOfRing::of(ring, &found, &spread)),
+            if arguments.output.is_page() {
+                pictures(ring, &found, [&tolerance, &spread])
+            } else {
+                Vec::new()
+            },
+        ),
+        Err(error) => (OrNone::None { none: error.to_string() }, Vec::new()),
     };
-    to.deliver(|| report.sheet(arguments), || report.form(arguments), page)
+    let answer = LocalReport {
+        schema: SCHEMA,
+        scheme: &arguments.scheme,
+        tolerance: Text(tolerance),
+        spread: Text(spread),
+        depth,
+        given: [&arguments.tolerance, &arguments.spread.spread],
+        pictures,
+    };
+    deliver(to, &answer)
 }
 
 /// The most levels of a picture.
 const MAX_LEVELS: u32 = 24;
 
-struct Report<'a> {
-    ring: &'a LocalRules,
-    tolerance: Rational,
-    spread: Rational,
-    depth: Result<Depth, LocalLimitError>,
+/// The depth of a ring.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct LocalReport<'a> {
+    /// The version of this form.
+    schema: u32,
+    /// The scheme as it was given.
+    scheme: &'a str,
+    /// The tolerance ε.
+    tolerance: Text<Rational>,
+    /// The spread β.
+    spread: Text<Rational>,
+    /// The true depth for every control ring of the spread.
+    depth: OrNone<ExactlyOfRing>,
+    /// The tolerance and the spread as they were given.
+    #[serde(skip)]
+    given: [&'a str; 2],
+    #[serde(skip)]
+    pictures: Vec<Picture>,
+}
+
+/// The true depth for every control ring of the spread.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct ExactlyOfRing {
+    /// The depth; its fields stand here.
+    #[serde(flatten)]
+    depth: TwoSided,
+    /// The least level that meets the tolerance; a later one need not.
+    first: u32,
+    /// The greatest distance at the depth.
+    distance: LocalWitness,
+    /// A control ring that is too far from its limit at the level below the depth.
+    witness: Option<LocalWitness>,
+}
+
+/// A control ring, and how far one of its points is from its limit.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct LocalWitness {
+    /// The level.
+    level: u32,
+    /// The points of the ring.
+    ring: Vec<i64>,
+    /// What they are multiplied by.
+    times: Text<Rational>,
+    /// The point.
+    point: String,
+    /// The distance of this point from its limit.
+    distance: Number,
 }
 
 struct Depth {
     levels: LocalDepth,
     /// The distances at the depth and at the level below it, of spread 1.
-    at: LocalWitness,
-    below: Option<LocalWitness>,
+    at: limit::LocalWitness,
+    below: Option<limit::LocalWitness>,
     /// The distances of spread 1 up to the depth.
     of_levels: Vec<(u32, f64)>,
 }
@@ -74,73 +134,77 @@ impl Depth {
     }
 }
 
-impl Report<'_> {
-    fn distance(&self, witness: &LocalWitness) -> RealCyclotomic {
-        &witness.distance * &RealCyclotomic::from(self.spread.clone())
-    }
-
-    /// The depth in a sentence.
-    fn sentence(&self) -> String {
-        let tolerance = short(&self.tolerance, 6);
-        match &self.depth {
-            Ok(Depth { levels, .. }) => format!(
-                "From level {} on, the points of every control ring are within {tolerance} of their limit.",
-                levels.settled
-            ),
-            Err(error) => format!("No depth is known: {error}."),
+impl ExactlyOfRing {
+    fn of(ring: &LocalRules, found: &Depth, spread: &Rational) -> ExactlyOfRing {
+        let LocalDepth { level: first, settled: level, .. } = found.levels;
+        let witness = |witness: &limit::LocalWitness| LocalWitness {
+            level: witness.level,
+            ring: witness.ring.clone(),
+            times: Text(spread.clone()),
+            point: ring.name(witness.point),
+            distance: (&(&witness.distance * &RealCyclotomic::from(spread.clone()))).into(),
+        };
+        ExactlyOfRing {
+            depth: TwoSided { level, lower: level, upper: level, minimal: true },
+            first,
+            distance: witness(&found.at),
+            witness: found.below.as_ref().map(witness),
         }
     }
+}
 
-    fn pictures(&self) -> Vec<Picture> {
-        let Ok(Depth { levels, at, below, of_levels }) = &self.depth else { return Vec::new() };
-        let spread = nearest(&self.spread);
-        let line = LevelLine {
-            name: "distance".to_owned(),
-            values: of_levels.iter().map(|(level, value)| (*level, value * spread)).collect(),
-            met: Some(levels.settled),
-            is_constant: false,
-        };
-        let chart = Levels { tolerance: &self.tolerance, lines: vec![line], promised: Vec::new() };
-        let witness = below.as_ref().unwrap_or(at);
-        let points = (0..).zip(&witness.ring).map(|(a, x)| (self.ring.name(a), *x)).collect();
-        let attained = Attained {
-            control: Control::Points(points),
-            place: Place::Named(self.ring.name(witness.point)),
-            value: witness.distance.clone(),
-        };
-        let (refiner, most) = (Refiner::Ring(self.ring.clone()), &self.tolerance / &self.spread);
-        let data = Picture::of_data(&refiner, &attained, witness.level, &most, [0.0; 2]);
-        Picture::of_levels(&chart).into_iter().chain(data).collect()
-    }
+fn pictures(ring: &LocalRules, found: &Depth, [tolerance, spread]: [&Rational; 2]) -> Vec<Picture> {
+    let Depth { levels, at, below, of_levels } = found;
+    let times = nearest(spread);
+    let line = LevelLine {
+        name: "distance".to_owned(),
+        values: of_levels.iter().map(|(level, value)| (*level, value * times)).collect(),
+        met: Some(levels.settled),
+        is_constant: false,
+    };
+    let chart = Levels { tolerance, lines: vec![line], promised: Vec::new() };
+    let witness = below.as_ref().unwrap_or(at);
+    let points = (0..).zip(&witness.ring).map(|(a, x)| (ring.name(a), *x)).collect();
+    let attained = Attained {
+        control: Control::Points(points),
+        place: Place::Named(ring.name(witness.point)),
+        value: witness.distance.clone(),
+    };
+    let (refiner, most) = (Refiner::Ring(ring.clone()), tolerance / spread);
+    let data = Picture::of_data(&refiner, &attained, witness.level, &most, [0.0; 2]);
+    Picture::of_levels(&chart).into_iter().chain(data).collect()
+}
 
-    fn sheet(&self, arguments: &DepthArguments) -> Sheet {
+impl Answer for LocalReport<'_> {
+    const NAME: &'static str = "depth-ring";
+
+    fn sheet(&self) -> Sheet {
         let mut sheet = Sheet::default();
-        let (name, spread) = (&arguments.scheme, &arguments.spread.spread);
-        sheet.heading(1, format!("{name}, ε = {}, β = {spread}", arguments.tolerance));
-        let Depth { levels: depth, at, below, .. } = match &self.depth {
-            Ok(depth) => depth,
-            Err(error) => {
-                sheet.facts(vec![("exact depth".to_owned(), format!("none: {error}"))]);
+        let [tolerance, spread] = self.given;
+        sheet.heading(1, format!("{}, ε = {tolerance}, β = {spread}", self.scheme));
+        let ExactlyOfRing { depth, first, distance, witness } = match &self.depth {
+            OrNone::Found(depth) => depth,
+            OrNone::None { none } => {
+                sheet.facts(vec![("exact depth".to_owned(), format!("none: {none}"))]);
                 return sheet;
             }
         };
-        let few = match depth.settled {
+        let few = match depth.level {
             0 => String::new(),
             level => too_few(level - 1),
         };
-        let mut facts = vec![("exact depth".to_owned(), format!("{}{few}", levels(depth.settled)))];
-        if depth.settled > depth.level {
-            let text = format!("level {}, but not all later ones", depth.level);
+        let mut facts = vec![("exact depth".to_owned(), format!("{}{few}", levels(depth.level)))];
+        if depth.level > *first {
+            let text = format!("level {first}, but not all later ones");
             facts.push(("first met at".to_owned(), text));
         }
-        let distance = with_decimal(&self.distance(at));
-        facts.push((format!("distance C_{}·β", at.level), distance));
-        if let Some(below) = below {
+        facts.push((format!("distance C_{}·β", distance.level), distance.distance.words()));
+        if let Some(below) = witness {
             let text = format!(
                 "β times {}: {} is {} from the limit",
                 points_text(&below.ring),
-                self.ring.name(below.point),
-                short(&self.distance(below), 9)
+                below.point,
+                below.distance.short(9)
             );
             facts.push((format!("too far at level {}", below.level), text));
         }
@@ -153,35 +217,18 @@ impl Report<'_> {
         sheet
     }
 
-    fn form<'a>(&'a self, arguments: &'a DepthArguments) -> form::LocalReport<'a> {
-        let depth = match &self.depth {
-            Ok(Depth { levels: depth, at, below, .. }) => {
-                let level = depth.settled;
-                form::OrNone::Found(form::ExactlyOfRing {
-                    depth: form::TwoSided { level, lower: level, upper: level, minimal: true },
-                    first: depth.level,
-                    distance: self.witness_form(at),
-                    witness: below.as_ref().map(|witness| self.witness_form(witness)),
-                })
-            }
-            Err(error) => form::OrNone::None { none: error.to_string() },
-        };
-        form::LocalReport {
-            schema: SCHEMA,
-            scheme: &arguments.scheme,
-            tolerance: self.tolerance.to_string(),
-            spread: self.spread.to_string(),
-            depth,
+    fn sentence(&self) -> String {
+        let tolerance = short(&self.tolerance.0, 6);
+        match &self.depth {
+            OrNone::Found(found) => format!(
+                "From level {} on, the points of every control ring are within {tolerance} of their limit.",
+                found.depth.level
+            ),
+            OrNone::None { none } => format!("No depth is known: {none}."),
         }
     }
 
-    fn witness_form<'a>(&self, witness: &'a LocalWitness) -> form::LocalWitness<'a> {
-        form::LocalWitness {
-            level: witness.level,
-            ring: &witness.ring,
-            times: self.spread.to_string(),
-            point: self.ring.name(witness.point),
-            distance: Exact::of(&self.distance(witness)),
-        }
+    fn pictures(&self) -> Vec<Picture> {
+        self.pictures.clone()
     }
 }

@@ -20,7 +20,7 @@ use crate::cli::arguments::{
 use crate::cli::console::destination::{Destination, command};
 use crate::cli::console::output::{Failure, Outcome, positive};
 use crate::cli::console::progress::Progress;
-use crate::cli::constants::offset::OfFile;
+use crate::cli::constants::offset::BetterOffset;
 use crate::cli::geometry::commands::Geometry;
 use crate::cli::geometry::net::NetInput;
 use crate::cli::geometry::polygon::{Caps, read_polygon};
@@ -28,6 +28,8 @@ use crate::cli::json::{SCHEMA, depth as form};
 use answer::{Answer, MAX_STEPS};
 use bound::{Bounds, MAX_NORM_STEPS};
 use exact::{Asked, Exact};
+#[cfg(feature = "schema")]
+pub(super) use local_rules::LocalReport;
 use local_rules::ring_depth;
 use polygon::{OfPolygon, Points};
 use scheme_pictures::Drawn;
@@ -132,7 +134,7 @@ struct Report {
     answers: Vec<Answer>,
     points: Option<Points>,
     sets: Option<OfSets>,
-    better_offsets: Vec<OfFile>,
+    better_offsets: Vec<BetterOffset>,
 }
 
 impl Report {
@@ -182,7 +184,7 @@ impl Report {
         let answers = wanted.iter().zip(budgets.chunks(count / wanted.len())).map(answer);
         let answers = answers.collect::<Result<Vec<Answer>, Failure>>()?;
         drop(progress);
-        let better_offsets = OfFile::all_of(&arguments.scheme, scheme)?;
+        let better_offsets = BetterOffset::all_of(&arguments.scheme, scheme)?;
         Ok(Report { tolerance, spread, bounds, answers, points, sets, better_offsets })
     }
 
@@ -282,7 +284,7 @@ impl Report {
              printed formula, σβT^k/(1 − T) with one power of the constant for each level, |Σ| in \
              place of σ and offset 0, does not promise it.",
         );
-        self.better_offsets.iter().for_each(|better| better.write(&mut sheet));
+        self.better_offsets.iter().for_each(|better| sheet.text(better.words.clone()));
         sheet
     }
 
@@ -310,7 +312,7 @@ impl Report {
             indexed: exact(self.indexed()),
             sound: self.bounds.sound_form(),
             printed_formula: self.bounds.printed_forms(),
-            better_offsets: self.better_offsets.iter().map(OfFile::form).collect(),
+            better_offsets: &self.better_offsets,
         }
     }
 }

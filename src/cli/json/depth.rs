@@ -1,6 +1,6 @@
 //! What `subcert depth` writes.
 
-use super::offset::BetterOffset;
+use crate::cli::constants::offset::BetterOffset;
 use serde::Serialize;
 use subcert::report::json::Exact;
 
@@ -28,8 +28,8 @@ pub struct Report<'a> {
     /// The depths that papers compute.
     pub printed_formula: Vec<Printed>,
     /// The better offsets of files that state none; missing where there are none.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub better_offsets: Vec<BetterOffset<'a>>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    pub better_offsets: &'a [BetterOffset],
 }
 
 /// An answer, or the reason that there is none.
@@ -254,51 +254,4 @@ pub struct Printed {
     pub depth: Option<u32>,
     /// Why there is none.
     pub note: Option<String>,
-}
-
-/// The depth of a ring.
-#[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct LocalReport<'a> {
-    /// The version of this form.
-    pub schema: u32,
-    /// The scheme as it was given.
-    pub scheme: &'a str,
-    /// The tolerance ε.
-    pub tolerance: String,
-    /// The spread β.
-    pub spread: String,
-    /// The true depth for every control ring of the spread.
-    pub depth: OrNone<ExactlyOfRing<'a>>,
-}
-
-/// The true depth for every control ring of the spread.
-#[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct ExactlyOfRing<'a> {
-    /// The depth; its fields stand here.
-    #[serde(flatten)]
-    pub depth: TwoSided,
-    /// The least level that meets the tolerance; a later one need not.
-    pub first: u32,
-    /// The greatest distance at the depth.
-    pub distance: LocalWitness<'a>,
-    /// A control ring that is too far from its limit at the level below the depth.
-    pub witness: Option<LocalWitness<'a>>,
-}
-
-/// A control ring, and how far one of its points is from its limit.
-#[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct LocalWitness<'a> {
-    /// The level.
-    pub level: u32,
-    /// The points of the ring.
-    pub ring: &'a [i64],
-    /// What they are multiplied by.
-    pub times: String,
-    /// The point.
-    pub point: String,
-    /// The distance of this point from its limit.
-    pub distance: Exact,
 }

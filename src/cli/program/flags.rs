@@ -1,37 +1,58 @@
 //! `subcert flags`: which command takes which flags, as clap knows them.
 
 use crate::cli::arguments::{Arguments, Output};
-use crate::cli::console::output::{Outcome, show};
-use crate::cli::json::SCHEMA;
-use crate::cli::json::flags::{Command, Flags};
+use crate::cli::console::answer::{Answer, SCHEMA, show};
+use crate::cli::console::output::Outcome;
 use clap::CommandFactory as _;
+use serde::Serialize;
 use subcert::report::{Grid, Sheet};
 
 /// The flags that every command has, and that stand in no row.
 const EVERYWHERE: [&str; 4] = ["help", "version", "color", "quiet"];
 
 pub(crate) fn flags(output: &Output) -> Outcome {
-    let commands = commands();
-    show(
-        output,
-        || {
-            let mut sheet = Sheet::default();
-            sheet.heading(1, "Flags of the commands");
-            sheet.text(
-                "Every command takes --help, --color and --quiet too. A flag means the same wherever it stands.",
-            );
-            let row = |command: &Command| {
-                let flags = command.flags.iter().map(|name| format!("--{name}"));
-                let flags: Vec<String> = flags.collect();
-                vec![command.name.clone(), flags.join(" "), command.formats.join(" ")]
-            };
-            let header = ["command", "flags", "values of --format"].map(str::to_owned);
-            let rows = commands.iter().map(row).collect();
-            sheet.grid(Grid { header: header.into(), rows, left_columns: 3 });
-            sheet
-        },
-        || Flags { schema: SCHEMA, commands: &commands },
-    )
+    show(output, &Flags { schema: SCHEMA, commands: commands() })
+}
+
+/// The flags of all commands.
+#[derive(Serialize)]
+struct Flags {
+    /// The version of this form.
+    schema: u32,
+    /// The commands.
+    commands: Vec<Command>,
+}
+
+/// A command with its flags.
+#[derive(Serialize)]
+struct Command {
+    /// Its name.
+    name: String,
+    /// The long names of its flags, but for those that every command has.
+    flags: Vec<String>,
+    /// The values of `--format`.
+    formats: Vec<String>,
+}
+
+impl Answer for Flags {
+    const NAME: &'static str = "flags";
+
+    fn sheet(&self) -> Sheet {
+        let mut sheet = Sheet::default();
+        sheet.heading(1, "Flags of the commands");
+        sheet.text(
+            "Every command takes --help, --color and --quiet too. A flag means the same wherever it stands.",
+        );
+        let row = |command: &Command| {
+            let flags = command.flags.iter().map(|name| format!("--{name}"));
+            let flags: Vec<String> = flags.collect();
+            vec![command.name.clone(), flags.join(" "), command.formats.join(" ")]
+        };
+        let header = ["command", "flags", "values of --format"].map(str::to_owned);
+        let rows = self.commands.iter().map(row).collect();
+        sheet.grid(Grid { header: header.into(), rows, left_columns: 3 });
+        sheet
+    }
 }
 
 /// The commands that are shown, in their order.

@@ -1,12 +1,16 @@
 //! `subcert schemas DIR`: the JSON schemas of what `--format json` writes, from the types that are
 //! written, and of claim files, from those that are read.
 
+use crate::cli::console::answer::Answer;
 use crate::cli::console::output::{Failure, Outcome, json_text};
 use crate::cli::console::save::save;
-use crate::cli::json::{
-    certify, constants, depth, facts, geometric_depth, listing, mesh_depth, range, schemes,
-    smoothness, spectrum, vertex,
-};
+use crate::cli::constants::{Certification, Constants, RingConstants};
+use crate::cli::depth::LocalReport;
+use crate::cli::json::{depth, geometric_depth, listing, mesh_depth};
+use crate::cli::ranges::{Range, SmoothMap, SmoothRange};
+use crate::cli::schemes::{Atlas, Catalogue};
+use crate::cli::smoothness::{JointRadius, Smoothness, Vertices};
+use crate::cli::spectrum::{Sector, Spectrum};
 use schemars::{JsonSchema, Schema, generate::SchemaSettings};
 use serde_json::Value;
 use std::path::Path;
@@ -15,42 +19,51 @@ use subcert::report::json::{
     AuditReport, CoverageReport, ErrataReport, Explained, Facts, ProjectsReport, ShippedTable,
 };
 
+/// What is written, not what could be read: an absent field may be required otherwise.
+fn of<T: JsonSchema>() -> Schema {
+    SchemaSettings::draft2020_12().for_serialize().into_generator().into_root_schema_for::<T>()
+}
+
+/// The schemas of these answers, by the names of their files.
+macro_rules! answers {
+    ($($answer:ty),* $(,)?) => { [$((<$answer>::NAME, of::<$answer>())),*] };
+}
+
 /// The name of a file, and its schema.
 fn all() -> Vec<(&'static str, Schema)> {
-    fn of<T: JsonSchema>() -> Schema {
-        // What is written, not what could be read: an absent field may be required otherwise.
-        SchemaSettings::draft2020_12().for_serialize().into_generator().into_root_schema_for::<T>()
-    }
-    vec![
-        ("atlas", of::<facts::Atlas<'_>>()),
+    let answers = answers![
+        LocalReport<'_>,
+        Atlas<'_>,
+        Catalogue<'_>,
+        Certification<'_>,
+        Constants<'_>,
+        RingConstants<'_>,
+        Range<'_>,
+        SmoothRange<'_>,
+        SmoothMap<'_>,
+        Smoothness<'_>,
+        Vertices<'_>,
+        JointRadius<'_>,
+        Spectrum<'_>,
+        Sector<'_>,
+    ];
+    let others = [
         ("audit", of::<AuditReport>()),
         ("audit-project", of::<ProjectsReport>()),
         ("claims", read(subcert::claim::paper_schema())),
         ("claims-project", read(subcert::shipped::project_schema())),
-        ("certify", of::<certify::Certification<'_>>()),
-        ("constants", of::<constants::Constants<'_>>()),
-        ("constants-ring", of::<constants::LocalConstants<'_>>()),
         ("coverage", of::<CoverageReport>()),
         ("depth", of::<depth::Report<'_>>()),
         ("depth-mesh", of::<mesh_depth::Report<'_>>()),
         ("depth-mesh-geometric", of::<geometric_depth::Report<'_>>()),
-        ("depth-ring", of::<depth::LocalReport<'_>>()),
         ("errata", of::<ErrataReport>()),
         ("explain", of::<Explained>()),
         ("explain-list", of::<listing::Listing<'_>>()),
         ("explain-project", of::<ShippedTable>()),
-        ("jsr", of::<smoothness::JointRadius<'_>>()),
         ("oracle", of::<OracleValues>()),
-        ("range", of::<range::Range<'_>>()),
-        ("range-smoothness", of::<range::SmoothRange<'_>>()),
-        ("range-smoothness-map", of::<range::SmoothMap<'_>>()),
         ("scheme", of::<Facts<'_>>()),
-        ("schemes", of::<schemes::Catalogue<'_>>()),
-        ("smoothness", of::<smoothness::Smoothness<'_>>()),
-        ("smoothness-vertex", of::<vertex::Vertices<'_>>()),
-        ("spectrum", of::<spectrum::Spectrum<'_>>()),
-        ("spectrum-sector", of::<spectrum::Sector<'_>>()),
-    ]
+    ];
+    answers.into_iter().chain(others).collect()
 }
 
 /// The schema of a file of TOML: it has no null, and whole numbers stand for the texts that they spell.

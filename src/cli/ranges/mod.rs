@@ -7,3 +7,5 @@ mod smooth_range;
 mod vertex_range;
 
 pub(super) use range::range;
+#[cfg(feature = "schema")]
+pub(super) use {range::Range, smooth_map::SmoothMap, smooth_range::SmoothRange};

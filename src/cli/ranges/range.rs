@@ -1,16 +1,18 @@
 //! `subcert range`.
 
-use super::sets::{Parameter, number};
+use super::sets::{Set, number, write_irrational};
 use super::smooth_map::smooth_map;
 use super::smooth_range::smooth_range;
 use super::vertex_range::of_rules;
 use crate::cli::arguments::RangeArguments;
-use crate::cli::console::output::{Failure, Outcome, show};
-use crate::cli::json::{SCHEMA, range as form};
+use crate::cli::console::answer::{Answer, SCHEMA, show};
+use crate::cli::console::output::{Failure, Outcome};
+use serde::Serialize;
 use subcert::bound::{Order, ParameterRange, RangeError, norm_function, polynomial_rules};
-use subcert::exact::{IntervalSet, PiecewisePolynomial, RationalPolynomial, RealAlgebraic};
+use subcert::exact::{PiecewisePolynomial, Polynomial, RealAlgebraic};
+use subcert::report::json::RootNumber;
 use subcert::report::{Grid, Sheet};
-use subcert::scheme::{open_parameters, parse_parametric};
+use subcert::scheme::{Rules, open_parameters, parse_parametric};
 use subcert::suggestion::known;
 
 pub(crate) fn range(arguments: &RangeArguments) -> Outcome {
@@ -51,9 +53,9 @@ pub(crate) fn range(arguments: &RangeArguments) -> Outcome {
     if let Some(m) = arguments.smoothness {
         return smooth_range(arguments, parameter, &mask, m);
     }
-    let report = Report::of(arguments, parameter, &mask.difference())
+    let answer = Range::of(arguments, parameter, &mask.difference())
         .map_err(|e| Failure::Input(e.to_string()))?;
-    show(&arguments.output, || report.sheet(), || report.form())
+    show(&arguments.output, &answer)
 }
 
 /// The one parameter that SCHEME leaves open.
@@ -78,106 +80,117 @@ fn the_parameter(scheme: &str) -> Result<String, Failure> {
     }
 }
 
-struct Report<'a> {
-    arguments: &'a RangeArguments,
+/// Where in a parameter T_c < 1.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Range<'a> {
+    /// The version of this form.
+    schema: u32,
+    /// The scheme as it was given.
+    scheme: &'a str,
+    /// The parameter.
     parameter: &'a str,
-    range: ParameterRange,
-    /// T_c for each c, when it is asked for.
-    functions: Vec<PiecewisePolynomial>,
+    /// The sets for c = 1, 2, …
+    levels: Vec<Level>,
+    /// The union of these sets.
+    union: Set,
 }
 
-impl Report<'_> {
-    fn parameter(&self) -> Parameter<'_> {
-        Parameter(self.parameter)
-    }
+/// Where T_c < 1.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Level {
+    /// c.
+    pub(crate) c: u32,
+    /// The set.
+    pub(crate) intervals: Set,
+    /// T_c as a function of the parameter; null where it was not asked for.
+    pub(crate) function: Option<Function>,
+}
 
-    fn of<'a>(
+/// A piecewise polynomial function.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Function {
+    /// Where one piece ends and the next begins.
+    breaks: Vec<RootNumber>,
+    /// The polynomials, one more than there are breaks.
+    pieces: Vec<String>,
+    /// The same numbers.
+    #[serde(skip)]
+    places: Vec<RealAlgebraic>,
+}
+
+impl<'a> Range<'a> {
+    fn of(
         arguments: &'a RangeArguments,
         parameter: &'a str,
-        difference: &subcert::scheme::Rules<subcert::exact::Polynomial>,
-    ) -> Result<Report<'a>, RangeError> {
+        difference: &Rules<Polynomial>,
+    ) -> Result<Range<'a>, RangeError> {
         let difference = polynomial_rules(difference, parameter)?;
-        let levels = arguments.block.levels;
-        let range = ParameterRange::new(&difference, levels)?;
-        let asked = if arguments.function { levels } else { 0 };
-        let function = |c| norm_function(&difference, c, Order::Adjoint);
-        let functions = (1..=asked).map(function).collect::<Result<Vec<_>, RangeError>>()?;
-        Ok(Report { arguments, parameter, range, functions })
+        let found = ParameterRange::new(&difference, arguments.block.levels)?;
+        let level = |(c, set)| {
+            let function = || norm_function(&difference, c, Order::Adjoint);
+            let function = arguments.function.then(function).transpose()?;
+            let function = function.as_ref().map(|found| Function::of(found, parameter));
+            Ok(Level { c, intervals: Set::of(set, parameter), function })
+        };
+        let levels = (1..).zip(&found.levels).map(level).collect::<Result<_, RangeError>>()?;
+        let union = Set::of(&found.union, parameter);
+        Ok(Range { schema: SCHEMA, scheme: &arguments.scheme, parameter, levels, union })
+    }
+}
+
+impl Function {
+    fn of(function: &PiecewisePolynomial, parameter: &str) -> Function {
+        let places = function.breakpoints();
+        Function {
+            breaks: places.iter().map(|place| RootNumber::of(place, parameter)).collect(),
+            pieces: function.pieces().iter().map(|piece| piece.describe(parameter)).collect(),
+            places: places.to_vec(),
+        }
     }
 
+    fn grid(&self) -> Grid {
+        let text = |place: Option<&RealAlgebraic>| place.map_or_else(String::new, number);
+        let row = |(i, piece): (usize, &String)| {
+            let low = i.checked_sub(1).map(|below| &self.places[below]);
+            vec![text(low), text(self.places.get(i)), piece.clone()]
+        };
+        let header = ["from".to_owned(), "to".to_owned(), "T_c".to_owned()].to_vec();
+        let rows = self.pieces.iter().enumerate().map(row).collect();
+        Grid { header, rows, left_columns: 3 }
+    }
+}
+
+impl Answer for Range<'_> {
+    const NAME: &'static str = "range";
+
     fn sheet(&self) -> Sheet {
-        let scheme = &self.arguments.scheme;
-        let param = self.parameter();
+        let Range { scheme, parameter, levels, union, .. } = self;
         let mut sheet = Sheet::default();
         sheet.heading(1, format!("{scheme}: where T_c < 1"));
-        let levels = (1..).zip(&self.range.levels);
-        let mut rows: Vec<Vec<String>> = levels
-            .map(|(c, set): (u32, _)| {
-                let name = if c == 1 { "1 (δ)".to_owned() } else { c.to_string() };
-                vec![name, param.set(set)]
-            })
-            .collect();
-        rows.push(vec!["any of these".to_owned(), param.set(&self.range.union)]);
-        let header = vec!["c".to_owned(), format!("T_c < 1 for these {}", param.0)];
+        let row = |level: &Level| {
+            let name = if level.c == 1 { "1 (δ)".to_owned() } else { level.c.to_string() };
+            vec![name, level.intervals.words()]
+        };
+        let mut rows: Vec<Vec<String>> = levels.iter().map(row).collect();
+        rows.push(vec!["any of these".to_owned(), union.words()]);
+        let header = vec!["c".to_owned(), format!("T_c < 1 for these {parameter}")];
         sheet.grid(Grid { header, rows, left_columns: 2 });
-        let ends = self.range.levels.iter().flat_map(IntervalSet::ends).map(|(end, _)| end);
-        let breaks = self.functions.iter().flat_map(PiecewisePolynomial::breakpoints);
-        let ends = param.irrational(ends.chain(breaks));
-        if !ends.is_empty() {
-            sheet.heading(2, "Irrational numbers");
-            sheet.facts(ends);
-        }
+        let functions =
+            || levels.iter().filter_map(|level| Some((level.c, level.function.as_ref()?)));
+        let breaks = functions().flat_map(|(_, function)| &function.places);
+        let sets = levels.iter().map(|level| &level.intervals);
+        write_irrational(&mut sheet, parameter, sets, breaks);
         sheet.text(
             "The sets are exact, and their decimals correctly rounded. The scheme converges in \
              each of them. The set of c is a part of that of every multiple of c.",
         );
-        for (c, function) in (1_u32..).zip(&self.functions) {
-            sheet.heading(2, format!("T_{c} as a function of {}", param.0));
-            sheet.grid(self.pieces(function));
+        for (c, function) in functions() {
+            sheet.heading(2, format!("T_{c} as a function of {parameter}"));
+            sheet.grid(function.grid());
         }
         sheet
-    }
-
-    fn pieces(&self, function: &PiecewisePolynomial) -> Grid {
-        let param = self.parameter;
-        let breaks = function.breakpoints();
-        let text = |place: Option<&RealAlgebraic>| place.map_or_else(String::new, number);
-        let row = |(i, piece): (usize, &RationalPolynomial)| {
-            let low = i.checked_sub(1).map(|below| &breaks[below]);
-            vec![text(low), text(breaks.get(i)), piece.describe(param)]
-        };
-        let header = ["from".to_owned(), "to".to_owned(), "T_c".to_owned()].to_vec();
-        let rows = function.pieces().iter().enumerate().map(row).collect();
-        Grid { header, rows, left_columns: 3 }
-    }
-
-    fn form(&self) -> form::Range<'_> {
-        let functions = self.functions.iter().map(Some).chain(std::iter::repeat(None));
-        let levels = (1_u32..).zip(&self.range.levels).zip(functions);
-        let levels = levels.map(|((c, intervals), function)| form::Level {
-            c,
-            intervals: self.parameter().set_form(intervals),
-            function: function.map(|function| self.function_form(function)),
-        });
-        form::Range {
-            schema: SCHEMA,
-            scheme: &self.arguments.scheme,
-            parameter: self.parameter,
-            levels: levels.collect(),
-            union: self.parameter().set_form(&self.range.union),
-        }
-    }
-
-    fn function_form(&self, function: &PiecewisePolynomial) -> form::Function {
-        let param = self.parameter;
-        let pieces = function.pieces().iter();
-        form::Function {
-            breaks: function
-                .breakpoints()
-                .iter()
-                .map(|place| self.parameter().number_form(place))
-                .collect(),
-            pieces: pieces.map(|piece| piece.describe(param)).collect(),
-        }
     }
 }

@@ -1,11 +1,13 @@
-//! Sets of values of a parameter, as text and as JSON.
+//! Sets of values of a parameter.
 
-use crate::cli::json::range as form;
+use crate::cli::console::quantity::schema;
+use serde::{Serialize, Serializer};
 use subcert::exact::{
     Enclosed as _, IntervalSet, Rational, RealAlgebraic, SturmSequence,
     format::{fixed, short},
 };
-use subcert::report::{interval_texts, json::root_polynomial as polynomial};
+use subcert::report::json::{Interval, root_polynomial as polynomial};
+use subcert::report::{Sheet, interval_texts};
 
 /// The digits of a decimal in the text.
 const DIGITS: u32 = 12;
@@ -13,53 +15,59 @@ const DIGITS: u32 = 12;
 /// The longest exact fraction that stands in the text in place of its decimal.
 const SHOWN_LENGTH: usize = 16;
 
-/// A parameter, by its name.
-#[derive(Clone, Copy)]
-pub(crate) struct Parameter<'a>(pub(crate) &'a str);
+/// A set of values of a parameter, by its name: intervals in JSON.
+pub(crate) struct Set(pub(crate) IntervalSet, String);
 
-impl Parameter<'_> {
+impl Serialize for Set {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Interval::all(&self.0, &self.1).serialize(serializer)
+    }
+}
+
+schema!(Set => Vec<Interval>);
+
+impl Set {
+    pub(crate) fn of(set: &IntervalSet, parameter: &str) -> Set {
+        Set(set.clone(), parameter.to_owned())
+    }
+
     /// A set that is known exactly, one interval on a line.
-    pub(crate) fn set(self, set: &IntervalSet) -> String {
-        self.or(set, &format!("no {}", self.0))
+    pub(crate) fn words(&self) -> String {
+        self.or(&format!("no {}", self.1))
     }
 
     /// What is found of a set: where that is nothing, there may be some all the same.
-    pub(crate) fn found(self, set: &IntervalSet) -> String {
-        self.or(set, "none found")
+    pub(crate) fn found(&self) -> String {
+        self.or("none found")
     }
 
-    fn or(self, set: &IntervalSet, empty: &str) -> String {
-        if set.is_empty() {
+    fn or(&self, empty: &str) -> String {
+        if self.0.is_empty() {
             return empty.to_owned();
         }
-        interval_texts(set, self.0, "≤", number).join("\n")
+        interval_texts(&self.0, &self.1, "≤", number).join("\n")
     }
+}
 
-    /// The irrational ones of these numbers, each by its decimal, as roots.
-    pub(crate) fn irrational<'n>(
-        self,
-        numbers: impl Iterator<Item = &'n RealAlgebraic>,
-    ) -> Vec<(String, String)> {
-        let mut ends: Vec<&RealAlgebraic> =
-            numbers.filter(|end| end.as_rational().is_none()).collect();
-        ends.sort();
-        ends.dedup();
-        let fact = |end: &RealAlgebraic| {
-            let root = format!("root of {}", polynomial(end, self.0));
-            let (low, high) = decimal_enclosure(end);
-            (number(end), format!("{root}\nthe only one between {low} and {high}"))
-        };
-        ends.into_iter().map(fact).collect()
-    }
-
-    /// A set as JSON.
-    pub(crate) fn set_form(self, set: &IntervalSet) -> Vec<form::Interval> {
-        form::Interval::all(set, self.0)
-    }
-
-    /// A number as JSON.
-    pub(crate) fn number_form(self, number: &RealAlgebraic) -> form::Number {
-        form::Number::of(number, self.0)
+/// Says of the irrational ones of the ends of sets, and of other numbers, of which polynomials they are roots.
+pub(crate) fn write_irrational<'n>(
+    sheet: &mut Sheet,
+    parameter: &str,
+    sets: impl Iterator<Item = &'n Set>,
+    numbers: impl Iterator<Item = &'n RealAlgebraic>,
+) {
+    let numbers = sets.flat_map(|set| set.0.ends()).map(|(end, _)| end).chain(numbers);
+    let mut ends: Vec<&RealAlgebraic> = numbers.filter(|end| end.as_rational().is_none()).collect();
+    ends.sort();
+    ends.dedup();
+    let fact = |end: &RealAlgebraic| {
+        let root = format!("root of {}", polynomial(end, parameter));
+        let (low, high) = decimal_enclosure(end);
+        (number(end), format!("{root}\nthe only one between {low} and {high}"))
+    };
+    if !ends.is_empty() {
+        sheet.heading(2, "Irrational numbers");
+        sheet.facts(ends.into_iter().map(fact).collect());
     }
 }
 

@@ -1,15 +1,17 @@
 //! `subcert range --smoothness` in two parameters.
 
 use crate::cli::arguments::RangeArguments;
-use crate::cli::console::output::{Failure, Outcome, show};
+use crate::cli::console::answer::{Answer, SCHEMA, show};
+use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
-use crate::cli::json::{SCHEMA, range as form};
+use crate::cli::console::quantity::Text;
+use serde::Serialize;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 use subcert::exact::{Polynomial, Rational, format::short, parse_rational};
 use subcert::report::Sheet;
 use subcert::scheme::parse_in_parameters;
-use subcert::smoothness::{Certain, MAX_BOXES, MapBox, Sides, SmoothMap, smooth_map as computed};
+use subcert::smoothness::{Certain, MAX_BOXES, MapBox, Sides, smooth_map as computed};
 
 /// How many boxes are looked at unless another number is asked for.
 const BOXES: usize = 1_000;
@@ -44,8 +46,26 @@ pub(crate) fn smooth_map(arguments: &RangeArguments, parameters: [&String; 2]) -
     let map = computed(&rules, m, &region, most, &done);
     drop(progress);
     let map = map.map_err(|error| Failure::Input(error.to_string()))?;
-    let report = Report { arguments, parameters: [first, second], m, region, map };
-    show(&arguments.output, || report.sheet(), || report.form())
+    let [inside, outside, open] = map.shares().map(Text);
+    let state = |found: MapBox| {
+        let (state, product) = match found.certain {
+            Certain::Inside => ("inside", None),
+            Certain::Outside(word) => ("outside", Some(word)),
+            Certain::Open => ("open", None),
+        };
+        StateOfBox { state, sides: found.sides.map(|side| side.map(Text)), product }
+    };
+    let answer = SmoothMap {
+        schema: SCHEMA,
+        scheme: &arguments.scheme,
+        parameters,
+        smoothness: m,
+        bounds: region.map(|side| side.map(Text)),
+        shares: Shares { inside, outside, open },
+        but_exceptions: map.but_exceptions,
+        boxes: map.boxes.into_iter().map(state).collect(),
+    };
+    show(&arguments.output, &answer)
 }
 
 /// The region that `a=-1..1,b=0..1/2` names.
@@ -76,75 +96,66 @@ pub(crate) fn region(text: Option<&str>, parameters: [&String; 2]) -> Result<Sid
     Ok(sides.map(|side| side.unwrap_or_else(default)))
 }
 
-struct Report<'a> {
-    arguments: &'a RangeArguments,
+/// Where, in a plane of two parameters, the limits are C^m.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct SmoothMap<'a> {
+    /// The version of this form.
+    schema: u32,
+    /// The scheme as it was given.
+    scheme: &'a str,
+    /// The two parameters.
     parameters: [&'a String; 2],
-    m: usize,
-    region: Sides,
-    map: SmoothMap,
+    /// m.
+    smoothness: usize,
+    /// The ends of the region, for both parameters.
+    bounds: Bounds,
+    /// The parts of the area.
+    shares: Shares,
+    /// Whether parameters outside may be exceptions: zeros of a polynomial.
+    but_exceptions: bool,
+    /// The boxes, which fill the region.
+    boxes: Vec<StateOfBox>,
 }
 
-impl Report<'_> {
-    fn sheet(&self) -> Sheet {
-        let [first, second] = self.parameters;
-        let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{}: where the limits are C^{}", self.arguments.scheme, self.m));
-        let side = |which: usize| {
-            let [low, high] = &self.region[which];
-            format!("from {low} to {high}")
-        };
-        let counts = [
-            self.count(|certain| *certain == Certain::Inside),
-            self.count(|certain| matches!(certain, Certain::Outside(_))),
-            self.count(|certain| *certain == Certain::Open),
-        ];
-        let shares = self.map.shares();
-        let share = |i: usize| {
-            let percent = &shares[i] * Rational::from(100);
-            let boxes = if counts[i] == 1 { "box" } else { "boxes" };
-            format!("{} % of the area, {} {boxes}", short(&percent, 4), counts[i])
-        };
-        let facts = [
-            (first.clone(), side(0)),
-            (second.clone(), side(1)),
-            ("inside".to_owned(), share(0)),
-            ("outside".to_owned(), share(1)),
-            ("open".to_owned(), share(2)),
-        ];
-        sheet.facts(facts.to_vec());
-        sheet.heading(2, "Map");
-        sheet.facts(vec![(second.clone(), self.picture().join("\n"))]);
-        sheet.text(format!(
-            "# inside, . outside, ? open; {first} grows to the right, {second} upwards. A character that stands for \
-             several boxes is # or . where all are."
-        ));
-        sheet.text(
-            "Inside, all limits have this smoothness, in the whole box: by invariant hulls. Outside, at no point of the \
-             box all limits have it, or the scheme diverges: a product of matrices of the differences has too large an \
-             eigenvalue. Neither is shown for the open boxes.",
-        );
-        if self.map.but_exceptions {
-            sheet.text(
-                "Parameters outside may be exceptions where the shifts of the basic limit function are linearly \
-                 dependent: these are zeros of a polynomial.",
-            );
-        }
-        sheet
-    }
+/// The ends of intervals of two parameters.
+type Bounds = [[Text<Rational>; 2]; 2];
 
-    fn count(&self, which: fn(&Certain) -> bool) -> usize {
-        self.map.boxes.iter().filter(|found| which(&found.certain)).count()
-    }
+/// Parts of an area, which sum to 1.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Shares {
+    /// Where all limits are C^m.
+    inside: Text<Rational>,
+    /// Where not all are, or the scheme diverges.
+    outside: Text<Rational>,
+    /// Where neither is shown.
+    open: Text<Rational>,
+}
 
+/// A box of parameters.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "MapBox"))]
+struct StateOfBox {
+    /// `inside`, `outside` or `open`.
+    state: &'static str,
+    /// The ends, for both parameters.
+    sides: Bounds,
+    /// The factors of the product that shows that the box is outside, counted from 0; absent elsewhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    product: Option<Vec<usize>>,
+}
+
+impl SmoothMap<'_> {
     /// The rows of the map, the greatest second parameter first.
     fn picture(&self) -> Vec<String> {
         let [columns, rows] = PICTURE;
         let mut picture = vec![vec![None; columns]; rows];
-        for found in &self.map.boxes {
-            let sign = match found.certain {
-                Certain::Inside => '#',
-                Certain::Outside(_) => '.',
-                Certain::Open => '?',
+        for found in &self.boxes {
+            let sign = match found.state {
+                "inside" => '#',
+                "outside" => '.',
+                _ => '?',
             };
             let [across, up] = [0, 1].map(|which| self.cells(found, which));
             for row in up {
@@ -159,37 +170,59 @@ impl Report<'_> {
     }
 
     /// The cells of the picture that a box meets, along one side.
-    fn cells(&self, found: &MapBox, which: usize) -> std::ops::Range<usize> {
-        let [low, high] = &self.region[which];
-        let [from, to] = &found.sides[which];
+    fn cells(&self, found: &StateOfBox, which: usize) -> std::ops::Range<usize> {
+        let [Text(low), Text(high)] = &self.bounds[which];
+        let [Text(from), Text(to)] = &found.sides[which];
         let scale = Rational::from(PICTURE[which]) / (high - low);
         let start = ((from - low) * &scale).floor().to_i64();
         let end = ((to - low) * &scale).ceil().to_i64();
         let place = |x: Option<i64>| x.and_then(|x| usize::try_from(x).ok()).unwrap_or(0);
         place(start)..place(end)
     }
+}
 
-    fn form(&self) -> form::SmoothMap<'_> {
-        let ends =
-            |sides: &Sides| sides.each_ref().map(|side| side.each_ref().map(Rational::to_string));
-        let found = |found: &MapBox| {
-            let (state, product) = match &found.certain {
-                Certain::Inside => ("inside", None),
-                Certain::Outside(word) => ("outside", Some(word.clone())),
-                Certain::Open => ("open", None),
-            };
-            form::MapBox { state, sides: ends(&found.sides), product }
+impl Answer for SmoothMap<'_> {
+    const NAME: &'static str = "range-smoothness-map";
+
+    fn sheet(&self) -> Sheet {
+        let [first, second] = self.parameters;
+        let mut sheet = Sheet::default();
+        sheet.heading(1, format!("{}: where the limits are C^{}", self.scheme, self.smoothness));
+        let side = |which: usize| {
+            let [Text(low), Text(high)] = &self.bounds[which];
+            format!("from {low} to {high}")
         };
-        let [inside, outside, open] = self.map.shares().map(|share| share.to_string());
-        form::SmoothMap {
-            schema: SCHEMA,
-            scheme: &self.arguments.scheme,
-            parameters: self.parameters.map(String::as_str),
-            smoothness: self.m,
-            bounds: ends(&self.region),
-            shares: form::Shares { inside, outside, open },
-            but_exceptions: self.map.but_exceptions,
-            boxes: self.map.boxes.iter().map(found).collect(),
+        let share = |state: &str, Text(share): &Text<Rational>| {
+            let count = self.boxes.iter().filter(|one| one.state == state).count();
+            let percent = share * Rational::from(100);
+            let boxes = if count == 1 { "box" } else { "boxes" };
+            (state.to_owned(), format!("{} % of the area, {count} {boxes}", short(&percent, 4)))
+        };
+        let facts = [
+            (first.clone(), side(0)),
+            (second.clone(), side(1)),
+            share("inside", &self.shares.inside),
+            share("outside", &self.shares.outside),
+            share("open", &self.shares.open),
+        ];
+        sheet.facts(facts.to_vec());
+        sheet.heading(2, "Map");
+        sheet.facts(vec![(second.clone(), self.picture().join("\n"))]);
+        sheet.text(format!(
+            "# inside, . outside, ? open; {first} grows to the right, {second} upwards. A character that stands for \
+             several boxes is # or . where all are."
+        ));
+        sheet.text(
+            "Inside, all limits have this smoothness, in the whole box: by invariant hulls. Outside, at no point of the \
+             box all limits have it, or the scheme diverges: a product of matrices of the differences has too large an \
+             eigenvalue. Neither is shown for the open boxes.",
+        );
+        if self.but_exceptions {
+            sheet.text(
+                "Parameters outside may be exceptions where the shifts of the basic limit function are linearly \
+                 dependent: these are zeros of a polynomial.",
+            );
         }
+        sheet
     }
 }

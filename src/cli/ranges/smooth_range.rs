@@ -1,16 +1,18 @@
 //! `subcert range --smoothness`.
 
-use super::sets::Parameter;
+use super::range::Level;
+use super::sets::{Set, write_irrational};
 use crate::cli::arguments::RangeArguments;
-use crate::cli::console::output::{Failure, Outcome, show};
+use crate::cli::console::answer::{Answer, SCHEMA, show};
+use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
-use crate::cli::json::{SCHEMA, range as form};
-use crate::cli::smoothness::radius::up;
+use crate::cli::console::quantity::up;
+use serde::Serialize;
 use subcert::bound::polynomial_rules;
-use subcert::exact::{IntervalSet, Polynomial};
+use subcert::exact::{IntervalSet, Polynomial, Rational};
 use subcert::report::{Grid, Sheet, reduction};
 use subcert::scheme::Mask;
-use subcert::smoothness::{SmoothRange, smooth_range as computed};
+use subcert::smoothness::smooth_range as computed;
 
 pub(crate) fn smooth_range(
     arguments: &RangeArguments,
@@ -23,84 +25,99 @@ pub(crate) fn smooth_range(
     let progress = Progress::of_search(true);
     let range = computed(&rules, m, arguments.block.levels).map_err(|e| input(&e))?;
     drop(progress);
-    let report = Report { arguments, parameter, m, range };
-    show(&arguments.output, || report.sheet(), || report.form())
+    let levels = (1_u32..).zip(&range.contraction.levels);
+    let level = |(c, set)| Level { c, intervals: Set::of(set, parameter), function: None };
+    let answer = SmoothRange {
+        schema: SCHEMA,
+        scheme: &arguments.scheme,
+        parameter,
+        smoothness: m,
+        inside: Set::of(&range.inside, parameter),
+        outside: Set::of(&range.outside, parameter),
+        but_finitely_many: range.but_finitely_many,
+        gap: range.gap.as_ref().map(up),
+        levels: levels.map(level).collect(),
+        is_complete: range.gap.as_ref().is_some_and(Rational::is_zero),
+        reduction: (!range.reduction.is_empty()).then(|| reduction(&range, parameter)),
+    };
+    show(&arguments.output, &answer)
 }
 
-struct Report<'a> {
-    arguments: &'a RangeArguments,
+/// Where in a parameter the limits are C^m.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct SmoothRange<'a> {
+    /// The version of this form.
+    schema: u32,
+    /// The scheme as it was given.
+    scheme: &'a str,
+    /// The parameter.
     parameter: &'a str,
-    m: usize,
-    range: SmoothRange,
+    /// m.
+    smoothness: usize,
+    /// There all limits are C^m.
+    inside: Set,
+    /// There not all limits are C^m, or the scheme diverges.
+    outside: Set,
+    /// Whether finitely many parameters of `outside` may be exceptions.
+    but_finitely_many: bool,
+    /// The length of what is in neither, a decimal that is rounded upwards; null where it is unbounded.
+    gap: Option<String>,
+    /// For c = 1, 2, … the part of `inside` where the differences contract in c levels.
+    levels: Vec<Level>,
+    /// Whether the length of what is in neither is 0.
+    #[serde(skip)]
+    is_complete: bool,
+    /// Why, and by what, another symbol decides.
+    #[serde(skip)]
+    reduction: Option<String>,
 }
 
-impl Report<'_> {
-    fn parameter(&self) -> Parameter<'_> {
-        Parameter(self.parameter)
-    }
+impl Answer for SmoothRange<'_> {
+    const NAME: &'static str = "range-smoothness";
 
     fn sheet(&self) -> Sheet {
-        let (m, param, range) = (self.m, self.parameter(), &self.range);
+        let SmoothRange { scheme, parameter, smoothness: m, inside, outside, levels, .. } = self;
         let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{}: where the limits are C^{m}", self.arguments.scheme));
-        let open = IntervalSet::everything().without(&range.inside).without(&range.outside);
-        let open = match &range.gap {
-            Some(gap) if gap.is_zero() => "nothing, but for single values at most".to_owned(),
-            Some(gap) => format!("the rest, of the length {} at most", up(gap)),
-            None => param.set(&open),
+        sheet.heading(1, format!("{scheme}: where the limits are C^{m}"));
+        let open = match &self.gap {
+            Some(_) if self.is_complete => "nothing, but for single values at most".to_owned(),
+            Some(gap) => format!("the rest, of the length {gap} at most"),
+            None => {
+                let open = IntervalSet::everything().without(&inside.0).without(&outside.0);
+                Set::of(&open, parameter).words()
+            }
         };
         let fact = |name: &str, text: String| (name.to_owned(), text);
         sheet.facts(vec![
-            fact("inside", param.found(&range.inside)),
-            fact("outside", param.found(&range.outside)),
+            fact("inside", inside.found()),
+            fact("outside", outside.found()),
             fact("open", open),
         ]);
         sheet.heading(2, "By contraction");
-        let rows = (1_u32..).zip(&range.contraction.levels);
-        let rows = rows.map(|(c, set)| vec![c.to_string(), param.set(set)]).collect();
-        let what = if m == 0 { "the scheme".to_owned() } else { format!("derived scheme {m}") };
+        let rows = levels.iter().map(|level| vec![level.c.to_string(), level.intervals.words()]);
+        let rows = rows.collect();
+        let what = if *m == 0 { "the scheme".to_owned() } else { format!("derived scheme {m}") };
         let header = vec!["c".to_owned(), format!("the differences of {what} contract")];
         sheet.grid(Grid { header, rows, left_columns: 2 });
-        let sets = [&range.inside, &range.outside].into_iter().chain(&range.contraction.levels);
-        let ends = sets.flat_map(IntervalSet::ends).map(|(end, _)| end);
-        let ends = param.irrational(ends);
-        if !ends.is_empty() {
-            sheet.heading(2, "Irrational numbers");
-            sheet.facts(ends);
-        }
+        let sets = [inside, outside].into_iter().chain(levels.iter().map(|level| &level.intervals));
+        write_irrational(&mut sheet, parameter, sets, std::iter::empty());
         sheet.text(
             "Inside, all limits have this smoothness: by contraction, and by invariant hulls on intervals \
              with rational ends. Outside, some limit does not have it, or the scheme diverges: a product of \
              matrices of the differences has too large an eigenvalue.",
         );
         let mut whose = "the basic limit function";
-        if !range.reduction.is_empty() {
-            sheet.text(format!("{}.", reduction(range, self.parameter)));
+        if let Some(reduction) = &self.reduction {
+            sheet.text(format!("{reduction}."));
             whose = "this solution";
         }
-        if range.but_finitely_many {
+        if self.but_finitely_many {
             sheet.text(format!(
                 "Finitely many parameters outside may be exceptions: those where the shifts of {whose} are linearly \
                  dependent.",
             ));
         }
         sheet
-    }
-
-    fn form(&self) -> form::SmoothRange<'_> {
-        let (param, range) = (self.parameter(), &self.range);
-        let levels = (1_u32..).zip(&range.contraction.levels);
-        let level = |(c, set)| form::Level { c, intervals: param.set_form(set), function: None };
-        form::SmoothRange {
-            schema: SCHEMA,
-            scheme: &self.arguments.scheme,
-            parameter: self.parameter,
-            smoothness: self.m,
-            inside: param.set_form(&range.inside),
-            outside: param.set_form(&range.outside),
-            but_finitely_many: range.but_finitely_many,
-            gap: range.gap.as_ref().map(up),
-            levels: levels.map(level).collect(),
-        }
     }
 }

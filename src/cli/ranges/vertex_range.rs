@@ -1,11 +1,11 @@
 //! `subcert range --smoothness` of rules around a vertex or on a face.
 
-use super::sets::Parameter;
+use super::sets::{Set, write_irrational};
 use crate::cli::arguments::{RangeArguments, Valences};
-use crate::cli::console::output::{Failure, Outcome, show};
-use crate::cli::json::{SCHEMA, range as form};
-use subcert::characteristic::{VertexRange, vertex_range};
-use subcert::exact::IntervalSet;
+use crate::cli::console::answer::{Answer, SCHEMA, show};
+use crate::cli::console::output::{Failure, Outcome};
+use serde::Serialize;
+use subcert::characteristic::{self, vertex_range};
 use subcert::report::{Grid, SCOPE, Sheet};
 use subcert::scheme::{SchemeError, parse_rules_in_parameter};
 
@@ -40,49 +40,70 @@ pub(crate) fn of_rules(arguments: &RangeArguments, parameter: &str) -> Option<Ou
             Err(error) => return Some(Err(Failure::Input(error.to_string()))),
         }
     }
-    let parameter = Parameter(parameter);
-    let valence_form = |range: &VertexRange| form::VertexValence {
+    let valence = |range: characteristic::VertexRange| VertexValence {
         valence: range.order,
-        inside: parameter.set_form(&range.inside),
-        outside: parameter.set_form(&range.outside),
+        inside: Set::of(&range.inside, parameter),
+        outside: Set::of(&range.outside, parameter),
     };
-    Some(show(
-        &arguments.output,
-        || sheet(scheme, parameter, &found),
-        || form::VertexRange {
-            schema: SCHEMA,
-            scheme,
-            parameter: parameter.0,
-            smoothness: 1,
-            scope: SCOPE,
-            valences: found.iter().map(valence_form).collect(),
-        },
-    ))
+    let valences = found.into_iter().map(valence).collect();
+    let answer =
+        VertexRange { schema: SCHEMA, scheme, parameter, smoothness: 1, scope: SCOPE, valences };
+    Some(show(&arguments.output, &answer))
 }
 
-fn sheet(scheme: &str, parameter: Parameter<'_>, found: &[VertexRange]) -> Sheet {
-    let mut sheet = Sheet::default();
-    sheet.heading(1, format!("{scheme}: where surfaces are C^1 at the vertex or on the face"));
-    let row = |range: &VertexRange| {
-        vec![
-            range.order.to_string(),
-            parameter.found(&range.inside),
-            parameter.found(&range.outside),
-        ]
-    };
-    let header = ["n", "C^1", "not C^1"].map(str::to_owned).to_vec();
-    sheet.grid(Grid { header, rows: found.iter().map(row).collect(), left_columns: 3 });
-    let sets = found.iter().flat_map(|range| [&range.inside, &range.outside]);
-    let ends = parameter.irrational(sets.flat_map(IntervalSet::ends).map(|(end, _)| end));
-    if !ends.is_empty() {
-        sheet.heading(2, "Irrational numbers");
-        sheet.facts(ends);
-    }
-    sheet.text(
+/// For which values of a parameter in rules around a vertex or on a face surfaces are C^1 there.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct VertexRange<'a> {
+    /// The version of this form.
+    schema: u32,
+    /// The scheme as it was given.
+    scheme: &'a str,
+    /// The parameter.
+    parameter: &'a str,
+    /// 1.
+    smoothness: usize,
+    /// What «C¹» means here.
+    scope: &'static str,
+    /// The valences.
+    valences: Vec<VertexValence>,
+}
+
+/// One valence.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct VertexValence {
+    /// The valence.
+    valence: usize,
+    /// There the surface is proved C^1.
+    inside: Set,
+    /// There it is refuted.
+    outside: Set,
+}
+
+impl Answer for VertexRange<'_> {
+    const NAME: &'static str = "range-smoothness-vertex";
+
+    fn sheet(&self) -> Sheet {
+        let mut sheet = Sheet::default();
+        sheet.heading(
+            1,
+            format!("{}: where surfaces are C^1 at the vertex or on the face", self.scheme),
+        );
+        let row = |one: &VertexValence| {
+            vec![one.valence.to_string(), one.inside.found(), one.outside.found()]
+        };
+        let header = ["n", "C^1", "not C^1"].map(str::to_owned).to_vec();
+        let rows = self.valences.iter().map(row).collect();
+        sheet.grid(Grid { header, rows, left_columns: 3 });
+        let sets = self.valences.iter().flat_map(|one| [&one.inside, &one.outside]);
+        write_irrational(&mut sheet, self.parameter, sets, std::iter::empty());
+        sheet.text(
         "C^1: the eigenvalues are in order, and the characteristic map is regular and injective. Not C^1: its Jacobian has both \
          signs, an eigenvalue of block 0 is above the others, or one beside the simple 1 is not below 1. Elsewhere a hypothesis on the eigenvalues fails, or the sign \
          of the Jacobian is not decided.",
     );
-    sheet.text(format!("{SCOPE}."));
-    sheet
+        sheet.text(format!("{SCOPE}."));
+        sheet
+    }
 }

@@ -5,10 +5,11 @@ use super::scheme::{
     VALENCE_HEADER, continuity, depth, hoelder, number, valence_note, valence_row,
 };
 use crate::cli::arguments::AtlasArguments;
+use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::destination::no_page;
-use crate::cli::console::output::{Failure, Outcome, show};
+use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
-use crate::cli::json::{SCHEMA, facts as form};
+use serde::Serialize;
 use subcert::audit::on_all_cores;
 use subcert::facts::{SchemeFacts, atlas_references};
 use subcert::report::json::{CurveForm, FactsForm};
@@ -38,55 +39,82 @@ pub(crate) fn atlas(arguments: &AtlasArguments) -> Outcome {
     let found = on_all_cores(&all, |(entry, reference)| {
         let facts = SchemeFacts::of(reference).map(|facts| FactsForm::of(reference, &facts));
         progress.step();
-        facts.map(|facts| form::Entry { title: &entry.title, source: &entry.citation, facts })
+        facts.map(|facts| Entry { title: &entry.title, source: &entry.citation, facts })
     });
     drop(progress);
-    let schemes = found.into_iter().collect::<Result<Vec<form::Entry<'_>>, _>>();
-    let atlas = form::Atlas { schema: SCHEMA, schemes: schemes.map_err(Failure::from)? };
-    show(&to, || sheet(&atlas), || &atlas)
+    let schemes = found.into_iter().collect::<Result<Vec<Entry<'_>>, _>>();
+    let atlas = Atlas { schema: SCHEMA, schemes: schemes.map_err(Failure::from)? };
+    show(&to, &atlas)
 }
 
-fn sheet(atlas: &form::Atlas<'_>) -> Sheet {
-    let mut sheet = Sheet::default();
-    sheet.heading(1, "The atlas of schemes");
-    sheet.heading(2, "Curves");
-    let header = [
-        "scheme",
-        "n",
-        "points",
-        "kind",
-        "support",
-        "sum rules",
-        "reproduces",
-        "limits",
-        "Hölder exponent",
-        "T_1",
-        "σ",
-        "depths",
-    ];
-    let curves =
-        atlas.schemes.iter().filter_map(|entry| Some((entry, entry.facts.curve.as_ref()?)));
-    let rows = curves.map(|(entry, curve)| curve_row(&entry.facts.scheme, curve)).collect();
-    sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 1 });
-    sheet.text(
+/// The facts of all schemes of the catalogue.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Atlas<'a> {
+    /// The version of this form.
+    schema: u32,
+    /// The schemes, families at their samples.
+    schemes: Vec<Entry<'a>>,
+}
+
+/// A scheme of the catalogue.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Entry<'a> {
+    /// Its title.
+    title: &'a str,
+    /// Where it was published.
+    source: &'a str,
+    /// The facts; their fields stand here.
+    #[serde(flatten)]
+    facts: FactsForm,
+}
+
+impl Answer for Atlas<'_> {
+    const NAME: &'static str = "atlas";
+
+    fn sheet(&self) -> Sheet {
+        let mut sheet = Sheet::default();
+        sheet.heading(1, "The atlas of schemes");
+        sheet.heading(2, "Curves");
+        let header = [
+            "scheme",
+            "n",
+            "points",
+            "kind",
+            "support",
+            "sum rules",
+            "reproduces",
+            "limits",
+            "Hölder exponent",
+            "T_1",
+            "σ",
+            "depths",
+        ];
+        let curves =
+            self.schemes.iter().filter_map(|entry| Some((entry, entry.facts.curve.as_ref()?)));
+        let rows = curves.map(|(entry, curve)| curve_row(&entry.facts.scheme, curve)).collect();
+        sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 1 });
+        sheet.text(
         "Points: of a rule, from the first to the last. Support: its length. Reproduces: the degree, at the \
          natural shift. Depths: levels that polygons with differences up to 1 need for the tolerance 1/100, \
          with x^k_i at i/n^k and at natural parameters. What is not decided is open; `subcert scheme NAME` \
          gives the reasons, and all constants.",
     );
-    sheet.heading(2, "Rules around a vertex or on a face");
-    let surfaces =
-        atlas.schemes.iter().filter_map(|entry| Some((entry, entry.facts.valences.as_ref()?)));
-    let rows = surfaces.flat_map(|(entry, valences)| {
-        valences.iter().map(|one| {
-            let name = std::iter::once(entry.facts.scheme.clone());
-            name.chain(valence_row(one)).collect::<Vec<String>>()
-        })
-    });
-    let header = std::iter::once("scheme").chain(VALENCE_HEADER).map(str::to_owned).collect();
-    sheet.grid(Grid { header, rows: rows.collect(), left_columns: 1 });
-    sheet.text(valence_note());
-    sheet
+        sheet.heading(2, "Rules around a vertex or on a face");
+        let surfaces =
+            self.schemes.iter().filter_map(|entry| Some((entry, entry.facts.valences.as_ref()?)));
+        let rows = surfaces.flat_map(|(entry, valences)| {
+            valences.iter().map(|one| {
+                let name = std::iter::once(entry.facts.scheme.clone());
+                name.chain(valence_row(one)).collect::<Vec<String>>()
+            })
+        });
+        let header = std::iter::once("scheme").chain(VALENCE_HEADER).map(str::to_owned).collect();
+        sheet.grid(Grid { header, rows: rows.collect(), left_columns: 1 });
+        sheet.text(valence_note());
+        sheet
+    }
 }
 
 fn curve_row(name: &str, curve: &CurveForm) -> Vec<String> {

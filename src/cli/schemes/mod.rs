@@ -10,3 +10,5 @@ pub(super) use atlas::atlas;
 pub(super) use list::schemes;
 pub(super) use plot::plot;
 pub(super) use scheme::scheme;
+#[cfg(feature = "schema")]
+pub(super) use {atlas::Atlas, list::Catalogue};

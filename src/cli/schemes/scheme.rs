@@ -3,7 +3,8 @@
 use crate::cli::arguments::SchemeArguments;
 use crate::cli::console::output::{Failure, Outcome, show};
 use crate::cli::console::progress::Progress;
-use crate::cli::ranges::sets::Parameter;
+use crate::cli::console::quantity::is_fraction;
+use crate::cli::ranges::sets::Set;
 use subcert::facts::{FamilyFacts, ParameterFacts, SchemeFacts};
 use subcert::report::json::{
     CurveForm, DepthForm, Exact, Facts, FactsForm, StencilForm, ValenceForm,
@@ -33,12 +34,12 @@ pub(crate) fn scheme(arguments: &SchemeArguments) -> Outcome {
 
 /// Where in the parameter of its family the limits are C^m.
 fn write_family(family: &FamilyFacts, sheet: &mut Sheet) {
-    let parameter = Parameter(&family.parameter);
     sheet.heading(2, format!("The family, in {}", family.parameter));
     let row = |range: &ParameterFacts| {
-        let outside = parameter.found(&range.outside);
+        let [inside, outside] =
+            [&range.inside, &range.outside].map(|set| Set::of(set, &family.parameter).found());
         let but = if range.but_finitely_many { "\nbut for finitely many" } else { "" };
-        vec![format!("C^{}", range.m), parameter.found(&range.inside), format!("{outside}{but}")]
+        vec![format!("C^{}", range.m), inside, format!("{outside}{but}")]
     };
     let header = ["", "all limits", "not all"].map(str::to_owned).to_vec();
     let rows = family.ranges.iter().map(row).collect();
@@ -151,11 +152,6 @@ const DIGITS: usize = 12;
 pub(crate) fn number(value: &Exact) -> String {
     let fraction = is_fraction(&value.exact) && value.exact.len() <= LONGEST;
     if fraction { value.exact.clone() } else { decimal(value) }
-}
-
-/// Whether this is an integer or p/q.
-fn is_fraction(text: &str) -> bool {
-    text.chars().all(|c| c.is_ascii_digit() || matches!(c, '-' | '/'))
 }
 
 /// A decimal, cut to a few digits.

@@ -1,21 +1,21 @@
 //! `subcert smoothness`.
 
 use super::curve::{Curve, curve};
-use super::radius::{
-    apart, between, down, ends, product_text, radius_form, root_text, up, upper_text,
-    write_certificate,
-};
+use super::radius::{Radius, apart, write_certificate};
 use super::vertex;
 use crate::cli::arguments::SmoothnessArguments;
-use crate::cli::console::destination::{Destination, command};
-use crate::cli::console::output::{Failure, Outcome, with_decimal};
+use crate::cli::console::answer::{Answer, SCHEMA, deliver};
+use crate::cli::console::destination::Destination;
+use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
-use crate::cli::json::{SCHEMA, smoothness as form};
+use crate::cli::console::quantity::{Number, exponent};
+use serde::Serialize;
 use subcert::certificate::smoothness_certificate;
 use subcert::exact::{Integer, Rational, RationalPolynomial, format::short};
-use subcert::report::{Sheet, html::FindingPage, json::Exact};
+use subcert::report::Sheet;
+use subcert::report::json::{Exact, HoelderForm};
 use subcert::scheme::{Mask, names_ring};
-use subcert::smoothness::{Coefficient, Hoelder, Smoothness, Symbol, contractions};
+use subcert::smoothness::{self, Coefficient, Symbol, contractions};
 
 pub(crate) fn smoothness(arguments: &SmoothnessArguments) -> Outcome {
     let to = Destination::of(&arguments.output, &format!("smoothness-{}", arguments.scheme))?;
@@ -34,81 +34,134 @@ fn answer<F: Coefficient>(
     mask: &Mask<F>,
     to: &Destination,
 ) -> Outcome {
-    let name = &arguments.scheme;
     let progress = Progress::of_search(true);
-    let smoothness = Smoothness::of(mask).map_err(|error| Failure::Input(error.to_string()))?;
+    let found =
+        smoothness::Smoothness::of(mask).map_err(|error| Failure::Input(error.to_string()))?;
     drop(progress);
     if let Some(path) = &arguments.certificate {
-        write_certificate(path, smoothness_certificate(mask, &smoothness))?;
+        write_certificate(path, smoothness_certificate(mask, &found))?;
     }
-    let most = smoothness.continuity;
-    let contractions = most.map_or_else(Vec::new, |most| contractions(&smoothness.symbol, most));
-    let report = Report { name, generator: generator(mask), smoothness, contractions };
-    let page = || {
-        let (sheet, command) = (report.sheet(), command());
-        let facts = report.continuity().into_iter().map(|(name, text)| format!("{name}: {text}"));
-        let sentence = facts.collect::<Vec<String>>().join("; ");
-        Ok(FindingPage { sentence: &sentence, sheet: &sheet, pictures: &[], command: &command }
-            .to_html())
-    };
-    to.deliver(|| report.sheet(), || report.form(), page)
+    deliver(to, &Smoothness::of(&arguments.scheme, mask, &found))
 }
 
-/// The number t in which irrational coefficients are polynomials: its value, and its minimal polynomial.
-fn generator<F: Coefficient>(mask: &Mask<F>) -> Option<(String, RationalPolynomial)> {
-    let mut all = mask.rules().rows().iter().flatten();
-    let (root, minimal) = all.find_map(Coefficient::generator)?;
-    Some((short(root, 12), RationalPolynomial::over(minimal, &Integer::one())))
+/// How smooth the limits of a scheme are.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Smoothness<'a> {
+    /// The version of this form.
+    schema: u32,
+    /// The scheme as it was given.
+    scheme: &'a str,
+    /// The number t in which the coefficients are polynomials; absent where all are rational.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    field: Option<Field>,
+    /// The arity.
+    arity: usize,
+    /// The ends of the support of the basic limit function, when x^k_i belongs to i/n^k.
+    support: [Exact; 2],
+    /// The order of the sum rules.
+    sum_rules: usize,
+    /// The degree up to which polynomials are generated.
+    generation: usize,
+    /// The degree up to which polynomials are reproduced.
+    reproduction: usize,
+    /// The natural shift s: the point x^k_i belongs to (i + s)/n^k. Null where lines are not kept.
+    natural_shift: Option<Exact>,
+    /// The order of approximation of smooth functions by limits of their values.
+    approximation_order: usize,
+    /// Whether the shifts of the basic limit function are linearly independent; null where the scheme is
+    /// not shown to converge.
+    independent: Option<bool>,
+    /// The largest m for which the limits are proven to be C^m; null where convergence is not proven.
+    continuity: Option<usize>,
+    /// The least m for which it is proven that not all limits are C^m; null where there is none.
+    continuity_fails: Option<usize>,
+    /// For m = 0, 1, … up to `continuity` the proof by contraction; null where none is found.
+    contractions: Vec<Option<Contraction>>,
+    /// The radius of which the exponent is made.
+    radius: Radius,
+    /// The Hölder exponent; null where convergence is not proven.
+    hoelder: Option<HoelderForm>,
+    /// The symbol that decides, where the shifts of the basic limit function are linearly dependent.
+    #[serde(skip)]
+    reduced: Option<String>,
 }
 
-struct Report<'a, F> {
-    name: &'a str,
-    generator: Option<(String, RationalPolynomial)>,
-    smoothness: Smoothness<F>,
-    contractions: Vec<Option<(u32, Rational)>>,
+/// The field of irrational coefficients.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Field {
+    /// The minimal polynomial of t.
+    minimal_polynomial: String,
+    /// t.
+    decimal: String,
 }
 
-impl<F: Coefficient> Report<'_, F> {
-    fn sheet(&self) -> Sheet {
-        let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{}: smoothness", self.name));
-        sheet.facts(self.polynomials());
-        sheet.heading(2, "Limits");
-        let mut facts = self.continuity();
-        if let Some(hoelder) = &self.smoothness.hoelder {
-            facts.push(("Hölder exponent".to_owned(), exponent(hoelder)));
-            if let Some(attained) = hoelder.attained {
-                let text = if attained { "yes" } else { "no: powers of a logarithm enter" };
-                facts.push(("attained".to_owned(), text.to_owned()));
-            }
+/// That the differences of a derived scheme contract.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Contraction {
+    /// The number c of levels.
+    c: u32,
+    /// The norm, below 1.
+    norm: Number,
+}
+
+impl<'a> Smoothness<'a> {
+    fn of<F: Coefficient>(
+        scheme: &'a str,
+        mask: &Mask<F>,
+        found: &smoothness::Smoothness<F>,
+    ) -> Smoothness<'a> {
+        let smoothness::Smoothness { symbol, sum_rules, reproduction, shift, continuity, .. } =
+            found;
+        let (low, high) = symbol.support();
+        let deciding = found.deciding();
+        let contractions = continuity.map_or_else(Vec::new, |most| contractions(symbol, most));
+        let contraction = |found: Option<(u32, Rational)>| {
+            found.map(|(c, norm)| Contraction { c, norm: Number::Rational(norm) })
+        };
+        Smoothness {
+            schema: SCHEMA,
+            scheme,
+            field: field(mask),
+            arity: symbol.arity(),
+            support: [Exact::of(&low), Exact::of(&high)],
+            sum_rules: *sum_rules,
+            generation: sum_rules - 1,
+            reproduction: *reproduction,
+            natural_shift: shift.keeps_lines.then(|| Exact::of(&shift.shift)),
+            approximation_order: reproduction + 1,
+            independent: continuity.map(|_| found.reduced.is_none()),
+            continuity: *continuity,
+            continuity_fails: found.continuity_fails,
+            contractions: contractions.into_iter().map(contraction).collect(),
+            radius: Radius::of(&deciding.matrices, 'T', Some(deciding.order), &deciding.radius),
+            hoelder: found.hoelder.as_ref().map(HoelderForm::of),
+            reduced: found.reduced.as_ref().map(|reduced| polynomial(&reduced.symbol)),
         }
-        sheet.facts(facts);
-        sheet.heading(2, "Joint spectral radius");
-        sheet.facts(self.radius());
-        self.remarks(&mut sheet);
-        sheet
     }
 
     fn polynomials(&self) -> Vec<(String, String)> {
-        let Smoothness { symbol, sum_rules, reproduction, shift, .. } = &self.smoothness;
-        let (low, high) = symbol.support();
-        let generated = format!("up to degree {}", sum_rules - 1);
-        let reproduced = if shift.keeps_lines {
-            format!("up to degree {reproduction}, at the natural shift {}", shift.shift)
-        } else {
-            "only constants: lines are not kept".to_owned()
+        let [low, high] = &self.support;
+        let reproduced = match &self.natural_shift {
+            Some(shift) => {
+                format!("up to degree {}, at the natural shift {}", self.reproduction, shift.exact)
+            }
+            None => "only constants: lines are not kept".to_owned(),
         };
-        let field = self.generator.as_ref().map(|(value, minimal)| {
-            let minimal = minimal.describe("t");
-            ("coefficients", format!("polynomials in t, t = {value} a root of {minimal}"))
+        let field = self.field.as_ref().map(|Field { minimal_polynomial, decimal }| {
+            let text = format!("polynomials in t, t = {decimal} a root of {minimal_polynomial}");
+            ("coefficients", text)
         });
+        let support = format!("of the basic limit function: from {} to {}", low.exact, high.exact);
         let facts = [
-            ("arity n", symbol.arity().to_string()),
-            ("support", format!("of the basic limit function: from {low} to {high}")),
-            ("sum rules", format!("of order {sum_rules}")),
-            ("polynomials generated", generated),
+            ("arity n", self.arity.to_string()),
+            ("support", support),
+            ("sum rules", format!("of order {}", self.sum_rules)),
+            ("polynomials generated", format!("up to degree {}", self.generation)),
             ("reproduced", reproduced),
-            ("approximation order", (reproduction + 1).to_string()),
+            ("approximation order", self.approximation_order.to_string()),
         ];
         let facts = field.into_iter().chain(facts);
         facts.map(|(name, text)| (name.to_owned(), text)).collect()
@@ -118,97 +171,75 @@ impl<F: Coefficient> Report<'_, F> {
         let mut facts = Vec::new();
         for (m, found) in self.contractions.iter().enumerate() {
             let by = match found {
-                Some((c, norm)) => format!(
+                Some(Contraction { c, norm }) => format!(
                     "the differences of {} contract, by {} in {c} level{}",
                     if m == 0 { "the scheme".to_owned() } else { format!("derived scheme {m}") },
-                    with_decimal(norm),
+                    norm.words(),
                     if *c == 1 { "" } else { "s" }
                 ),
                 None => "by the bounds of the joint spectral radius".to_owned(),
             };
             facts.push((format!("C^{m}"), format!("proven: {by}")));
         }
-        match (self.smoothness.continuity_fails, self.smoothness.continuity) {
-            (Some(0), _) => facts.push((
-                "convergence".to_owned(),
-                "refuted: the differences do not tend to 0".to_owned(),
-            )),
-            (Some(m), _) => facts.push((format!("C^{m}"), "refuted".to_owned())),
-            (None, None) => facts.push(("convergence".to_owned(), "open".to_owned())),
-            (None, Some(m)) => facts.push((format!("C^{}", m + 1), "open".to_owned())),
-        }
+        let (what, verdict) = match (self.continuity_fails, self.continuity) {
+            (Some(0), _) => ("convergence".to_owned(), "refuted: the differences do not tend to 0"),
+            (Some(m), _) => (format!("C^{m}"), "refuted"),
+            (None, None) => ("convergence".to_owned(), "open"),
+            (None, Some(m)) => (format!("C^{}", m + 1), "open"),
+        };
+        facts.push((what, verdict.to_owned()));
         facts
     }
+}
 
-    fn radius(&self) -> Vec<(String, String)> {
-        let deciding = self.smoothness.deciding();
-        let (n, radius) = (deciding.symbol.arity(), &deciding.radius);
-        let size = deciding.matrices.size();
-        let low = radius.root_enclosure();
-        let mut facts = vec![
-            (
-                "matrices".to_owned(),
-                format!(
-                    "{n}, {size}×{size}, of {n}^{} times the differences of order {0}",
-                    deciding.order
-                ),
-            ),
-            ("ϱ".to_owned(), between(low.lower(), &radius.upper())),
-            (
-                "at least".to_owned(),
-                format!("{}: of the product {}", root_text(radius), product_text(radius, "T")),
-            ),
-        ];
-        if let Some(hull) = &radius.hull {
-            facts.push(("at most".to_owned(), upper_text(size, radius, hull)));
+impl Answer for Smoothness<'_> {
+    const NAME: &'static str = "smoothness";
+
+    fn sheet(&self) -> Sheet {
+        let mut sheet = Sheet::default();
+        sheet.heading(1, format!("{}: smoothness", self.scheme));
+        sheet.facts(self.polynomials());
+        sheet.heading(2, "Limits");
+        let mut facts = self.continuity();
+        if let Some(hoelder) = &self.hoelder {
+            facts.push(("Hölder exponent".to_owned(), exponent(hoelder)));
+            if let Some(attained) = hoelder.attained {
+                let text = if attained { "yes" } else { "no: powers of a logarithm enter" };
+                facts.push(("attained".to_owned(), text.to_owned()));
+            }
         }
-        facts
-    }
-
-    fn remarks(&self, sheet: &mut Sheet) {
-        let Smoothness { reduced, hoelder, .. } = &self.smoothness;
-        if let Some(reduced) = reduced {
+        sheet.facts(facts);
+        sheet.heading(2, "Joint spectral radius");
+        let (n, size, order) = (self.arity, self.radius.size, self.radius.order.unwrap_or(0));
+        let matrices =
+            format!("{n}, {size}×{size}, of {n}^{order} times the differences of order {order}");
+        let mut facts = vec![("matrices".to_owned(), matrices)];
+        facts.extend(self.radius.facts());
+        sheet.facts(facts);
+        if let Some(reduced) = &self.reduced {
             sheet.text(format!(
                 "The shifts of the basic limit function are linearly dependent. It is a combination of \
-                 shifts of another, with the symbol {}, which is as smooth; its radius decides.",
-                polynomial(&reduced.symbol)
+                 shifts of another, with the symbol {reduced}, which is as smooth; its radius decides.",
             ));
         }
-        if hoelder.as_ref().is_some_and(|hoelder| hoelder.formula.is_none()) {
+        if self.hoelder.as_ref().is_some_and(|hoelder| hoelder.exact.is_none()) {
             sheet.text(apart(" of the exponent"));
         }
+        sheet
     }
 
-    fn form(&self) -> form::Smoothness<'_> {
-        let Smoothness { symbol, sum_rules, reproduction, shift, .. } = &self.smoothness;
-        let (low, high) = symbol.support();
-        let deciding = self.smoothness.deciding();
-        let contraction = |found: &Option<(u32, Rational)>| {
-            found.as_ref().map(|(c, norm)| form::Contraction { c: *c, norm: Exact::of(norm) })
-        };
-        let converges = self.smoothness.continuity.is_some();
-        form::Smoothness {
-            schema: SCHEMA,
-            scheme: self.name,
-            field: self.generator.as_ref().map(|(value, minimal)| form::Field {
-                minimal_polynomial: minimal.describe("t"),
-                decimal: value.clone(),
-            }),
-            arity: symbol.arity(),
-            support: [Exact::of(&low), Exact::of(&high)],
-            sum_rules: *sum_rules,
-            generation: sum_rules - 1,
-            reproduction: *reproduction,
-            natural_shift: shift.keeps_lines.then(|| Exact::of(&shift.shift)),
-            approximation_order: reproduction + 1,
-            independent: converges.then_some(self.smoothness.reduced.is_none()),
-            continuity: self.smoothness.continuity,
-            continuity_fails: self.smoothness.continuity_fails,
-            contractions: self.contractions.iter().map(contraction).collect(),
-            radius: radius_form(&deciding.matrices, Some(deciding.order), &deciding.radius),
-            hoelder: self.smoothness.hoelder.as_ref().map(hoelder_form),
-        }
+    fn sentence(&self) -> String {
+        let facts = self.continuity().into_iter().map(|(name, text)| format!("{name}: {text}"));
+        facts.collect::<Vec<String>>().join("; ")
     }
+}
+
+/// The number t in which irrational coefficients are polynomials: its value, and its minimal polynomial.
+fn field<F: Coefficient>(mask: &Mask<F>) -> Option<Field> {
+    let mut all = mask.rules().rows().iter().flatten();
+    let (root, minimal) = all.find_map(Coefficient::generator)?;
+    let minimal_polynomial = RationalPolynomial::over(minimal, &Integer::one()).describe("t");
+    Some(Field { minimal_polynomial, decimal: short(root, 12) })
 }
 
 /// A symbol up to a power of z.
@@ -222,31 +253,4 @@ fn polynomial<F: Coefficient>(symbol: &Symbol<F>) -> String {
     }
     let terms = symbol.coefficients().iter().enumerate();
     terms.map(|(i, c)| format!("({c})*z^{i}")).collect::<Vec<String>>().join(" + ")
-}
-
-/// The ends of the exponent.
-fn exponent_ends(hoelder: &Hoelder) -> (Rational, Rational) {
-    match &hoelder.formula {
-        Some(formula) => ends(formula),
-        None => (hoelder.lower.clone(), hoelder.upper.clone()),
-    }
-}
-
-fn exponent(hoelder: &Hoelder) -> String {
-    let (low, high) = exponent_ends(hoelder);
-    match &hoelder.formula {
-        Some(formula) if formula.as_rational().is_some() => formula.to_string(),
-        Some(formula) => format!("{formula}\n{}", between(&low, &high)),
-        None => between(&low, &high),
-    }
-}
-
-fn hoelder_form(hoelder: &Hoelder) -> form::Hoelder {
-    let (low, high) = exponent_ends(hoelder);
-    form::Hoelder {
-        lower: down(&low),
-        upper: up(&high),
-        exact: hoelder.formula.as_ref().map(ToString::to_string),
-        attained: hoelder.attained,
-    }
 }

@@ -3,8 +3,10 @@
 mod curve;
 mod jsr;
 mod mask;
-pub(super) mod radius;
+mod radius;
 mod vertex;
 
 pub(super) use jsr::jsr;
 pub(super) use mask::smoothness;
+#[cfg(feature = "schema")]
+pub(super) use {jsr::JointRadius, mask::Smoothness, vertex::Vertices};

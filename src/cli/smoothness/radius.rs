@@ -1,36 +1,93 @@
-//! A joint spectral radius in words, for `smoothness` and `jsr`.
+//! A joint spectral radius, for `smoothness` and `jsr`.
 
 use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::console::quantity::{between, down, up};
 use crate::cli::console::save::save;
-use crate::cli::json::smoothness as form;
+use serde::Serialize;
 use std::path::Path;
-use subcert::exact::{Enclosed, Integer, Rational, format::fixed};
+use subcert::exact::Enclosure;
 use subcert::joint::{Entry, Hull, JointRadius, MatrixSet};
 use subcert::report::json::Exact;
 
-/// The digits after the point of bounds.
-const PLACES: u32 = 12;
-
-/// A decimal of [`PLACES`] places that is not above the number.
-pub(crate) fn down(x: &Rational) -> String {
-    let unit = Rational::from(Integer::power_of_ten(PLACES));
-    fixed(&(Rational::from((x * &unit).floor()) / unit), PLACES)
+/// The joint spectral radius of n matrices.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Radius {
+    /// The size of the matrices.
+    pub(crate) size: usize,
+    /// The order of the differences that they refine, which are scaled by n to this power; absent for
+    /// matrices of a file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) order: Option<usize>,
+    /// The matrices; irrational entries are polynomials in t.
+    pub(crate) matrices: Vec<Vec<Vec<String>>>,
+    /// The factors of a product of large spectral radius, in the order of multiplication, counted from 0.
+    product: Vec<usize>,
+    /// The radius is at least the root of this degree …
+    degree: usize,
+    /// … of this number.
+    root: Exact,
+    /// A decimal that is not above the radius.
+    lower: String,
+    /// A decimal that is not below it.
+    upper: String,
+    /// Whether the radius is that root.
+    pub(crate) exact: bool,
+    /// The number of rows of the invariant hull.
+    rows: usize,
+    /// The bounds in words.
+    #[serde(skip)]
+    between: String,
+    /// The lower bound in words.
+    #[serde(skip)]
+    at_least: String,
+    /// The upper bound in words; `None` where every product of so many factors is 0.
+    #[serde(skip)]
+    pub(crate) at_most: Option<String>,
 }
 
-/// A decimal of [`PLACES`] places that is not below the number.
-pub(crate) fn up(x: &Rational) -> String {
-    let unit = Rational::from(Integer::power_of_ten(PLACES));
-    fixed(&(Rational::from((x * &unit).ceil()) / unit), PLACES)
-}
+impl Radius {
+    /// That of matrices, which words call by this letter.
+    pub(crate) fn of<F: Entry>(
+        set: &MatrixSet<F>,
+        letter: char,
+        order: Option<usize>,
+        radius: &JointRadius,
+    ) -> Radius {
+        let texts = |matrix: &Vec<Vec<F>>| {
+            matrix.iter().map(|row| row.iter().map(F::to_string).collect()).collect()
+        };
+        let (size, bounds) =
+            (set.size(), Enclosure::new(radius.root_enclosure().lower().clone(), radius.upper()));
+        let product = radius.product.iter().map(|i| format!("{letter}_{i}"));
+        let product = product.collect::<Vec<String>>().join(" ");
+        Radius {
+            size,
+            order,
+            matrices: set.matrices().iter().map(texts).collect(),
+            product: radius.product.clone(),
+            degree: radius.degree,
+            root: Exact::of(&radius.root),
+            lower: down(bounds.lower()),
+            upper: up(bounds.upper()),
+            exact: radius.exact,
+            rows: radius.hull.as_ref().map_or(0, |hull| size + hull.rows.len()),
+            between: between(&bounds),
+            at_least: format!("{}: of the product {product}", root_text(radius)),
+            at_most: radius.hull.as_ref().map(|hull| upper_text(size, radius, hull)),
+        }
+    }
 
-/// M_0 M_1 M_1.
-pub(crate) fn product_text(radius: &JointRadius, letter: &str) -> String {
-    let factors = radius.product.iter().map(|i| format!("{letter}_{i}"));
-    factors.collect::<Vec<String>>().join(" ")
+    /// It in words.
+    pub(crate) fn facts(&self) -> Vec<(String, String)> {
+        let facts = [("ϱ", &self.between), ("at least", &self.at_least)];
+        let facts = facts.into_iter().chain(self.at_most.as_ref().map(|most| ("at most", most)));
+        facts.map(|(name, text)| (name.to_owned(), text.clone())).collect()
+    }
 }
 
 /// The lower bound in words.
-pub(crate) fn root_text(radius: &JointRadius) -> String {
+fn root_text(radius: &JointRadius) -> String {
     let JointRadius { root, degree, .. } = radius;
     let value = match root.as_rational() {
         Some(value) => value.to_string(),
@@ -40,7 +97,7 @@ pub(crate) fn root_text(radius: &JointRadius) -> String {
 }
 
 /// The upper bound in words.
-pub(crate) fn upper_text(size: usize, radius: &JointRadius, hull: &Hull) -> String {
+fn upper_text(size: usize, radius: &JointRadius, hull: &Hull) -> String {
     let of_blocks = radius.reduction.as_ref().map(|reduction| {
         let sizes: Vec<String> = reduction.blocks.iter().map(|b| b.size().to_string()).collect();
         format!("of the diagonal blocks of sizes {} in a common basis", sizes.join(", "))
@@ -73,42 +130,6 @@ pub(crate) fn apart(of: &str) -> String {
 fn irrational(root: &subcert::exact::RealAlgebraic) -> String {
     let polynomial = root.minimal_polynomial().unwrap_or_else(|| root.polynomial());
     format!("x = {} a root of {polynomial}", subcert::exact::format::short(root, 12))
-}
-
-pub(crate) fn radius_form<F: Entry>(
-    set: &MatrixSet<F>,
-    order: Option<usize>,
-    radius: &JointRadius,
-) -> form::Radius {
-    let texts = |matrix: &Vec<Vec<F>>| {
-        matrix.iter().map(|row| row.iter().map(F::to_string).collect()).collect()
-    };
-    form::Radius {
-        size: set.size(),
-        order,
-        matrices: set.matrices().iter().map(texts).collect(),
-        product: radius.product.clone(),
-        degree: radius.degree,
-        root: Exact::of(&radius.root),
-        lower: down(radius.root_enclosure().lower()),
-        upper: up(&radius.upper()),
-        exact: radius.exact,
-        rows: radius.hull.as_ref().map_or(0, |hull| set.size() + hull.rows.len()),
-    }
-}
-
-/// An enclosure as decimals that are rounded outwards, or the number that it is.
-pub(crate) fn between(low: &Rational, high: &Rational) -> String {
-    if low == high {
-        return low.to_string();
-    }
-    format!("from {} to {}", down(low), up(high))
-}
-
-/// The value of an exact exponent or radius: the ends of a narrow enclosure.
-pub(crate) fn ends(value: &impl Enclosed) -> (Rational, Rational) {
-    let enclosure = value.enclosure(1);
-    (enclosure.lower().clone(), enclosure.upper().clone())
 }
 
 /// Writes a certificate, if there is one.

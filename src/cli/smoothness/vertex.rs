@@ -1,12 +1,13 @@
 //! `subcert smoothness` of rules around a vertex or on a face.
 
 use crate::cli::arguments::{SmoothnessArguments, Valences};
-use crate::cli::console::destination::{Destination, command};
+use crate::cli::console::answer::{Answer, SCHEMA, deliver};
+use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Failure, Outcome};
-use crate::cli::json::{SCHEMA, vertex as form};
 use crate::cli::spectrum::ring::{failure, failure_without_valence};
+use serde::Serialize;
 use subcert::characteristic::{Family, ORDERED, Vertex, regular_for_all_valences};
-use subcert::report::html::{FindingPage, Picture};
+use subcert::report::html::Picture;
 use subcert::report::json::VertexForm;
 use subcert::report::{
     Grid, SCOPE, Sheet, VERTEX_HEADER, verdict_name, verdict_reason, vertex_facts, vertex_row,
@@ -36,82 +37,99 @@ pub(crate) fn vertex(arguments: &SmoothnessArguments, to: &Destination) -> Outco
             all = Some((*family, regular_for_all_valences(*family)));
         }
     }
-    let page = || {
-        let (sheet, command) = (sheet(scheme, all, &found), command());
-        let pictures: Vec<Picture> = match &found[..] {
+    let answer = Vertices {
+        schema: SCHEMA,
+        scheme,
+        scope: SCOPE,
+        all_valences: all.map(|(_, holds)| holds),
+        valences: found.iter().map(VertexForm::of).collect(),
+        found,
+        family: all.map(|(family, _)| family),
+    };
+    deliver(to, &answer)
+}
+
+/// One valence or several.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Vertices<'a> {
+    /// The version of this form.
+    schema: u32,
+    /// The scheme as it was given.
+    scheme: &'a str,
+    /// What «C¹» means here.
+    scope: &'static str,
+    /// Whether the surface is proved C¹ at all valences from 3 on; absent unless asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    all_valences: Option<bool>,
+    /// The valences.
+    valences: Vec<VertexForm>,
+    /// What is known of them, for words and pictures.
+    #[serde(skip)]
+    found: Vec<Vertex>,
+    /// The family, if all valences are asked for.
+    #[serde(skip)]
+    family: Option<Family>,
+}
+
+impl Answer for Vertices<'_> {
+    const NAME: &'static str = "smoothness-vertex";
+
+    fn sheet(&self) -> Sheet {
+        let mut sheet = Sheet::default();
+        sheet.heading(1, format!("{}: smoothness at the vertex or on the face", self.scheme));
+        if let Some((family, holds)) = self.family.zip(self.all_valences) {
+            let verdict = if holds { "proved for all valences n >= 3" } else { "open" };
+            let map = "all Bernstein coefficients of the Jacobian and of the half-plane are positive, as polynomials \
+                   in one variable, by Sturm's theorem";
+            let order = "0 < λ < 1, from the blocks 1 and n − 1, and above all others, for every n: theorem 135 of \
+                     proofs/THEOREMS.md";
+            let facts = [
+                ("C^1", verdict),
+                ("ring", family.pieces()),
+                ("characteristic map", if holds { map } else { "not decided" }),
+                ("eigenvalues", order),
+            ];
+            sheet.facts(facts.map(|(a, b)| (a.to_owned(), b.to_owned())).to_vec());
+        } else if let [vertex] = &self.found[..] {
+            sheet.facts(vertex_facts(vertex));
+        } else {
+            let rows = self.found.iter().map(vertex_row).collect();
+            let header = VERTEX_HEADER.map(str::to_owned).to_vec();
+            sheet.grid(Grid { header, rows, left_columns: 0 });
+        }
+        sheet.text(format!("{SCOPE}."));
+        sheet
+    }
+
+    fn sentence(&self) -> String {
+        match (self.all_valences, &self.found[..]) {
+            (Some(true), _) => "C^1 is proved for all valences n >= 3.".to_owned(),
+            (Some(_), _) => "It is open whether surfaces are C^1 for all valences.".to_owned(),
+            (None, [vertex]) => {
+                let verdict = &vertex.verdict;
+                format!(
+                    "C^1 at valence {}: {}, as {}.",
+                    vertex.spectrum.order,
+                    verdict_name(verdict),
+                    verdict_reason(verdict)
+                )
+            }
+            (None, found) => {
+                let proved = |vertex: &&Vertex| verdict_name(&vertex.verdict) == "proved";
+                format!(
+                    "C^1 is proved at {} of {} valences.",
+                    found.iter().filter(proved).count(),
+                    found.len()
+                )
+            }
+        }
+    }
+
+    fn pictures(&self) -> Vec<Picture> {
+        match &self.found[..] {
             [vertex] => Picture::of_ring(vertex).into_iter().collect(),
             _ => Vec::new(),
-        };
-        let sentence = sentence(all, &found);
-        let page = FindingPage {
-            sentence: &sentence,
-            sheet: &sheet,
-            pictures: &pictures,
-            command: &command,
-        };
-        Ok(page.to_html())
-    };
-    to.deliver(
-        || sheet(scheme, all, &found),
-        || form::Vertices {
-            schema: SCHEMA,
-            scheme,
-            scope: SCOPE,
-            all_valences: all.map(|(_, holds)| holds),
-            valences: found.iter().map(VertexForm::of).collect(),
-        },
-        page,
-    )
-}
-
-/// What is found, in a sentence.
-fn sentence(all: Option<(Family, bool)>, found: &[Vertex]) -> String {
-    match (all, found) {
-        (Some((_, true)), _) => "C^1 is proved for all valences n >= 3.".to_owned(),
-        (Some(_), _) => "It is open whether surfaces are C^1 for all valences.".to_owned(),
-        (None, [vertex]) => {
-            let verdict = &vertex.verdict;
-            format!(
-                "C^1 at valence {}: {}, as {}.",
-                vertex.spectrum.order,
-                verdict_name(verdict),
-                verdict_reason(verdict)
-            )
-        }
-        (None, _) => {
-            let proved = |vertex: &&Vertex| verdict_name(&vertex.verdict) == "proved";
-            format!(
-                "C^1 is proved at {} of {} valences.",
-                found.iter().filter(proved).count(),
-                found.len()
-            )
         }
     }
-}
-
-fn sheet(scheme: &str, all: Option<(Family, bool)>, found: &[Vertex]) -> Sheet {
-    let mut sheet = Sheet::default();
-    sheet.heading(1, format!("{scheme}: smoothness at the vertex or on the face"));
-    if let Some((family, holds)) = all {
-        let verdict = if holds { "proved for all valences n >= 3" } else { "open" };
-        let map = "all Bernstein coefficients of the Jacobian and of the half-plane are positive, as polynomials \
-                   in one variable, by Sturm's theorem";
-        let order = "0 < λ < 1, from the blocks 1 and n − 1, and above all others, for every n: theorem 135 of \
-                     proofs/THEOREMS.md";
-        let facts = [
-            ("C^1", verdict),
-            ("ring", family.pieces()),
-            ("characteristic map", if holds { map } else { "not decided" }),
-            ("eigenvalues", order),
-        ];
-        sheet.facts(facts.map(|(a, b)| (a.to_owned(), b.to_owned())).to_vec());
-    } else if let [vertex] = found {
-        sheet.facts(vertex_facts(vertex));
-    } else {
-        let rows = found.iter().map(vertex_row).collect();
-        let header = VERTEX_HEADER.map(str::to_owned).to_vec();
-        sheet.grid(Grid { header, rows, left_columns: 0 });
-    }
-    sheet.text(format!("{SCOPE}."));
-    sheet
 }

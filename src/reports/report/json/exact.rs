@@ -8,7 +8,7 @@ use std::fmt::Display;
 const DECIMAL_DIGITS: u32 = 17;
 
 /// An exact value with its decimal.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Exact {
     /// The value: `p/q`, or an expression for an irrational number.

@@ -55,7 +55,7 @@ pub use theorems::witness::{
 };
 
 /// The version of the JSON form.
-const SCHEMA: u32 = 1;
+pub const SCHEMA: u32 = 1;
 
 /// How often each verdict occurs, by its word.
 fn counts(tally: &crate::audit::Tally) -> std::collections::BTreeMap<&'static str, usize> {

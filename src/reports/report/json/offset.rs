@@ -5,7 +5,7 @@ use crate::bound;
 use serde::Serialize;
 
 /// An offset that is better than 0, which is taken where none is stated.
-#[derive(Debug, Serialize)]
+#[derive(Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BetterOffset {
     /// The offset with the least σ.

@@ -142,7 +142,8 @@ impl LimitsForm {
 
 impl HoelderForm {
     /// The form of an exponent.
-    pub(crate) fn of(hoelder: &Hoelder) -> HoelderForm {
+    #[must_use]
+    pub fn of(hoelder: &Hoelder) -> HoelderForm {
         let [lower, upper] = decimals(hoelder);
         let exact = hoelder.formula.as_ref().map(ToString::to_string);
         HoelderForm { lower, upper, exact, attained: hoelder.attained }

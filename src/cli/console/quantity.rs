@@ -1,0 +1,176 @@
+//! Numbers in answers. An answer holds a number itself; JSON and words are made of it when they are written.
+
+use super::output::with_decimal;
+use serde::{Serialize, Serializer};
+use std::fmt::{self, Display, Formatter};
+use subcert::exact::{
+    Enclosed, Enclosure, Integer, Rational, RealCyclotomic, RealExpression, Scalar as _,
+    format::{fixed, short},
+};
+use subcert::report::json::{Exact, HoelderForm};
+use subcert::scheme;
+
+/// A number: in JSON its exact value with a decimal.
+#[derive(Clone, PartialEq)]
+pub(crate) enum Number {
+    Rational(Rational),
+    Cyclotomic(RealCyclotomic),
+    Expression(RealExpression),
+}
+
+/// A number that is its exact value alone in JSON.
+#[derive(Clone)]
+pub(crate) struct Text<V>(pub(crate) V);
+
+impl Number {
+    /// The exact value and its decimal, where they differ.
+    pub(crate) fn words(&self) -> String {
+        with_decimal(self)
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
+        match self {
+            Number::Rational(value) => value.is_zero(),
+            Number::Cyclotomic(value) => *value == RealCyclotomic::zero(),
+            Number::Expression(value) => *value == RealExpression::zero(),
+        }
+    }
+
+    /// It in so many significant digits.
+    pub(crate) fn short(&self, digits: u32) -> String {
+        short(self, digits)
+    }
+}
+
+impl From<&Rational> for Number {
+    fn from(value: &Rational) -> Number {
+        Number::Rational(value.clone())
+    }
+}
+
+impl From<&RealCyclotomic> for Number {
+    fn from(value: &RealCyclotomic) -> Number {
+        Number::Cyclotomic(value.clone())
+    }
+}
+
+impl From<&RealExpression> for Number {
+    fn from(value: &RealExpression) -> Number {
+        Number::Expression(value.clone())
+    }
+}
+
+impl Enclosed for Number {
+    fn enclosure(&self, level: u32) -> Enclosure {
+        match self {
+            Number::Rational(value) => value.enclosure(level),
+            Number::Cyclotomic(value) => value.enclosure(level),
+            Number::Expression(value) => value.enclosure(level),
+        }
+    }
+}
+
+impl Display for Number {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Number::Rational(value) => value.fmt(f),
+            Number::Cyclotomic(value) => value.fmt(f),
+            Number::Expression(value) => value.fmt(f),
+        }
+    }
+}
+
+impl Serialize for Number {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Exact::of(self).serialize(serializer)
+    }
+}
+
+impl<V: Display> Serialize for Text<V> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(&self.0)
+    }
+}
+
+/// The schema of one type is that of another.
+macro_rules! schema {
+    ($name:ty => $form:ty $(, $value:ident)?) => {
+        #[cfg(feature = "schema")]
+        impl$(<$value>)? schemars::JsonSchema for $name {
+            fn inline_schema() -> bool {
+                <$form>::inline_schema()
+            }
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                <$form>::schema_name()
+            }
+            fn schema_id() -> std::borrow::Cow<'static, str> {
+                <$form>::schema_id()
+            }
+            fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                <$form>::json_schema(generator)
+            }
+        }
+    };
+}
+pub(crate) use schema;
+
+schema!(Number => Exact);
+schema!(Text<V> => String, V);
+
+/// The digits after the point of bounds.
+const PLACES: u32 = 12;
+
+/// A decimal of [`PLACES`] places that is not above the number.
+pub(crate) fn down(x: &Rational) -> String {
+    let unit = Rational::from(Integer::power_of_ten(PLACES));
+    fixed(&(Rational::from((x * &unit).floor()) / unit), PLACES)
+}
+
+/// A decimal of [`PLACES`] places that is not below the number.
+pub(crate) fn up(x: &Rational) -> String {
+    let unit = Rational::from(Integer::power_of_ten(PLACES));
+    fixed(&(Rational::from((x * &unit).ceil()) / unit), PLACES)
+}
+
+/// An enclosure as decimals that are rounded outwards, or the number that it is.
+pub(crate) fn between(enclosure: &Enclosure) -> String {
+    let [low, high] = [enclosure.lower(), enclosure.upper()];
+    if low == high { low.to_string() } else { format!("from {} to {}", down(low), up(high)) }
+}
+
+/// A Hölder exponent in words.
+pub(crate) fn exponent(found: &HoelderForm) -> String {
+    let HoelderForm { lower, upper, exact, .. } = found;
+    match exact {
+        Some(exact) if is_fraction(exact) => exact.clone(),
+        Some(exact) => format!("{exact}\nfrom {lower} to {upper}"),
+        None => format!("from {lower} to {upper}"),
+    }
+}
+
+/// Whether this is an integer or p/q.
+pub(crate) fn is_fraction(text: &str) -> bool {
+    text.chars().all(|c| c.is_ascii_digit() || matches!(c, '-' | '/'))
+}
+
+/// Points that are alike.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Orbit {
+    /// Their name.
+    pub name: String,
+    /// Their number.
+    pub count: usize,
+}
+
+impl Orbit {
+    pub(crate) fn all(orbits: &[scheme::Orbit]) -> Vec<Orbit> {
+        orbits.iter().map(|one| Orbit { name: one.name.clone(), count: one.count }).collect()
+    }
+
+    /// `1 vertex, 5 edge`.
+    pub(crate) fn words(orbits: &[Orbit]) -> String {
+        let orbits = orbits.iter().map(|one| format!("{} {}", one.count, one.name));
+        orbits.collect::<Vec<String>>().join(", ")
+    }
+}
