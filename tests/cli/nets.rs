@@ -49,6 +49,11 @@ fn a_depth_has_a_certificate() {
         checked.to_string(),
         "level 1 is enough, and level 0 is not enough: it is the least"
     );
+    let json = |depth: &[&str]| {
+        let text = written(of_roof(&[depth, &["--format", "json"]].concat()));
+        serde_json::from_str::<serde_json::Value>(&text).expect("JSON")["certificate"].clone()
+    };
+    assert_eq!([json(&depth), json(&depth[..4])], [file.path().into(), serde_json::Value::Null]);
     let parametric = refused(of_roof(&[&depth[..], &["--distance", "parametric"]].concat()));
     assert_parts(&parametric, &["--certificate", "leave out --distance parametric"]);
     let alone = refused(["depth", "chaikin", "--tolerance", "1", "--certificate", "x"]);

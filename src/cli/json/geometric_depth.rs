@@ -36,8 +36,8 @@ pub struct Report<'a> {
     pub a_priori: APriori,
     /// What a paper's formula promises; null where there is none.
     pub formula: Option<Formula>,
-    /// Null: there is no certificate of this distance.
-    pub certificate: Option<()>,
+    /// The file that `--certificate` wrote, of a net; or null.
+    pub certificate: Option<String>,
 }
 
 /// A point of one set that is far from the other.

@@ -11,6 +11,7 @@ use crate::cli::console::output::{Failure, Outcome, note};
 use crate::cli::console::progress::Progress;
 use crate::cli::depth::numbers::{depth_text, digits, levels, point};
 use crate::cli::json::{SCHEMA, geometric_depth as form, mesh_depth};
+use std::path::Path;
 use std::sync::Arc;
 use subcert::exact::{Rational, format::short};
 use subcert::float::{shortest, upper};
@@ -214,6 +215,8 @@ pub(super) struct GeometricReport<'a> {
     pub(super) promised: Option<Formula>,
     pub(super) found: GeometricDepth,
     pub(super) faces: Option<Faces>,
+    /// The file of the certificate, which nets alone have.
+    pub(super) certificate: Option<&'a Path>,
     /// The solid that the mesh is the boundary of.
     pub(super) solid: Option<&'a SolidBoundary<Rational>>,
 }
@@ -419,7 +422,7 @@ impl GeometricReport<'_> {
                 level,
                 verdict: level.map(|level| self.verdict(level)),
             }),
-            certificate: None,
+            certificate: self.certificate.map(|path| path.display().to_string()),
         }
     }
 }

@@ -65,6 +65,7 @@ pub(in crate::cli::depth) fn mesh_depth(
             promised,
             found,
             faces,
+            certificate: None,
             solid: None,
         };
         return report.show(arguments, to);

@@ -74,6 +74,7 @@ pub(in crate::cli::depth) fn net_depth(
             promised,
             found,
             faces,
+            certificate: arguments.certificate.as_deref(),
             solid: None,
         };
         return report.show(arguments, to);

@@ -59,6 +59,7 @@ pub(in crate::cli::depth) fn solid_depth(
             promised: Some(Formula { paper: SOLID_FORMULA_PAPER, level }),
             found,
             faces,
+            certificate: None,
             solid: Some(&boundary),
         };
         return report.show(arguments, to);
