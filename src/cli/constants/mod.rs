@@ -2,6 +2,7 @@
 
 mod certify;
 mod columns;
+mod delta;
 pub(super) mod offset;
 mod ring;
 mod uniform;

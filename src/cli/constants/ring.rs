@@ -1,6 +1,6 @@
 //! `subcert constants` of a ring.
 
-use super::uniform::{Delta, number_row};
+use super::delta::{Delta, number_row};
 use crate::cli::arguments::ConstantsArguments;
 use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::output::{Failure, Outcome};

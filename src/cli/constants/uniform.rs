@@ -1,6 +1,7 @@
 //! `subcert constants`.
 
 use super::columns::{Wanted, columns};
+use super::delta::{Delta, number_row};
 use super::offset::BetterOffset;
 use super::ring::local_constants;
 use crate::cli::arguments::{ConstantsArguments, Format};
@@ -13,7 +14,7 @@ use subcert::bound::{
 };
 use subcert::exact::{Rational, format::short};
 use subcert::limit::natural_shift;
-use subcert::report::{Grid, Sheet, json::Exact};
+use subcert::report::{Grid, Sheet};
 use subcert::scheme::{AnyScheme, Rules, Scheme, parse_any_scheme};
 
 pub(crate) fn constants(arguments: &ConstantsArguments) -> Outcome {
@@ -79,17 +80,6 @@ struct Direction {
     shifts: Vec<Rational>,
     /// T_c and Λ_c for c = 1, 2, …
     levels: Vec<Level>,
-}
-
-/// δ.
-#[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Delta {
-    /// The value; its fields stand here.
-    #[serde(flatten)]
-    pub(crate) value: Number,
-    /// Whether it is less than 1.
-    pub(crate) holds: bool,
 }
 
 /// σ at one offset.
@@ -280,25 +270,6 @@ impl Level {
         let own = [("contraction", self.contraction.as_ref()), ("norm", self.norm.as_ref())];
         own.into_iter().chain(forward.into_iter().flatten())
     }
-}
-
-impl Delta {
-    fn of(condition: &DeltaCondition) -> Delta {
-        Delta { holds: condition.holds(), value: (&condition.delta).into() }
-    }
-}
-
-impl Delta {
-    pub(crate) fn words(&self) -> String {
-        let holds = if self.holds { "< 1: one level contracts" } else { "not < 1" };
-        format!("{}, {holds}", self.value.words())
-    }
-}
-
-/// A row of a table of numbers: these texts, and the number.
-pub(crate) fn number_row(of: &[&str], value: &Number) -> Vec<String> {
-    let Exact { exact, decimal } = Exact::of(value);
-    of.iter().map(|&text| text.to_owned()).chain([exact, decimal]).collect()
 }
 
 impl Answer for Constants<'_> {

@@ -1,5 +1,6 @@
 //! `subcert range`.
 
+mod level;
 mod range;
 pub(super) mod sets;
 pub(super) mod smooth_map;

@@ -1,6 +1,7 @@
 //! `subcert range`.
 
-use super::sets::{Set, number, write_irrational};
+use super::level::{Function, Level};
+use super::sets::{Set, write_irrational};
 use super::smooth_map::smooth_map;
 use super::smooth_range::smooth_range;
 use super::vertex_range::of_rules;
@@ -9,8 +10,7 @@ use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::output::{Failure, Outcome};
 use serde::Serialize;
 use subcert::bound::{Order, ParameterRange, RangeError, norm_function, polynomial_rules};
-use subcert::exact::{PiecewisePolynomial, Polynomial, RealAlgebraic};
-use subcert::report::json::RootNumber;
+use subcert::exact::Polynomial;
 use subcert::report::{Grid, Sheet};
 use subcert::scheme::{Rules, open_parameters, parse_parametric};
 use subcert::suggestion::known;
@@ -96,31 +96,6 @@ pub(crate) struct Range<'a> {
     union: Set,
 }
 
-/// Where T_c < 1.
-#[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Level {
-    /// c.
-    pub(crate) c: u32,
-    /// The set.
-    pub(crate) intervals: Set,
-    /// T_c as a function of the parameter; null where it was not asked for.
-    pub(crate) function: Option<Function>,
-}
-
-/// A piecewise polynomial function.
-#[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Function {
-    /// Where one piece ends and the next begins.
-    breaks: Vec<RootNumber>,
-    /// The polynomials, one more than there are breaks.
-    pieces: Vec<String>,
-    /// The same numbers.
-    #[serde(skip)]
-    places: Vec<RealAlgebraic>,
-}
-
 impl<'a> Range<'a> {
     fn of(
         arguments: &'a RangeArguments,
@@ -138,28 +113,6 @@ impl<'a> Range<'a> {
         let levels = (1..).zip(&found.levels).map(level).collect::<Result<_, RangeError>>()?;
         let union = Set::of(&found.union, parameter);
         Ok(Range { schema: SCHEMA, scheme: &arguments.scheme, parameter, levels, union })
-    }
-}
-
-impl Function {
-    fn of(function: &PiecewisePolynomial, parameter: &str) -> Function {
-        let places = function.breakpoints();
-        Function {
-            breaks: places.iter().map(|place| RootNumber::of(place, parameter)).collect(),
-            pieces: function.pieces().iter().map(|piece| piece.describe(parameter)).collect(),
-            places: places.to_vec(),
-        }
-    }
-
-    fn grid(&self) -> Grid {
-        let text = |place: Option<&RealAlgebraic>| place.map_or_else(String::new, number);
-        let row = |(i, piece): (usize, &String)| {
-            let low = i.checked_sub(1).map(|below| &self.places[below]);
-            vec![text(low), text(self.places.get(i)), piece.clone()]
-        };
-        let header = ["from".to_owned(), "to".to_owned(), "T_c".to_owned()].to_vec();
-        let rows = self.pieces.iter().enumerate().map(row).collect();
-        Grid { header, rows, left_columns: 3 }
     }
 }
 

@@ -1,6 +1,6 @@
 //! `subcert range --smoothness`.
 
-use super::range::Level;
+use super::level::Level;
 use super::sets::{Set, write_irrational};
 use crate::cli::arguments::RangeArguments;
 use crate::cli::console::answer::{Answer, SCHEMA, show};
