@@ -229,8 +229,8 @@ impl Direction {
         let header = names[..=width].iter().map(|&name| name.to_owned()).collect();
         let cells = self.levels.iter().zip(&rows).map(|(level, row)| {
             let cell =
-                |value: &Option<&Number>| value.map_or("–".to_owned(), |value| value.short(10));
-            std::iter::once(level.c.to_string()).chain(row.iter().map(cell)).collect()
+                |value: Option<&Number>| value.map_or("–".to_owned(), |value| value.short(10));
+            std::iter::once(level.c.to_string()).chain(row.iter().copied().map(cell)).collect()
         });
         sheet.grid(Grid { header, rows: cells.collect(), left_columns: 0 });
         let mut meaning = "T_c bounds the differences after c levels".to_owned();
