@@ -4,7 +4,7 @@ use super::{TemporaryFile, assert_parts, refused, written};
 
 #[test]
 fn what_may_be_meant() {
-    let cases: [(&[&str], &[&str]); 11] = [
+    let cases: [(&[&str], &[&str]); 14] = [
         (&["constants", "chaiken"], &["did you mean `chaikin`? Known:"]),
         (&["constants", "nothing-like-it"], &["`nothing-like-it`; known:"]),
         (&["audit", "--paper", "khan2019"], &["did you mean `khan2019-newton`?"]),
@@ -14,6 +14,9 @@ fn what_may_be_meant() {
         ),
         (&["explain", "khan2019-newton:eq-3.99"], &["has no claim `eq-3.99`; did you mean `eq-3."]),
         (&["explain", "khan2019-newton:table-1:9:99"], &["no cell `9:99`", "a row from 1 to"]),
+        (&["explain", "khan2019-newton::"], &["has no claim ``"]),
+        (&["explain", "khan2019-newton:table-1:01:1"], &["has no cell `01:1`"]),
+        (&["explain", "khan2019-newton:table-1:+1:1"], &["has no cell `+1:1`"]),
         (&["explain", "mustafa2007-bajaj:theorem-2:1:1"], &["no table, and has no cells"]),
         (
             &["explain", "examples/smoothness.toml", "doe2026-smoothness:table-1.2.order"],

@@ -33,11 +33,19 @@ impl<'t> Target<'t> {
         }
     }
 
+    /// Whether it names a paper and no claim.
+    #[must_use]
+    pub fn names_paper(&self) -> bool {
+        self.claim.is_empty() && self.part.is_none()
+    }
+
     /// The row and the column that it names, counted from 0.
     #[must_use]
     pub fn cell(&self) -> Option<(usize, usize)> {
         let (row, column) = self.part?.split_once(':')?;
-        let place = |text: &str| text.parse::<usize>().ok()?.checked_sub(1);
+        // A cell has one name: neither `01` nor `+1` is a row.
+        let plain = |text: &str| text.parse::<usize>().ok().filter(|n| n.to_string() == text);
+        let place = |text: &str| plain(text)?.checked_sub(1);
         Some((place(row)?, place(column)?))
     }
 
@@ -51,6 +59,6 @@ impl<'t> Target<'t> {
 impl fmt::Display for Target<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.key)?;
-        if self.claim.is_empty() { Ok(()) } else { write!(f, ":{}", self.within()) }
+        if self.names_paper() { Ok(()) } else { write!(f, ":{}", self.within()) }
     }
 }

@@ -25,7 +25,7 @@ pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
     };
     let chosen = select(papers, Some(key))?;
     let [paper] = &chosen[..] else { return Ok(()) };
-    if target.claim.is_empty() {
+    if target.names_paper() {
         return list(paper, arguments);
     }
     if let Some(claim) = cell_of_smoothness(paper, target) {
