@@ -10,7 +10,7 @@ use subcert::audit::{
 };
 use subcert::cap::Cap;
 use subcert::certificate::certificate;
-use subcert::claim::{embedded, read_paper};
+use subcert::claim::{Kind, embedded, read_paper};
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Rational, RealCyclotomic, parse_decimal};
 
@@ -371,7 +371,7 @@ fn a_name_for_a_scheme_sees_the_parameters_where_it_is_used() {
                 columns = { name = 'w', values = ['1/8', '1/4'] }\ncells = [['0.625', '0.75']]\n";
     let verdict = |text| {
         let paper = paper(text);
-        judged(&paper).cell_counts().of(Word::Confirmed)
+        judged(&paper).tally(&[Kind::Table]).of(Word::Confirmed)
     };
     // T_1 = 1/2 + 2w for the tension w, here half of the header.
     assert_eq!(verdict(text), 2);

@@ -6,7 +6,7 @@ use subcert::audit::{
     AsRead, Beyond, Cause, CellFinding, CellGroup, CellStanding, CellSummary, Erratum, Harm,
     Subject, Verdict, Word,
 };
-use subcert::claim::Cell;
+use subcert::claim::{Cell, Kind};
 use subcert::exact::{Rational, RealCyclotomic, parse_decimal};
 use subcert::report::{differences_sheet, errata_sheet};
 
@@ -28,7 +28,7 @@ fn the_summary_adds_up() {
         let printed = paper.tables.iter().flat_map(|table| table.cells.iter().flatten());
         let cells_of = |table: &subcert::claim::Table| table.cell_count();
         assert_eq!(summary.cells(), paper.tables.iter().map(cells_of).sum::<usize>());
-        let counts = audit.cell_counts();
+        let counts = audit.tally(&[Kind::Table]);
         let count = |words: &[Word]| words.iter().map(|word| counts.of(*word)).sum::<usize>();
         assert_eq!(summary.count(CellStanding::Confirmed), count(&[Word::Confirmed]));
         assert_eq!(

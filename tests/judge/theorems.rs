@@ -1,7 +1,7 @@
 //! Theorems as claims: reading, and what they rest on.
 
 use subcert::audit::{PaperAudit, TheoremFinding, Word, audit};
-use subcert::claim::{Paper, Quantity, Statement, embedded, read_paper};
+use subcert::claim::{Kind, Paper, Quantity, Statement, embedded, read_paper};
 use subcert::diagnostic::{Diagnostic, SourceText};
 
 const HEAD: &str = "key = 'k'\n[paper]\nauthors = ['A']\ntitle = 't'\nvenue = 'v'\nyear = '1'\n";
@@ -69,7 +69,7 @@ fn failing_premises_are_followed_through_theorems() {
     assert!(failing(&audit, "third").is_empty());
     assert_eq!(failing(&audit, "fifth"), ["wrong"]);
     assert_eq!(failing(&audit, "sixth"), ["table", "wrong"]);
-    assert_eq!(audit.theorem_counts().of(Word::Open), 6);
+    assert_eq!(audit.tally(&[Kind::Theorem]).of(Word::Open), 6);
 }
 
 #[test]

@@ -1,6 +1,5 @@
 //! The claims of a paper, whatever their kind, with their verdicts.
 
-use crate::claim::Kind;
 use crate::finding::{Finding, PaperAudit, PromiseCounts};
 use crate::verdict::{Standing, Tally};
 
@@ -43,41 +42,10 @@ impl<'a> PaperAudit<'a> {
 }
 
 impl PaperAudit<'_> {
-    /// How many table cells have each verdict.
-    #[must_use]
-    pub fn cell_counts(&self) -> Tally {
-        self.tally(&[Kind::Table])
-    }
-
     /// How many printed bounds and depths keep their promise for every control polygon, how many
     /// break it, and of how many this is open.
     #[must_use]
     pub fn promise_counts(&self) -> PromiseCounts {
         self.tables.iter().fold(PromiseCounts::default(), |sum, table| sum + table.promise_counts())
-    }
-
-    /// How many equations have each verdict, those between functions of a free
-    /// parameter among them.
-    #[must_use]
-    pub fn equation_counts(&self) -> Tally {
-        self.tally(&[Kind::Equation, Kind::Function])
-    }
-
-    /// How many ranges have each verdict.
-    #[must_use]
-    pub fn range_counts(&self) -> Tally {
-        self.tally(&[Kind::Range])
-    }
-
-    /// How many claims about smoothness have each verdict.
-    #[must_use]
-    pub fn smoothness_counts(&self) -> Tally {
-        self.tally(&[Kind::Smoothness])
-    }
-
-    /// How many theorems have each verdict.
-    #[must_use]
-    pub fn theorem_counts(&self) -> Tally {
-        self.tally(&[Kind::Theorem])
     }
 }

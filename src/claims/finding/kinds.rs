@@ -6,7 +6,8 @@ use super::{
 };
 use crate::cap::Cap;
 use crate::claim::{Claim, Kind, Paper, Target, with_kinds};
-use crate::verdict::Tally;
+use crate::verdict::{Tally, Word};
+use std::collections::BTreeMap;
 
 macro_rules! findings {
     ($($(#[$doc:meta])* $kind:ident $name:literal $field:ident $c:ident $finding:ident $claim:ident,)*) => {
@@ -42,11 +43,9 @@ macro_rules! findings {
 
             /// Brings the findings of each kind into the order of the paper.
             pub(crate) fn sort(&mut self) {
-                $(
-                    let claims = &self.paper.$field;
-                    let place = |id: &str| claims.iter().position(|claim| claim.id == id);
-                    self.$field.sort_by_cached_key(|finding| place(&finding.$claim.id));
-                )*
+                let ids = self.paper.claims().map(Claim::id);
+                let places: BTreeMap<&str, usize> = ids.zip(0..).collect();
+                $(self.$field.sort_by_key(|finding| places.get(&finding.$claim.id[..]));)*
             }
         }
     };
@@ -55,6 +54,19 @@ macro_rules! findings {
 with_kinds!(findings);
 
 impl Finding<'_, '_> {
+    /// The word for its verdict; a table has one for each cell.
+    #[must_use]
+    pub fn word(self) -> Option<Word> {
+        match self {
+            Finding::Table(_) => None,
+            Finding::Equation(finding) => Some(finding.verdict.word()),
+            Finding::Function(finding) => Some(finding.verdict.word()),
+            Finding::Range(finding) => Some(finding.verdict()),
+            Finding::Smoothness(finding) => Some(finding.verdict.word()),
+            Finding::Theorem(finding) => Some(finding.verdict.word()),
+        }
+    }
+
     /// Its verdict; of a table, the verdicts of its cells.
     #[must_use]
     pub fn verdicts(self) -> Tally {
@@ -62,11 +74,7 @@ impl Finding<'_, '_> {
             Finding::Table(finding) => {
                 finding.cells.iter().flatten().map(|cell| cell.verdict.word()).collect()
             }
-            Finding::Equation(finding) => Tally::from_iter([finding.verdict.word()]),
-            Finding::Function(finding) => Tally::from_iter([finding.verdict.word()]),
-            Finding::Range(finding) => Tally::from_iter([finding.verdict()]),
-            Finding::Smoothness(finding) => Tally::from_iter([finding.verdict.word()]),
-            Finding::Theorem(finding) => Tally::from_iter([finding.verdict.word()]),
+            other => other.word().into_iter().collect(),
         }
     }
 

@@ -4,10 +4,10 @@ use super::output::with_decimal;
 use serde::{Serialize, Serializer};
 use std::fmt::{self, Display, Formatter};
 use subcert::exact::{
-    Enclosed, Enclosure, Integer, Rational, RealCyclotomic, RealExpression, Scalar as _,
-    format::{fixed, short},
+    Enclosed, Enclosure, Rational, RealCyclotomic, RealExpression, Scalar as _, format::short,
 };
 use subcert::report::json::{Exact, HoelderForm};
+use subcert::report::{down, up};
 use subcert::scheme;
 
 /// A number: in JSON its exact value with a decimal.
@@ -116,21 +116,6 @@ pub(crate) use schema;
 
 schema!(Number => Exact);
 schema!(Text<V> => String, V);
-
-/// The digits after the point of bounds.
-const PLACES: u32 = 12;
-
-/// A decimal of [`PLACES`] places that is not above the number.
-pub(crate) fn down(x: &Rational) -> String {
-    let unit = Rational::from(Integer::power_of_ten(PLACES));
-    fixed(&(Rational::from((x * &unit).floor()) / unit), PLACES)
-}
-
-/// A decimal of [`PLACES`] places that is not below the number.
-pub(crate) fn up(x: &Rational) -> String {
-    let unit = Rational::from(Integer::power_of_ten(PLACES));
-    fixed(&(Rational::from((x * &unit).ceil()) / unit), PLACES)
-}
 
 /// An enclosure as decimals that are rounded outwards, or the number that it is.
 pub(crate) fn between(enclosure: &Enclosure) -> String {

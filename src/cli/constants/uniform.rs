@@ -78,6 +78,9 @@ struct Direction {
     /// The shifts of the parameter, rule by rule.
     #[serde(skip)]
     shifts: Vec<Rational>,
+    /// Whether the forward order was asked for.
+    #[serde(skip)]
+    forward: bool,
     /// T_c and Λ_c for c = 1, 2, …
     levels: Vec<Level>,
 }
@@ -206,6 +209,7 @@ impl Direction {
             ],
             keeps_lines: shift.keeps_lines,
             shifts: shift.of_rules,
+            forward: wanted.forward,
             levels: (0..longest).map(level).collect(),
         })
     }
@@ -224,7 +228,7 @@ impl Direction {
             .iter()
             .map(|level| level.values().map(|(_, value)| value).collect())
             .collect();
-        let width = rows.first().map_or(2, Vec::len);
+        let width = if self.forward { 4 } else { 2 };
         let names = ["c", "T_c", "Λ_c", "T_c forward", "Λ_c forward"];
         let header = names[..=width].iter().map(|&name| name.to_owned()).collect();
         let cells = self.levels.iter().zip(&rows).map(|(level, row)| {
@@ -234,7 +238,7 @@ impl Direction {
         });
         sheet.grid(Grid { header, rows: cells.collect(), left_columns: 0 });
         let mut meaning = "T_c bounds the differences after c levels".to_owned();
-        if width > 2 {
+        if self.forward {
             meaning += "; the forward columns are what papers that read the masks forwards \
                         compute, and bound nothing";
         }

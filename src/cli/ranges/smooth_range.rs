@@ -6,11 +6,10 @@ use crate::cli::arguments::RangeArguments;
 use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
-use crate::cli::console::quantity::up;
 use serde::Serialize;
 use subcert::bound::polynomial_rules;
 use subcert::exact::{IntervalSet, Polynomial, Rational};
-use subcert::report::{Grid, Sheet, reduction};
+use subcert::report::{Grid, Sheet, reduction, up};
 use subcert::scheme::Mask;
 use subcert::smoothness::smooth_range as computed;
 

@@ -1,13 +1,14 @@
 //! A joint spectral radius, for `smoothness` and `jsr`.
 
 use crate::cli::console::output::{Failure, Outcome};
-use crate::cli::console::quantity::{between, down, up};
+use crate::cli::console::quantity::between;
 use crate::cli::console::save::save;
 use serde::Serialize;
 use std::path::Path;
 use subcert::exact::Enclosure;
 use subcert::joint::{Entry, Hull, JointRadius, MatrixSet};
 use subcert::report::json::Exact;
+use subcert::report::{down, up};
 
 /// The joint spectral radius of n matrices.
 #[derive(Serialize)]

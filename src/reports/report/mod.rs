@@ -24,5 +24,6 @@ pub use smooth::vertex::{
     SCOPE, VERTEX_HEADER, verdict_name, verdict_reason, vertex_facts, vertex_row,
 };
 pub use tables::eye::{Eye, to_the_eye};
+pub use words::numbers::{down, up};
 pub use words::set::interval_texts;
 pub use words::sheet::{Block, Grid, Sheet};

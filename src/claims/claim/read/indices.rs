@@ -38,20 +38,19 @@ impl Reader<'_> {
                 },
                 Claim::Theorem(theorem) => {
                     let (bound, others) = of_theorem(theorem);
-                    [bound, others].concat()
+                    let formulas = [&bound[..], &others].concat();
+                    self.claim(paper, formulas, all.of(&theorem.id), all)?;
+                    let known: &[&str] = match &theorem.statement {
+                        Statement::Bound { .. } => &["k", "beta", "beta_1", "beta_2", "beta_3"],
+                        Statement::Depth(_) => &["epsilon", "beta", "beta_1", "beta_2", "beta_3"],
+                        Statement::Other(_) => continue,
+                    };
+                    self.mentions(paper, &bound, known)?;
+                    self.mentions(paper, &others, &[])?;
+                    continue;
                 }
             };
             self.claim(paper, formulas, all.of(claim.id()), all)?;
-        }
-        for theorem in &paper.theorems {
-            let (bound, others) = of_theorem(theorem);
-            let known: &[&str] = match &theorem.statement {
-                Statement::Bound { .. } => &["k", "beta", "beta_1", "beta_2", "beta_3"],
-                Statement::Depth(_) => &["epsilon", "beta", "beta_1", "beta_2", "beta_3"],
-                Statement::Other(_) => continue,
-            };
-            self.mentions(paper, &bound, known)?;
-            self.mentions(paper, &others, &[])?;
         }
         Ok(())
     }

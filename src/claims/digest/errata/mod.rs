@@ -164,7 +164,7 @@ impl<'e, 'a> Subject<'e, 'a> {
     pub fn verdict(&self) -> Word {
         let word = match self {
             Subject::Cells(cells) => cells.findings().next().map(|cell| cell.verdict.word()),
-            other => other.finding().verdicts().iter().next().map(|(word, _)| word),
+            other => other.finding().word(),
         };
         word.unwrap_or(Word::Refuted)
     }

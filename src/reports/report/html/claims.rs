@@ -30,19 +30,18 @@ pub(super) fn section(
     context: &Context<'_, '_>,
     finding: Finding<'_, '_>,
 ) -> Result<Markup, Diagnostic> {
-    let (claim, mut note) = (finding.claim(), finding.claim().note());
-    let (verdict, contents) = match finding {
+    let contents = match finding {
         Finding::Table(finding) => return table::section(context, finding),
-        Finding::Equation(finding) => {
-            // What fails says its note itself.
-            note = note.filter(|_| finding.verdict.word() != Word::Fails);
-            (finding.verdict.word(), equation(finding))
-        }
-        Finding::Function(finding) => (finding.verdict.word(), function(context, finding)),
-        Finding::Range(finding) => (finding.verdict(), range(context, finding)),
-        Finding::Smoothness(finding) => (finding.verdict.word(), smoothness(finding)),
-        Finding::Theorem(finding) => (finding.verdict.word(), theorem(context, finding)?),
+        Finding::Equation(finding) => equation(finding),
+        Finding::Function(finding) => function(context, finding),
+        Finding::Range(finding) => range(context, finding),
+        Finding::Smoothness(finding) => smoothness(finding),
+        Finding::Theorem(finding) => theorem(context, finding)?,
     };
+    let (claim, verdict) = (finding.claim(), finding.word().unwrap_or(Word::Open));
+    // An equation that fails says its note itself.
+    let says_note = matches!(finding, Finding::Equation(_)) && verdict == Word::Fails;
+    let note = claim.note().filter(|_| !says_note);
     let (id, locus, title) = (claim.id(), claim.locus(), claim.title());
     Ok(html! {
         section.claim.(Look::of(verdict).class) id=(id) aria-labelledby={ "page:title-" (id) } {

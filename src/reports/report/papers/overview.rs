@@ -2,20 +2,21 @@
 
 use super::headline::headline;
 use crate::audit::{PaperAudit, Tally, Word};
+use crate::claim::Kind;
 use crate::report::words::sheet::{Grid, Sheet};
 
 /// The text in place of a count of 0.
 const NONE: &str = "·";
 
-/// A kind of claim other than cells: its heading, and its counts in a paper.
-type Kind = (&'static str, fn(&PaperAudit<'_>) -> Tally);
+/// A column of claims other than cells: its heading, and its counts in a paper.
+type Column = (&'static str, fn(&PaperAudit<'_>) -> Tally);
 
-const KINDS: [Kind; 5] = [
+const COLUMNS: [Column; 5] = [
     ("promises\n✓ kept ✗ broken ? open", promises),
-    ("equations\n✓ hold ✗ fail", |audit| audit.equation_counts()),
-    ("ranges\n✓ exact ≈ ✗", |audit| audit.range_counts()),
-    ("smoothness\n✓ confirmed ≈ ✗ ?", |audit| audit.smoothness_counts()),
-    ("theorems\n✓ proved ✗ refuted ? open", |audit| audit.theorem_counts()),
+    ("equations\n✓ hold ✗ fail", |audit| audit.tally(&[Kind::Equation, Kind::Function])),
+    ("ranges\n✓ exact ≈ ✗", |audit| audit.tally(&[Kind::Range])),
+    ("smoothness\n✓ confirmed ≈ ✗ ?", |audit| audit.tally(&[Kind::Smoothness])),
+    ("theorems\n✓ proved ✗ refuted ? open", |audit| audit.tally(&[Kind::Theorem])),
 ];
 
 /// The head of an audit's report by itself.
@@ -35,10 +36,10 @@ pub(crate) fn overview(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
     if audits.iter().any(|audit| !audit.tables.is_empty()) {
         sheet.grid(cells(audits));
     }
-    let stated = |kind: &&Kind| audits.iter().any(|audit| kind.1(audit).total() > 0);
-    let kinds: Vec<&Kind> = KINDS.iter().filter(stated).collect();
-    if !kinds.is_empty() {
-        sheet.grid(others(audits, &kinds));
+    let stated = |column: &&Column| audits.iter().any(|audit| column.1(audit).total() > 0);
+    let columns: Vec<&Column> = COLUMNS.iter().filter(stated).collect();
+    if !columns.is_empty() {
+        sheet.grid(others(audits, &columns));
     }
 }
 
@@ -48,7 +49,7 @@ fn cells(audits: &[PaperAudit<'_>]) -> Grid {
         .iter()
         .map(|word| format!("{} {}", word.mark(), word.name().replace('-', "-\n")));
     let rows = audits.iter().map(|audit| {
-        let counts = audit.cell_counts();
+        let counts = audit.tally(&[Kind::Table]);
         let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
         let lost = cells.filter(|cell| cell.printed.is_none()).count();
         let printed = counts.total() - lost;
@@ -67,10 +68,10 @@ fn cells(audits: &[PaperAudit<'_>]) -> Grid {
     Grid { header: header.chain(verdicts).collect(), rows: rows.collect(), left_columns: 1 }
 }
 
-fn others(audits: &[PaperAudit<'_>], kinds: &[&Kind]) -> Grid {
-    let header = kinds.iter().map(|(heading, _)| (*heading).to_owned());
+fn others(audits: &[PaperAudit<'_>], columns: &[&Column]) -> Grid {
+    let header = columns.iter().map(|(heading, _)| (*heading).to_owned());
     let rows = audits.iter().map(|audit| {
-        let tallies = kinds.iter().map(|(_, counts)| tally(&counts(audit)));
+        let tallies = columns.iter().map(|(_, counts)| tally(&counts(audit)));
         std::iter::once(audit.paper.key.clone()).chain(tallies).collect()
     });
     Grid {

@@ -4,6 +4,7 @@ use crate::audit::{PaperAudit, SmoothnessFinding, SmoothnessVerdict};
 use crate::claim::{RegularityTable, Target};
 use crate::report::words::parts::titled;
 use crate::report::words::sheet::{Grid, Sheet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// A table with the finding of each cell; `None` where nothing is printed.
@@ -14,18 +15,17 @@ pub(crate) struct Regularity<'f, 'a> {
 
 /// The tables of which an audit has judged cells.
 pub(crate) fn tables<'f, 'a>(audit: &'f PaperAudit<'a>) -> Vec<Regularity<'f, 'a>> {
-    let of = |table: &'f Arc<RegularityTable>| {
-        let mut cells = vec![vec![None; table.columns.len()]; table.rows.len()];
-        for finding in &audit.smoothness {
-            if let Some(cell) = finding.claim.cell.as_ref().filter(|cell| cell.table.id == table.id)
-            {
-                cells[cell.row][cell.column] = Some(finding);
-            }
-        }
-        Regularity { table, cells }
+    let empty = |table: &'f Arc<RegularityTable>| Regularity {
+        table,
+        cells: vec![vec![None; table.columns.len()]; table.rows.len()],
     };
-    let judged = |found: &Regularity<'_, '_>| found.cells.iter().flatten().any(Option::is_some);
-    audit.paper.regularity.iter().map(of).filter(judged).collect()
+    let mut tables: BTreeMap<&str, Regularity<'f, 'a>> = BTreeMap::new();
+    for finding in &audit.smoothness {
+        let Some(cell) = &finding.claim.cell else { continue };
+        let found = tables.entry(&cell.table.id).or_insert_with(|| empty(&cell.table));
+        found.cells[cell.row][cell.column] = Some(finding);
+    }
+    audit.paper.regularity.iter().filter_map(|table| tables.remove(&table.id[..])).collect()
 }
 
 /// A cell as printed.

@@ -10,10 +10,9 @@ use crate::claim::{
     ExponentStatement, PrintedValences, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim,
     SmoothnessStatement, Target,
 };
-use crate::exact::{
-    Enclosed as _, Integer, IntervalSet, Rational, RationalPolynomial, format::fixed,
-};
+use crate::exact::{Enclosed as _, IntervalSet, Rational, RationalPolynomial};
 use crate::report::formulas::function::beyond;
+use crate::report::words::numbers::{down, up};
 use crate::report::words::parts::titled;
 use crate::report::words::set::set_text;
 use crate::report::words::sheet::Sheet;
@@ -21,9 +20,6 @@ use crate::smoothness::{Hoelder, SmoothRange};
 
 /// The longest formula of an exponent that stands beside its decimals.
 const LONGEST: usize = 100;
-
-/// The places of decimals.
-const PLACES: u32 = 12;
 
 /// The section on smoothness; without `all`, on the claims that are not confirmed.
 pub(crate) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
@@ -257,10 +253,7 @@ pub(crate) fn decimals(hoelder: &Hoelder) -> [String; 2] {
         }
         None => (hoelder.lower.clone(), hoelder.upper.clone()),
     };
-    let unit = Rational::from(Integer::power_of_ten(PLACES));
-    let low = Rational::from((low * &unit).floor()) / &unit;
-    let high = Rational::from((high * &unit).ceil()) / unit;
-    [low, high].map(|end| fixed(&end, PLACES))
+    [down(&low), up(&high)]
 }
 
 /// Why, and by what, another symbol decides.

@@ -4,8 +4,8 @@ use crate::audit::{Vertices, Word};
 use crate::characteristic::{
     Exponent, Hypothesis, MAX_BISECTIONS, Reason, Refutation, RingPoint, Verdict, Vertex,
 };
-use crate::exact::{Enclosed, Integer, Rational, format::fixed, format::short};
-use crate::report::words::numbers::DIGITS;
+use crate::exact::{Enclosed, format::short};
+use crate::report::words::numbers::{DIGITS, down, up};
 use crate::spectrum::{Curvature, Eigenvalue};
 use std::fmt::Display;
 
@@ -13,23 +13,8 @@ use std::fmt::Display;
 pub const SCOPE: &str = "C^1 in Reif's sense: for generic data, at the vertex or on the face, where the surface around it has \
                          the smoothness of the regular part";
 
-/// The places of decimals.
-const PLACES: u32 = 12;
-
 /// The longest exact value that is shown.
 const LONGEST: usize = 40;
-
-/// A decimal that is not above the number.
-fn down(x: &Rational) -> String {
-    let unit = Rational::from(Integer::power_of_ten(PLACES));
-    fixed(&(Rational::from((x * &unit).floor()) / unit), PLACES)
-}
-
-/// A decimal that is not below the number.
-fn up(x: &Rational) -> String {
-    let unit = Rational::from(Integer::power_of_ten(PLACES));
-    fixed(&(Rational::from((x * &unit).ceil()) / unit), PLACES)
-}
 
 fn with_decimal(value: &(impl Enclosed + Display)) -> String {
     let (exact, decimal) = (value.to_string(), short(value, DIGITS));

@@ -1,10 +1,27 @@
 //! Numbers and polygons in words.
 
-use crate::exact::{RealCyclotomic, format::short};
+use crate::exact::{Integer, Rational, RealCyclotomic, format::fixed, format::short};
 use crate::limit::ExtremalPolygon;
 
 /// The number of significant digits of a decimal.
 pub(crate) const DIGITS: u32 = 12;
+
+/// The places of [`down`] and [`up`].
+const PLACES: u32 = 12;
+
+/// A decimal of 12 places that is not above the number.
+#[must_use]
+pub fn down(x: &Rational) -> String {
+    let unit = Rational::from(Integer::power_of_ten(PLACES));
+    fixed(&(Rational::from((x * &unit).floor()) / unit), PLACES)
+}
+
+/// A decimal of 12 places that is not below the number.
+#[must_use]
+pub fn up(x: &Rational) -> String {
+    let unit = Rational::from(Integer::power_of_ten(PLACES));
+    fixed(&(Rational::from((x * &unit).ceil()) / unit), PLACES)
+}
 
 /// `x_-2, …, x_1 = 0, 1, 2, 1`.
 pub(crate) fn points(letter: &str, ExtremalPolygon { first, points }: &ExtremalPolygon) -> String {
