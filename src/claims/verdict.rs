@@ -53,7 +53,7 @@ verdicts! {
     Confirmed "confirmed" "✓" Holds,
     /// The value at parameters that the paper does not state and that were recovered.
     Reproduced "reproduced" "=" Near,
-    /// The value, rounded otherwise in the last place.
+    /// The value, rounded differently in the last place.
     Rounding "rounding" "≈" Near,
     /// One slip of the pen away from the value.
     Misprint "misprint" "±" Near,

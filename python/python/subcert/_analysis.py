@@ -157,7 +157,7 @@ class Spectrum:
     eigenvalues: List[Eigenvalue]
     #: Whether 1 is simple, and all others are below 1 in absolute value.
     simple_one: bool
-    #: The double eigenvalue λ of the blocks 1 and n − 1, above all that follow; None without one.
+    #: The double eigenvalue λ of the blocks 1 and n − 1, if it exceeds all later ones; None without one.
     subdominant: Optional[Real]
     #: The greatest absolute value after λ.
     next: Optional[Real]

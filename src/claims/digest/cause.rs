@@ -7,17 +7,17 @@ use std::fmt;
 /// Why cells have their outcome.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cause {
-    /// They are rounded otherwise.
+    /// They are rounded differently.
     Rounded(Direction),
-    /// They are read otherwise.
+    /// They are read differently.
     Read(HowRead),
-    /// They are a slip away from the value as printed, or as read otherwise.
+    /// They are a slip away from the value as printed, or as read differently.
     Slip(Option<HowRead>),
     /// The definition has no value: why.
     Undefined(String),
     /// Something is absent.
     Missing(Missing),
-    /// They are reproduced at these values, as printed or as read otherwise.
+    /// They are reproduced at these values, as printed or as read differently.
     Recovered(Assumed, Option<HowRead>),
 }
 

@@ -11,7 +11,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The values from which the cell at a row and a column, counted from 0, is computed by the printed
 /// definition. Parameters that the paper does not state have their assumed or recovered values.
-/// recovered.
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.

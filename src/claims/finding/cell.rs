@@ -14,7 +14,7 @@ use std::fmt;
 pub enum Verdict {
     /// The correctly rounded value of the printed definition.
     Confirmed,
-    /// The exact value of the printed definition, rounded otherwise in the last
+    /// The exact value of the printed definition, rounded differently in the last
     /// place.
     Rounding(Direction),
     /// One local slip away from the exact value.

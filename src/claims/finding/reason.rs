@@ -77,7 +77,7 @@ reasons! {
         /// Distances of a ring are asked of another scheme.
         NoRing "this is no ring",
         /// A ring has no sound bound of a level.
-        RingBound "of a ring the distances themselves are computed",
+        RingBound "for a ring the distances themselves are computed",
         /// A value of a promise is irrational.
         Irrational(value: RealCyclotomic) "sound values are computed at rational numbers, not at {value}",
         /// A level of a promise that is not looked at.

@@ -224,7 +224,7 @@ impl<'a> Tokens<'a> {
         let message = "a text in quotes has no end";
         Diagnostic::new(self.source, self.at..self.at + length, message)
             .with_label("it begins here")
-            .with_help("if the language reads it otherwise, cut the file to the table")
+            .with_help("if the language reads it differently, cut the file to the table")
     }
 }
 

@@ -22,7 +22,7 @@ pub(in crate::cli) enum FindingFormat {
 }
 
 impl FindingFormat {
-    /// The format of what is no page, into this file; `None` of pages.
+    /// The format of what is no page, into this file; `None` for pages.
     pub(in crate::cli) fn of_text(self, file: Option<&PathBuf>) -> Option<Output> {
         let format = match self {
             FindingFormat::Text => Format::Text,
@@ -42,7 +42,7 @@ pub(in crate::cli) struct FindingOutput {
     /// Output format
     #[arg(long, value_enum, default_value_t = FindingFormat::Text)]
     pub(in crate::cli) format: FindingFormat,
-    /// The file for the results; of `--format html` a file that ends in .html, or a folder for it
+    /// The file for the results; for `--format html` a file that ends in .html, or a folder for it
     /// [default: the standard output]
     #[arg(id = "output", short = 'o', long, value_name = "FILE|DIR")]
     pub(in crate::cli) file: Option<PathBuf>,

@@ -12,13 +12,13 @@ pub(in crate::cli) enum MeshOutputFormat {
     Ply,
     /// The same, with creases, corners, holes and texture coordinates, as OBJ has them too
     Usda,
-    /// The same, of a solid
+    /// The same, for a solid
     Vtk,
-    /// The same, of a solid
+    /// The same, for a solid
     Medit,
     /// Exact numbers and the nearest f64
     Json,
-    /// The nearest f64 of each coordinate; of nets only
+    /// The nearest f64 of each coordinate; for nets only
     Csv,
 }
 
@@ -61,14 +61,14 @@ pub(in crate::cli) struct MeshOutput {
     /// The file; without it, the standard output
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     pub(in crate::cli) file: Option<PathBuf>,
-    /// Output format [default: by the extension of FILE, or obj, of a solid vtk]
+    /// Output format [default: by the extension of FILE, or obj, for a solid vtk]
     #[arg(long, value_enum)]
     pub(in crate::cli) format: Option<MeshOutputFormat>,
 }
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct RefineArguments {
-    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren; of a net a curve, or two with ` x `
+    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren; for a net a curve, or two with ` x `
     /// between them; bajaj for a solid
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
@@ -94,7 +94,7 @@ pub(in crate::cli) struct RefineArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct LimitArguments {
-    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren; of a net a curve, or two with ` x `
+    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren; for a net a curve, or two with ` x `
     /// between them; bajaj for a solid
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,

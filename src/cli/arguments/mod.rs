@@ -62,10 +62,10 @@ pub(super) enum Command {
     /// Show one claim, table or equation in full
     #[command(after_help = examples::EXPLAIN)]
     Explain(ExplainArguments),
-    /// What is wrong in papers, as one could send it to a journal
+    /// Write errata, ready to send to a journal
     #[command(after_help = examples::ERRATA)]
     Errata(ErrataArguments),
-    /// What papers number, and the claims that cover it
+    /// The numbered items of a paper, and which claims cover them
     #[command(after_help = examples::COVERAGE)]
     Coverage(CoverageArguments),
     /// The exact constants of a scheme: difference mask, T_c, Λ_c, σ
@@ -74,7 +74,7 @@ pub(super) enum Command {
     /// The subdivision depth for a tolerance: exactly, soundly, and as papers compute it
     #[command(after_help = examples::DEPTH)]
     Depth(DepthArguments),
-    /// Where in a parameter of the mask T_c < 1, or the limits are C^m
+    /// Find the values of a parameter with T_c < 1, or for which the limits are C^m
     #[command(after_help = examples::RANGE)]
     Range(RangeArguments),
     /// How smooth the limits of a scheme are: C^m, and the Hölder exponent from both sides
@@ -90,7 +90,7 @@ pub(super) enum Command {
     /// The joint spectral radius of matrices, from both sides
     #[command(after_help = examples::JSR)]
     Jsr(JsrArguments),
-    /// The f64 path of a scheme against the exact one
+    /// Compare the constants of a scheme in f64 with the exact ones
     #[command(after_help = examples::CERTIFY)]
     Certify(CertifyArguments),
     /// Write certificates of the verdicts, for subcert-check
@@ -117,7 +117,7 @@ pub(super) enum Command {
     /// The facts of all schemes of the catalogue at once
     #[command(after_help = examples::ATLAS)]
     Atlas(AtlasArguments),
-    /// The pictures of one scheme as SVG: basic limit function and derivatives, a refined polygon, where in its
+    /// The pictures of one scheme as SVG: basic limit function and derivatives, a refined polygon, for which
     /// parameters it is smooth, characteristic rings
     #[command(after_help = examples::PLOT)]
     Plot(PlotArguments),

@@ -17,7 +17,7 @@ pub(in crate::cli) struct AuditArguments {
     /// Show every table and equation, also those where nothing is wrong
     #[arg(long)]
     pub(in crate::cli) all: bool,
-    /// Say of each claim whether its certificate is valid
+    /// Say for each claim whether its certificate is valid
     #[arg(long)]
     pub(in crate::cli) certified: bool,
     /// Exit with code 1 when a claim has one of these verdicts, or a promise is `broken`
@@ -26,7 +26,7 @@ pub(in crate::cli) struct AuditArguments {
     /// Output format
     #[arg(long, value_enum, default_value_t = FindingFormat::Text)]
     pub(in crate::cli) format: FindingFormat,
-    /// The file for the results; of `--format html` the folder for a page of each paper, KEY.html, and
+    /// The file for the results; for `--format html` the folder for a page of each paper, KEY.html, and
     /// index.html [default: the standard output]
     #[arg(id = "output", short = 'o', long, value_name = "FILE|DIR")]
     pub(in crate::cli) file: Option<PathBuf>,
@@ -130,7 +130,7 @@ pub(in crate::cli) struct NewArguments {
     /// The key of the paper, such as doe2026-corner: the ids of its claims begin with it
     #[arg(value_name = "KEY")]
     pub(in crate::cli) key: String,
-    /// The file to write, which must not be there yet; `-` for the standard output
+    /// The file to write, which must not exist; `-` for the standard output
     /// [default: KEY.toml]
     #[arg(short = 'o', long, value_name = "FILE")]
     pub(in crate::cli) output: Option<PathBuf>,

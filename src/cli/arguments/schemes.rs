@@ -49,7 +49,7 @@ pub(in crate::cli) struct ConstantsArguments {
     pub(in crate::cli) scheme: String,
     #[command(flatten)]
     pub(in crate::cli) block: DeepBlock,
-    /// Add the constants that papers compute that read the masks forwards. They bound nothing
+    /// Add the constants of papers that read the masks forwards. They bound nothing
     #[arg(long)]
     pub(in crate::cli) forward: bool,
     #[command(flatten)]
@@ -77,7 +77,7 @@ pub(in crate::cli) struct DepthArguments {
     pub(in crate::cli) boundary: Option<DepthBoundary>,
     /// A polygon mesh as OBJ, OFF, PLY, STL, USD (usda) or VTK, a tensor net as CSV or JSON, or a solid as VTK or MEDIT
     /// (ascii), for the depth that it needs; `-` for the standard input. The scheme is catmull-clark,
-    /// doo-sabin, loop, or loop-warren; of a net a curve, or two with ` x ` between them; of a solid
+    /// doo-sabin, loop, or loop-warren; for a net a curve, or two with ` x ` between them; for a solid
     /// bajaj
     #[arg(long, value_name = "FILE", conflicts_with_all = ["spread", "polygon", "width", "levels"])]
     pub(in crate::cli) mesh: Option<PathBuf>,
@@ -95,8 +95,8 @@ pub(in crate::cli) struct DepthArguments {
     /// printed, and the rest is open
     #[arg(long, value_name = "N", requires = "mesh", value_parser = clap::value_parser!(u32).range(1..))]
     pub(in crate::cli) seconds: Option<u32>,
-    /// How far a mesh, a net or a control polygon is from its limit: as sets of points, or at equal parameters. Solids
-    /// have the latter alone [default: a mesh or a net as sets, a polygon of points both]
+    /// How far a mesh, a net or a control polygon is from its limit: as sets of points, or at equal parameters. For solids
+    /// only the second is available [default: a mesh or a net as sets, a polygon of points both]
     #[arg(long, value_enum)]
     pub(in crate::cli) distance: Option<DistanceArgument>,
     /// What a face of a polygon mesh is whose vertices are not in one plane; triangles are flat
@@ -120,7 +120,7 @@ pub(in crate::cli) struct DepthArguments {
 #[derive(Debug, Args)]
 pub(in crate::cli) struct RangeArguments {
     /// The scheme, without a value for the parameter: a mask, or with `--smoothness 1` rules around a vertex or on a
-    /// face, where surfaces of generic data are meant
+    /// face, where the statement is about surfaces with generic data
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
     /// The parameter, in which the mask is polynomial, if the scheme has several; two of them, with
@@ -141,7 +141,7 @@ pub(in crate::cli) struct RangeArguments {
     /// The region of a map of two parameters, such as a=-1..1,b=0..1/2 [default: from -1 to 1]
     #[arg(long, value_name = "BOX", requires = "smoothness", allow_hyphen_values = true)]
     pub(in crate::cli) bounds: Option<String>,
-    /// How many boxes of a map are looked at, up to 20000 [default: 1000]
+    /// The number of boxes to examine for a map, up to 20000 [default: 1000]
     #[arg(long, value_name = "N", requires = "smoothness")]
     pub(in crate::cli) boxes: Option<usize>,
     /// Show T_c itself, a piecewise polynomial function of the parameter
@@ -183,9 +183,9 @@ pub(in crate::cli) enum OracleFormat {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum DistanceArgument {
-    /// The Hausdorff distance of the mesh or the polygon and the limit, from both sides
+    /// The Hausdorff distance between the mesh or the polygon and the limit, from both sides
     Geometric,
-    /// The greatest distance of points of equal parameters
+    /// The greatest distance between points with equal parameters
     Parametric,
 }
 
@@ -258,11 +258,11 @@ pub(in crate::cli) struct OracleArguments {
     #[arg(long, value_name = "S", default_value_t = 1, allow_negative_numbers = true,
           value_parser = seed)]
     pub(in crate::cli) seed: u64,
-    /// How many points that polygon has; a surface, in each direction; not of a ring
+    /// How many points that polygon has; a surface, in each direction; not for a ring
     /// [default: 8]
     #[arg(long, value_name = "M", allow_negative_numbers = true, value_parser = count)]
     pub(in crate::cli) points: Option<usize>,
-    /// What happens at the ends; not of a ring [default: closed]
+    /// What happens at the ends; not for a ring [default: closed]
     #[arg(long, value_enum)]
     pub(in crate::cli) boundary: Option<BoundaryArgument>,
     /// Output format
@@ -314,7 +314,7 @@ pub(in crate::cli) struct AtlasArguments {
     /// Output format
     #[arg(long, value_enum, default_value_t = FindingFormat::Text)]
     pub(in crate::cli) format: FindingFormat,
-    /// The file for the results; of `--format html` the folder for a page of each scheme, NAME.html, and index.html
+    /// The file for the results; for `--format html` the folder for a page of each scheme, NAME.html, and index.html
     /// [default: the standard output]
     #[arg(id = "output", short = 'o', long, value_name = "FILE|DIR")]
     pub(in crate::cli) file: Option<PathBuf>,

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct SmoothnessArguments {
-    /// The scheme: a mask, also with coefficients such as sqrt(3), of matrices of up to 64 rows; or rules
-    /// around a vertex or on a face, where C^1 is meant in Reif's sense: of surfaces of generic data, at the vertex or
+    /// The scheme: a mask, whose coefficients may be irrational, such as sqrt(3), and whose matrices may have up to 64 rows; or rules
+    /// around a vertex or on a face, where C^1 is meant in Reif's sense: for surfaces with generic data, at the vertex or
     /// on the face, with the smoothness of the regular part elsewhere
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,

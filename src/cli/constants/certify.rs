@@ -42,7 +42,7 @@ pub(crate) fn certify(arguments: &CertifyArguments) -> Outcome {
 /// The report on a ring, which has constants, and no formula for depths.
 fn ring_certificate(ring: &LocalRules, arguments: &CertifyArguments) -> Outcome {
     if arguments.spread.is_some() || !arguments.tolerance.is_empty() {
-        let message = "--tolerance and --spread ask for depths by a formula for masks; of a ring, \
+        let message = "--tolerance and --spread ask for depths by a formula for masks; for a ring, \
                        `subcert depth` gives the exact depth";
         return Err(Failure::Input(message.to_owned()));
     }
@@ -238,8 +238,8 @@ impl Answer for Certification<'_> {
         sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 0 });
         sheet.text(
         "Margin: bound(k)/ε, at most 1, and bound(k−1)/ε, above 1; the nearer to 1, the nearer \
-         k is to another. This k is the depth by a formula; `subcert depth` says how many levels it \
-         takes indeed.",
+         k is to another. This k is the depth by a formula; `subcert depth` gives the number of \
+         levels that is really needed.",
     );
         sheet
     }

@@ -39,7 +39,7 @@ impl BetterOffset {
         let words = format!(
             "`{file}` states no offset, so it is 0, with σ = {}. At offset {offset} σ is {}, and the \
              depth by the sound bound is never greater. The points of a level are then numbered \
-             otherwise; the limit stays the same. To have it so, write in the file, beside the mask: \
+             differently; the limit stays the same. For that, write in the file, beside the mask: \
              offset = '{offset}'",
             short(at_zero, 9),
             short(least, 9)

@@ -102,7 +102,7 @@ impl Bounds {
 
     pub(super) fn facts(&self) -> Vec<(String, String)> {
         let sound = match &self.sound {
-            Ok(depth) => format!("{}, by blocks of {}", levels(depth.level), depth.block),
+            Ok(depth) => format!("{}, with c = {}", levels(depth.level), depth.block),
             Err(error) => format!("none: {error}"),
         };
         let depths = (1..).zip(&self.printed).filter_map(|(c, (_, depth)): (u32, _)| {

@@ -250,7 +250,7 @@ impl Report {
                 Err(why) => facts.push((name.to_owned(), format!("none: {why}"))),
             }
             if let Some(Some(Ok(own))) = indexed.map(|indexed| &indexed.polygon) {
-                facts.push(("as papers count".to_owned(), own.depth_text()));
+                facts.push(("as papers do".to_owned(), own.depth_text()));
             }
             sheet.facts(facts);
         }
@@ -259,7 +259,7 @@ impl Report {
             Err(why) => vec![("exact depth".to_owned(), format!("none: {why}"))],
         };
         if let Some(Ok(exact)) = indexed.map(|indexed| &indexed.exact) {
-            facts.push(("as papers count".to_owned(), exact.short()));
+            facts.push(("as papers do".to_owned(), exact.short()));
         }
         facts.extend(self.bounds.facts());
         sheet.facts(facts);
@@ -272,15 +272,15 @@ impl Report {
             if self.sets.is_some() {
                 sheet.text(
                     "As sets of points: no point of the polygon is farther than ε from the limit, and no point of the \
-                     limit from the polygon, in the Euclidean distance. `--certificate` writes it for subcert-check. Levels between are not \
-                     claimed to be better than earlier ones: the depth is the least level that is within the tolerance.",
+                     limit from the polygon, in the Euclidean distance. `--certificate` writes it for subcert-check. Nothing is said about \
+                     the levels in between: the depth is the least level that is within the tolerance.",
                 );
             }
         }
         sheet.text(
             "The exact depth is the least level from which on every control polygon or net of this \
-             spread meets the tolerance. The sound bound promises it too, the later the cruder it \
-             is; it compares the points at i/n^k, at the scheme's own offset, as papers do. The \
+             spread meets the tolerance. The sound bound also guarantees it, but from a later \
+             level: the cruder the bound, the later. It compares the points at i/n^k, at the scheme's own offset, as papers do. The \
              printed formula, σβT^k/(1 − T) with one power of the constant for each level, |Σ| in \
              place of σ and offset 0, does not promise it.",
         );

@@ -52,7 +52,7 @@ impl Place {
     /// `(i − 1/2)/2^k, where lines stay where they are`.
     pub(super) fn text(&self) -> String {
         let why = match self.parametrisation {
-            Parametrisation::Indexed => "as papers count",
+            Parametrisation::Indexed => "as papers do",
             Parametrisation::Natural if self.keeps_lines.iter().all(|keeps| *keeps) => {
                 "where lines stay where they are"
             }

@@ -21,7 +21,7 @@ pub struct Report<'a> {
     /// The true depth for every control polygon or net of the spread, each point of level k at its
     /// natural parameter (i + s)/n^k.
     pub natural: OrNone<Exactly<'a>>,
-    /// The true depth with each point of level k at i/n^k, as papers count.
+    /// The true depth with each point of level k at i/n^k, as papers do.
     pub indexed: OrNone<Exactly<'a>>,
     /// The depth by the sound bound.
     pub sound: Sound,

@@ -57,7 +57,7 @@ fn show_audit(
         || {
             let mut sheet = audit_sheet(audits, arguments.all);
             sheet.text(
-                "✓ confirmed  = reproduced at values that the paper does not state  ≈ rounded otherwise  ± misprint  ⇄ another reading  ✗ refuted  ? not checkable, or \
+                "✓ confirmed  = reproduced at values that the paper does not state  ≈ rounded differently  ± misprint  ⇄ another reading  ✗ refuted  ? not checkable, or \
                  open. Under a cell: the exact value of the printed definition, and the sound \
                  value where the printed one is not shown to keep its promise. `--all` shows \
                  every table, `subcert explain KEY:ID` one claim, whose ID ends its heading.",

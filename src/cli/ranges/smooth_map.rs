@@ -30,7 +30,7 @@ pub(crate) fn smooth_map(arguments: &RangeArguments, parameters: [&String; 2]) -
     }
     let most = arguments.boxes.unwrap_or(BOXES);
     if !(1..=MAX_BOXES).contains(&most) {
-        return refuse(format!("`--boxes {most}`: from 1 to {MAX_BOXES} boxes are looked at"));
+        return refuse(format!("`--boxes {most}`: from 1 to {MAX_BOXES} boxes can be examined"));
     }
     let region = region(arguments.bounds.as_deref(), parameters).map_err(Failure::Input)?;
     let mask = parse_in_parameters(&arguments.scheme, &[first, second])?;

@@ -81,7 +81,7 @@ impl Answer for SmoothRange<'_> {
         sheet.heading(1, format!("{scheme}: where the limits are C^{m}"));
         let open = match &self.gap {
             Some(_) if self.is_complete => "nothing, but for single values at most".to_owned(),
-            Some(gap) => format!("the rest, of the length {gap} at most"),
+            Some(gap) => format!("the rest, of length at most {gap}"),
             None => {
                 let open = IntervalSet::everything().without(&inside.0).without(&outside.0);
                 Set::of(&open, parameter).words()

@@ -32,7 +32,7 @@ pub(crate) fn of_rules(arguments: &RangeArguments, parameter: &str) -> Option<Ou
             Err(error) => return Some(Err(error.into())),
         };
         if arguments.smoothness != Some(1) {
-            let message = "of rules around a vertex or on a face, the range of C^1 is computed: give `--smoothness 1`";
+            let message = "for rules around a vertex or on a face, the range of C^1 is computed: give `--smoothness 1`";
             return Some(Err(Failure::Input(message.to_owned())));
         }
         match vertex_range(&ring, parameter) {

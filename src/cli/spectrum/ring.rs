@@ -119,7 +119,7 @@ impl<'a> Spectrum<'a> {
         let yes = |holds: bool| if holds { "yes" } else { "no" }.to_owned();
         let value = found.subdominant.as_ref();
         let value = value.map_or_else(|| yes(false), |value| format!("yes: λ = {}", value.words()));
-        let what = "λ is double, of the blocks 1 and n − 1, and above all that follow";
+        let what = "λ is double, from blocks 1 and n − 1, and exceeds all later ones";
         let facts = [("1 is simple and dominant", yes(found.simple_one)), (what, value)];
         let curvature = self.curvature.iter().map(|text| ("curvature", text.clone()));
         facts.into_iter().chain(curvature).map(|(name, text)| (name.to_owned(), text)).collect()

@@ -162,7 +162,7 @@ impl MeshError {
                 "remove the face, or give it three different vertices or more"
             }
             MeshError::NoPoint { .. } => {
-                "is the file cut off, or from a program that counts otherwise?"
+                "is the file cut off, or from a program that counts differently?"
             }
             MeshError::NonManifoldEdge { .. } => "an edge has one face, at the boundary, or two",
             MeshError::Orientation { .. } => {

@@ -129,7 +129,7 @@ impl SolidError {
             SolidError::Empty => "a solid needs at least one hexahedron",
             SolidError::TooManyPoints { .. } => "take a lower level, or a smaller mesh",
             SolidError::NoPoint { .. } => {
-                "is the file cut off, or from a program that counts otherwise?"
+                "is the file cut off, or from a program that counts differently?"
             }
             SolidError::Twice { .. } => "remove the cell, or give it eight different corners",
             SolidError::ThirdCell { .. } => {

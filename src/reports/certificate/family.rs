@@ -85,7 +85,7 @@ fn differences(reading: &Explanation) -> Result<(Vec<String>, usize), String> {
             }
             other => {
                 let name = reading::member(other);
-                names.push(name.ok_or("a parameter is read otherwise, which is no member")?);
+                names.push(name.ok_or("a parameter is read differently, which is no member")?);
             }
         }
     }

@@ -50,7 +50,7 @@ impl<'f> Readings<'f> {
     ) -> Result<(&'static str, String), String> {
         let found = self.first.by(read, slip, at).or_else(|| self.assumed.by(read, slip, at));
         found.ok_or_else(|| {
-            "a cell is read otherwise than the table, its row and its column".to_owned()
+            "a cell is read differently from the table, its row and its column".to_owned()
         })
     }
 }

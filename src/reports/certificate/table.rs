@@ -130,7 +130,7 @@ fn verdict(
     at: (usize, usize),
 ) -> Result<String, String> {
     let read = |slip: Option<&Slip>| {
-        let read = cell.as_read.as_ref().ok_or("a cell is read otherwise, without a value")?;
+        let read = cell.as_read.as_ref().ok_or("a cell is read differently, without a value")?;
         let (rounding, by) = readings.by(read, slip, at)?;
         let slip = slip.map_or(String::new(), |slip| format!(" misprint {}", name(slip)));
         Ok::<String, String>(format!("other-reading {}{rounding}{slip}{by}", closed(&read.value)))

@@ -30,7 +30,7 @@ pub enum Verdict {
 /// Why a surface is not C¹.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refutation {
-    /// An eigenvalue, other than one simple 1, is not below 1 in absolute value: the rings of generic data do not shrink to a
+    /// Besides the simple eigenvalue 1 there is one with |λ| ≥ 1, or 1 is multiple: the rings of generic data do not contract to a
     /// point, and the surface is not continuous.
     Diverges {
         /// The eigenvalue; 1 where it is multiple.

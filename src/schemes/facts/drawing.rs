@@ -102,7 +102,7 @@ pub enum FamilyDrawing {
 
 impl Drawing {
     /// What is drawn of a scheme of the catalogue, a file, or a mask. The region is that of a map of two parameters, in which
-    /// `boxes` boxes are looked at for each order of smoothness.
+    /// `boxes` boxes are examined for each order of smoothness.
     ///
     /// # Errors
     /// When there is no such scheme, or it is a tensor product, or it has parameters without a value that are neither one nor

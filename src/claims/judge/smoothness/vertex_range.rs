@@ -18,7 +18,7 @@ pub(super) fn judge(
     if statement.m != 1 {
         return Err(scheme
             .error(format!("`smoothness = '{}'` of rules", statement.m))
-            .with_help("of rules around a vertex or on a face, the range of C^1 is judged"));
+            .with_help("for rules around a vertex or on a face, the range of C^1 is judged"));
     }
     let (valences, all) = match &statement.valences {
         None => (vec![None], false),

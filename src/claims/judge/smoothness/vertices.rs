@@ -19,7 +19,7 @@ pub(super) fn judge(
 ) -> Result<(SmoothnessVerdict, KnownLimits), Diagnostic> {
     let SmoothnessStatement::Continuity { continuous, not_continuous, valences } = statement else {
         return Err(scheme.error("this is claimed of masks only").with_help(
-            "of rules around a vertex or on a face, `continuous` and `not_continuous` are judged",
+            "for rules around a vertex or on a face, `continuous` and `not_continuous` are judged",
         ));
     };
     let says = |vertex: &Vertex| {

@@ -326,7 +326,7 @@ impl GeometricReport<'_> {
         facts.push((
             "a priori".to_owned(),
             format!(
-                "{}, of all {} edges of {} at most, by equal parameters",
+                "{}, for all {} edges of length at most {}, at equal parameters",
                 levels(self.guaranteed.level),
                 kind.all(),
                 digits(self.guaranteed.longest_edge)
@@ -361,8 +361,8 @@ impl GeometricReport<'_> {
         };
         sheet.text(format!(
             "The distance is the greatest one of any point of the {name} from the limit surface, and of any \
-             point of the surface from the {name}. {certificate} Levels between are not claimed \
-             to be better than earlier ones: the depth is the least level that is within the tolerance. \
+             point of the surface from the {name}. {certificate} Nothing is said about \
+             the levels in between: the depth is the least level that is within the tolerance. \
              `--distance parametric` compares {compares}.{net}"
         ));
         sheet

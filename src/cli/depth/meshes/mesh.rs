@@ -192,7 +192,7 @@ impl Report {
         }
         let all = kind.all();
         let text = format!(
-            "{}, of all {all} edges of {} at most",
+            "{}, for all {all} edges of length at most {}",
             levels(guaranteed.level),
             digits(guaranteed.longest_edge)
         );

@@ -233,7 +233,7 @@ pub(super) fn face_sizes(mesh: &PolygonMesh<Rational>) -> BTreeSet<usize> {
     inner.map(|star| star.faces.len()).chain(faces).chain([4]).collect()
 }
 
-/// Edges across those between two faces shrink otherwise than those of faces: with κ = c/(q − T), the
+/// Edges across those between two faces shrink differently from those of faces: with κ = c/(q − T), the
 /// sum of the longest edge of all and κ times the longest edge of a face that comes from one of level
 /// 0 falls by q = 3/4.
 fn doo_sabin(mesh: &PolygonMesh<Rational>) -> Bound {

@@ -44,7 +44,7 @@ pub(crate) fn origin(cells: &CellErratum<'_, '_>) -> String {
             let table = cells.finding.table;
             let evidence = |search| reading::evidence(table, search, &cells.findings());
             let evidence = cells.finding.searches().map(evidence).filter(|text| !text.is_empty());
-            format!("read otherwise: {cause}\n{}", evidence.collect::<Vec<String>>().join("\n"))
+            format!("read differently: {cause}\n{}", evidence.collect::<Vec<String>>().join("\n"))
         }
         CellStanding::Confirmed | CellStanding::NotCheckable | CellStanding::Explained => cause,
         CellStanding::Misprinted => {

@@ -21,7 +21,7 @@ pub(super) const LOOKS: [Look; 7] = [
         of: Word::Reproduced,
         says: "reproduced at values that the paper does not state",
     },
-    Look { class: Word::Rounding.name(), of: Word::Rounding, says: "rounded otherwise" },
+    Look { class: Word::Rounding.name(), of: Word::Rounding, says: "rounded differently" },
     Look { class: Word::Misprint.name(), of: Word::Misprint, says: Word::Misprint.name() },
     Look { class: "reading", of: Word::OtherReading, says: "another reading" },
     Look { class: "wrong", of: Word::Refuted, says: "refuted, fails, inexact" },

@@ -211,7 +211,7 @@ fn comparison(finding: &TableFinding<'_>) -> Option<String> {
         ("equal", count(&|verdict| *verdict == Verdict::Confirmed)),
         ("a level short", count(&|v| *v == Verdict::Rounding(Direction::DepthDown))),
         (
-            "rounded otherwise",
+            "rounded differently",
             count(&|v| matches!(v, Verdict::Rounding(d) if *d != Direction::DepthDown)),
         ),
         ("by another reading", count(&|verdict| *verdict == Verdict::OtherReading)),

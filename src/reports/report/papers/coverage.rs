@@ -10,7 +10,7 @@ use crate::report::words::sheet::{Grid, Sheet};
 pub fn coverage_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
     let mut sheet = Sheet::default();
     sheet.heading(1, "Coverage");
-    sheet.text("What the papers number, and the claims that cover it.");
+    sheet.text("The numbered items of the papers, and the claims that cover them.");
     sheet.grid(summary(audits));
     if let Some(grid) = kernel::grid(audits) {
         sheet.heading(2, "Checked by Coq");

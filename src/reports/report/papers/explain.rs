@@ -170,7 +170,7 @@ pub(crate) fn cell_facts(cell: &CellFinding) -> Vec<(String, String)> {
         fact("exact", format!("none: {why}"));
     }
     if let Some(read) = &cell.as_read {
-        fact("read otherwise", read.differs());
+        fact("read differently", read.differs());
         let (text, decimal) = (read.value.to_string(), short(&read.value, 17));
         let value = if text == decimal { text } else { format!("{text} = {decimal}") };
         fact("exact, as read", value);
@@ -184,7 +184,7 @@ pub(crate) fn cell_facts(cell: &CellFinding) -> Vec<(String, String)> {
     fact("verdict", verdict_text(&cell.verdict));
     match &cell.sound {
         Some(Sound::Depth { level, block }) => {
-            fact("sound depth", format!("{level}, by blocks of {block} levels"));
+            fact("sound depth", format!("{level}, with c = {block}"));
         }
         Some(Sound::Least(level)) => fact("least level, exactly", level.to_string()),
         Some(Sound::Bound(bound)) => fact("sound bound", short(bound, 17)),

@@ -140,7 +140,7 @@ fn cells(audit: &PaperAudit<'_>) -> Vec<String> {
         let mut parts = Vec::new();
         for word in Word::OF_CELLS {
             let said = match word {
-                Word::Rounding => "rounded otherwise",
+                Word::Rounding => "rounded differently",
                 Word::OtherReading => "given by another reading",
                 Word::Misprint => "a slip away",
                 Word::NotCheckable => "not checkable",

@@ -99,7 +99,7 @@ fn weight(finding: &ShippedFinding<'_>) -> String {
         }
         Outcome::Otherwise => lines.push(
             "The numbers are consistent, but not those that the formula gives: the formula may be \
-             meant otherwise, or a value may have been rounded too early."
+             meant differently, or a value may have been rounded too early."
                 .to_owned(),
         ),
         _ => {}

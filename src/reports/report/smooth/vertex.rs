@@ -110,7 +110,7 @@ fn diverges(found: &Eigenvalue) -> String {
         }
     };
     format!(
-        "{value} {of} is not below 1 in absolute value, beside the simple 1: the rings do not shrink to a point, and the \
+        "{value} {of} is not below 1 in absolute value, besides the simple eigenvalue 1: the rings do not contract to a point, and the \
          surface is not continuous"
     )
 }

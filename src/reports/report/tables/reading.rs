@@ -29,7 +29,7 @@ pub(crate) fn remark(search: &Search) -> String {
     let mut text = if first.differences.is_empty() {
         format!("{} As printed.", Word::Reproduced.mark())
     } else {
-        format!("{} Read otherwise: {}.", Word::OtherReading.mark(), first.differs())
+        format!("{} Read differently: {}.", Word::OtherReading.mark(), first.differs())
     };
     text.extend(others);
     text.push_str(" That explains ");
