@@ -5,6 +5,7 @@ use super::destination::{Destination, command};
 use super::output::{self, Outcome};
 use crate::cli::arguments::{Format, Output};
 use serde::Serialize;
+use std::fmt::Display;
 use subcert::report::html::{FindingPage, Picture};
 use subcert::report::{Grid, Sheet};
 
@@ -32,6 +33,45 @@ pub(crate) trait Answer: Serialize {
     /// The pictures of its page.
     fn pictures(&self) -> Vec<Picture> {
         Vec::new()
+    }
+}
+
+/// An answer, or the reason that there is none.
+#[derive(Clone, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(untagged)]
+pub(crate) enum OrNone<T> {
+    /// The answer.
+    Found(T),
+    /// There is none.
+    None {
+        /// The reason.
+        none: String,
+    },
+}
+
+impl<T, E: Display> From<Result<T, E>> for OrNone<T> {
+    fn from(found: Result<T, E>) -> OrNone<T> {
+        match found {
+            Ok(found) => OrNone::Found(found),
+            Err(why) => OrNone::None { none: why.to_string() },
+        }
+    }
+}
+
+impl<T> OrNone<T> {
+    pub(crate) fn map<U>(&self, make: impl FnOnce(&T) -> U) -> OrNone<U> {
+        match self {
+            OrNone::Found(found) => OrNone::Found(make(found)),
+            OrNone::None { none } => OrNone::None { none: none.clone() },
+        }
+    }
+
+    pub(crate) fn found(&self) -> Option<&T> {
+        match self {
+            OrNone::Found(found) => Some(found),
+            OrNone::None { .. } => None,
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use std::fmt::{self, Display, Formatter};
 use subcert::exact::{
     Enclosed, Enclosure, Rational, RealCyclotomic, RealExpression, Scalar as _, format::short,
 };
+use subcert::float::{exact, shortest};
 use subcert::report::json::{Exact, HoelderForm};
 use subcert::report::{down, up};
 use subcert::scheme;
@@ -18,9 +19,17 @@ pub(crate) enum Number {
     Expression(RealExpression),
 }
 
+/// A rational number that is a [`Number`] in JSON.
+#[derive(Clone)]
+pub(crate) struct Fraction(pub(crate) Rational);
+
 /// A number that is its exact value alone in JSON.
 #[derive(Clone)]
 pub(crate) struct Text<V>(pub(crate) V);
+
+/// An f64: in JSON the shortest decimal that is read as it, in words at most nine digits.
+#[derive(Clone, Copy)]
+pub(crate) struct Float(pub(crate) f64);
 
 impl Number {
     /// The exact value and its decimal, where they differ.
@@ -86,6 +95,31 @@ impl Serialize for Number {
     }
 }
 
+impl Serialize for Fraction {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Exact::of(&self.0).serialize(serializer)
+    }
+}
+
+impl<V: Display> Display for Text<V> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl Display for Float {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Float(value) = *self;
+        f.write_str(&exact(value).map_or_else(|| shortest(value), |value| short(&value, 9)))
+    }
+}
+
+impl Serialize for Float {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&shortest(self.0))
+    }
+}
+
 impl<V: Display> Serialize for Text<V> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(&self.0)
@@ -115,7 +149,9 @@ macro_rules! schema {
 pub(crate) use schema;
 
 schema!(Number => Exact);
+schema!(Fraction => Exact);
 schema!(Text<V> => String, V);
+schema!(Float => String);
 
 /// An enclosure as decimals that are rounded outwards, or the number that it is.
 pub(crate) fn between(enclosure: &Enclosure) -> String {

@@ -237,10 +237,10 @@ impl Answer for Certification<'_> {
         sheet.heading(2, "The least k with σβC^k/(1 − C) ≤ ε, C = T_c");
         sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 0 });
         sheet.text(
-        "Margin: bound(k)/ε, at most 1, and bound(k−1)/ε, above 1; the nearer to 1, the nearer \
+            "Margin: bound(k)/ε, at most 1, and bound(k−1)/ε, above 1; the nearer to 1, the nearer \
          k is to another. This k is the depth by a formula; `subcert depth` gives the number of \
          levels that is really needed.",
-    );
+        );
         sheet
     }
 }

@@ -1,15 +1,16 @@
 //! The depth by the sound bound, and as papers compute it.
 
 use super::numbers::levels;
-use crate::cli::json::depth as form;
+use crate::cli::console::quantity::Number;
+use serde::Serialize;
 use subcert::bound::{
-    ClassCap, Constants, DepthError, Operator, Order, SoundBound, SoundDepth, Terms, displacement,
-    least_level, levels_within, surface_displacement,
+    ClassCap, Constants, DepthError, Operator, Order, SoundBound, Terms, displacement, least_level,
+    levels_within, surface_displacement,
 };
 use subcert::exact::{Rational, format::short};
 use subcert::float::nearest;
+use subcert::report::Grid;
 use subcert::report::html::LevelLine;
-use subcert::report::{Grid, json::Exact};
 
 /// The most residue classes for which the sound bound takes longer blocks than were asked for, and the most products of
 /// words of their visit.
@@ -23,13 +24,44 @@ pub(super) const MAX_NORM_STEPS: u64 = 4_000_000_000;
 const AFTER: u32 = 1;
 const MAX_LEVELS: u32 = 60;
 
-type Depth = Result<u32, DepthError>;
-
+/// What bounds promise.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct Bounds {
+    /// The depth by the sound bound.
+    sound: Sound,
+    /// The depths that papers compute.
+    printed_formula: Vec<Printed>,
+    #[serde(skip)]
     bound: SoundBound,
-    sound: Result<SoundDepth, DepthError>,
-    /// For each c: the constant as papers print it, and the depth it gives.
-    printed: Vec<(Rational, Depth)>,
+}
+
+/// The depth by the sound bound.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Sound {
+    /// The depth; null where there is none.
+    depth: Option<u32>,
+    /// The block length of the bound; missing where there is no depth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    block: Option<u32>,
+    /// Why there is no depth; missing where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<String>,
+}
+
+/// The depth by the printed formula.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Printed {
+    /// The block length c.
+    c: u32,
+    /// The constant as papers print it.
+    constant: Number,
+    /// The depth.
+    depth: Option<u32>,
+    /// Why there is none.
+    note: Option<String>,
 }
 
 impl Bounds {
@@ -69,10 +101,15 @@ impl Bounds {
             } else {
                 Err(DepthError::NoContraction(short(&constant, 6)))
             };
-            Ok((constant, depth))
+            let note = depth.as_ref().err().map(ToString::to_string);
+            Ok(Printed { c, constant: (&constant).into(), depth: depth.ok(), note })
         });
-        let printed = printed.collect::<Result<Vec<_>, ClassCap>>()?;
-        Ok(Bounds { sound: bound.depth(spread, tolerance), bound, printed })
+        let printed_formula = printed.collect::<Result<Vec<_>, ClassCap>>()?;
+        let sound = match bound.depth(spread, tolerance) {
+            Ok(found) => Sound { depth: Some(found.level), block: Some(found.block), note: None },
+            Err(why) => Sound { depth: None, block: None, note: Some(why.to_string()) },
+        };
+        Ok(Bounds { sound, printed_formula, bound })
     }
 
     /// The sound bound against the level, and the constants, up to `last` and to where the bound meets the tolerance;
@@ -82,7 +119,7 @@ impl Bounds {
         spread: &Rational,
         last: u32,
     ) -> (Vec<LevelLine>, Vec<(u32, String)>) {
-        let met = self.sound.as_ref().ok().map(|depth| depth.level);
+        let met = self.sound.depth;
         let last = met.unwrap_or(0).max(last).saturating_add(AFTER).min(MAX_LEVELS);
         let bounds = self.bound.levels(last).unwrap_or_default();
         let bounds = bounds.iter().map(|bound| nearest(&(bound * spread)));
@@ -95,20 +132,19 @@ impl Bounds {
         };
         let bound = line("sound bound", bounds.collect(), met, false);
         let constants = line("constants", constants.collect(), None, true);
-        let printed = self.printed.iter().filter_map(|(_, depth)| depth.as_ref().ok()).min();
-        let promised = printed.map(|level| (*level, "by the printed formula".to_owned()));
+        let printed = self.printed_formula.iter().filter_map(|printed| printed.depth).min();
+        let promised = printed.map(|level| (level, "by the printed formula".to_owned()));
         (vec![bound, constants], promised.into_iter().collect())
     }
 
     pub(super) fn facts(&self) -> Vec<(String, String)> {
         let sound = match &self.sound {
-            Ok(depth) => format!("{}, with c = {}", levels(depth.level), depth.block),
-            Err(error) => format!("none: {error}"),
+            Sound { depth: Some(depth), block: Some(block), .. } => {
+                format!("{}, with c = {block}", levels(*depth))
+            }
+            Sound { note, .. } => format!("none: {}", note.as_deref().unwrap_or_default()),
         };
-        let depths = (1..).zip(&self.printed).filter_map(|(c, (_, depth)): (u32, _)| {
-            let depth = depth.as_ref().ok()?;
-            Some((*depth, c))
-        });
+        let depths = self.printed_formula.iter().filter_map(|one| Some((one.depth?, one.c)));
         let printed = depths.min().map(|(depth, c)| format!("{}, with c = {c}", levels(depth)));
         vec![
             ("depth by the sound bound".to_owned(), sound),
@@ -119,33 +155,10 @@ impl Bounds {
     pub(super) fn grid(&self) -> Grid {
         let header = ["c", "constant as printed", "depth by the printed formula"];
         let header = header.map(str::to_owned).to_vec();
-        let rows = (1..).zip(&self.printed).map(|(c, (constant, depth)): (u32, _)| {
-            let depth = match depth {
-                Ok(level) => level.to_string(),
-                Err(error) => error.to_string(),
-            };
-            vec![c.to_string(), short(constant, 8), depth]
+        let rows = self.printed_formula.iter().map(|Printed { c, constant, depth, note }| {
+            let depth = depth.map_or_else(|| note.clone().unwrap_or_default(), |n| n.to_string());
+            vec![c.to_string(), constant.short(8), depth]
         });
         Grid { header, rows: rows.collect(), left_columns: 0 }
-    }
-
-    pub(super) fn sound_form(&self) -> form::Sound {
-        let (found, error) = (self.sound.as_ref().ok(), self.sound.as_ref().err());
-        form::Sound {
-            depth: found.map(|depth| depth.level),
-            block: found.map(|depth| depth.block),
-            note: error.map(ToString::to_string),
-        }
-    }
-
-    pub(super) fn printed_forms(&self) -> Vec<form::Printed> {
-        let printed =
-            (1..).zip(&self.printed).map(|(c, (constant, depth)): (u32, _)| form::Printed {
-                c,
-                constant: Exact::of(constant),
-                depth: depth.as_ref().ok().copied(),
-                note: depth.as_ref().err().map(ToString::to_string),
-            });
-        printed.collect()
     }
 }

@@ -1,16 +1,13 @@
 //! The true depth for every control polygon of a spread.
 
-use super::interval::{interval_form, interval_text};
-use super::numbers;
+use super::distance::{Distance, Interval, TwoSided};
 use super::place::Place;
-use crate::cli::json::depth as form;
+use crate::cli::console::quantity::{Number, Text};
+use serde::Serialize;
 use subcert::audit::{Attained, Control, Place as AttainedAt};
-use subcert::exact::{Enclosure, Rational, format::short};
+use subcert::exact::{Enclosure, Rational};
 use subcert::float::nearest;
-use subcert::limit::{
-    Comparison, Distance, Distances, LimitError, Parametrisation, TwoSidedDepth, Witness,
-};
-use subcert::report::json::Exact as ExactForm;
+use subcert::limit::{self, Comparison, Distances, LimitError, Parametrisation};
 use subcert::scheme::Mask;
 
 /// The longest polygon or ring that is shown in a text.
@@ -26,120 +23,164 @@ pub(super) struct Asked<'a> {
     pub(super) levels: bool,
 }
 
-/// The true depth, the distance constant at that level, and data that show that one level less is
-/// too few.
-pub(super) struct Exact {
+/// The true depth for every control polygon or net of the spread.
+#[derive(Clone, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) struct Exactly {
+    /// The depth; its fields stand here.
+    #[serde(flatten)]
+    pub(super) depth: TwoSided,
+    /// Where the points are; its fields stand here.
+    #[serde(flatten)]
     pub(super) place: Place,
-    pub(super) depth: TwoSidedDepth,
-    /// C_k·β at the upper side k of the depth.
-    pub(super) distance: Known,
+    /// The greatest distance at the upper side of the depth.
+    pub(super) distance: Distance,
     /// Control data that are too far from their limit at the level below the depth.
-    pub(super) too_far: Option<TooFar>,
+    pub(super) witness: Option<Witness>,
+    /// These data, of spread 1.
+    #[serde(skip)]
+    pub(super) attained: Option<Attained>,
     /// The distances of levels up to the depth, where they are asked for and the caps allow.
+    #[serde(skip)]
     pub(super) levels: Vec<(u32, f64)>,
     /// The caps of the search.
+    #[serde(skip)]
     pub(super) caps: String,
 }
 
-/// Control data that are too far from their limit at a level.
-pub(super) struct TooFar {
-    pub(super) level: u32,
-    pub(super) text: String,
-    pub(super) form: form::Witness,
-    /// The data of spread 1.
-    pub(super) attained: Attained,
+/// Control data that are too far from their limit.
+#[derive(Clone, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(untagged)]
+pub(super) enum Witness {
+    /// A piece of a control polygon.
+    Polygon {
+        /// The level.
+        level: u32,
+        /// The index of its first point.
+        first: i64,
+        /// Its points.
+        points: Vec<i64>,
+        /// What the points are multiplied by.
+        times: Text<Rational>,
+        /// The parameter at which the distance is too large.
+        parameter: Text<Rational>,
+        /// The distance there.
+        distance: Number,
+    },
+    /// A piece of a control net.
+    Net {
+        /// The level.
+        level: u32,
+        /// The indices of its first point.
+        first: [i64; 2],
+        /// Its points, row by row.
+        net: Vec<Vec<i64>>,
+        /// What the points are multiplied by.
+        times: Text<Rational>,
+        /// The parameters at which the distance is too large.
+        parameters: [Text<Rational>; 2],
+        /// The distance there.
+        distance: Number,
+    },
 }
 
-/// An enclosure of a distance.
-pub(super) struct Known {
-    pub(super) enclosure: Enclosure,
-    /// Whether it is as narrow as was asked for.
-    pub(super) narrow: bool,
-    /// A parameter t at which the distance has the value of the lower end.
-    pub(super) parameter: Option<Rational>,
-}
+/// The most rows of a net that are shown in a text.
+const MAX_SHOWN_ROWS: usize = 6;
 
-impl Known {
-    /// The enclosure of a distance, also if the caps leave it wide.
-    pub(super) fn of(distance: Result<Distance, LimitError>) -> Result<Known, LimitError> {
-        match distance {
-            Ok(Distance { enclosure, parameter }) => {
-                Ok(Known { enclosure, narrow: true, parameter: Some(parameter) })
-            }
-            Err(LimitError::TooFine { reached, .. }) => {
-                Ok(Known { enclosure: *reached, narrow: false, parameter: None })
-            }
-            Err(error) => Err(error),
+impl Witness {
+    pub(super) fn level(&self) -> u32 {
+        match self {
+            Witness::Polygon { level, .. } | Witness::Net { level, .. } => *level,
         }
     }
 
-    pub(super) fn text(&self, caps: &str) -> String {
-        let text = interval_text(&self.enclosure);
-        if self.narrow { text } else { format!("{text}, as narrow as the caps allow: {caps}") }
+    fn words(&self) -> String {
+        match self {
+            Witness::Polygon { first, points, parameter, distance, .. } => format!(
+                "β times {}, from index {first}: {} from its limit at t = {parameter}",
+                points_text(points),
+                distance.short(9)
+            ),
+            Witness::Net { first: [i, j], net, parameters: [s, t], distance, .. } => {
+                let rows = net.iter().take(MAX_SHOWN_ROWS).map(|row| points_text(row));
+                let more =
+                    if net.len() > MAX_SHOWN_ROWS { " / … (all in --format json)" } else { "" };
+                format!(
+                    "β times {}{more}, from index ({i}, {j}): {} from its limit at ({s}, {t})",
+                    rows.collect::<Vec<String>>().join(" / "),
+                    distance.short(9)
+                )
+            }
+        }
     }
 }
 
-impl Exact {
+impl Exactly {
     pub(super) fn of(
         mask: &Mask,
         parametrisation: Parametrisation,
         distances: &Distances,
         asked: &Asked<'_>,
-    ) -> Result<Exact, LimitError> {
+    ) -> Result<Exactly, LimitError> {
         let depth = distances.depth(asked.spread, asked.tolerance)?;
         let width = asked.width / asked.spread;
-        let mut distance = Known::of(distances.constant(depth.upper, &width))?;
-        let scaled = |end: &Rational| end * asked.spread;
-        let enclosure = &distance.enclosure;
-        distance.enclosure = Enclosure::new(scaled(enclosure.lower()), scaled(enclosure.upper()));
+        let mut distance = Distance::of(distances.constant(depth.upper, &width), depth.upper)?;
+        let Interval(of_one) = &distance.interval;
+        let [lower, upper] = [of_one.lower(), of_one.upper()].map(|end| end * asked.spread);
+        distance.interval = Interval(Enclosure::new(lower, upper));
         let threshold = asked.tolerance / asked.spread;
-        let too_far = match depth.lower.checked_sub(1) {
-            None => None,
-            Some(level) => match distances.compare(level, &threshold)? {
-                Comparison::Exceeds(witness) => Some(too_far(&witness, asked.spread)),
-                Comparison::Within | Comparison::Undecided(_) => None,
-            },
+        let below = depth.lower.checked_sub(1).map(|level| distances.compare(level, &threshold));
+        let (witness, attained) = match below.transpose()? {
+            Some(Comparison::Exceeds(found)) => {
+                let limit::Witness { polygon, parameter, level, distance } = found;
+                let witness = Witness::Polygon {
+                    level,
+                    first: polygon.first,
+                    points: polygon.points.clone(),
+                    times: Text(asked.spread.clone()),
+                    parameter: Text(parameter.clone()),
+                    distance: (&(&distance * asked.spread)).into(),
+                };
+                let (control, place) =
+                    (Control::Polygon(polygon), AttainedAt::Parameter(parameter));
+                (Some(witness), Some(Attained { control, place, value: distance.into() }))
+            }
+            Some(Comparison::Within | Comparison::Undecided(_)) | None => (None, None),
         };
-        let (shifts, caps) = (vec![distances.shift().clone()], distances.caps());
-        let place = Place::of(&[mask], parametrisation, shifts);
-        let levels = if asked.levels { levels(distances, depth.upper, asked) } else { Vec::new() };
-        Ok(Exact { place, depth, distance, too_far, levels, caps })
+        let shifts = vec![distances.shift().clone()];
+        Ok(Exactly {
+            place: Place::of(&[mask], parametrisation, shifts),
+            levels: if asked.levels { levels(distances, depth.upper, asked) } else { Vec::new() },
+            depth: depth.into(),
+            distance,
+            witness,
+            attained,
+            caps: distances.caps(),
+        })
     }
 
     /// All facts about the depth.
     pub(super) fn facts(&self) -> Vec<(String, String)> {
-        let whom = self.place.whom();
         let mut facts = vec![
-            ("exact depth".to_owned(), depth_text(self.depth, whom, &self.caps)),
+            ("exact depth".to_owned(), self.depth_text()),
             ("points of level k at".to_owned(), self.place.text()),
-            (format!("distance C_{}·β", self.depth.upper), self.distance.text(&self.caps)),
+            (format!("distance C_{}·β", self.distance.level), self.distance.words(&self.caps)),
         ];
-        if let Some(TooFar { level, text, .. }) = &self.too_far {
-            facts.push((format!("too far at level {level}"), text.clone()));
+        if let Some(witness) = &self.witness {
+            facts.push((format!("too far at level {}", witness.level()), witness.words()));
         }
         facts
     }
 
     /// The depth alone.
     pub(super) fn depth_text(&self) -> String {
-        depth_text(self.depth, self.place.whom(), &self.caps)
+        self.depth.words(self.place.whom(), &self.caps)
     }
 
     /// The depth, and where the points are.
     pub(super) fn short(&self) -> String {
-        let depth = depth_text(self.depth, self.place.whom(), &self.caps);
-        format!("with the points at {}, {depth}", self.place.parameters())
-    }
-
-    pub(super) fn form(&self) -> form::Exactly<'_> {
-        form::Exactly {
-            depth: depth_form(self.depth),
-            offsets: &self.place.offsets,
-            shifts: self.place.shifts.iter().map(Rational::to_string).collect(),
-            keeps_lines: &self.place.keeps_lines,
-            distance: distance_form(&self.distance, self.depth.upper),
-            witness: self.too_far.as_ref().map(|too_far| &too_far.form),
-        }
+        format!("with the points at {}, {}", self.place.parameters(), self.depth_text())
     }
 }
 
@@ -158,60 +199,6 @@ fn levels(distances: &Distances, depth: u32, asked: &Asked<'_>) -> Vec<(u32, f64
 
 /// How much narrower than the tolerance the intervals for a picture are.
 const WIDTHS: i64 = 20;
-
-pub(super) fn depth_text(depth: TwoSidedDepth, whom: &str, caps: &str) -> String {
-    let TwoSidedDepth { lower, upper } = depth;
-    if lower == upper {
-        return format!("{}, for {whom}{}", numbers::levels(upper), too_few(lower));
-    }
-    let below = too_few(lower);
-    format!(
-        "from {lower} to {upper} levels, for {whom}{below}; the caps of the search leave it open: {caps}"
-    )
-}
-
-fn too_few(lower: u32) -> String {
-    if lower == 0 { String::new() } else { numbers::too_few(lower - 1) }
-}
-
-pub(super) fn depth_form(depth: TwoSidedDepth) -> form::TwoSided {
-    let TwoSidedDepth { lower, upper } = depth;
-    form::TwoSided { level: upper, lower, upper, minimal: lower == upper }
-}
-
-pub(super) fn distance_form(distance: &Known, level: u32) -> form::Distance {
-    form::Distance {
-        interval: interval_form(&distance.enclosure),
-        level,
-        within_width: distance.narrow,
-        parameter: distance.parameter.as_ref().map(Rational::to_string),
-    }
-}
-
-fn too_far(witness: &Witness, spread: &Rational) -> TooFar {
-    let Witness { polygon, parameter, level, distance } = witness;
-    let distance = distance * spread;
-    let text = format!(
-        "β times {}, from index {}: {} from its limit at t = {parameter}",
-        points_text(&polygon.points),
-        polygon.first,
-        short(&distance, 9)
-    );
-    let form = form::Witness::Polygon {
-        level: *level,
-        first: polygon.first,
-        points: polygon.points.clone(),
-        times: spread.to_string(),
-        parameter: parameter.to_string(),
-        distance: ExactForm::of(&distance),
-    };
-    let attained = Attained {
-        control: Control::Polygon(polygon.clone()),
-        place: AttainedAt::Parameter(parameter.clone()),
-        value: witness.distance.clone().into(),
-    };
-    TooFar { level: *level, text, form, attained }
-}
 
 /// Points; of many, the first ones.
 pub(super) fn points_text(points: &[i64]) -> String {

@@ -1,18 +1,20 @@
 //! `subcert depth` of a ring.
 
+use super::distance::TwoSided;
 use super::exact::points_text;
 use super::numbers::{levels, too_few};
 use crate::cli::arguments::DepthArguments;
-use crate::cli::console::answer::{Answer, SCHEMA, deliver};
+use crate::cli::console::answer::{Answer, OrNone, SCHEMA, deliver};
 use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Failure, Outcome, positive};
 use crate::cli::console::quantity::{Number, Text};
-use crate::cli::json::depth::{OrNone, TwoSided};
 use serde::Serialize;
 use subcert::audit::{Attained, Control, Place, Refiner};
 use subcert::exact::{Rational, RealCyclotomic, format::short};
 use subcert::float::nearest;
-use subcert::limit::{self, LocalDepth, LocalDistances, LocalLimit, LocalLimitError};
+use subcert::limit::{
+    self, LocalDepth, LocalDistances, LocalLimit, LocalLimitError, TwoSidedDepth,
+};
 use subcert::report::Sheet;
 use subcert::report::html::{LevelLine, Levels, Picture};
 use subcert::scheme::LocalRules;
@@ -145,7 +147,7 @@ impl ExactlyOfRing {
             distance: (&(&witness.distance * &RealCyclotomic::from(spread.clone()))).into(),
         };
         ExactlyOfRing {
-            depth: TwoSided { level, lower: level, upper: level, minimal: true },
+            depth: TwoSidedDepth { lower: level, upper: level }.into(),
             first,
             distance: witness(&found.at),
             witness: found.below.as_ref().map(witness),

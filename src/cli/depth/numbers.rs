@@ -1,17 +1,11 @@
-//! Numbers and points in words.
+//! Levels and points in words.
 
+use crate::cli::console::quantity::Float;
 use std::fmt::Display;
-use subcert::exact::format::short;
-use subcert::float::{exact, shortest};
-use subcert::patch::GeometricDepth;
 
-/// An f64 in at most nine digits.
-pub(super) fn digits(value: f64) -> String {
-    exact(value).map_or_else(|| shortest(value), |value| short(&value, 9))
-}
-
-pub(super) fn point(point: &[f64]) -> String {
-    let numbers: Vec<String> = point.iter().map(|x| digits(*x)).collect();
+/// A point in words.
+pub(super) fn point(point: &[Float]) -> String {
+    let numbers: Vec<String> = point.iter().map(Float::to_string).collect();
     format!("({})", numbers.join(", "))
 }
 
@@ -23,20 +17,6 @@ pub(super) fn levels<N: Copy + Display + PartialEq + From<u8>>(count: N) -> Stri
 /// `; 1 is too few`, `; 2 are too few`.
 pub(super) fn too_few(count: u32) -> String {
     format!("; {count} {} too few", if count == 1 { "is" } else { "are" })
-}
-
-/// The level that is enough as a set of points, with `more` about it, those that are too few, and why the search ended
-/// early.
-pub(super) fn depth_text<P>(found: &GeometricDepth<P>, more: &str) -> String {
-    let text = match (found.level, found.too_few) {
-        (Some(level), few) => format!("{}{more}{}", levels(level), few_text(level, few)),
-        (None, None) => format!("open{more}"),
-        (None, Some(few)) => format!("more than {}{more}", levels(few)),
-    };
-    match &found.ended {
-        Some(why) => format!("{text}: {why}"),
-        None => text,
-    }
 }
 
 /// Which levels are too few, after the level that is enough.

@@ -1,19 +1,29 @@
 //! The parameters at which the points of a level are compared with the limit.
 
+use crate::cli::console::quantity::Text;
+use serde::Serialize;
 use subcert::exact::Rational;
 use subcert::limit::{Parametrisation, natural_shift};
 use subcert::scheme::Mask;
 
 /// The parameters of the points, for each direction.
+#[derive(Clone, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct Place {
-    parametrisation: Parametrisation,
-    pub(super) offsets: Vec<i64>,
-    /// s.
-    pub(super) shifts: Vec<Rational>,
-    pub(super) keeps_lines: Vec<bool>,
+    /// The offset of each direction.
+    offsets: Vec<i64>,
+    /// s for each direction.
+    pub(super) shifts: Vec<Text<Rational>>,
+    /// Along each direction, whether the scheme takes lines to lines. If so, lines stay where they
+    /// are in the natural shift; if not, this shift is the best in the mean.
+    keeps_lines: Vec<bool>,
     /// Whether a shift is rounded.
+    #[serde(skip)]
     rounded: bool,
+    #[serde(skip)]
     arities: Vec<usize>,
+    #[serde(skip)]
+    parametrisation: Parametrisation,
 }
 
 impl Place {
@@ -26,7 +36,7 @@ impl Place {
         Place {
             parametrisation,
             offsets: masks.iter().map(|mask| mask.offset()).collect(),
-            shifts,
+            shifts: shifts.into_iter().map(Text).collect(),
             keeps_lines: natural.iter().map(|natural| natural.keeps_lines).collect(),
             rounded: natural.iter().any(|natural| natural.rounded),
             arities: masks.iter().map(|mask| mask.arity()).collect(),
@@ -40,11 +50,12 @@ impl Place {
 
     /// `(i − 1/2)/2^k`.
     pub(super) fn parameters(&self) -> String {
-        let at = |(shift, (arity, index)): (&Rational, (&usize, &str))| match shift.sign() {
-            0 => format!("{index}/{arity}^k"),
-            1 => format!("({index} + {shift})/{arity}^k"),
-            _ => format!("({index} − {})/{arity}^k", shift.abs()),
-        };
+        let at =
+            |(Text(shift), (arity, index)): (&Text<Rational>, (&usize, &str))| match shift.sign() {
+                0 => format!("{index}/{arity}^k"),
+                1 => format!("({index} + {shift})/{arity}^k"),
+                _ => format!("({index} − {})/{arity}^k", shift.abs()),
+            };
         let places = self.shifts.iter().zip(self.arities.iter().zip(["i", "j"])).map(at);
         places.collect::<Vec<String>>().join(" and ")
     }

@@ -1,12 +1,14 @@
 //! The true depth of one control polygon.
 
-use super::exact::{Known, depth_form, depth_text, distance_form};
-use crate::cli::json::depth as form;
+use super::distance::{Distance, Interval, TwoSided};
+use super::sets::Sets;
+use crate::cli::console::answer::OrNone;
+use crate::cli::console::quantity::{Fraction, Text};
+use serde::Serialize;
 use subcert::exact::{Enclosure, Rational, format::short};
-use subcert::limit::{Comparison, ControlPolygon, Distances, LimitError, TwoSidedDepth};
+use subcert::limit::{Comparison, ControlPolygon, Distances, LimitError};
 use subcert::patch::relative_tolerance;
 use subcert::report::html::FarPolygon;
-use subcert::report::json::Exact;
 use subcert::scheme::Mask;
 
 /// A control polygon of points.
@@ -42,35 +44,77 @@ impl Points {
         let points: Vec<Vec<Rational>> = (0..self.count).map(point).collect();
         relative_tolerance(&points, share)
     }
+}
 
-    pub(super) fn text(&self) -> String {
+/// A control polygon.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) struct Polygon {
+    /// How many points the polygon has.
+    pub(super) points: usize,
+    /// How many coordinates a point has.
+    pub(super) coordinates: usize,
+    /// Whether the last point is followed by the first.
+    pub(super) closed: bool,
+    /// Its depth by the distance of sets of points; null for points of one coordinate and with
+    /// `--distance parametric`.
+    pub(super) sets: Option<OrNone<Sets>>,
+    /// Its depth with each point of level k at its natural parameter.
+    pub(super) natural: OrNone<OfPolygon>,
+    /// The depth with each point of level k at i/n^k.
+    pub(super) indexed: OrNone<OfPolygon>,
+}
+
+impl Polygon {
+    pub(super) fn words(&self) -> String {
         let ends = if self.closed { "closed" } else { "open" };
-        let coordinates = match self.coordinates.len() {
+        let coordinates = match self.coordinates {
             1 => String::new(),
             several => format!(" of {several} coordinates"),
         };
-        format!("{} points{coordinates}, {ends}", self.count)
+        format!("{} points{coordinates}, {ends}", self.points)
     }
 }
 
-/// How many levels the polygon needs.
+/// The depth of a control polygon.
+#[derive(Clone, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct OfPolygon {
-    depth: TwoSidedDepth,
-    /// The distance at the upper side of the depth, the greatest of all coordinates.
-    distance: Known,
-    /// The coordinate of the parameter of that distance, counted from 0.
-    coordinate: usize,
+    /// The depth; its fields stand here.
+    #[serde(flatten)]
+    depth: TwoSided,
+    /// Its distance at the upper side of the depth.
+    distance: DistanceOfPolygon,
+    /// A place at which it is too far from its limit at the level below the depth.
     too_far: Option<TooFar>,
     /// The caps of the search.
+    #[serde(skip)]
     caps: String,
 }
 
-/// A coordinate that is too far from its limit at the level below the depth.
-struct TooFar {
-    level: u32,
+/// The distance of a control polygon: the greatest of its coordinates.
+#[derive(Clone, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct DistanceOfPolygon {
+    /// The distance; its fields stand here.
+    #[serde(flatten)]
+    distance: Distance,
+    /// The coordinate with that distance, counted from 1.
     coordinate: usize,
-    parameter: Rational,
-    distance: Rational,
+}
+
+/// A place at which a control polygon is too far from its limit.
+#[derive(Clone, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct TooFar {
+    /// The level.
+    level: u32,
+    /// The coordinate, counted from 1.
+    coordinate: usize,
+    /// The parameter.
+    parameter: Text<Rational>,
+    /// The distance there.
+    distance: Fraction,
 }
 
 impl OfPolygon {
@@ -81,38 +125,40 @@ impl OfPolygon {
         width: &Rational,
     ) -> Result<OfPolygon, LimitError> {
         let depth = distances.depth_of_points(&points.coordinates, tolerance)?;
-        let (distance, coordinate) = greatest(distances, points, depth.upper, width)?;
+        let distance = DistanceOfPolygon::of(distances, points, depth.upper, width)?;
         let mut too_far = None;
         if let Some(level) = depth.lower.checked_sub(1) {
-            for (coordinate, polygon) in points.coordinates.iter().enumerate() {
+            for (coordinate, polygon) in (1..).zip(&points.coordinates) {
                 let compared = distances.compare_polygon(polygon, level, tolerance)?;
                 if let Comparison::Exceeds((parameter, distance)) = compared {
+                    let (parameter, distance) = (Text(parameter), Fraction(distance));
                     too_far = Some(TooFar { level, coordinate, parameter, distance });
                     break;
                 }
             }
         }
-        Ok(OfPolygon { depth, distance, coordinate, too_far, caps: distances.caps() })
+        Ok(OfPolygon { depth: depth.into(), distance, too_far, caps: distances.caps() })
     }
 
-    /// `name` stands before the depth.
-    pub(super) fn facts(&self, points: &Points, name: &str) -> Vec<(String, String)> {
-        let of = |coordinate: usize| match points.coordinates.len() {
+    /// `name` stands before the depth; `coordinates` is how many there are.
+    pub(super) fn facts(&self, coordinates: usize, name: &str) -> Vec<(String, String)> {
+        let of = |coordinate: usize| match coordinates {
             1 => String::new(),
-            _ => format!(" in coordinate {}", coordinate + 1),
+            _ => format!(" in coordinate {coordinate}"),
         };
-        let place = self.distance.parameter.as_ref();
-        let word = if self.distance.enclosure.width().is_zero() { "at" } else { "near" };
-        let place = place.map(|t| format!(", {word} t = {t}{}", of(self.coordinate)));
-        let distance = format!("{}{}", self.distance.text(&self.caps), place.unwrap_or_default());
+        let DistanceOfPolygon { distance, coordinate } = &self.distance;
+        let word = if distance.interval.0.width().is_zero() { "at" } else { "near" };
+        let place = distance.parameter.as_ref();
+        let place = place.map(|t| format!(", {word} t = {t}{}", of(*coordinate)));
+        let text = format!("{}{}", distance.words(&self.caps), place.unwrap_or_default());
         let mut facts = vec![
-            (name.to_owned(), depth_text(self.depth, "this polygon", &self.caps)),
-            (format!("its distance at level {}", self.depth.upper), distance),
+            (name.to_owned(), self.depth_text()),
+            (format!("its distance at level {}", distance.level), text),
         ];
         if let Some(TooFar { level, coordinate, parameter, distance }) = &self.too_far {
             let text = format!(
                 "{} from its limit at t = {parameter}{}",
-                short(distance, 9),
+                short(&distance.0, 9),
                 of(*coordinate)
             );
             facts.push((format!("too far at level {level}"), text));
@@ -129,66 +175,53 @@ impl OfPolygon {
         shift: &'f Rational,
     ) -> Option<FarPolygon<'f>> {
         let (level, coordinate, parameter, distance) = if let Some(far) = &self.too_far {
-            (far.level, far.coordinate, &far.parameter, &far.distance)
+            (far.level, far.coordinate, &far.parameter, &far.distance.0)
         } else {
-            let parameter = self.distance.parameter.as_ref()?;
-            (self.depth.upper, self.coordinate, parameter, self.distance.enclosure.lower())
+            let DistanceOfPolygon { distance, coordinate } = &self.distance;
+            let parameter = distance.parameter.as_ref()?;
+            (distance.level, *coordinate, parameter, distance.interval.0.lower())
         };
-        let (coordinates, closed) = (&points.numbers[..], points.closed);
         Some(FarPolygon {
             mask,
-            coordinates,
-            closed,
+            coordinates: &points.numbers,
+            closed: points.closed,
             shift,
             level,
-            coordinate,
-            parameter,
+            coordinate: coordinate - 1,
+            parameter: &parameter.0,
             distance,
         })
     }
 
     /// The depth alone.
     pub(super) fn depth_text(&self) -> String {
-        depth_text(self.depth, "this polygon", &self.caps)
-    }
-
-    pub(super) fn form(&self) -> form::OfPolygon {
-        let too_far = |too_far: &TooFar| form::TooFar {
-            level: too_far.level,
-            coordinate: too_far.coordinate + 1,
-            parameter: too_far.parameter.to_string(),
-            distance: Exact::of(&too_far.distance),
-        };
-        form::OfPolygon {
-            depth: depth_form(self.depth),
-            distance: form::DistanceOfPolygon {
-                distance: distance_form(&self.distance, self.depth.upper),
-                coordinate: self.coordinate + 1,
-            },
-            too_far: self.too_far.as_ref().map(too_far),
-        }
+        self.depth.words("this polygon", &self.caps)
     }
 }
 
-/// The distance at a level: the greatest of all coordinates, and which that is.
-fn greatest(
-    distances: &Distances,
-    points: &Points,
-    level: u32,
-    width: &Rational,
-) -> Result<(Known, usize), LimitError> {
-    let zero = Enclosure::exact(Rational::zero());
-    let mut greatest = (Known { enclosure: zero, narrow: true, parameter: None }, 0);
-    for (coordinate, polygon) in points.coordinates.iter().enumerate() {
-        let own = Known::of(distances.of_polygon(polygon, level, width))?;
-        let upper = own.enclosure.upper().max(greatest.0.enclosure.upper()).clone();
-        let narrow = own.narrow && greatest.0.narrow;
-        if own.enclosure.lower() > greatest.0.enclosure.lower() {
-            greatest = (own, coordinate);
+impl DistanceOfPolygon {
+    /// The distance at a level: the greatest of all coordinates, and which that is.
+    fn of(
+        distances: &Distances,
+        points: &Points,
+        level: u32,
+        width: &Rational,
+    ) -> Result<DistanceOfPolygon, LimitError> {
+        let interval = Interval(Enclosure::exact(Rational::zero()));
+        let none = Distance { interval, level, within_width: true, parameter: None };
+        let mut greatest = DistanceOfPolygon { distance: none, coordinate: 1 };
+        for (coordinate, polygon) in (1..).zip(&points.coordinates) {
+            let own = Distance::of(distances.of_polygon(polygon, level, width), level)?;
+            let [one, other] = [&own, &greatest.distance].map(|distance| &distance.interval.0);
+            let upper = one.upper().max(other.upper()).clone();
+            let within_width = own.within_width && greatest.distance.within_width;
+            if one.lower() > other.lower() {
+                greatest = DistanceOfPolygon { distance: own, coordinate };
+            }
+            let lower = greatest.distance.interval.0.lower().clone();
+            greatest.distance.interval = Interval(Enclosure::new(lower, upper));
+            greatest.distance.within_width = within_width;
         }
-        let lower = greatest.0.enclosure.lower().clone();
-        greatest.0.enclosure = Enclosure::new(lower, upper);
-        greatest.0.narrow = narrow;
+        Ok(greatest)
     }
-    Ok(greatest)
 }

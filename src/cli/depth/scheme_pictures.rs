@@ -1,9 +1,9 @@
 //! What pages of depths of curves and surfaces show: the control polygon, bounds and distances against the level, and
 //! data that are too far from their limit.
 
-use super::answer::Answer;
 use super::bound::Bounds;
-use super::exact::Exact;
+use super::compared::Compared;
+use super::exact::Exactly;
 use super::polygon::Points;
 use subcert::audit::Refiner;
 use subcert::exact::Rational;
@@ -16,40 +16,41 @@ pub(super) struct Drawn<'d> {
     pub(super) tolerance: &'d Rational,
     pub(super) spread: &'d Rational,
     pub(super) bounds: &'d Bounds,
-    pub(super) answer: &'d Answer,
+    pub(super) natural: &'d Compared,
     pub(super) points: Option<&'d Points>,
 }
 
 impl Drawn<'_> {
     pub(super) fn pictures(&self, scheme: &Scheme) -> Vec<Picture> {
         let masks: Vec<Mask> = scheme.masks().into_iter().cloned().collect();
-        let exact = self.answer.exact.as_ref().ok();
+        let exact = self.natural.exact.found();
         let polygon = self.polygon(&masks, exact);
         let data = exact.and_then(|exact| self.data(&Refiner::Masks(masks), exact));
         polygon.into_iter().chain(self.levels(exact)).chain(data).collect()
     }
 
-    fn polygon(&self, masks: &[Mask], exact: Option<&Exact>) -> Vec<Picture> {
-        let own = self.answer.polygon.as_ref().and_then(|own| own.as_ref().ok());
+    fn polygon(&self, masks: &[Mask], exact: Option<&Exactly>) -> Vec<Picture> {
+        let own = self.natural.polygon.as_ref().and_then(|own| own.found());
         let (Some(points), Some(own), Some(exact), [mask]) = (self.points, own, exact, masks)
         else {
             return Vec::new();
         };
         let shift = exact.place.shifts.first();
-        let far = shift.and_then(|shift| own.far(mask, points, shift));
+        let far = shift.and_then(|shift| own.far(mask, points, &shift.0));
         far.map(|far| Picture::of_polygon(&far)).unwrap_or_default()
     }
 
-    fn levels(&self, exact: Option<&Exact>) -> Option<Picture> {
-        let depth = exact.map(|exact| exact.depth.upper);
+    fn levels(&self, exact: Option<&Exactly>) -> Option<Picture> {
+        let depth = exact.map(|exact| exact.depth.level);
         let (mut lines, promised) = self.bounds.lines(self.spread, depth.unwrap_or(0));
         if let Some(exact) = exact {
             let mut values = exact.levels.clone();
             if values.is_empty() {
-                let few = exact.too_far.as_ref();
-                let few =
-                    few.map(|few| (few.level, nearest(&few.attained.value) * nearest(self.spread)));
-                let at = (exact.depth.upper, nearest(exact.distance.enclosure.upper()));
+                let few = exact.witness.as_ref().zip(exact.attained.as_ref());
+                let few = few.map(|(few, attained)| {
+                    (few.level(), nearest(&attained.value) * nearest(self.spread))
+                });
+                let at = (exact.depth.level, nearest(exact.distance.interval.0.upper()));
                 values = few.into_iter().chain([at]).collect();
             }
             let (name, met) = ("distance".to_owned(), depth);
@@ -59,11 +60,11 @@ impl Drawn<'_> {
     }
 
     /// The data of spread 1 that one level less leaves too far from their limit.
-    fn data(&self, refiner: &Refiner, exact: &Exact) -> Option<Picture> {
-        let far = exact.too_far.as_ref()?;
+    fn data(&self, refiner: &Refiner, exact: &Exactly) -> Option<Picture> {
+        let (witness, attained) = exact.witness.as_ref().zip(exact.attained.as_ref())?;
         let mut shift = [0.0; 2];
-        shift.iter_mut().zip(&exact.place.shifts).for_each(|(to, s)| *to = nearest(s));
+        shift.iter_mut().zip(&exact.place.shifts).for_each(|(to, s)| *to = nearest(&s.0));
         let most = self.tolerance / self.spread;
-        Picture::of_data(refiner, &far.attained, far.level, &most, shift)
+        Picture::of_data(refiner, attained, witness.level(), &most, shift)
     }
 }

@@ -1,20 +1,50 @@
 //! The depth of one control polygon by the distance of polygon and limit as sets of points.
 
 use super::certified;
-use super::numbers::{depth_text, digits, point as point_text};
+use super::distance::AsSets;
+use super::numbers::point as point_text;
 use super::polygon::Points;
+use crate::cli::console::answer::OrNone;
 use crate::cli::console::output::Failure;
-use crate::cli::json::depth as form;
+use crate::cli::console::quantity::{Float, Text};
+use serde::Serialize;
 use std::path::Path;
 use subcert::bound::Budget;
 use subcert::exact::Rational;
-use subcert::float::shortest;
 use subcert::limit::{Limit, LimitError};
-use subcert::patch::{CurveDepth, CurvePlace, CurveSets, SetKind};
+use subcert::patch::{CurvePlace, CurveSets, SetKind};
 use subcert::scheme::Mask;
 
-/// The answer; the error says why there is none.
-pub(super) type OfSets = Result<CurveDepth, String>;
+/// The depth of a control polygon by the distance of polygon and limit.
+pub(super) type Sets = AsSets<SetPlace>;
+
+/// A point of one set that is far from the other.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) struct SetPlace {
+    /// `polygon` or `limit`.
+    from: &'static str,
+    /// Its natural parameter.
+    parameter: Text<Rational>,
+    /// The point, to f64.
+    point: Vec<Float>,
+    /// The point is at least so far from the other set.
+    distance: Float,
+    #[serde(skip)]
+    other: &'static str,
+}
+
+impl From<CurvePlace> for SetPlace {
+    fn from(place: CurvePlace) -> SetPlace {
+        let [from, other] = match place.from {
+            SetKind::Mesh => ["polygon", "limit"],
+            SetKind::Limit => ["limit", "polygon"],
+        };
+        let point = place.point.into_iter().map(Float).collect();
+        let (parameter, distance) = (Text(place.parameter), Float(place.distance));
+        SetPlace { from, parameter, point, distance, other }
+    }
+}
 
 /// The depth of a polygon with this mask.
 pub(super) fn of_sets(
@@ -23,7 +53,7 @@ pub(super) fn of_sets(
     tolerance: &Rational,
     budget: Budget,
     certificate: Option<&Path>,
-) -> Result<OfSets, Failure> {
+) -> Result<OrNone<Sets>, Failure> {
     let depth = || {
         let limit = Limit::new(mask)?;
         let sets = CurveSets::new(&limit, &points.numbers, points.closed)?;
@@ -36,63 +66,34 @@ pub(super) fn of_sets(
             Err(Failure::Input(format!("--polygon: {error}")))
         }
         (Err(error), Some(_)) => Err(certified::none(&format!("there is none here: {error}"))),
-        (Err(error), None) => Ok(Err(error.to_string())),
+        (Err(error), None) => Ok(OrNone::None { none: error.to_string() }),
         (Ok((sets, found)), path) => {
             if let Some(path) = path {
                 certified::of_polygon(path, mask, &sets, &found, &points.numbers, tolerance)?;
             }
-            Ok(Ok(found))
+            Ok(OrNone::Found(AsSets::of(found, SetPlace::from)))
         }
     }
 }
 
-/// The name of a set, and that of the other.
-fn names(set: SetKind) -> [&'static str; 2] {
-    match set {
-        SetKind::Mesh => ["polygon", "limit"],
-        SetKind::Limit => ["limit", "polygon"],
-    }
-}
-
 /// The depth in words.
-pub(super) fn sets_text(found: &CurveDepth) -> String {
-    depth_text(found, ", as sets of points")
+pub(super) fn sets_text(found: &Sets) -> String {
+    found.words(", as sets of points")
 }
 
-pub(super) fn facts(found: &OfSets) -> Vec<(String, String)> {
+pub(super) fn facts(found: &OrNone<Sets>) -> Vec<(String, String)> {
     let name = "depth of the polygon".to_owned();
     let found = match found {
-        Ok(found) => found,
-        Err(why) => return vec![(name, format!("none: {why}"))],
+        OrNone::Found(found) => found,
+        OrNone::None { none } => return vec![(name, format!("none: {none}"))],
     };
-    let mut facts = vec![(name, sets_text(found))];
-    if let (Some(level), Some(place)) = (found.too_few, &found.beyond) {
-        let CurvePlace { from, parameter, point, distance } = place;
-        let [from, other] = names(*from);
+    let far = found.beyond().map(|(level, place)| {
+        let SetPlace { from, parameter, point, distance, other } = place;
+        let point = point_text(point);
         let text = format!(
-            "{} of the {from}, at t = {parameter}, is at least {} from the {other}",
-            point_text(point),
-            digits(*distance)
+            "{point} of the {from}, at t = {parameter}, is at least {distance} from the {other}"
         );
-        facts.push((format!("too far at level {level}"), text));
-    }
-    facts
-}
-
-pub(super) fn sets_form(found: &OfSets) -> form::OrNone<form::Sets> {
-    let place = |place: &CurvePlace| form::SetPlace {
-        from: names(place.from)[0],
-        parameter: place.parameter.to_string(),
-        point: place.point.iter().map(|x| shortest(*x)).collect(),
-        distance: shortest(place.distance),
-    };
-    match found {
-        Err(why) => form::OrNone::None { none: why.clone() },
-        Ok(found) => form::OrNone::Found(form::Sets {
-            level: found.level,
-            ended: found.ended.clone(),
-            too_few: found.too_few,
-            too_far: found.beyond.as_ref().map(place),
-        }),
-    }
+        (format!("too far at level {level}"), text)
+    });
+    [(name, sets_text(found))].into_iter().chain(far).collect()
 }

@@ -5,8 +5,8 @@ use crate::cli::console::answer::Answer;
 use crate::cli::console::output::{Failure, Outcome, json_text};
 use crate::cli::console::save::save;
 use crate::cli::constants::{Certification, Constants, RingConstants};
-use crate::cli::depth::LocalReport;
-use crate::cli::json::{depth, geometric_depth, listing, mesh_depth};
+use crate::cli::depth::{Depth, LocalReport, ParametricDepth, SetDepth};
+use crate::cli::json::listing;
 use crate::cli::ranges::{Range, SmoothMap, SmoothRange};
 use crate::cli::schemes::{Atlas, Catalogue};
 use crate::cli::smoothness::{JointRadius, Smoothness, Vertices};
@@ -32,6 +32,9 @@ macro_rules! answers {
 /// The name of a file, and its schema.
 fn all() -> Vec<(&'static str, Schema)> {
     let answers = answers![
+        Depth<'_>,
+        ParametricDepth<'_>,
+        SetDepth<'_>,
         LocalReport<'_>,
         Atlas<'_>,
         Catalogue<'_>,
@@ -53,9 +56,6 @@ fn all() -> Vec<(&'static str, Schema)> {
         ("claims", read(subcert::claim::paper_schema())),
         ("claims-project", read(subcert::shipped::project_schema())),
         ("coverage", of::<CoverageReport>()),
-        ("depth", of::<depth::Report<'_>>()),
-        ("depth-mesh", of::<mesh_depth::Report<'_>>()),
-        ("depth-mesh-geometric", of::<geometric_depth::Report<'_>>()),
         ("errata", of::<ErrataReport>()),
         ("explain", of::<Explained>()),
         ("explain-list", of::<listing::Listing<'_>>()),

@@ -78,7 +78,7 @@ pub(crate) struct Spectrum<'a> {
 struct Conditions {
     /// Whether 1 is simple, and all others are below 1 in absolute value.
     simple_one: bool,
-    /// λ, if it is positive, double, from the blocks 1 and n − 1, and above all that follow; or null.
+    /// λ, if it is positive, double, from blocks 1 and n − 1, and exceeds all later ones; or null.
     subdominant: Option<Number>,
     /// λ².
     square: Option<Number>,

@@ -1,17 +1,18 @@
 //! The depth of one tensor net.
 
+use super::as_sets::{SetDepth, measure};
+use super::face_depths::{Faces, Growth, Search, asks_for_faces};
 use super::faces::{FacesFormat, plain_rows};
-use super::geometric::{Faces, GeometricReport, Growth, asks_for_faces, measure};
 use super::kind::Kind;
-use super::mesh::Report;
+use super::parametric::ParametricDepth;
 use super::pictures::{Drawn, Pieces};
-use super::promise::{Formula, promises};
+use super::promise::Formula;
 use super::refined::Refined;
-use crate::cli::arguments::{DepthArguments, FacesArgument, FindingFormat};
+use super::subject::{Subject, searched};
+use crate::cli::arguments::{DepthArguments, FacesArgument};
+use crate::cli::console::answer::deliver;
 use crate::cli::console::destination::Destination;
-use crate::cli::console::interrupt::Interrupt;
 use crate::cli::console::output::{Failure, Outcome, positive};
-use crate::cli::console::progress::Progress;
 use crate::cli::depth::certified;
 use crate::cli::geometry::net::{NetFile, NetInput, failure};
 use subcert::patch::{
@@ -33,90 +34,67 @@ pub(in crate::cli::depth) fn net_depth(
     let (geometric, tolerance) = measure(net.points(), arguments, &given, "net")?;
     let guaranteed = net_a_priori(&net, &scheme, &tolerance).map_err(failure)?;
     let promised = net_formula_level(&net, &scheme, &tolerance)
-        .map(|level| Formula { paper: NET_FORMULA_PAPER, level });
+        .map(|level| Formula::new(NET_FORMULA_PAPER, level));
     let per_face = arguments.per_face.as_deref();
     let per_face =
         per_face.map(|path| FacesFormat::of(path).map(|format| (path, format))).transpose()?;
-    let faces_in_row = net.faces()[1];
     let [u, v] = guaranteed.longest_edges;
     let guaranteed =
         APriori { level: guaranteed.level, longest_edge: u.max(v), ratio: guaranteed.ratio };
-    let kind = Kind::Net { faces_in_row };
+    let subject = Subject {
+        scheme: scheme.name().to_owned(),
+        name,
+        kind: Kind::Net { faces_in_row: net.faces()[1] },
+        arguments,
+        tolerance,
+        guaranteed: guaranteed.into(),
+        promised,
+    };
+    let tolerance = &subject.tolerance;
+    let mesh = || net.mesh().map_err(|error| Failure::Input(error.to_string()));
+    let distances = || NetDistances::new(net.clone(), &scheme).map_err(failure);
     if geometric && !arguments.a_priori {
-        let mesh = net.mesh().map_err(|error| Failure::Input(error.to_string()))?;
-        let distances = NetDistances::new(net.clone(), &scheme).map_err(failure)?;
-        let interrupt = Interrupt::stops_work(&distances.work(), arguments.seconds);
-        let wanted = arguments.output.format != FindingFormat::Json;
-        let progress = Progress::of_pieces(distances.work(), wanted);
-        let found = distances.geometric_depth(&tolerance).map_err(failure)?;
-        if let Some(path) = &arguments.certificate {
-            certified::of_net(path, &net, &scheme, &distances, &found, &tolerance)?;
-        }
-        let faces = match found.level.filter(|_| asks_for_faces(arguments)) {
-            None => None,
-            Some(level) => {
-                let depths = distances.geometric_faces(&tolerance).map_err(failure)?;
-                let bounds = distances.geometric_distances(level, &tolerance).map_err(failure)?;
-                Some(Faces::new(depths, bounds, level, &tolerance))
+        let (mesh, distances) = (mesh()?, distances()?);
+        let (search, _) = searched(&distances.work(), arguments, || {
+            let found = distances.geometric_depth(tolerance).map_err(failure)?;
+            if let Some(path) = &arguments.certificate {
+                certified::of_net(path, &net, &scheme, &distances, &found, tolerance)?;
             }
-        };
-        drop((interrupt, progress));
-        let report = GeometricReport {
-            scheme: scheme.name().to_owned(),
-            kind,
-            growth: Growth::Arities(scheme.masks().iter().map(Mask::arity).product()),
-            name,
-            mesh: &mesh,
-            tolerance,
-            relative: arguments.relative.then_some(given),
-            surface: FaceSurface::Bilinear,
-            guaranteed,
-            promised,
-            found,
-            faces,
-            certificate: arguments.certificate.as_deref(),
-            solid: None,
-        };
-        return report.show(arguments, to);
+            let faces = match found.level.filter(|_| asks_for_faces(arguments)) {
+                None => None,
+                Some(level) => {
+                    let depths = distances.geometric_faces(tolerance).map_err(failure)?;
+                    let bounds =
+                        distances.geometric_distances(level, tolerance).map_err(failure)?;
+                    Some(Faces::new(depths, bounds, level, tolerance))
+                }
+            };
+            let growth = Growth::Arities(scheme.masks().iter().map(Mask::arity).product());
+            Ok(Search { surface: FaceSurface::Bilinear, growth, found, faces })
+        })?;
+        return deliver(to, &SetDepth::of(subject, given, &mesh, None, search)?);
     }
     if arguments.certificate.is_some() {
         return Err(certified::none("leave out --distance parametric"));
     }
-    let (mut pictures, mut stopped) = (Vec::new(), false);
-    let found = if arguments.a_priori {
-        None
-    } else {
-        let mesh = net.mesh().map_err(|error| Failure::Input(error.to_string()))?;
-        let control = net.clone();
-        let distances = NetDistances::new(net, &scheme).map_err(failure)?;
-        let interrupt = Interrupt::stops_work(&distances.work(), arguments.seconds);
-        let wanted = arguments.output.format != FindingFormat::Json;
-        let progress = Progress::of_pieces(distances.work(), wanted);
-        let depth = distances.depth(&tolerance).map_err(failure)?;
+    if arguments.a_priori {
+        return deliver(to, &ParametricDepth::of(subject, None, Vec::new()));
+    }
+    let (mesh, distances) = (mesh()?, distances()?);
+    let ((depth, pictures), is_stopped) = searched(&distances.work(), arguments, || {
+        let depth = distances.depth(tolerance).map_err(failure)?;
         if let Some((path, format)) = per_face {
             format.write(path, &mesh, &plain_rows(depth.level, distances.faces(depth.level)))?;
         }
-        if arguments.output.is_page() {
-            let refined = Refined::of_net(&control, &scheme, depth.level);
+        let pictures = if arguments.output.is_page() {
+            let refined = Refined::of_net(&net, &scheme, depth.level);
             let pieces = Pieces::of_mesh(&mesh, distances.faces(depth.level));
-            let drawn = Drawn { name: &name, tolerance: &tolerance, depth: &depth, refined };
-            let promised = promises(promised.as_ref(), &guaranteed);
-            pictures = drawn.pictures(&pieces, promised, |level| distances.distance(level));
-        }
-        stopped = distances.work().is_stopped();
-        drop((interrupt, progress));
-        Some(depth)
-    };
-    let report = Report {
-        scheme: scheme.name().to_owned(),
-        name,
-        tolerance,
-        guaranteed,
-        promised,
-        found,
-        kind,
-        pictures,
-        stopped,
-    };
-    report.show(arguments, to)
+            let drawn = Drawn { subject: &subject, depth: &depth, refined };
+            drawn.pictures(&pieces, |level| distances.distance(level))
+        } else {
+            Vec::new()
+        };
+        Ok((depth, pictures))
+    })?;
+    deliver(to, &ParametricDepth::of(subject, Some((depth, is_stopped)), pictures))
 }

@@ -1,6 +1,7 @@
 //! What pages of meshes, nets and solids show: distances as colours, and against the level.
 
 use super::refined::{Refined, rounded};
+use super::subject::Subject;
 use std::collections::BTreeSet;
 use subcert::exact::{Rational, format::short};
 use subcert::float::{exact, shortest};
@@ -74,8 +75,7 @@ impl Pieces {
 
 /// What is drawn of a depth.
 pub(super) struct Drawn<'d> {
-    pub(super) name: &'d str,
-    pub(super) tolerance: &'d Rational,
+    pub(super) subject: &'d Subject<'d>,
     pub(super) depth: &'d MeshDepth,
     /// A level with the distances at its points.
     pub(super) refined: Option<Refined>,
@@ -93,7 +93,7 @@ impl Drawn<'_> {
         let worst = self.depth.worst.as_ref().filter(|_| *level == self.depth.level);
         let most = exact(bounds[1]).map_or_else(|| shortest(bounds[1]), |most| short(&most, 3));
         Picture::of_faces(&ColouredFaces {
-            name: &format!("{}, level {level}", self.name),
+            name: &format!("{}, level {level}", self.subject.name),
             values_are: "greatest distance of the corners from where they go".to_owned(),
             points,
             faces,
@@ -107,12 +107,11 @@ impl Drawn<'_> {
     pub(super) fn pictures(
         &self,
         pieces: &Pieces,
-        promised: Vec<(u32, String)>,
         distance: impl Fn(u32) -> [f64; 2],
     ) -> Vec<Picture> {
         let level = self.depth.level;
         let faces = ColouredFaces {
-            name: self.name,
+            name: &self.subject.name,
             values_are: format!("upper bound of the distance from the limit at level {level}"),
             points: &pieces.points,
             faces: &pieces.faces,
@@ -129,7 +128,8 @@ impl Drawn<'_> {
             met: Some(level),
             is_constant: false,
         };
-        let levels = Levels { tolerance: self.tolerance, lines: vec![line], promised };
+        let (tolerance, promised) = (&self.subject.tolerance, self.subject.promises());
+        let levels = Levels { tolerance, lines: vec![line], promised };
         let refined = self.refined.as_ref();
         let refined = refined.and_then(|refined| self.refined(refined, found(refined.level)));
         let coarse = refined.is_none() || faces.faces.len() >= FEW;

@@ -1,22 +1,22 @@
 //! The depth of one hexahedral solid.
 
+use super::as_sets::{SetDepth, measure, no_fan};
+use super::face_depths::Search;
 use super::faces::FacesFormat;
-use super::geometric::{GeometricReport, Growth, Surface, measure, no_fan};
 use super::kind::Kind;
-use super::mesh::Report;
+use super::parametric::ParametricDepth;
 use super::pictures::{Drawn, Pieces};
-use super::promise::{Formula, promises};
+use super::promise::{APriori, Formula};
 use super::refined::Refined;
-use crate::cli::arguments::{DepthArguments, FindingFormat};
+use super::subject::{Subject, searched};
+use crate::cli::arguments::DepthArguments;
+use crate::cli::console::answer::deliver;
 use crate::cli::console::destination::Destination;
-use crate::cli::console::interrupt::Interrupt;
 use crate::cli::console::output::{Failure, Outcome, positive};
-use crate::cli::console::progress::Progress;
 use crate::cli::console::save::save;
 use crate::cli::geometry::solid::{failure, read};
 use std::fmt::Write as _;
 use std::path::Path;
-use std::sync::Arc;
 use subcert::exact::Rational;
 use subcert::float::shortest;
 use subcert::mesh::{MeshError, MeshScheme};
@@ -41,28 +41,23 @@ pub(in crate::cli::depth) fn solid_depth(
     };
     let points = boundary.as_ref().map_or(mesh.points(), |boundary| boundary.mesh.points());
     let (geometric, tolerance) = measure(points, arguments, &asked, "boundary")?;
+    let promised = Formula::new(SOLID_FORMULA_PAPER, Some(solid_formula_level(mesh, &tolerance)));
+    let subject = |kind, tolerance, guaranteed: APriori| Subject {
+        scheme: SOLID_SCHEME.to_owned(),
+        name,
+        kind,
+        arguments,
+        tolerance,
+        guaranteed,
+        promised: Some(promised),
+    };
     if let Some(boundary) = boundary.filter(|_| geometric && !arguments.a_priori) {
         arguments.per_face.as_deref().map(FacesFormat::of).transpose()?;
-        let Surface { of_faces: surface, found, faces } =
-            Surface::of(&boundary.mesh, SCHEME, &tolerance, arguments).map_err(refused)?;
-        let level = Some(solid_formula_level(mesh, &tolerance));
-        let report = GeometricReport {
-            scheme: SOLID_SCHEME.to_owned(),
-            kind: Kind::Boundary,
-            growth: Growth::of(SCHEME),
-            name,
-            mesh: &boundary.mesh,
-            guaranteed: a_priori(&boundary.mesh, SCHEME, &tolerance).map_err(refused)?,
-            tolerance,
-            relative: arguments.relative.then_some(asked),
-            surface,
-            promised: Some(Formula { paper: SOLID_FORMULA_PAPER, level }),
-            found,
-            faces,
-            certificate: None,
-            solid: Some(&boundary),
-        };
-        return report.show(arguments, to);
+        let search = Search::of(&boundary.mesh, SCHEME, &tolerance, arguments, refused)?;
+        let guaranteed = a_priori(&boundary.mesh, SCHEME, &tolerance).map_err(refused)?;
+        let subject = subject(Kind::Boundary, tolerance, guaranteed.into());
+        let depth = SetDepth::of(subject, asked, &boundary.mesh, Some(&boundary), search)?;
+        return deliver(to, &depth);
     }
     no_fan(arguments)?;
     let per_face = arguments.per_face.as_deref();
@@ -71,34 +66,26 @@ pub(in crate::cli::depth) fn solid_depth(
     let distances =
         MeshDistances::of_solid(mesh.clone()).map_err(|error| failure(&file, &error))?;
     let guaranteed = solid_a_priori(mesh, &distances, &tolerance).map_err(refused)?;
-    let level = Some(solid_formula_level(mesh, &tolerance));
-    let promised = Some(Formula { paper: SOLID_FORMULA_PAPER, level });
-    let (mut pictures, mut stopped) = (Vec::new(), false);
-    let found = if arguments.a_priori {
-        None
-    } else {
-        let wanted = arguments.output.format != FindingFormat::Json;
-        let work = distances.work();
-        let interrupt = Interrupt::stops_work(&work, arguments.seconds);
-        let progress = Progress::of_pieces(Arc::clone(&work), wanted);
-        let depth = distances.depth(&tolerance).map_err(refused)?;
+    let subject = subject(Kind::Solid, tolerance, guaranteed.into());
+    if arguments.a_priori {
+        return deliver(to, &ParametricDepth::of(subject, None, Vec::new()));
+    }
+    let ((depth, pictures), is_stopped) = searched(&distances.work(), arguments, || {
+        let depth = distances.depth(&subject.tolerance).map_err(refused)?;
         if let Some((path, format)) = per_face {
             format.write(path, mesh, depth.level, &distances.faces(depth.level))?;
         }
-        if arguments.output.is_page() {
+        let pictures = if arguments.output.is_page() {
             let pieces = Pieces::of_solid(mesh, &distances.faces(depth.level));
             let refined = Refined::of_solid(mesh, depth.level);
-            let drawn = Drawn { name: &name, tolerance: &tolerance, depth: &depth, refined };
-            let promised = promises(promised.as_ref(), &guaranteed);
-            pictures = drawn.pictures(&pieces, promised, |level| distances.distance(level));
-        }
-        stopped = work.is_stopped();
-        drop((interrupt, progress));
-        Some(depth)
-    };
-    let (scheme, kind) = (SOLID_SCHEME.to_owned(), Kind::Solid);
-    Report { scheme, name, tolerance, guaranteed, promised, found, kind, pictures, stopped }
-        .show(arguments, to)
+            let drawn = Drawn { subject: &subject, depth: &depth, refined };
+            drawn.pictures(&pieces, |level| distances.distance(level))
+        } else {
+            Vec::new()
+        };
+        Ok((depth, pictures))
+    })?;
+    deliver(to, &ParametricDepth::of(subject, Some((depth, is_stopped)), pictures))
 }
 
 /// The rules of the boundary.

@@ -1,21 +1,23 @@
-//! The answers in one parametrisation: for all control data of a spread, and for one polygon.
+//! The depth in one parametrisation: for all control data of a spread, and for one polygon.
 
-use super::exact::{Asked, Exact};
+use super::exact::{Asked, Exactly};
 use super::polygon::{OfPolygon, Points};
+use crate::cli::console::answer::OrNone;
 use crate::cli::console::output::Failure;
 use subcert::bound::Budget;
 use subcert::limit::{Distances, Limit, LimitError, Parametrisation};
 use subcert::scheme::{Mask, Scheme};
 
-/// The answers in one parametrisation; the error says why no limit is shown to exist.
-pub(super) struct Answer {
-    pub(super) exact: Result<Exact, String>,
-    /// The answer for the control polygon, if one was given.
-    pub(super) polygon: Option<Result<OfPolygon, String>>,
+/// The depth in one parametrisation, or why no limit is shown to exist.
+#[derive(Clone)]
+pub(super) struct Compared {
+    pub(super) exact: OrNone<Exactly>,
+    /// That of the control polygon, if one was given.
+    pub(super) polygon: Option<OrNone<OfPolygon>>,
 }
 
-impl Answer {
-    /// Finds the answer in one parametrisation: `budgets` has one for all control data, and one
+impl Compared {
+    /// Finds the depth in one parametrisation: `budgets` has one for all control data, and one
     /// more for the polygon, if there is one.
     pub(super) fn of(
         scheme: &Scheme,
@@ -23,36 +25,35 @@ impl Answer {
         points: Option<&Points>,
         asked: &Asked<'_>,
         budgets: &[Budget],
-    ) -> Result<Answer, Failure> {
+    ) -> Result<Compared, Failure> {
         let mask = match scheme {
             Scheme::Curve(mask) => mask,
             Scheme::Tensor(first, second) => {
                 let masks = [first, second];
-                let exact = Exact::of_surface(masks, parametrisation, asked, &budgets[0]);
-                return Ok(Answer { exact: exact.map_err(|e| e.to_string()), polygon: None });
+                let exact = Exactly::of_surface(masks, parametrisation, asked, &budgets[0]);
+                return Ok(Compared { exact: exact.into(), polygon: None });
             }
         };
         let distances = match distances(mask, parametrisation) {
             Ok(distances) => distances,
             Err(error) => {
-                let why = Err(error.to_string());
-                let polygon = points.map(|_| Err(error.to_string()));
-                return Ok(Answer { exact: why, polygon });
+                let polygon = points.map(|_| Err(&error).into());
+                return Ok(Compared { exact: Err(error).into(), polygon });
             }
         };
         let all = distances.clone().with_budget(budgets[0].clone());
-        let exact = Exact::of(mask, parametrisation, &all, asked);
+        let exact = Exactly::of(mask, parametrisation, &all, asked);
         let own = |points: &Points| {
             let distances = distances.clone().with_budget(budgets[1].clone());
             match OfPolygon::of(&distances, points, asked.tolerance, asked.width) {
                 Err(error @ LimitError::TooFew { .. }) => {
                     Err(Failure::Input(format!("--polygon: {error}")))
                 }
-                own => Ok(own.map_err(|error| error.to_string())),
+                own => Ok(own.into()),
             }
         };
         let polygon = points.map(own).transpose()?;
-        Ok(Answer { exact: exact.map_err(|error| error.to_string()), polygon })
+        Ok(Compared { exact: exact.into(), polygon })
     }
 }
 

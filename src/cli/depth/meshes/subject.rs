@@ -1,0 +1,46 @@
+//! What is common to the depths of meshes, nets and solids.
+
+use super::kind::Kind;
+use super::promise::{APriori, Formula};
+use crate::cli::arguments::{DepthArguments, FindingFormat};
+use crate::cli::console::interrupt::Interrupt;
+use crate::cli::console::output::Failure;
+use crate::cli::console::progress::Progress;
+use std::sync::Arc;
+use subcert::exact::Rational;
+use subcert::patch::MeshWork;
+
+/// A mesh, a net or a solid whose depth is asked for, and what is promised before any search.
+pub(super) struct Subject<'a> {
+    pub(super) scheme: String,
+    /// The name of the file.
+    pub(super) name: String,
+    pub(super) kind: Kind,
+    pub(super) arguments: &'a DepthArguments,
+    pub(super) tolerance: Rational,
+    pub(super) guaranteed: APriori,
+    /// The number of levels by the formula of a paper, if there is one for the scheme.
+    pub(super) promised: Option<Formula>,
+}
+
+impl Subject<'_> {
+    /// The levels that are promised to be enough, in words.
+    pub(super) fn promises(&self) -> Vec<(u32, String)> {
+        let by_formula = self.promised.as_ref().and_then(|formula| formula.level);
+        let by_formula = by_formula.map(|level| (level, "by formula".to_owned()));
+        by_formula.into_iter().chain([(self.guaranteed.level, "a priori".to_owned())]).collect()
+    }
+}
+
+/// The result of a search that shows its progress, and that Ctrl-C and `--seconds` stop; and whether it was stopped.
+pub(super) fn searched<T>(
+    work: &Arc<MeshWork>,
+    arguments: &DepthArguments,
+    search: impl FnOnce() -> Result<T, Failure>,
+) -> Result<(T, bool), Failure> {
+    let _interrupt = Interrupt::stops_work(work, arguments.seconds);
+    let wanted = arguments.output.format != FindingFormat::Json;
+    let _progress = Progress::of_pieces(Arc::clone(work), wanted);
+    let found = search()?;
+    Ok((found, work.is_stopped()))
+}
