@@ -1,7 +1,8 @@
 //! The depth in one parametrisation: for all control data of a spread, and for one polygon.
 
 use super::exact::{Asked, Exactly};
-use super::polygon::{OfPolygon, Points};
+use super::points::Points;
+use super::polygon::OfPolygon;
 use crate::cli::console::answer::OrNone;
 use crate::cli::console::output::Failure;
 use subcert::bound::Budget;

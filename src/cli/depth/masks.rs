@@ -4,7 +4,8 @@ use super::bound::{Bounds, MAX_NORM_STEPS};
 use super::certified;
 use super::compared::{Compared, MAX_STEPS};
 use super::exact::{Asked, Exactly};
-use super::polygon::{OfPolygon, Points, Polygon};
+use super::points::Points;
+use super::polygon::{OfPolygon, Polygon};
 use super::scheme_pictures::Drawn;
 use super::sets::{self, Sets, of_sets};
 use crate::cli::arguments::{

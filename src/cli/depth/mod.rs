@@ -10,6 +10,7 @@ mod masks;
 mod meshes;
 mod numbers;
 mod place;
+mod points;
 mod polygon;
 mod scheme_pictures;
 mod sets;

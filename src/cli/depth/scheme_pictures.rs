@@ -4,7 +4,7 @@
 use super::bound::Bounds;
 use super::compared::Compared;
 use super::exact::Exactly;
-use super::polygon::Points;
+use super::points::Points;
 use subcert::audit::Refiner;
 use subcert::exact::Rational;
 use subcert::float::nearest;

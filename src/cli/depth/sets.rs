@@ -3,7 +3,7 @@
 use super::certified;
 use super::distance::AsSets;
 use super::numbers::point as point_text;
-use super::polygon::Points;
+use super::points::Points;
 use crate::cli::console::answer::OrNone;
 use crate::cli::console::output::Failure;
 use crate::cli::console::quantity::{Float, Text};
