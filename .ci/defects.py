@@ -81,7 +81,7 @@ DEFECTS = [
      "certificate::coq"),
     ("src/reports/certificate/witness.rs", "axis + 1", "axis + 0", "certificate::theorems certificate::papers"),
     ("src/cli/smoothness/jsr.rs", "!is_comment && !last.is_empty()", "!last.is_empty()", "cli::smoothness"),
-    ("src/cli/depth/mod.rs", "arguments.boundary != Some(DepthBoundary::Polygon(BoundaryArgument::Open))", "true",
+    ("src/cli/depth/masks.rs", "arguments.boundary != Some(DepthBoundary::Polygon(BoundaryArgument::Open))", "true",
      "cli::bad_input"),
     ("proofs/checker/src/sets/near.rs", "distance + radius + more <= TOLERANCE", "distance + more <= TOLERANCE",
      "certificate::depth"),
