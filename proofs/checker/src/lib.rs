@@ -64,7 +64,7 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
 }
 
 /// Compares files of theorems of Coq with their claim file: masks, numbers, levels and places
-/// (FORMAT.md, Theorems of Coq). Certificates recover the values of parameters that the paper does not
+/// (proofs/format/coq.md). Certificates recover the values of parameters that the paper does not
 /// state; they are checked. Of several files about one claim, the first one that agrees counts. Whether the theorems are true, Coq checks.
 ///
 /// # Errors

@@ -1,5 +1,8 @@
-//! The example of FORMAT.md is what it says.
+//! The example of FORMAT.md is what it says, and its pages are complete.
 
+use std::collections::BTreeSet;
+use std::fs::{read_dir, read_to_string};
+use std::path::Path;
 use subcert_check::{Outcome, check};
 
 /// The code blocks of FORMAT.md of this language.
@@ -27,5 +30,36 @@ fn every_shortened_example_is_refused() {
         assert!(!report.broken.is_empty(), "cut after {end} bytes");
         let valid = report.claims.iter().filter(|(_, _, outcome)| *outcome == Outcome::Valid);
         assert_eq!(valid.count(), 0);
+    }
+}
+
+/// Every page of `proofs/format` stands in FORMAT.md, and every link leads to a page and a heading of it.
+#[test]
+fn every_link_leads_to_a_page() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../format");
+    let page = |name: &str| {
+        let file = name.rsplit_once('/').map_or(name, |(_, file)| file);
+        let path = if file == "FORMAT.md" { folder.join("..") } else { folder.clone() };
+        read_to_string(path.join(file)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    };
+    let mut names: BTreeSet<String> = read_dir(&folder)
+        .expect("a folder")
+        .map(|entry| entry.expect("a page").file_name().into_string().expect("a name"))
+        .collect();
+    names.insert("FORMAT.md".to_owned());
+    for name in &names {
+        assert!(
+            name == "FORMAT.md" || page("FORMAT.md").contains(&format!("(format/{name})")),
+            "{name}"
+        );
+        for link in page(name).split("](").skip(1).filter_map(|rest| rest.split_once(')')) {
+            let (to, heading) = link.0.split_once('#').unwrap_or((link.0, ""));
+            let text = page(if to.is_empty() { name } else { to });
+            let mut headings = text.lines().filter(|line| line.starts_with('#'));
+            let is = |line: &str| {
+                line.trim_start_matches(['#', ' ']).to_lowercase().replace(' ', "-") == heading
+            };
+            assert!(heading.is_empty() || headings.any(is), "{name}: {}", link.0);
+        }
     }
 }

@@ -27,7 +27,7 @@ pub struct DepthFar {
 }
 
 /// The certificate that the Hausdorff distance of control data from their limit is within a tolerance at a level, and is
-/// not at others: `proofs/FORMAT.md`, «Depths». `points` has the points row by row.
+/// not at others: `proofs/format/depth.md`. `points` has the points row by row.
 ///
 /// The checker looks for the balls that show it by itself: nothing of the search is in the certificate but parameters of
 /// far points.

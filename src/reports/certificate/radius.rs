@@ -1,4 +1,4 @@
-//! Certificates of joint spectral radii, and of the smoothness that follows. `proofs/FORMAT.md`.
+//! Certificates of joint spectral radii, and of the smoothness that follows. `proofs/format/radius.md`.
 
 use crate::exact::Rational;
 use crate::joint::{Entry, Hull, JointRadius, Kind, MatrixSet};

@@ -1,5 +1,5 @@
 //! Theorems of Coq: whether they are about the masks, numbers and places of a claim file. Whether they are
-//! true, Coq checks (FORMAT.md, Theorems of Coq).
+//! true, Coq checks (proofs/format/coq.md).
 
 mod cell;
 mod read;

@@ -68,7 +68,7 @@ fn file(c: &mut Cursor) -> Parsed<Theorems> {
         c.expect(" *)\n")?;
     }
     c.expect("\n")?;
-    c.expect_text(HEAD, "the imports, as FORMAT.md says them")?;
+    c.expect_text(HEAD, "the imports, as proofs/format/coq.md says them")?;
     let (mut objects, mut theorems) = (BTreeMap::new(), Vec::new());
     while c.peek().is_some() {
         c.expect("\n")?;

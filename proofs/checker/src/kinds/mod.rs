@@ -1,4 +1,4 @@
-//! The rules of FORMAT.md: one place for each kind of claim, and one list of kinds.
+//! The rules of `proofs/format`: one place for each kind of claim, and one list of kinds.
 
 pub mod equation;
 pub mod exponent;

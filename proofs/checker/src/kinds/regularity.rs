@@ -1,5 +1,5 @@
 //! Tables of orders of smoothness and of Hölder exponents: every cell is a claim of kind `smoothness` or `exponent`
-//! (FORMAT.md, Tables of orders and exponents).
+//! (proofs/format/regularity.md).
 
 #![warn(clippy::arithmetic_side_effects)]
 

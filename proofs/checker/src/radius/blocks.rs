@@ -1,4 +1,4 @@
-//! A basis in which all matrices are block triangular. FORMAT.md, «Blocks».
+//! A basis in which all matrices are block triangular. proofs/format/radius.md, Blocks.
 
 use super::element::Element;
 use super::matrices::{Matrix, multiplied};

@@ -1,5 +1,5 @@
-//! Certificates of joint spectral radii, and of the smoothness that follows from them. FORMAT.md,
-//! «Joint spectral radii».
+//! Certificates of joint spectral radii, and of the smoothness that follows from them:
+//! `proofs/format/radius.md`.
 
 mod blocks;
 mod element;

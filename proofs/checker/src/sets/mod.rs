@@ -1,4 +1,4 @@
-//! Certificates of depths: how many levels a control polygon or a net needs as a set of points. FORMAT.md, «Depths».
+//! Certificates of depths: how many levels a control polygon or a net needs as a set of points. proofs/format/depth.md.
 
 mod direction;
 mod far;

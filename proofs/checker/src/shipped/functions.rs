@@ -1,4 +1,4 @@
-//! The functions of formulas on intervals. FORMAT.md defines them.
+//! The functions of formulas on intervals. proofs/format/shipped.md defines them.
 
 use super::interval::Interval;
 use super::roots::Sturm;

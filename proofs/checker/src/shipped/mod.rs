@@ -1,5 +1,5 @@
-//! Constants that programs ship: certificates about claim files of projects (FORMAT.md, Constants in
-//! programs). Nothing here is shared with the checks of papers but texts, formulas and rational numbers.
+//! Constants that programs ship: certificates about claim files of projects
+//! (`proofs/format/shipped.md`). Nothing here is shared with the checks of papers but texts, formulas and rational numbers.
 
 // Enclosures of real numbers, and formulas on them.
 mod arithmetic;

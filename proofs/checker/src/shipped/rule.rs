@@ -1,4 +1,4 @@
-//! The rule for constants of programs (FORMAT.md, Constants in programs).
+//! The rule for constants of programs (proofs/format/shipped.md).
 
 use super::interval::Interval;
 use super::literal::{read as read_literal, same};

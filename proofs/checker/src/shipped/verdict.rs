@@ -1,4 +1,4 @@
-//! The verdict of a number (FORMAT.md, Constants in programs). It is that of every point of an
+//! The verdict of a number (proofs/format/shipped.md). It is that of every point of an
 //! enclosure of the exact value.
 
 use super::decided::{Ends, decided, is_rounded, within};

@@ -1,5 +1,5 @@
 //! The reasons for which a certificate is rejected. There is one for each side condition of
-//! FORMAT.md.
+//! the format.
 
 use std::fmt;
 

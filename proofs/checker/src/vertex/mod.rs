@@ -1,4 +1,4 @@
-//! Surfaces at an extraordinary vertex or on an extraordinary face (FORMAT.md, Vertices and faces).
+//! Surfaces at an extraordinary vertex or on an extraordinary face (proofs/format/smoothness.md, Vertices and faces).
 
 // Numbers with proven errors, linear equations and polynomials.
 mod ball;

@@ -150,7 +150,7 @@ impl Mask {
         true
     }
 
-    /// The matrices of the differences of order K, as FORMAT.md says.
+    /// The matrices of the differences of order K, as proofs/format/radius.md says.
     pub fn matrices(&self, order: usize) -> Vec<Vec<Vec<Q>>> {
         let b = self.difference(order).expect("the sum rules");
         let first = b.iter().position(|x| !x.is_zero()).unwrap_or(0);

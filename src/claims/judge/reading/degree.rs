@@ -18,7 +18,7 @@ pub(super) const LANGUAGE: [&str; 9] =
 /// The degrees of formulas in a parameter p > 0: a formula of degree d is c·p^d, where c does not
 /// depend on p.
 ///
-/// The rules are those of `proofs/FORMAT.md`.
+/// The rules are those of `proofs/format/table.md`.
 pub(crate) struct Degrees<'a> {
     definitions: &'a BTreeMap<String, LocatedFormula>,
     name: &'a str,
