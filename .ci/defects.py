@@ -8,9 +8,6 @@ SUBCERT_DEFECT turns on, so that one build serves all. The tests near a defect r
 A run ends at the first test that fails. Documentation tests do not run. A defect with which the tests take longer
 than LIMIT seconds is caught too. Each is printed as a row of a table, and one that no test catches fails the run.
 Without numbers, all tests run first without any defect: they have to pass.
-
-Number 23 is not caught: finite sharpness by Chaikin's rule, of an edge that is at no vertex of a face, changes less
-than what the samples in the tests show.
 """
 
 import os

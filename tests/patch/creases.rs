@@ -145,13 +145,18 @@ fn agrees(mesh: &Mesh, scheme: MeshScheme, tolerance: &Rational) -> Result<(), T
     let guaranteed = a_priori(mesh, scheme, tolerance).expect("a level");
     let found = depth(mesh, scheme, tolerance);
     prop_assert!(found.level <= guaranteed.level, "{found:?}, {guaranteed:?}");
-    bounds_hold(mesh, scheme, 0)?;
-    bounds_hold(mesh, scheme, 1)
+    bounds_hold(mesh, scheme, 0, 2)?;
+    bounds_hold(mesh, scheme, 1, 2)
 }
 
-fn bounds_hold(mesh: &Mesh, scheme: MeshScheme, level: u32) -> Result<(), TestCaseError> {
+fn bounds_hold(
+    mesh: &Mesh,
+    scheme: MeshScheme,
+    level: u32,
+    more: u32,
+) -> Result<(), TestCaseError> {
     let bounds = distances(mesh, scheme).faces(level);
-    for (face, sampled) in face_samples(mesh, scheme, level).into_iter().enumerate() {
+    for (face, sampled) in face_samples(mesh, scheme, level, more).into_iter().enumerate() {
         let [lower, upper] = bounds[face];
         prop_assert!(
             sampled <= upper * (1.0 + 1e-9) + 1e-12,
@@ -162,15 +167,15 @@ fn bounds_hold(mesh: &Mesh, scheme: MeshScheme, level: u32) -> Result<(), TestCa
     Ok(())
 }
 
-/// For each face the greatest distance of its limit points, two levels later, from the mesh of a level. Holes have 0.
-fn face_samples(mesh: &Mesh, scheme: MeshScheme, level: u32) -> Vec<f64> {
+/// For each face the greatest distance of its limit points, `more` levels later, from the mesh of a level. Holes have 0.
+fn face_samples(mesh: &Mesh, scheme: MeshScheme, level: u32, more: u32) -> Vec<f64> {
     let mut samples = vec![0.0_f64; mesh.faces().len()];
-    let (fine, limits, values) = refined_with_values(mesh, scheme, level, 2);
+    let (fine, limits, values) = refined_with_values(mesh, scheme, level, more);
     let holes = fine.tags().holes(fine.connectivity());
     let parts = |size: usize| if scheme == MeshScheme::CatmullClark { size } else { 4 };
     let owners: Vec<usize> = (0..mesh.faces().len())
         .flat_map(|face| {
-            std::iter::repeat_n(face, parts(mesh.faces()[face].len()) << (2 * level + 2))
+            std::iter::repeat_n(face, parts(mesh.faces()[face].len()) << (2 * (level + more) - 2))
         })
         .collect();
     for (face, vertices) in
@@ -234,7 +239,8 @@ proptest! {
 }
 
 /// By Chaikin's rule an edge of sharpness 3/10 stays sharp beside sharper ones at both ends, one of which is no edge of a
-/// face at the first end, or of its neighbours.
+/// face at the first end, or of its neighbours. Its far end is so high that this changes the limit of a face by a half of a
+/// hundredth, as samples after three levels show.
 #[test]
 fn sharp_edges_that_do_not_touch_the_face() {
     let turns = [[1, 0], [1, 1], [0, 1], [-1, 0], [-1, -1], [0, -1]];
@@ -244,7 +250,7 @@ fn sharp_edges_that_do_not_touch_the_face() {
         let [a, b, beyond] = [[0, 0], [i, j], [2 * i, 2 * j]].map(number);
         let mut points: Vec<[i64; 3]> = (0..25).map(|at| [at / 5, at % 5, 0]).collect();
         points[a][2] = 8;
-        points[b][2] = 8;
+        points[b][2] = 1000;
         let faces = crate::common::meshes::grid_faces(5, 5, true);
         let sharp = [
             ([a, b], r(3, 10)),
@@ -255,7 +261,8 @@ fn sharp_edges_that_do_not_touch_the_face() {
         let mut tags = mesh.tags().clone();
         tags.creasing = Creasing::Chaikin;
         let mesh = mesh.with_tags(tags);
-        bounds_hold(&mesh, MeshScheme::Loop, 0).unwrap_or_else(|error| panic!("{i} {j}: {error}"));
+        bounds_hold(&mesh, MeshScheme::Loop, 0, 3)
+            .unwrap_or_else(|error| panic!("{i} {j}: {error}"));
     }
 }
 
