@@ -35,9 +35,14 @@ ANSWERS = [
     ("errata", "errata --paper khan2019-newton"),
     ("explain", "explain khan2022-doo-sabin:theorem-3"),
     ("explain-list", "explain khan2019-newton"),
+    ("explain-project", "explain weights:neighbours examples/weights.toml"),
+    ("flags", "flags"),
+    ("jsr", "jsr examples/pair.txt"),
     ("oracle", "oracle chaikin"),
     ("range", "range four-point --param w -c 2"),
     ("range-smoothness", "range four-point --param w --smoothness 1"),
+    ("range-smoothness-map", "range examples/primal.toml --param a --param b --smoothness 1 --boxes 20"),
+    ("range-smoothness-vertex", "range examples/loop-beta.toml --param beta --smoothness 1 --valences 3..4"),
     ("scheme", "scheme four-point:w=1/16"),
     ("scheme", "scheme catmull-clark:N=5"),
     ("schemes", "schemes"),
@@ -68,6 +73,9 @@ def main():
 
     from jsonschema import Draft202012Validator
 
+    # The other two are those of claim files.
+    if without := kept.keys() - {f"{name}.json" for name, _ in ANSWERS} - {"claims.json", "claims-project.json"}:
+        sys.exit(f"ANSWERS has no command for {', '.join(sorted(without))}")
     for name, command in ANSWERS:
         schema = json.loads(kept[f"{name}.json"])
         Draft202012Validator.check_schema(schema)

@@ -16,7 +16,8 @@ pub(crate) fn flags(output: &Output) -> Outcome {
 
 /// The flags of all commands.
 #[derive(Serialize)]
-struct Flags {
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Flags {
     /// The version of this form.
     schema: u32,
     /// The commands.
@@ -25,6 +26,7 @@ struct Flags {
 
 /// A command with its flags.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Command {
     /// Its name.
     name: String,

@@ -1,13 +1,14 @@
 //! `subcert schemas DIR`: the JSON schemas of what `--format json` writes, from the types that are
 //! written, and of claim files, from those that are read.
 
+use super::flags::Flags;
 use crate::cli::console::answer::Answer;
 use crate::cli::console::output::{Failure, Outcome, json_text};
 use crate::cli::console::save::save;
 use crate::cli::constants::{Certification, Constants, RingConstants};
 use crate::cli::depth::{Depth, LocalReport, ParametricDepth, SetDepth};
 use crate::cli::json::listing;
-use crate::cli::ranges::{Range, SmoothMap, SmoothRange};
+use crate::cli::ranges::{Range, SmoothMap, SmoothRange, VertexRange};
 use crate::cli::schemes::{Atlas, Catalogue};
 use crate::cli::smoothness::{JointRadius, Smoothness, Vertices};
 use crate::cli::spectrum::{Sector, Spectrum};
@@ -44,11 +45,13 @@ fn all() -> Vec<(&'static str, Schema)> {
         Range<'_>,
         SmoothRange<'_>,
         SmoothMap<'_>,
+        VertexRange<'_>,
         Smoothness<'_>,
         Vertices<'_>,
         JointRadius<'_>,
         Spectrum<'_>,
         Sector<'_>,
+        Flags,
     ];
     let others = [
         ("audit", of::<AuditReport>()),

@@ -9,4 +9,6 @@ mod vertex_range;
 
 pub(super) use range::range;
 #[cfg(feature = "schema")]
-pub(super) use {range::Range, smooth_map::SmoothMap, smooth_range::SmoothRange};
+pub(super) use {
+    range::Range, smooth_map::SmoothMap, smooth_range::SmoothRange, vertex_range::VertexRange,
+};
