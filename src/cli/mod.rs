@@ -5,7 +5,6 @@ mod console;
 mod constants;
 mod depth;
 mod geometry;
-mod json;
 mod papers;
 mod program;
 mod ranges;

@@ -24,15 +24,7 @@ pub(in crate::cli) enum FindingFormat {
 impl FindingFormat {
     /// The format of what is no page, into this file; `None` for pages.
     pub(in crate::cli) fn of_text(self, file: Option<&PathBuf>) -> Option<Output> {
-        let format = match self {
-            FindingFormat::Text => Format::Text,
-            FindingFormat::Json => Format::Json,
-            FindingFormat::Markdown => Format::Markdown,
-            FindingFormat::Csv => Format::Csv,
-            FindingFormat::Latex => Format::Latex,
-            FindingFormat::Html => return None,
-        };
-        Some(Output { format, file: file.cloned() })
+        Some(Output { format: Format::named(self)?, file: file.cloned() })
     }
 }
 

@@ -173,6 +173,13 @@ pub(super) enum Format {
     Latex,
 }
 
+impl Format {
+    /// That of the same name, if there is one.
+    pub(super) fn named(other: impl ValueEnum) -> Option<Format> {
+        Format::from_str(other.to_possible_value()?.get_name(), false).ok()
+    }
+}
+
 /// How results are written. Every command that answers with a report takes these flags.
 #[derive(Clone, Debug, PartialEq, Eq, Args)]
 pub(super) struct Output {

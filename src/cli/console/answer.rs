@@ -2,8 +2,10 @@
 
 use super::csv;
 use super::destination::{Destination, command};
-use super::output::{self, Outcome};
+use super::output::{self, Failure, Outcome, json_text, write_results};
+use super::terminal;
 use crate::cli::arguments::{Format, Output};
+use crate::cli::papers::pages::write_page;
 use serde::Serialize;
 use std::fmt::Display;
 use subcert::report::html::{FindingPage, Picture};
@@ -25,6 +27,11 @@ pub(crate) trait Answer: Serialize {
         None
     }
 
+    /// Its LaTeX.
+    fn latex(&self) -> String {
+        self.sheet().to_latex()
+    }
+
     /// It in a sentence, for a page.
     fn sentence(&self) -> String {
         String::new()
@@ -33,6 +40,23 @@ pub(crate) trait Answer: Serialize {
     /// The pictures of its page.
     fn pictures(&self) -> Vec<Picture> {
         Vec::new()
+    }
+
+    /// Its page.
+    fn page(&self) -> Result<String, Failure> {
+        let (sentence, sheet, pictures) = (&self.sentence(), &self.sheet(), &self.pictures());
+        Ok(FindingPage { sentence, sheet, pictures, command: &command() }.to_html())
+    }
+}
+
+/// An answer in a format; as text in lines of this width.
+pub(crate) fn text(answer: &impl Answer, format: Format, width: Option<usize>) -> String {
+    match format {
+        Format::Text => answer.sheet().to_text(width),
+        Format::Markdown => answer.sheet().to_markdown(),
+        Format::Json => json_text(answer),
+        Format::Latex => answer.latex(),
+        Format::Csv => csv::of_grid(&answer.grid().unwrap_or_else(|| csv::values(answer))),
     }
 }
 
@@ -77,26 +101,20 @@ impl<T> OrNone<T> {
 
 /// Writes an answer in the chosen format.
 pub(crate) fn show(to: &Output, answer: &impl Answer) -> Outcome {
-    match answer.grid().filter(|_| to.format == Format::Csv) {
-        Some(grid) => output::deliver(&csv::of_grid(&grid), to.file.as_deref()),
-        None => output::show(to, || answer.sheet(), || answer),
-    }
+    let file = to.file.as_deref();
+    // A file is as wide as it needs.
+    let width = if file.is_none() { terminal::width() } else { None };
+    output::deliver(&text(answer, to.format, width), file)
 }
 
 /// The same, also as a page.
 pub(crate) fn deliver(to: &Destination, answer: &impl Answer) -> Outcome {
-    to.page_or(
-        |to| show(to, answer),
-        || {
-            let (sentence, sheet, pictures) =
-                (answer.sentence(), answer.sheet(), answer.pictures());
-            let page = FindingPage {
-                sentence: &sentence,
-                sheet: &sheet,
-                pictures: &pictures,
-                command: &command(),
-            };
-            Ok(page.to_html())
-        },
-    )
+    match to {
+        Destination::Output(to) => show(to, answer),
+        Destination::Page => write_results(&answer.page()?),
+        Destination::File(path) => {
+            write_page(path, &answer.page()?)?;
+            write_results(&format!("{}\n", path.display()))
+        }
+    }
 }

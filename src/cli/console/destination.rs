@@ -1,11 +1,9 @@
 //! Single findings: to the standard output, or as a page in a file.
 
-use super::output::{Failure, Outcome, show, write_results};
+use super::output::Failure;
 use crate::cli::arguments::{FindingOutput, Output};
-use crate::cli::papers::pages::{folder, write_page};
-use serde::Serialize;
+use crate::cli::papers::pages::folder;
 use std::path::{Path, PathBuf};
-use subcert::report::Sheet;
 use subcert::report::html::shell_word;
 
 /// Where a finding goes.
@@ -31,32 +29,6 @@ impl Destination {
                 Ok(Destination::File(folder(path)?.join(format!("{}.html", plain(name)))))
             }
         }
-    }
-
-    /// Writes a finding: a text by `text`, or the page.
-    pub(crate) fn page_or(
-        &self,
-        text: impl FnOnce(&Output) -> Outcome,
-        page: impl FnOnce() -> Result<String, Failure>,
-    ) -> Outcome {
-        match self {
-            Destination::Output(to) => text(to),
-            Destination::Page => write_results(&page()?),
-            Destination::File(path) => {
-                write_page(path, &page()?)?;
-                write_results(&format!("{}\n", path.display()))
-            }
-        }
-    }
-
-    /// Writes a finding whose form is no answer.
-    pub(crate) fn deliver<J: Serialize>(
-        &self,
-        sheet: impl FnOnce() -> Sheet,
-        json: impl FnOnce() -> J,
-        page: impl FnOnce() -> Result<String, Failure>,
-    ) -> Outcome {
-        self.page_or(|to| show(to, sheet, json), page)
     }
 }
 

@@ -1,9 +1,7 @@
 //! Results to the standard output, messages to the standard error.
 
-use super::csv;
 use super::save::save;
 use super::terminal;
-use crate::cli::arguments::{Format, Output};
 use serde::Serialize;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write as _};
@@ -11,7 +9,6 @@ use std::path::Path;
 use std::process::ExitCode;
 use subcert::diagnostic::{Diagnostic, Errors, wrapped};
 use subcert::exact::{Enclosed, Rational, format::short, parse_rational};
-use subcert::report::Sheet;
 
 /// The exit code when a reader such as `head` has gone away: success.
 pub(crate) const BROKEN_PIPE: u8 = 0;
@@ -142,37 +139,6 @@ pub(crate) fn deliver(text: &str, file: Option<&Path>) -> Outcome {
         let path = path.display();
         Failure::Input(format!("cannot write `{path}`: {error}; name another file with -o FILE"))
     })
-}
-
-/// Writes a report in the chosen format; as CSV it has a row for each value of the JSON.
-pub(crate) fn show<J: Serialize>(
-    to: &Output,
-    sheet: impl FnOnce() -> Sheet,
-    json: impl FnOnce() -> J,
-) -> Outcome {
-    let file = to.file.as_deref();
-    let text = match to.format {
-        // A file is as wide as it needs.
-        Format::Text => sheet().to_text(if file.is_none() { terminal::width() } else { None }),
-        Format::Markdown => sheet().to_markdown(),
-        Format::Json => json_text(&json()),
-        Format::Latex => sheet().to_latex(),
-        Format::Csv => csv::values(&json()),
-    };
-    deliver(&text, file)
-}
-
-/// Writes a report that has a table of its own for spreadsheets.
-pub(crate) fn show_table<J: Serialize>(
-    to: &Output,
-    sheet: impl FnOnce() -> Sheet,
-    json: impl FnOnce() -> J,
-    csv: impl FnOnce() -> String,
-) -> Outcome {
-    match to.format {
-        Format::Csv => deliver(&csv(), to.file.as_deref()),
-        _ => show(to, sheet, json),
-    }
 }
 
 /// A report as JSON, with a line for each field.

@@ -1,7 +1,7 @@
 //! Numbers in answers. An answer holds a number itself; JSON and words are made of it when they are written.
 
 use super::output::with_decimal;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 use subcert::exact::{
     Enclosed, Enclosure, Rational, RealCyclotomic, RealExpression, Scalar as _, format::short,
@@ -89,18 +89,6 @@ impl Display for Number {
     }
 }
 
-impl Serialize for Number {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Exact::of(self).serialize(serializer)
-    }
-}
-
-impl Serialize for Fraction {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Exact::of(&self.0).serialize(serializer)
-    }
-}
-
 impl<V: Display> Display for Text<V> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
@@ -114,23 +102,17 @@ impl Display for Float {
     }
 }
 
-impl Serialize for Float {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&shortest(self.0))
-    }
-}
-
-impl<V: Display> Serialize for Text<V> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(&self.0)
-    }
-}
-
-/// The schema of one type is that of another.
-macro_rules! schema {
-    ($name:ty => $form:ty $(, $value:ident)?) => {
+/// In JSON, and in its schema, an answer or a part of it is this form.
+macro_rules! written {
+    ($([$($generics:tt)*])? $this:ident: $name:ty => $form:ty, $value:expr) => {
+        impl$(<$($generics)*>)? serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                let $this = self;
+                $value.serialize(serializer)
+            }
+        }
         #[cfg(feature = "schema")]
-        impl$(<$value>)? schemars::JsonSchema for $name {
+        impl$(<$($generics)*>)? schemars::JsonSchema for $name {
             fn inline_schema() -> bool {
                 <$form>::inline_schema()
             }
@@ -146,12 +128,12 @@ macro_rules! schema {
         }
     };
 }
-pub(crate) use schema;
+pub(crate) use written;
 
-schema!(Number => Exact);
-schema!(Fraction => Exact);
-schema!(Text<V> => String, V);
-schema!(Float => String);
+written!(number: Number => Exact, Exact::of(number));
+written!(number: Fraction => Exact, Exact::of(&number.0));
+written!([V: Display] text: Text<V> => String, text.0.to_string());
+written!(float: Float => String, shortest(float.0));
 
 /// An enclosure as decimals that are rounded outwards, or the number that it is.
 pub(crate) fn between(enclosure: &Enclosure) -> String {

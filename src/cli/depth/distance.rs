@@ -2,8 +2,8 @@
 
 use super::numbers;
 use crate::cli::console::output::with_decimal;
-use crate::cli::console::quantity::{Text, schema};
-use serde::{Serialize, Serializer};
+use crate::cli::console::quantity::{Text, written};
+use serde::Serialize;
 use subcert::exact::{Enclosure, Integer, Rational, format::short};
 use subcert::limit::{self, LimitError, TwoSidedDepth};
 use subcert::patch::GeometricDepth;
@@ -100,14 +100,10 @@ struct Ends {
     upper: Exact,
 }
 
-impl Serialize for Interval {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let [lower, upper] = [self.0.lower(), self.0.upper()].map(Exact::of);
-        Ends { lower, upper }.serialize(serializer)
-    }
-}
-
-schema!(Interval => Ends);
+written!(interval: Interval => Ends, {
+    let [lower, upper] = [interval.0.lower(), interval.0.upper()].map(Exact::of);
+    Ends { lower, upper }
+});
 
 /// The most digits that an end of an interval can have here.
 const DIGITS: u32 = 400;

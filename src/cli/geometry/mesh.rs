@@ -6,7 +6,7 @@ use crate::cli::arguments::{
 };
 use crate::cli::console::output::{Failure, Outcome, write_results};
 use crate::cli::console::save::save;
-use crate::cli::json::SCHEMA;
+use crate::cli::console::answer::SCHEMA;
 use std::path::Path;
 use subcert::diagnostic::{SourceText, read_bytes_from};
 use subcert::exact::RealCyclotomic;

@@ -6,13 +6,18 @@ use super::claim_files::{Claims, claims};
 use super::judged::{judge_all, select};
 use super::pages;
 use super::projects;
-use crate::cli::arguments::{AuditArguments, FindingFormat, Format, Output, is_of_papers};
-use crate::cli::console::csv;
-use crate::cli::console::output::{Failure, Outcome, denied, show_table};
+use crate::cli::arguments::{AuditArguments, FindingFormat, Format, is_of_papers};
+use crate::cli::console::answer::{Answer, show};
+use crate::cli::console::output::{Failure, Outcome, denied};
+use crate::cli::console::quantity::written;
 use crate::cli::console::terminal;
 use subcert::audit::{PaperAudit, Word};
+use subcert::exact::format::short;
 use subcert::report::json::AuditReport;
-use subcert::report::{Sheet, audit_sheet, overview_sheet};
+use subcert::report::{Grid, Sheet, audit_sheet, overview_sheet};
+
+/// How many significant digits a decimal for spreadsheets has.
+const DIGITS: u32 = 17;
 
 pub(crate) fn audit(arguments: &AuditArguments) -> Outcome {
     let to = Destination::of(arguments)?;
@@ -27,7 +32,10 @@ pub(crate) fn audit(arguments: &AuditArguments) -> Outcome {
     let audits = judge_all(&papers, arguments.format != FindingFormat::Json)?;
     let certified = if arguments.certified { Some(Certified::of(&audits)?) } else { None };
     match to {
-        Destination::Output(to) => show_audit(arguments, &to, &audits, certified.as_ref())?,
+        Destination::Output(to) => {
+            let on_screen = to.format == Format::Text && to.file.is_none();
+            show(&to, &Audit { audits: &audits, all: arguments.all, certified, on_screen })?;
+        }
         Destination::Pages(folder) => {
             pages::pages(&audits, certified.as_ref(), arguments.files.is_empty(), folder)?;
         }
@@ -45,42 +53,59 @@ pub(crate) fn audit(arguments: &AuditArguments) -> Outcome {
     })
 }
 
-/// Writes the report.
-fn show_audit(
-    arguments: &AuditArguments,
-    to: &Output,
-    audits: &[PaperAudit<'_>],
-    certified: Option<&Certified>,
-) -> Outcome {
-    show_table(
-        to,
-        || {
-            let mut sheet = audit_sheet(audits, arguments.all);
-            sheet.text(
-                "✓ confirmed  = reproduced at values that the paper does not state  ≈ rounded differently  ± misprint  ⇄ another reading  ✗ refuted  ? not checkable, or \
-                 open. Under a cell: the exact value of the printed definition, and the sound \
-                 value where the printed one is not shown to keep its promise. `--all` shows \
-                 every table, `subcert explain KEY:ID` one claim, whose ID ends its heading.",
-            );
-            if let Some(certified) = certified {
-                certified.section(&mut sheet);
-            }
-            if to.format == Format::Text && to.file.is_none() && is_longer_than_a_screen(&sheet) {
-                // The summary has scrolled off the screen, and is repeated at the end.
-                sheet.heading(1, "All papers");
-                sheet.blocks.extend(overview_sheet(audits).blocks);
-            }
-            sheet
-        },
-        || {
-            let mut report = AuditReport::of(audits);
-            if let Some(certified) = certified {
-                certified.mark(&mut report);
-            }
-            report
-        },
-        || csv::cells(audits),
-    )
+/// The audits of papers.
+pub(crate) struct Audit<'a> {
+    audits: &'a [PaperAudit<'a>],
+    /// Whether every table is shown.
+    all: bool,
+    certified: Option<Certified>,
+    /// Whether its text goes to the standard output.
+    on_screen: bool,
+}
+
+written!(audit: Audit<'_> => AuditReport<'_>, {
+    let mut report = AuditReport::of(audit.audits);
+    if let Some(certified) = &audit.certified {
+        certified.mark(&mut report);
+    }
+    report
+});
+
+impl Answer for Audit<'_> {
+    const NAME: &'static str = "audit";
+
+    fn sheet(&self) -> Sheet {
+        let mut sheet = audit_sheet(self.audits, self.all);
+        sheet.text(
+            "✓ confirmed  = reproduced at values that the paper does not state  ≈ rounded differently  ± misprint  ⇄ another reading  ✗ refuted  ? not checkable, or \
+             open. Under a cell: the exact value of the printed definition, and the sound \
+             value where the printed one is not shown to keep its promise. `--all` shows \
+             every table, `subcert explain KEY:ID` one claim, whose ID ends its heading.",
+        );
+        if let Some(certified) = &self.certified {
+            certified.section(&mut sheet);
+        }
+        if self.on_screen && is_longer_than_a_screen(&sheet) {
+            // The summary has scrolled off the screen, and is repeated at the end.
+            sheet.heading(1, "All papers");
+            sheet.blocks.extend(overview_sheet(self.audits).blocks);
+        }
+        sheet
+    }
+
+    /// The cells of the tables: one row for each, with its verdict.
+    fn grid(&self) -> Option<Grid> {
+        let tables = self.audits.iter().flat_map(|audit| &audit.tables);
+        let rows = tables.flat_map(|table| table.cells.iter().flatten()).map(|cell| {
+            let printed = cell.printed.clone().unwrap_or_default();
+            let exact = cell.exact.as_ref();
+            let decimal = exact.map(|exact| short(exact, DIGITS)).unwrap_or_default();
+            let exact = exact.map(ToString::to_string).unwrap_or_default();
+            vec![cell.id.clone(), printed, exact, decimal, cell.verdict.word().name().to_owned()]
+        });
+        let header = ["id", "printed", "exact", "decimal", "verdict"].map(str::to_owned).to_vec();
+        Some(Grid { header, rows: rows.collect(), left_columns: 5 })
+    }
 }
 
 fn is_longer_than_a_screen(sheet: &Sheet) -> bool {

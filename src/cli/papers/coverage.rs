@@ -2,17 +2,32 @@
 
 use super::judged::{judge_all, papers, select};
 use crate::cli::arguments::{CoverageArguments, Format};
-use crate::cli::console::output::{Outcome, denied, show};
+use crate::cli::console::answer::{Answer, show};
+use crate::cli::console::output::{Outcome, denied};
+use crate::cli::console::quantity::written;
 use subcert::audit::PaperAudit;
-use subcert::report::{coverage_sheet, json::CoverageReport};
+use subcert::report::{Sheet, coverage_sheet, json::CoverageReport};
 
 pub(crate) fn coverage(arguments: &CoverageArguments) -> Outcome {
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
     let audits = judge_all(&papers, arguments.output.format != Format::Json)?;
-    show(&arguments.output, || coverage_sheet(&audits), || CoverageReport::of(&audits))?;
+    show(&arguments.output, &Coverage(&audits))?;
     denied(&arguments.deny, |state| {
         let items = audits.iter().flat_map(PaperAudit::coverage);
         let count = items.filter(|coverage| coverage.state().name() == state).count();
         (count, ["numbered item", "numbered items"])
     })
+}
+
+/// Which numbered items of papers have claims.
+pub(crate) struct Coverage<'a>(&'a [PaperAudit<'a>]);
+
+written!(coverage: Coverage<'_> => CoverageReport<'_>, CoverageReport::of(coverage.0));
+
+impl Answer for Coverage<'_> {
+    const NAME: &'static str = "coverage";
+
+    fn sheet(&self) -> Sheet {
+        coverage_sheet(self.0)
+    }
 }

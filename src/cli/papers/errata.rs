@@ -3,14 +3,16 @@
 use super::claim_files::{Claims, claims};
 use super::judged::{judge_all, select};
 use super::projects::{judge_projects, select_project};
-use crate::cli::arguments::{ErrataArguments, ErrataFormat};
-use crate::cli::console::csv;
-use crate::cli::console::output::{Failure, Outcome, json_text, write_results};
+use crate::cli::arguments::{ErrataArguments, ErrataFormat, Format};
+use crate::cli::console::answer::{Answer, text};
+use crate::cli::console::output::{Failure, Outcome, write_results};
+use crate::cli::console::quantity::written;
 use crate::cli::console::terminal;
-use serde::Serialize;
 use std::path::Path;
+use subcert::audit::PaperAudit;
 use subcert::report::json::{ErrataReport, ProjectsReport};
 use subcert::report::{Sheet, differences_sheet, errata_sheet, issue_sheet};
+use subcert::shipped::ProjectAudit;
 
 pub(crate) fn errata(arguments: &ErrataArguments) -> Outcome {
     let bar = arguments.format != ErrataFormat::Json;
@@ -18,8 +20,8 @@ pub(crate) fn errata(arguments: &ErrataArguments) -> Outcome {
         Claims::Papers(papers) => {
             let papers = select(papers, arguments.paper.as_deref())?;
             let audits = judge_all(&papers, bar)?;
-            let sheet = if arguments.together { differences_sheet } else { errata_sheet };
-            deliver(arguments, &audits, |audit| &audit.paper.key, sheet, ErrataReport::of)
+            let together = arguments.together;
+            deliver(arguments, &audits, |audit| &audit.paper.key, |audits| Errata { audits, together })
         }
         Claims::Projects(_) if arguments.together => Err(Failure::Input(
             "`--together` is about papers; these files are about programs, whose texts `errata` writes one after another"
@@ -28,43 +30,75 @@ pub(crate) fn errata(arguments: &ErrataArguments) -> Outcome {
         Claims::Projects(projects) => {
             let projects = select_project(projects, arguments.paper.as_deref())?;
             let audits = judge_projects(&projects, bar)?;
-            deliver(arguments, &audits, |audit| &audit.project.key, issue_sheet, ProjectsReport::of)
+            deliver(arguments, &audits, |audit| &audit.project.key, Issues)
         }
     }
 }
 
+/// The errata of papers.
+pub(crate) struct Errata<'a> {
+    audits: &'a [PaperAudit<'a>],
+    /// Whether differences of all papers stand together.
+    together: bool,
+}
+
+written!(errata: Errata<'_> => ErrataReport<'_>, ErrataReport::of(errata.audits));
+
+impl Answer for Errata<'_> {
+    const NAME: &'static str = "errata";
+
+    fn sheet(&self) -> Sheet {
+        if self.together { differences_sheet(self.audits) } else { errata_sheet(self.audits) }
+    }
+
+    fn latex(&self) -> String {
+        self.sheet().to_latex_document()
+    }
+}
+
+/// What to tell the authors of programs.
+struct Issues<'a>(&'a [ProjectAudit<'a>]);
+
+written!(issues: Issues<'_> => ProjectsReport<'_>, ProjectsReport::of(issues.0));
+
+impl Answer for Issues<'_> {
+    const NAME: &'static str = "audit-project";
+
+    fn sheet(&self) -> Sheet {
+        issue_sheet(self.0)
+    }
+
+    fn latex(&self) -> String {
+        self.sheet().to_latex_document()
+    }
+}
+
 /// Writes the errata of all to the standard output, or those of each into a file of its own, named by its key.
-fn deliver<'a, A, J: Serialize>(
+fn deliver<'a, A, E: Answer>(
     arguments: &ErrataArguments,
     audits: &'a [A],
     key: impl Fn(&A) -> &str,
-    sheet: impl Fn(&[A]) -> Sheet,
-    json: impl Fn(&'a [A]) -> J,
+    errata: impl Fn(&'a [A]) -> E,
 ) -> Outcome {
-    let text = |audits: &'a [A], width: Option<usize>| match arguments.format {
-        ErrataFormat::Text => sheet(audits).to_text(width),
-        ErrataFormat::Markdown => sheet(audits).to_markdown(),
-        ErrataFormat::Latex => sheet(audits).to_latex_document(),
-        ErrataFormat::Json => json_text(&json(audits)),
-        ErrataFormat::Csv => csv::values(&json(audits)),
-    };
+    let format = Format::named(arguments.format).expect("a format of texts");
     let Some(folder) = &arguments.output_folder else {
-        return write_results(&text(audits, terminal::width()));
+        return write_results(&text(&errata(audits), format, terminal::width()));
     };
     for audit in audits {
-        save(folder, arguments.format, key(audit), text(std::slice::from_ref(audit), None))?;
+        let text = text(&errata(std::slice::from_ref(audit)), format, None);
+        save(folder, format, key(audit), text)?;
     }
     Ok(())
 }
 
 /// Writes one text into the folder, which is made if it is missing.
-fn save(folder: &Path, format: ErrataFormat, key: &str, text: String) -> Outcome {
+fn save(folder: &Path, format: Format, key: &str, text: String) -> Outcome {
     let (extension, text) = match format {
-        ErrataFormat::Text => ("txt", anstream::adapter::strip_str(&text).to_string()),
-        ErrataFormat::Markdown => ("md", text),
-        ErrataFormat::Json => ("json", text),
-        ErrataFormat::Latex => ("tex", text),
-        ErrataFormat::Csv => ("csv", text),
+        Format::Text => ("txt", anstream::adapter::strip_str(&text).to_string()),
+        Format::Markdown => ("md", text),
+        Format::Json => ("json", text),
+        Format::Latex => ("tex", text),
+        Format::Csv => ("csv", text),
     };
     let path = folder.join(format!("{key}.{extension}"));
     let written = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text));

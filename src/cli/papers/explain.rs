@@ -2,16 +2,18 @@
 
 use super::claim_files::{Claims, claims};
 use super::judged::{judge_claim, select};
-use super::listing::listing;
+use super::listing::Listing;
 use super::projects;
-use crate::cli::arguments::{ExplainArguments, FindingFormat, Format};
+use crate::cli::arguments::{ExplainArguments, FindingFormat};
+use crate::cli::console::answer::{Answer, deliver, show};
 use crate::cli::console::destination::Destination;
-use crate::cli::console::output::{Failure, Outcome, deliver};
-use subcert::audit::{self, Finding, by_hand, readings};
+use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::console::quantity::written;
+use subcert::audit::{self, Finding, PaperAudit, by_hand, readings};
 use subcert::claim::{Claim, Paper, RegularityCell, Target};
 use subcert::report::html::explain_page;
 use subcert::report::json::Explained;
-use subcert::report::{Background, corrected_table, explain_sheet, table_of, to_the_eye};
+use subcert::report::{Background, Sheet, corrected_table, explain_sheet, table_of, to_the_eye};
 use subcert::suggestion::did_you_mean;
 
 pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
@@ -56,20 +58,51 @@ pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
         working: working.as_ref(),
         eye: eye.as_ref(),
     };
-    let sheet = explain_sheet(&audits, id, background, arguments.all)
-        .ok_or_else(|| Failure::Input(format!("no claim has the id `{id}`")))?;
+    let all = arguments.all;
+    let sheet = explain_sheet(&audits, id, background, all).ok_or_else(|| no_claim(id))?;
     let source = &paper.source.name;
     let file = (!arguments.files.is_empty()).then_some(source.as_str());
-    let page = || {
-        let page = explain_page(audit, id, background, arguments.all, file)?;
-        page.ok_or_else(|| Failure::Input(format!("no claim has the id `{id}`")))
-    };
-    if let (Destination::Output(output), Some((finding, None))) = (&to, table_of(&audits, id))
-        && output.format == Format::Latex
-    {
-        return deliver(&corrected_table(finding), output.file.as_deref());
+    deliver(&to, &Explanation { audits: &audits, id, background, all, file, sheet })
+}
+
+fn no_claim(id: &str) -> Failure {
+    Failure::Input(format!("no claim has the id `{id}`"))
+}
+
+/// A claim in full.
+pub(crate) struct Explanation<'a> {
+    /// Its paper.
+    audits: &'a [PaperAudit<'a>; 1],
+    id: &'a str,
+    background: Background<'a>,
+    /// Whether every reading is shown.
+    all: bool,
+    /// The claim file, unless it is embedded.
+    file: Option<&'a str>,
+    sheet: Sheet,
+}
+
+written!(this: Explanation<'_> => Explained<'_>, Explained::of(this.audits, this.id, this.background));
+
+impl Answer for Explanation<'_> {
+    const NAME: &'static str = "explain";
+
+    fn sheet(&self) -> Sheet {
+        self.sheet.clone()
     }
-    to.deliver(|| sheet, || Explained::of(&audits, id, background), page)
+
+    /// Of a table, the table with its exact values.
+    fn latex(&self) -> String {
+        match table_of(self.audits, self.id) {
+            Some((finding, None)) => corrected_table(finding),
+            _ => self.sheet.to_latex(),
+        }
+    }
+
+    fn page(&self) -> Result<String, Failure> {
+        let Explanation { audits: [audit], id, background, all, file, .. } = *self;
+        explain_page(audit, id, background, all, file)?.ok_or_else(|| no_claim(id))
+    }
 }
 
 /// Refuses a claim file in the place of the claim.
@@ -93,7 +126,7 @@ fn check_order(arguments: &ExplainArguments) -> Outcome {
 /// Lists the claims of a paper.
 fn list(paper: &Paper, arguments: &ExplainArguments) -> Outcome {
     match Destination::of(&arguments.output, &paper.key)? {
-        Destination::Output(to) => listing(paper, &to),
+        Destination::Output(to) => show(&to, &Listing::of_paper(paper)),
         _ => Err(Failure::Input(format!(
             "a list of claims is no page; name a claim, or write the pages of all of them with \
              `subcert audit --paper {} --format html -o DIR`",

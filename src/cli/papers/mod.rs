@@ -20,3 +20,12 @@ pub(super) use errata::errata;
 pub(super) use explain::explain;
 pub(super) use new::new;
 pub(super) use prove::prove;
+#[cfg(feature = "schema")]
+pub(super) use {
+    audit::Audit,
+    coverage::Coverage,
+    errata::Errata,
+    explain::Explanation,
+    listing::Listing,
+    projects::{Projects, Shipped},
+};

@@ -7,18 +7,15 @@ use crate::cli::console::output::{Failure, Outcome, json_text};
 use crate::cli::console::save::save;
 use crate::cli::constants::{Certification, Constants, RingConstants};
 use crate::cli::depth::{Depth, LocalReport, ParametricDepth, SetDepth};
-use crate::cli::json::listing;
+use crate::cli::papers::{Audit, Coverage, Errata, Explanation, Listing, Projects, Shipped};
 use crate::cli::ranges::{Range, SmoothMap, SmoothRange, VertexRange};
-use crate::cli::schemes::{Atlas, Catalogue};
+use crate::cli::schemes::{Atlas, Catalogue, Scheme};
 use crate::cli::smoothness::{JointRadius, Smoothness, Vertices};
 use crate::cli::spectrum::{Sector, Spectrum};
 use schemars::{JsonSchema, Schema, generate::SchemaSettings};
 use serde_json::Value;
 use std::path::Path;
 use subcert::oracle::OracleValues;
-use subcert::report::json::{
-    AuditReport, CoverageReport, ErrataReport, Explained, Facts, ProjectsReport, ShippedTable,
-};
 
 /// What is written, not what could be read: an absent field may be required otherwise.
 fn of<T: JsonSchema>() -> Schema {
@@ -52,19 +49,19 @@ fn all() -> Vec<(&'static str, Schema)> {
         Spectrum<'_>,
         Sector<'_>,
         Flags,
+        Scheme,
+        Audit<'_>,
+        Projects<'_>,
+        Coverage<'_>,
+        Errata<'_>,
+        Explanation<'_>,
+        Listing<'_>,
+        Shipped<'_>,
     ];
     let others = [
-        ("audit", of::<AuditReport>()),
-        ("audit-project", of::<ProjectsReport>()),
         ("claims", read(subcert::claim::paper_schema())),
         ("claims-project", read(subcert::shipped::project_schema())),
-        ("coverage", of::<CoverageReport>()),
-        ("errata", of::<ErrataReport>()),
-        ("explain", of::<Explained>()),
-        ("explain-list", of::<listing::Listing<'_>>()),
-        ("explain-project", of::<ShippedTable>()),
         ("oracle", of::<OracleValues>()),
-        ("scheme", of::<Facts<'_>>()),
     ];
     answers.into_iter().chain(others).collect()
 }

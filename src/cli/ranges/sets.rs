@@ -1,7 +1,6 @@
 //! Sets of values of a parameter.
 
-use crate::cli::console::quantity::schema;
-use serde::{Serialize, Serializer};
+use crate::cli::console::quantity::written;
 use subcert::exact::{
     Enclosed as _, IntervalSet, Rational, RealAlgebraic, SturmSequence,
     format::{fixed, short},
@@ -18,13 +17,7 @@ const SHOWN_LENGTH: usize = 16;
 /// A set of values of a parameter, by its name: intervals in JSON.
 pub(crate) struct Set(pub(crate) IntervalSet, String);
 
-impl Serialize for Set {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Interval::all(&self.0, &self.1).serialize(serializer)
-    }
-}
-
-schema!(Set => Vec<Interval>);
+written!(set: Set => Vec<Interval>, Interval::all(&set.0, &set.1));
 
 impl Set {
     pub(crate) fn of(set: &IntervalSet, parameter: &str) -> Set {

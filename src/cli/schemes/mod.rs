@@ -11,4 +11,4 @@ pub(super) use list::schemes;
 pub(super) use plot::plot;
 pub(super) use scheme::scheme;
 #[cfg(feature = "schema")]
-pub(super) use {atlas::Atlas, list::Catalogue};
+pub(super) use {atlas::Atlas, list::Catalogue, scheme::Scheme};

@@ -1,9 +1,10 @@
 //! `subcert scheme`.
 
 use crate::cli::arguments::SchemeArguments;
-use crate::cli::console::output::{Failure, Outcome, show};
+use crate::cli::console::answer::{Answer, show};
+use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
-use crate::cli::console::quantity::is_fraction;
+use crate::cli::console::quantity::{is_fraction, written};
 use crate::cli::ranges::sets::Set;
 use subcert::facts::{FamilyFacts, ParameterFacts, SchemeFacts};
 use subcert::report::json::{
@@ -25,11 +26,23 @@ pub(crate) fn scheme(arguments: &SchemeArguments) -> Outcome {
     let facts = FactsForm::of(name, &SchemeFacts::of(name)?);
     let family = FamilyFacts::of(name);
     drop(progress);
-    show(
-        &arguments.output,
-        || sheet(&facts, family.as_ref()),
-        || Facts::of(&facts, family.as_ref()),
-    )
+    show(&arguments.output, &Scheme { facts, family })
+}
+
+/// What is known of a scheme, and of its family.
+pub(crate) struct Scheme {
+    facts: FactsForm,
+    family: Option<FamilyFacts>,
+}
+
+written!(this: Scheme => Facts<'_>, Facts::of(&this.facts, this.family.as_ref()));
+
+impl Answer for Scheme {
+    const NAME: &'static str = "scheme";
+
+    fn sheet(&self) -> Sheet {
+        sheet(&self.facts, self.family.as_ref())
+    }
 }
 
 /// Where in the parameter of its family the limits are C^m.

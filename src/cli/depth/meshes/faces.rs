@@ -2,7 +2,7 @@
 
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::save::save;
-use crate::cli::json::SCHEMA;
+use crate::cli::console::answer::SCHEMA;
 use std::fmt::Write as _;
 use std::path::Path;
 use subcert::exact::{Rational, RealCyclotomic};

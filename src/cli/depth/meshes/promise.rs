@@ -1,8 +1,8 @@
 //! What edges and formulas of papers promise of the depth of a mesh, a net or a solid.
 
-use crate::cli::console::quantity::{Float, schema};
+use crate::cli::console::quantity::{Float, written};
 use crate::cli::depth::numbers::levels;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use subcert::patch;
 
 /// What the longest edge and the valences guarantee.
@@ -82,10 +82,4 @@ impl Promise {
     }
 }
 
-impl Serialize for Promise {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.name())
-    }
-}
-
-schema!(Promise => String);
+written!(promise: Promise => String, promise.name());

@@ -2,14 +2,15 @@
 
 use super::select_project;
 use crate::cli::arguments::ExplainArguments;
-use crate::cli::console::destination::{Destination, command};
-use crate::cli::console::output::{Failure, Outcome, show};
-use crate::cli::json::{SCHEMA, listing as form};
+use crate::cli::console::answer::{Answer, deliver, show};
+use crate::cli::console::destination::Destination;
+use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::console::quantity::written;
+use crate::cli::papers::listing::Listing;
 use subcert::claim::Target;
-use subcert::report::html::FindingPage;
 use subcert::report::json::ShippedTable;
-use subcert::report::{Grid, Sheet, finding_sheet, shipped_headline};
-use subcert::shipped::{Project, audit_shipped};
+use subcert::report::{Sheet, finding_sheet, shipped_headline};
+use subcert::shipped::{Project, ShippedFinding, audit_shipped};
 use subcert::suggestion::did_you_mean;
 
 /// Explains a table of a project, number by number; of a key alone, lists the tables.
@@ -30,17 +31,27 @@ pub(in crate::cli) fn explain(arguments: &ExplainArguments, projects: Vec<Projec
         )));
     };
     let to = Destination::of(&arguments.output, &id.replace(':', "."))?;
-    let finding = audit_shipped(project, claim)?;
-    to.deliver(
-        || finding_sheet(project, &finding, true),
-        || ShippedTable::of(&finding),
-        || {
-            let sheet = finding_sheet(project, &finding, true);
-            let sentence = &shipped_headline(&finding);
-            let page = FindingPage { sentence, sheet: &sheet, pictures: &[], command: &command() };
-            Ok(page.to_html())
-        },
-    )
+    deliver(&to, &Shipped { project, finding: audit_shipped(project, claim)? })
+}
+
+/// A table of a project, number by number.
+pub(crate) struct Shipped<'a> {
+    project: &'a Project,
+    finding: ShippedFinding<'a>,
+}
+
+written!(shipped: Shipped<'_> => ShippedTable<'_>, ShippedTable::of(&shipped.finding));
+
+impl Answer for Shipped<'_> {
+    const NAME: &'static str = "explain-project";
+
+    fn sheet(&self) -> Sheet {
+        finding_sheet(self.project, &self.finding, true)
+    }
+
+    fn sentence(&self) -> String {
+        shipped_headline(&self.finding)
+    }
 }
 
 /// Lists the tables of a project.
@@ -48,46 +59,7 @@ fn list(project: &Project, arguments: &ExplainArguments) -> Outcome {
     let Destination::Output(to) = Destination::of(&arguments.output, &project.key)? else {
         return Err(no_page());
     };
-    let row = |claim: &subcert::shipped::ShippedClaim| {
-        vec![
-            claim.id.clone(),
-            claim.locus.clone(),
-            claim.title.clone(),
-            claim.numbers.len().to_string(),
-        ]
-    };
-    show(
-        &to,
-        || {
-            let mut sheet = Sheet::default();
-            sheet.heading(1, format!("{} · {}", project.key, project.name));
-            let header = ["id", "where", "what", "numbers"].map(str::to_owned).to_vec();
-            sheet.grid(Grid {
-                header,
-                rows: project.shipped.iter().map(row).collect(),
-                left_columns: 3,
-            });
-            sheet.text(format!(
-                "`subcert explain {}:ID {}` shows every number of one table.",
-                project.key, project.source.name
-            ));
-            sheet
-        },
-        || form::Listing {
-            schema: SCHEMA,
-            key: &project.key,
-            claims: project
-                .shipped
-                .iter()
-                .map(|claim| form::Claim {
-                    id: &claim.id,
-                    kind: "shipped",
-                    locus: &claim.locus,
-                    title: &claim.title,
-                })
-                .collect(),
-        },
-    )
+    show(&to, &Listing::of_project(project))
 }
 
 fn no_page() -> Failure {
