@@ -18,7 +18,7 @@ pub(crate) fn of_grid(grid: &Grid) -> String {
 pub(crate) fn values(json: &impl Serialize) -> Grid {
     let mut rows = Vec::new();
     list("", &serde_json::to_value(json).expect("keys that are texts"), &mut rows);
-    Grid { header: ["name", "value"].map(str::to_owned).to_vec(), rows, left_columns: 2 }
+    Grid::of(["name", "value"], rows, 2)
 }
 
 fn list(name: &str, value: &Value, rows: &mut Vec<Vec<String>>) {

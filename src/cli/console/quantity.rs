@@ -31,6 +31,16 @@ pub(crate) struct Text<V>(pub(crate) V);
 #[derive(Clone, Copy)]
 pub(crate) struct Float(pub(crate) f64);
 
+/// A number that is a decimal of so many significant digits in JSON.
+pub(crate) struct Digits<const DIGITS: u32>(pub(crate) Number);
+
+impl Float {
+    /// It exactly, where it is finite.
+    pub(crate) fn number(self) -> Option<Number> {
+        exact(self.0).map(Number::Rational)
+    }
+}
+
 impl Number {
     /// The exact value and its decimal, where they differ.
     pub(crate) fn words(&self) -> String {
@@ -97,8 +107,7 @@ impl<V: Display> Display for Text<V> {
 
 impl Display for Float {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Float(value) = *self;
-        f.write_str(&exact(value).map_or_else(|| shortest(value), |value| short(&value, 9)))
+        f.write_str(&self.number().map_or_else(|| shortest(self.0), |value| value.short(9)))
     }
 }
 
@@ -134,6 +143,7 @@ written!(number: Number => Exact, Exact::of(number));
 written!(number: Fraction => Exact, Exact::of(&number.0));
 written!([V: Display] text: Text<V> => String, text.0.to_string());
 written!(float: Float => String, shortest(float.0));
+written!([const DIGITS: u32] number: Digits<DIGITS> => String, number.0.short(DIGITS));
 
 /// An enclosure as decimals that are rounded outwards, or the number that it is.
 pub(crate) fn between(enclosure: &Enclosure) -> String {

@@ -3,12 +3,12 @@
 use crate::cli::arguments::CertifyArguments;
 use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::output::{Failure, Outcome, positive};
+use crate::cli::console::quantity::{Digits, Float, Number, Text};
 use serde::Serialize;
-use std::fmt::Display;
-use subcert::exact::{Enclosed, Real, format::short};
+use subcert::exact::{Enclosed, Rational, Real};
 use subcert::float::{
     self, CertifyError, CertifyOptions, DepthDecision, certify as compare, certify_local_rules,
-    exact, shortest,
+    shortest,
 };
 use subcert::report::{Grid, Sheet};
 use subcert::scheme::{AnyScheme, LocalRules, parse_any_scheme};
@@ -58,11 +58,6 @@ fn ring_certificate(ring: &LocalRules, arguments: &CertifyArguments) -> Outcome 
     show(&arguments.output, &answer)
 }
 
-/// A number type that reports print.
-trait Shown: Real + Enclosed + PartialOrd + Display {}
-
-impl<V: Real + Enclosed + PartialOrd + Display> Shown for V {}
-
 /// The f64 path of a scheme against the exact one.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -88,24 +83,20 @@ struct Quantity {
     name: String,
     /// Its value in f64.
     #[serde(rename = "f64")]
-    float: String,
-    /// Its exact value.
-    exact: String,
-    /// That value as a decimal.
-    decimal: String,
+    float: Float,
+    /// Its exact value; its fields stand here.
+    #[serde(flatten)]
+    exact: Number,
     /// The difference of the two; null where f64 has no number.
-    error: Option<String>,
+    error: Option<Text<Number>>,
     /// That difference in units in the last place.
-    ulps: Option<String>,
+    ulps: Option<Digits<6>>,
     /// The bound of the error that is proven in advance.
-    bound: Option<String>,
+    bound: Option<Float>,
     /// Whether the error is within the bound.
     encloses: Option<bool>,
     /// The error as a part of the bound.
-    tightness: Option<String>,
-    /// It in a table.
-    #[serde(skip)]
-    row: Vec<String>,
+    tightness: Option<Digits<6>>,
 }
 
 /// The least k with σβC^k/(1 − C) ≤ ε, C = T_c, in f64 and exactly: a depth by a formula, not the
@@ -116,9 +107,9 @@ struct Depth {
     /// The block length c.
     block: u32,
     /// The tolerance.
-    tolerance: String,
+    tolerance: Text<Number>,
     /// The formula with logarithms, before it is rounded up.
-    logarithm: String,
+    logarithm: Float,
     /// The k that f64 gives.
     #[serde(rename = "f64")]
     float: Option<u32>,
@@ -130,9 +121,6 @@ struct Depth {
     agree: Option<bool>,
     /// How clearly k is decided.
     margin: Option<Margin>,
-    /// It in a table.
-    #[serde(skip)]
-    row: Vec<String>,
 }
 
 /// How clearly k is decided: the bound at k and at k − 1, as parts of the tolerance.
@@ -140,77 +128,82 @@ struct Depth {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Margin {
     /// The bound at k divided by the tolerance: at most 1.
-    at: String,
+    at: Digits<17>,
     /// The bound at k − 1 divided by the tolerance: more than 1.
-    before: Option<String>,
+    before: Option<Digits<17>>,
+}
+
+/// A number in so many significant digits, where there is one.
+fn digits(value: Option<&Number>, digits: u32) -> String {
+    value.map_or_else(|| "·".to_owned(), |value| value.short(digits))
 }
 
 impl Quantity {
-    fn of<V: Shown>(quantity: &float::Quantity<V>) -> Quantity {
-        fn digits(value: Option<&impl Enclosed>) -> String {
-            value.map_or_else(|| "·".to_owned(), |value| short(value, 3))
-        }
-        let tightness = quantity.tightness.and_then(exact);
+    fn of<V>(found: &float::Quantity<V>) -> Quantity
+    where
+        V: Real + Enclosed + PartialOrd,
+        Number: for<'v> From<&'v V>,
+    {
         Quantity {
-            name: quantity.name.clone(),
-            float: shortest(quantity.value),
-            exact: quantity.exact.to_string(),
-            decimal: short(&quantity.exact, 17),
-            error: quantity.error.as_ref().map(V::to_string),
-            ulps: quantity.ulps.as_ref().map(|ulps| short(ulps, 6)),
-            bound: quantity.bound.map(shortest),
-            encloses: quantity.encloses(),
-            tightness: tightness.as_ref().map(|tightness| short(tightness, 6)),
-            row: vec![
-                quantity.name.clone(),
-                shortest(quantity.value),
-                short(&quantity.exact, 17),
-                digits(quantity.error.as_ref()),
-                digits(quantity.ulps.as_ref()),
-                digits(quantity.bound.and_then(exact).as_ref()),
-                digits(tightness.as_ref()),
-            ],
+            name: found.name.clone(),
+            float: Float(found.value),
+            exact: (&found.exact).into(),
+            error: found.error.as_ref().map(|error| Text(error.into())),
+            ulps: found.ulps.as_ref().map(|ulps| Digits(ulps.into())),
+            bound: found.bound.map(Float),
+            encloses: found.encloses(),
+            tightness: found.tightness.and_then(|part| Float(part).number()).map(Digits),
         }
+    }
+
+    fn row(&self) -> Vec<String> {
+        let Quantity { name, float, exact, error, ulps, bound, tightness, .. } = self;
+        let bound = bound.and_then(Float::number);
+        vec![
+            name.clone(),
+            shortest(float.0),
+            exact.short(17),
+            digits(error.as_ref().map(|Text(error)| error), 3),
+            digits(ulps.as_ref().map(|Digits(ulps)| ulps), 3),
+            digits(bound.as_ref(), 3),
+            digits(tightness.as_ref().map(|Digits(part)| part), 3),
+        ]
     }
 }
 
 impl Depth {
     fn of(depth: &DepthDecision) -> Depth {
-        let level = |level: Option<u32>| level.map_or_else(|| "none".to_owned(), |k| k.to_string());
-        let margin = depth.margin.as_ref().map_or_else(
-            || "·".to_owned(),
-            |margin| {
-                let before = margin.before.as_ref().map(|before| format!(", {}", short(before, 6)));
-                format!("{}{}", short(&margin.at, 6), before.unwrap_or_default())
-            },
-        );
+        let number = |value: &Rational| Digits(value.into());
         Depth {
             block: depth.block,
-            tolerance: depth.tolerance.to_string(),
-            logarithm: shortest(depth.logarithm),
+            tolerance: Text((&depth.tolerance).into()),
+            logarithm: Float(depth.logarithm),
             float: depth.float,
             exact: depth.exact.as_ref().ok().copied(),
             note: depth.exact.as_ref().err().map(ToString::to_string),
             agree: depth.agree,
             margin: depth.margin.as_ref().map(|margin| Margin {
-                at: short(&margin.at, 17),
-                before: margin.before.as_ref().map(|before| short(before, 17)),
+                at: number(&margin.at),
+                before: margin.before.as_ref().map(number),
             }),
-            row: vec![
-                depth.block.to_string(),
-                short(&depth.tolerance, 6),
-                exact(depth.logarithm).map_or_else(|| "·".to_owned(), |value| short(&value, 6)),
-                level(depth.float),
-                level(depth.exact.as_ref().ok().copied()),
-                match depth.agree {
-                    Some(true) => "✓",
-                    Some(false) => "✗",
-                    None => "·",
-                }
-                .to_owned(),
-                margin,
-            ],
         }
+    }
+
+    fn row(&self) -> Vec<String> {
+        let level = |level: Option<u32>| level.map_or_else(|| "none".to_owned(), |k| k.to_string());
+        let margin = self.margin.as_ref().map(|Margin { at, before }| {
+            let numbers = std::iter::once(at).chain(before);
+            numbers.map(|Digits(part)| part.short(6)).collect::<Vec<String>>().join(", ")
+        });
+        vec![
+            self.block.to_string(),
+            self.tolerance.0.short(6),
+            digits(self.logarithm.number().as_ref(), 6),
+            level(self.float),
+            level(self.exact),
+            self.agree.map_or("·", |agree| if agree { "✓" } else { "✗" }).to_owned(),
+            margin.unwrap_or_else(|| "·".to_owned()),
+        ]
     }
 }
 
@@ -219,11 +212,9 @@ impl Answer for Certification<'_> {
 
     fn sheet(&self) -> Sheet {
         let quantities = &self.quantities;
-        let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{} in f64", self.scheme));
+        let mut sheet = Sheet::titled(format!("{} in f64", self.scheme));
         let header = ["quantity", "f64", "exact", "error", "ulps", "proven bound", "error/bound"];
-        let rows = quantities.iter().map(|one| one.row.clone()).collect();
-        sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 1 });
+        sheet.grid(Grid::of(header, quantities.iter().map(Quantity::row), 1));
         let outside = quantities.iter().filter(|q| q.encloses == Some(false)).count();
         let bounded = quantities.iter().filter(|q| q.bound.is_some()).count();
         sheet.text(format!(
@@ -233,9 +224,8 @@ impl Answer for Certification<'_> {
         ));
         let Some(depths) = &self.depths else { return sheet };
         let header = ["c", "tolerance", "by logarithms", "k in f64", "k, exactly", "", "margin"];
-        let rows = depths.iter().map(|one| one.row.clone()).collect();
         sheet.heading(2, "The least k with σβC^k/(1 − C) ≤ ε, C = T_c");
-        sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 0 });
+        sheet.grid(Grid::of(header, depths.iter().map(Depth::row), 0));
         sheet.text(
             "Margin: bound(k)/ε, at most 1, and bound(k−1)/ε, above 1; the nearer to 1, the nearer \
          k is to another. This k is the depth by a formula; `subcert depth` gives the number of \

@@ -150,16 +150,17 @@ impl Answer for RingConstants<'_> {
     const NAME: &'static str = "constants-ring";
 
     fn sheet(&self) -> Sheet {
-        let mut sheet = Sheet::default();
-        sheet.heading(1, self.scheme);
+        let mut sheet = Sheet::titled(self.scheme);
         sheet.facts(self.facts());
-        let header = ["c", "T_c", "Λ_c", "T_c attained on"].map(str::to_owned).to_vec();
         let row = |level: &LocalLevel<'_>| {
             let [contraction, norm] = [&level.contraction, &level.norm].map(|x| x.short(10));
             vec![level.c.to_string(), contraction, norm, self.edge(level.edge)]
         };
-        let rows = self.levels.iter().map(row).collect();
-        sheet.grid(Grid { header, rows, left_columns: 0 });
+        sheet.grid(Grid::of(
+            ["c", "T_c", "Λ_c", "T_c attained on"],
+            self.levels.iter().map(row),
+            0,
+        ));
         sheet.text(
             "T_c bounds the differences along the edges of the ring after c levels, and no smaller \
              number does. σ bounds how far a new point is from the old point of the same name. \
@@ -176,8 +177,7 @@ impl Answer for RingConstants<'_> {
             rows.push(number_row(&["contraction", c], &level.contraction));
             rows.push(number_row(&["norm", c], &level.norm));
         }
-        let header = ["quantity", "c", "exact", "decimal"].map(str::to_owned).to_vec();
-        Some(Grid { header, rows, left_columns: 2 })
+        Some(Grid::of(["quantity", "c", "exact", "decimal"], rows, 2))
     }
 }
 

@@ -230,13 +230,13 @@ impl Direction {
             .collect();
         let width = if self.forward { 4 } else { 2 };
         let names = ["c", "T_c", "Λ_c", "T_c forward", "Λ_c forward"];
-        let header = names[..=width].iter().map(|&name| name.to_owned()).collect();
+        let header = names[..=width].iter().map(|&name| name.to_owned());
         let cells = self.levels.iter().zip(&rows).map(|(level, row)| {
             let cell =
                 |value: Option<&Number>| value.map_or("–".to_owned(), |value| value.short(10));
             std::iter::once(level.c.to_string()).chain(row.iter().copied().map(cell)).collect()
         });
-        sheet.grid(Grid { header, rows: cells.collect(), left_columns: 0 });
+        sheet.grid(Grid::of(header, cells, 0));
         let mut meaning = "T_c bounds the differences after c levels".to_owned();
         if self.forward {
             meaning += "; the forward columns are what papers that read the masks forwards \
@@ -280,8 +280,7 @@ impl Answer for Constants<'_> {
     const NAME: &'static str = "constants";
 
     fn sheet(&self) -> Sheet {
-        let mut sheet = Sheet::default();
-        sheet.heading(1, self.scheme);
+        let mut sheet = Sheet::titled(self.scheme);
         for (i, direction) in self.directions.iter().enumerate() {
             if self.directions.len() > 1 {
                 sheet.heading(2, format!("Direction {}", i + 1));
@@ -322,8 +321,8 @@ impl Answer for Constants<'_> {
                 number_row(&["surface", "contraction_norm", &c.to_string()], value)
             }));
         }
-        let header = ["direction", "quantity", "c", "exact", "decimal"].map(str::to_owned).to_vec();
-        Some(Grid { header, rows, left_columns: 3 })
+        let header = ["direction", "quantity", "c", "exact", "decimal"];
+        Some(Grid::of(header, rows, 3))
     }
 }
 

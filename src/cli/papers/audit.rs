@@ -103,8 +103,7 @@ impl Answer for Audit<'_> {
             let exact = exact.map(ToString::to_string).unwrap_or_default();
             vec![cell.id.clone(), printed, exact, decimal, cell.verdict.word().name().to_owned()]
         });
-        let header = ["id", "printed", "exact", "decimal", "verdict"].map(str::to_owned).to_vec();
-        Some(Grid { header, rows: rows.collect(), left_columns: 5 })
+        Some(Grid::of(["id", "printed", "exact", "decimal", "verdict"], rows, 5))
     }
 }
 

@@ -58,8 +58,7 @@ impl Certified {
                 count(&|state| matches!(state, State::Incomplete(_))),
             ]
         });
-        let (header, rows) = (header.map(str::to_owned).to_vec(), rows.collect());
-        sheet.grid(Grid { header, rows, left_columns: 1 });
+        sheet.grid(Grid::of(header, rows, 1));
         for paper in &self.papers {
             let mut others: BTreeMap<String, Vec<&str>> = BTreeMap::new();
             for (id, state) in &paper.claims {

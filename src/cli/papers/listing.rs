@@ -100,8 +100,7 @@ impl Answer for Listing<'_> {
     const NAME: &'static str = "explain-list";
 
     fn sheet(&self) -> Sheet {
-        let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{} · {}", self.key, self.source));
+        let mut sheet = Sheet::titled(format!("{} · {}", self.key, self.source));
         let row = |claim: &Claim<'_>| {
             let Claim { id, kind, locus, title, numbers } = *claim;
             let numbers = &*numbers.to_string();
@@ -117,8 +116,7 @@ impl Answer for Listing<'_> {
         } else {
             (["id", "kind", "where", "what"], 4)
         };
-        let rows = self.claims.iter().map(row).collect();
-        sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns });
+        sheet.grid(Grid::of(header, self.claims.iter().map(row), left_columns));
         sheet.text(self.note.clone());
         sheet
     }

@@ -40,8 +40,7 @@ impl Answer for Flags {
     const NAME: &'static str = "flags";
 
     fn sheet(&self) -> Sheet {
-        let mut sheet = Sheet::default();
-        sheet.heading(1, "Flags of the commands");
+        let mut sheet = Sheet::titled("Flags of the commands");
         sheet.text(
             "Every command takes --help, --color and --quiet too. A flag means the same wherever it stands.",
         );
@@ -51,8 +50,7 @@ impl Answer for Flags {
             vec![command.name.clone(), flags.join(" "), command.formats.join(" ")]
         };
         let header = ["command", "flags", "values of --format"].map(str::to_owned);
-        let rows = self.commands.iter().map(row).collect();
-        sheet.grid(Grid { header: header.into(), rows, left_columns: 3 });
+        sheet.grid(Grid::of(header, self.commands.iter().map(row), 3));
         sheet
     }
 }

@@ -48,7 +48,6 @@ impl Function {
             vec![text(low), text(self.places.get(i)), piece.clone()]
         };
         let header = ["from".to_owned(), "to".to_owned(), "T_c".to_owned()].to_vec();
-        let rows = self.pieces.iter().enumerate().map(row).collect();
-        Grid { header, rows, left_columns: 3 }
+        Grid::of(header, self.pieces.iter().enumerate().map(row), 3)
     }
 }

@@ -121,8 +121,7 @@ impl Answer for Range<'_> {
 
     fn sheet(&self) -> Sheet {
         let Range { scheme, parameter, levels, union, .. } = self;
-        let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{scheme}: where T_c < 1"));
+        let mut sheet = Sheet::titled(format!("{scheme}: where T_c < 1"));
         let row = |level: &Level| {
             let name = if level.c == 1 { "1 (δ)".to_owned() } else { level.c.to_string() };
             vec![name, level.intervals.words()]
@@ -130,7 +129,7 @@ impl Answer for Range<'_> {
         let mut rows: Vec<Vec<String>> = levels.iter().map(row).collect();
         rows.push(vec!["any of these".to_owned(), union.words()]);
         let header = vec!["c".to_owned(), format!("T_c < 1 for these {parameter}")];
-        sheet.grid(Grid { header, rows, left_columns: 2 });
+        sheet.grid(Grid::of(header, rows, 2));
         let functions =
             || levels.iter().filter_map(|level| Some((level.c, level.function.as_ref()?)));
         let breaks = functions().flat_map(|(_, function)| &function.places);

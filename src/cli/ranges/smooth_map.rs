@@ -186,8 +186,8 @@ impl Answer for SmoothMap<'_> {
 
     fn sheet(&self) -> Sheet {
         let [first, second] = self.parameters;
-        let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{}: where the limits are C^{}", self.scheme, self.smoothness));
+        let mut sheet =
+            Sheet::titled(format!("{}: where the limits are C^{}", self.scheme, self.smoothness));
         let side = |which: usize| {
             let [Text(low), Text(high)] = &self.bounds[which];
             format!("from {low} to {high}")

@@ -77,8 +77,7 @@ impl Answer for SmoothRange<'_> {
 
     fn sheet(&self) -> Sheet {
         let SmoothRange { scheme, parameter, smoothness: m, inside, outside, levels, .. } = self;
-        let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{scheme}: where the limits are C^{m}"));
+        let mut sheet = Sheet::titled(format!("{scheme}: where the limits are C^{m}"));
         let open = match &self.gap {
             Some(_) if self.is_complete => "nothing, but for single values at most".to_owned(),
             Some(gap) => format!("the rest, of length at most {gap}"),
@@ -95,10 +94,9 @@ impl Answer for SmoothRange<'_> {
         ]);
         sheet.heading(2, "By contraction");
         let rows = levels.iter().map(|level| vec![level.c.to_string(), level.intervals.words()]);
-        let rows = rows.collect();
         let what = if *m == 0 { "the scheme".to_owned() } else { format!("derived scheme {m}") };
         let header = vec!["c".to_owned(), format!("the differences of {what} contract")];
-        sheet.grid(Grid { header, rows, left_columns: 2 });
+        sheet.grid(Grid::of(header, rows, 2));
         let sets = [inside, outside].into_iter().chain(levels.iter().map(|level| &level.intervals));
         write_irrational(&mut sheet, parameter, sets, std::iter::empty());
         sheet.text(

@@ -85,17 +85,14 @@ impl Answer for VertexRange<'_> {
     const NAME: &'static str = "range-smoothness-vertex";
 
     fn sheet(&self) -> Sheet {
-        let mut sheet = Sheet::default();
-        sheet.heading(
-            1,
-            format!("{}: where surfaces are C^1 at the vertex or on the face", self.scheme),
-        );
+        let mut sheet = Sheet::titled(format!(
+            "{}: where surfaces are C^1 at the vertex or on the face",
+            self.scheme
+        ));
         let row = |one: &VertexValence| {
             vec![one.valence.to_string(), one.inside.found(), one.outside.found()]
         };
-        let header = ["n", "C^1", "not C^1"].map(str::to_owned).to_vec();
-        let rows = self.valences.iter().map(row).collect();
-        sheet.grid(Grid { header, rows, left_columns: 3 });
+        sheet.grid(Grid::of(["n", "C^1", "not C^1"], self.valences.iter().map(row), 3));
         let sets = self.valences.iter().flat_map(|one| [&one.inside, &one.outside]);
         write_irrational(&mut sheet, self.parameter, sets, std::iter::empty());
         sheet.text(

@@ -74,8 +74,7 @@ impl Answer for Atlas<'_> {
     const NAME: &'static str = "atlas";
 
     fn sheet(&self) -> Sheet {
-        let mut sheet = Sheet::default();
-        sheet.heading(1, "The atlas of schemes");
+        let mut sheet = Sheet::titled("The atlas of schemes");
         sheet.heading(2, "Curves");
         let header = [
             "scheme",
@@ -93,8 +92,8 @@ impl Answer for Atlas<'_> {
         ];
         let curves =
             self.schemes.iter().filter_map(|entry| Some((entry, entry.facts.curve.as_ref()?)));
-        let rows = curves.map(|(entry, curve)| curve_row(&entry.facts.scheme, curve)).collect();
-        sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 1 });
+        let rows = curves.map(|(entry, curve)| curve_row(&entry.facts.scheme, curve));
+        sheet.grid(Grid::of(header, rows, 1));
         sheet.text(
         "Points: of a rule, from the first to the last. Support: its length. Reproduces: the degree, at the \
          natural shift. Depths: levels that polygons with differences up to 1 need for the tolerance 1/100, \
@@ -110,8 +109,8 @@ impl Answer for Atlas<'_> {
                 name.chain(valence_row(one)).collect::<Vec<String>>()
             })
         });
-        let header = std::iter::once("scheme").chain(VALENCE_HEADER).map(str::to_owned).collect();
-        sheet.grid(Grid { header, rows: rows.collect(), left_columns: 1 });
+        let header = std::iter::once("scheme").chain(VALENCE_HEADER).map(str::to_owned);
+        sheet.grid(Grid::of(header, rows, 1));
         sheet.text(valence_note());
         sheet
     }

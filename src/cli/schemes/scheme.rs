@@ -54,16 +54,13 @@ fn write_family(family: &FamilyFacts, sheet: &mut Sheet) {
         let but = if range.but_finitely_many { "\nbut for finitely many" } else { "" };
         vec![format!("C^{}", range.m), inside, format!("{outside}{but}")]
     };
-    let header = ["", "all limits", "not all"].map(str::to_owned).to_vec();
-    let rows = family.ranges.iter().map(row).collect();
-    sheet.grid(Grid { header, rows, left_columns: 3 });
+    sheet.grid(Grid::of(["", "all limits", "not all"], family.ranges.iter().map(row), 3));
     let end = &family.end;
     sheet.text(format!("What is in neither set is open; `subcert range` looks closer. {end}."));
 }
 
 pub(crate) fn sheet(facts: &FactsForm, family: Option<&FamilyFacts>) -> Sheet {
-    let mut sheet = Sheet::default();
-    sheet.heading(1, facts.scheme.clone());
+    let mut sheet = Sheet::titled(facts.scheme.clone());
     if let Some(curve) = &facts.curve {
         write_curve(curve, &mut sheet);
     }
@@ -71,9 +68,7 @@ pub(crate) fn sheet(facts: &FactsForm, family: Option<&FamilyFacts>) -> Sheet {
         write_family(family, &mut sheet);
     }
     if let Some(valences) = &facts.valences {
-        let header = VALENCE_HEADER.map(str::to_owned).to_vec();
-        let rows = valences.iter().map(valence_row).collect();
-        sheet.grid(Grid { header, rows, left_columns: 0 });
+        sheet.grid(Grid::of(VALENCE_HEADER, valences.iter().map(valence_row), 0));
         sheet.text(valence_note());
         let open =
             valences.iter().filter_map(|one| Some((one.valence.to_string(), one.open.clone()?)));
@@ -125,8 +120,7 @@ fn write_curve(curve: &CurveForm, sheet: &mut Sheet) {
     let row = |i: usize| {
         vec![(i + 1).to_string(), cell(curve.contraction.get(i)), cell(curve.norm.get(i))]
     };
-    let header = ["c", "T_c", "Λ_c"].map(str::to_owned).to_vec();
-    sheet.grid(Grid { header, rows: (0..longest).map(row).collect(), left_columns: 0 });
+    sheet.grid(Grid::of(["c", "T_c", "Λ_c"], (0..longest).map(row), 0));
     let mut constants = vec![fact("σ", number(&curve.displacement))];
     if let Some(best) = &curve.best_offset {
         let text = format!("{} at offset {}", number(&best.displacement), best.offset);

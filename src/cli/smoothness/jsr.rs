@@ -48,8 +48,7 @@ impl Answer for JointRadius<'_> {
 
     fn sheet(&self) -> Sheet {
         let JointRadius { file, radius, .. } = self;
-        let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{file}: the joint spectral radius"));
+        let mut sheet = Sheet::titled(format!("{file}: the joint spectral radius"));
         let size = radius.size;
         let mut facts =
             vec![("matrices".to_owned(), format!("{}, {size}×{size}", radius.matrices.len()))];

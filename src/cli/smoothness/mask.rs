@@ -196,8 +196,7 @@ impl Answer for Smoothness<'_> {
     const NAME: &'static str = "smoothness";
 
     fn sheet(&self) -> Sheet {
-        let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{}: smoothness", self.scheme));
+        let mut sheet = Sheet::titled(format!("{}: smoothness", self.scheme));
         sheet.facts(self.polynomials());
         sheet.heading(2, "Limits");
         let mut facts = self.continuity();

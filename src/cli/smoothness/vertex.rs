@@ -76,8 +76,8 @@ impl Answer for Vertices<'_> {
     const NAME: &'static str = "smoothness-vertex";
 
     fn sheet(&self) -> Sheet {
-        let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{}: smoothness at the vertex or on the face", self.scheme));
+        let mut sheet =
+            Sheet::titled(format!("{}: smoothness at the vertex or on the face", self.scheme));
         if let Some((family, holds)) = self.family.zip(self.all_valences) {
             let verdict = if holds { "proved for all valences n >= 3" } else { "open" };
             let map = "all Bernstein coefficients of the Jacobian and of the half-plane are positive, as polynomials \
@@ -94,9 +94,7 @@ impl Answer for Vertices<'_> {
         } else if let [vertex] = &self.found[..] {
             sheet.facts(vertex_facts(vertex));
         } else {
-            let rows = self.found.iter().map(vertex_row).collect();
-            let header = VERTEX_HEADER.map(str::to_owned).to_vec();
-            sheet.grid(Grid { header, rows, left_columns: 0 });
+            sheet.grid(Grid::of(VERTEX_HEADER, self.found.iter().map(vertex_row), 0));
         }
         sheet.text(format!("{SCOPE}."));
         sheet

@@ -85,12 +85,11 @@ pub(crate) fn orbit_facts(
 }
 
 pub(crate) fn eigenvalue_grid(eigenvalues: &[Eigenvalue]) -> Grid {
-    let header = ["value", "exact", "multiplicity", "blocks"].map(str::to_owned).to_vec();
     let rows = eigenvalues.iter().map(|one| {
         let [decimal, exact] = eigenvalue_texts(one);
         vec![decimal, exact, one.multiplicity.to_string(), blocks_text(&one.block)]
     });
-    Grid { header, rows: rows.collect(), left_columns: 2 }
+    Grid::of(["value", "exact", "multiplicity", "blocks"], rows, 2)
 }
 
 /// The decimal and the exact value; the latter is empty where it is the decimal or long.

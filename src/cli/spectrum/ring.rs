@@ -171,8 +171,7 @@ impl Answer for Spectrum<'_> {
     const NAME: &'static str = "spectrum";
 
     fn sheet(&self) -> Sheet {
-        let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{}, valence {}", self.scheme, self.valence));
+        let mut sheet = Sheet::titled(format!("{}, valence {}", self.scheme, self.valence));
         sheet.heading(2, "Eigenvalues");
         sheet.facts(vec![("of the points".to_owned(), Orbit::words(&self.neighbourhood))]);
         sheet.grid(eigenvalue_grid(&self.eigenvalues));

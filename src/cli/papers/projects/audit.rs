@@ -79,7 +79,7 @@ impl Answer for Projects<'_> {
             }
         }
         let header = ["project", "table", "at", "shipped", "verdict", "exact", "nearest", "error"];
-        Some(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 8 })
+        Some(Grid::of(header, rows, 8))
     }
 }
 

@@ -36,7 +36,6 @@ pub(super) fn section(sheet: &mut Sheet, audits: &[ProjectAudit<'_>]) -> Result<
         "A table is certified when subcert-check, which shares no code with this program, has found its \
          certificate valid.",
     );
-    let header = ["table", "certificate"].map(str::to_owned).to_vec();
-    sheet.grid(Grid { header, rows, left_columns: 2 });
+    sheet.grid(Grid::of(["table", "certificate"], rows, 2));
     Ok(())
 }

@@ -118,7 +118,7 @@ fn shaped(
     let rows: BTreeSet<usize> = cells.iter().map(|&(row, _)| row).collect();
     let columns: BTreeSet<usize> = cells.iter().map(|&(_, column)| column).collect();
     let header = columns.iter().map(|&column| table.columns.entries[column].printed.clone());
-    let header = std::iter::once(corner(table)).chain(header).collect();
+    let header = std::iter::once(corner(table)).chain(header);
     let cell = |row: usize, column: usize| {
         let printed = table.cells[row][column].printed();
         match printed.filter(|_| cells.contains(&(row, column))) {
@@ -131,7 +131,7 @@ fn shaped(
         let cells = columns.iter().map(|&column| cell(row, column));
         std::iter::once(label.unwrap_or_default()).chain(cells).collect()
     };
-    Grid { header, rows: rows.iter().map(line).collect(), left_columns: 1 }
+    Grid::of(header, rows.iter().map(line), 1)
 }
 
 fn corner(table: &Table) -> String {

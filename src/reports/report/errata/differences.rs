@@ -42,8 +42,7 @@ pub fn differences_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
         let not_sharp = audit.not_sharp();
         lines.extend(not_sharp.iter().map(|one| (Harm::NotSharp, Line::of_not_sharp(audit, one))));
     }
-    let mut sheet = Sheet::default();
-    sheet.heading(1, "Where the literature and the exact values differ");
+    let mut sheet = Sheet::titled("Where the literature and the exact values differ");
     let with = |audit: &&PaperAudit<'_>| {
         let key = format!("{}:", audit.paper.key);
         lines.iter().any(|(_, line)| line.claim.starts_with(&key))
@@ -61,8 +60,7 @@ pub fn differences_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
         if !rows.is_empty() {
             sheet.heading(2, heading(harm));
             let header = ["claim", "source", "place", "printed", "exact", "how it came about"];
-            let header = header.map(str::to_owned).to_vec();
-            sheet.grid(Grid { header, rows, left_columns: 6 });
+            sheet.grid(Grid::of(header, rows, 6));
         }
     }
     let without: Vec<String> =

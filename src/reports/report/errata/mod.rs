@@ -58,9 +58,7 @@ fn paper(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
         let row = |finding: &crate::audit::TheoremFinding<'_>| {
             vec![finding.theorem.locus.clone(), theorem::outcome(finding)]
         };
-        let header = ["theorem", "verdict"].map(str::to_owned).to_vec();
-        let rows = audit.theorems.iter().map(row).collect();
-        sheet.grid(Grid { header, rows, left_columns: 2 });
+        sheet.grid(Grid::of(["theorem", "verdict"], audit.theorems.iter().map(row), 2));
     }
     consistency::section(sheet, audit);
     cells::recovered(sheet, errata);

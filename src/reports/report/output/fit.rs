@@ -120,11 +120,7 @@ impl Grid {
                 .filter_map(|(&j, width)| Some(cell(row.get(j)?, *width)));
             cells.collect::<Vec<String>>()
         };
-        Grid {
-            header: row(&self.header),
-            rows: self.rows.iter().map(row).collect(),
-            left_columns: self.left_columns.min(chosen.len()),
-        }
+        Grid::of(row(&self.header), self.rows.iter().map(row), self.left_columns.min(chosen.len()))
     }
 
     fn records(&self) -> Vec<(String, Vec<(String, String)>)> {

@@ -19,8 +19,7 @@ impl Sheet {
                 }
                 Block::Facts(facts) => {
                     let row = |(name, value): &(String, String)| vec![name.clone(), value.clone()];
-                    let rows = facts.iter().map(row).collect();
-                    let grid = Grid { header: Vec::new(), rows, left_columns: 2 };
+                    let grid = Grid::of([""; 0], facts.iter().map(row), 2);
                     grid.write_latex(2, &mut out);
                 }
                 Block::Grid(grid) => grid.write_latex(grid.header.len(), &mut out),

@@ -111,13 +111,13 @@ pub fn table_values(finding: &TableFinding<'_>) -> Grid {
         Some(rows) => format!("{} \\ {}", rows.label, table.columns.label),
         None => table.columns.label.clone(),
     };
-    let header = std::iter::once(corner).chain(columns).collect();
+    let header = std::iter::once(corner).chain(columns);
     let rows = finding.cells.iter().enumerate().map(|(row, cells)| {
         let label = table.rows.as_ref().map(|rows| rows.entries[row].printed.clone());
         let label = label.unwrap_or_default();
         std::iter::once(label).chain(cells.iter().map(cell_text)).collect()
     });
-    Grid { header, rows: rows.collect(), left_columns: 1 }
+    Grid::of(header, rows, 1)
 }
 
 fn cell_text(cell: &CellFinding) -> String {
@@ -271,5 +271,5 @@ fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
         vec![table, count.to_string(), missing, at, comparison, kept]
     });
     let header = ["table", "cells", "missing", "shown at", "printed against exact", "promise"];
-    Grid { header: header.map(str::to_owned).to_vec(), rows: rows.collect(), left_columns: 5 }
+    Grid::of(header, rows, 5)
 }

@@ -8,8 +8,7 @@ use crate::report::words::sheet::{Grid, Sheet};
 /// there is none.
 #[must_use]
 pub fn coverage_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
-    let mut sheet = Sheet::default();
-    sheet.heading(1, "Coverage");
+    let mut sheet = Sheet::titled("Coverage");
     sheet.text("The numbered items of the papers, and the claims that cover them.");
     sheet.grid(summary(audits));
     if let Some(grid) = kernel::grid(audits) {
@@ -29,9 +28,8 @@ pub fn coverage_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
         }
         let row = |coverage: &Coverage<'_>| vec![coverage.item.label.to_string(), what(coverage)];
         let header = ["item", "claims and verdicts, or why there is none"];
-        let header = header.map(str::to_owned).to_vec();
-        let rows = coverage.iter().map(row).collect();
-        sheet.grid(Grid { header, rows, left_columns: 2 });
+        let rows = coverage.iter().map(row);
+        sheet.grid(Grid::of(header, rows, 2));
     }
     sheet
 }
@@ -49,7 +47,7 @@ fn summary(audits: &[PaperAudit<'_>]) -> Grid {
         }));
         row
     });
-    Grid { rows: rows.collect(), header, left_columns: 1 }
+    Grid::of(header, rows, 1)
 }
 
 fn what(coverage: &Coverage<'_>) -> String {

@@ -65,7 +65,7 @@ fn cells(audits: &[PaperAudit<'_>]) -> Grid {
         let verdicts = Word::OF_CELLS.map(count);
         [audit.paper.key.clone(), all].into_iter().chain(verdicts).collect()
     });
-    Grid { header: header.chain(verdicts).collect(), rows: rows.collect(), left_columns: 1 }
+    Grid::of(header.chain(verdicts), rows, 1)
 }
 
 fn others(audits: &[PaperAudit<'_>], columns: &[&Column]) -> Grid {
@@ -74,11 +74,7 @@ fn others(audits: &[PaperAudit<'_>], columns: &[&Column]) -> Grid {
         let tallies = columns.iter().map(|(_, counts)| tally(&counts(audit)));
         std::iter::once(audit.paper.key.clone()).chain(tallies).collect()
     });
-    Grid {
-        header: std::iter::once("paper".to_owned()).chain(header).collect(),
-        rows: rows.collect(),
-        left_columns: 1,
-    }
+    Grid::of(std::iter::once("paper".to_owned()).chain(header), rows, 1)
 }
 
 fn promises(audit: &PaperAudit<'_>) -> Tally {

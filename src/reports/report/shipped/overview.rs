@@ -94,11 +94,7 @@ pub(crate) fn counts(audits: &[ProjectAudit<'_>]) -> Grid {
         let name = format!("{} {}", finding.outcome.word().mark(), finding.id);
         [name, finding.cells.len().to_string()].into_iter().chain(counted).collect()
     };
-    Grid {
-        header: header.map(str::to_owned).collect(),
-        rows: audits.iter().flat_map(|audit| &audit.findings).map(row).collect(),
-        left_columns: 1,
-    }
+    Grid::of(header, audits.iter().flat_map(|audit| &audit.findings).map(row), 1)
 }
 
 fn project(sheet: &mut Sheet, audit: &ProjectAudit<'_>, all: bool) {
@@ -123,10 +119,6 @@ fn project(sheet: &mut Sheet, audit: &ProjectAudit<'_>, all: bool) {
             let numbers = claim.numbers.len().to_string();
             vec![claim.id.clone(), claim.locus.clone(), claim.title.clone(), numbers]
         };
-        sheet.grid(Grid {
-            header: ["id", "where", "what", "numbers"].map(str::to_owned).to_vec(),
-            rows: right.iter().map(row).collect(),
-            left_columns: 3,
-        });
+        sheet.grid(Grid::of(["id", "where", "what", "numbers"], right.iter().map(row), 3));
     }
 }

@@ -238,8 +238,8 @@ pub(crate) fn rows(finding: &ShippedFinding<'_>, places: &[usize]) -> Grid {
     ];
     let columns = columns.iter().filter(|(is_there, ..)| *is_there);
     let row = |&place: &usize| columns.clone().map(|(.., text)| text(place)).collect();
-    let header: Vec<String> = columns.clone().map(|(_, header, _)| (*header).to_owned()).collect();
-    Grid { rows: places.iter().map(row).collect(), left_columns: header.len(), header }
+    let header: Vec<&str> = columns.clone().map(|(_, header, _)| *header).collect();
+    Grid { left_columns: header.len(), ..Grid::of(header, places.iter().map(row), 0) }
 }
 
 /// A formula, cut where it would make a table too wide; the claim file has it whole.

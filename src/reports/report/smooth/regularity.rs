@@ -66,9 +66,8 @@ pub(crate) fn grid(sheet: &mut Sheet, Regularity { table, cells }: &Regularity<'
     let row = |(header, cells): (&String, &Vec<Option<&SmoothnessFinding<'_>>>)| {
         [header.clone()].into_iter().chain(cells.iter().copied().map(cell)).collect()
     };
-    let header = [table.label.clone()].into_iter().chain(table.columns.clone()).collect();
-    let rows = table.rows.iter().zip(cells).map(row).collect();
-    sheet.grid(Grid { header, rows, left_columns: 1 });
+    let header = [table.label.clone()].into_iter().chain(table.columns.clone());
+    sheet.grid(Grid::of(header, table.rows.iter().zip(cells).map(row), 1));
     if let Some(note) = &table.note {
         sheet.text(note.clone());
     }

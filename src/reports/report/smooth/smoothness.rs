@@ -44,8 +44,7 @@ pub(crate) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
 /// A table of smoothness in full, with each cell.
 pub(crate) fn explain_table(audit: &PaperAudit<'_>, id: Target<'_>) -> Option<Sheet> {
     let found = regularity::table_of(audit, id)?;
-    let mut sheet = Sheet::default();
-    sheet.heading(1, format!("{id} · {}", found.table.locus));
+    let mut sheet = Sheet::titled(format!("{id} · {}", found.table.locus));
     sheet.text(found.table.title.clone());
     regularity::grid(&mut sheet, &found);
     for finding in found.cells.iter().flatten().flatten() {

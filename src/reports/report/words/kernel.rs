@@ -77,6 +77,5 @@ pub(crate) fn grid(audits: &[PaperAudit<'_>]) -> Option<Grid> {
         row.extend(shares.into_iter().chain([counts.total()]).map(share));
         row
     };
-    let rows = audits.iter().zip(&counts).map(row).collect();
-    Some(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 1 })
+    Some(Grid::of(header, audits.iter().zip(&counts).map(row), 1))
 }

@@ -34,6 +34,12 @@ pub struct Grid {
 }
 
 impl Sheet {
+    /// A report with this heading.
+    #[must_use]
+    pub fn titled(text: impl Into<String>) -> Sheet {
+        Sheet { blocks: vec![Block::Heading(1, text.into())] }
+    }
+
     /// Appends a heading.
     pub fn heading(&mut self, level: u8, text: impl Into<String>) {
         self.blocks.push(Block::Heading(level, text.into()));
@@ -96,6 +102,17 @@ fn escape(text: &str) -> String {
 }
 
 impl Grid {
+    /// A table with this header and these rows, whose first so many columns are aligned to the left.
+    #[must_use]
+    pub fn of(
+        header: impl IntoIterator<Item: Into<String>>,
+        rows: impl IntoIterator<Item = Vec<String>>,
+        left_columns: usize,
+    ) -> Grid {
+        let header = header.into_iter().map(Into::into).collect();
+        Grid { header, rows: rows.into_iter().collect(), left_columns }
+    }
+
     fn write_markdown(&self, out: &mut String) {
         let line = |cells: &[String]| {
             let cell = |text: &String| escape(text);
