@@ -54,7 +54,7 @@ pub use finding::{
     SplitEquals, Verdict,
 };
 pub use judge::{audit_project, audit_projects, audit_shipped};
-pub use number::{decimal, nearest_text};
+pub use number::{DECIDING_BITS, decimal, nearest_text};
 #[cfg(feature = "schema")]
 pub use read::project_schema;
 pub use read::{MAX_DESCRIBED, MAX_SHIPPED, is_project, read_project};

@@ -6,7 +6,7 @@ use crate::float::{exact, nearest, nearest_f32, shortest};
 use std::cmp::Ordering;
 
 /// How many binary digits are computed to decide about a number.
-const DECIDING_BITS: u64 = 10_000;
+pub const DECIDING_BITS: u64 = 10_000;
 
 /// The levels of enclosures of up to that many digits.
 const LEVELS: std::ops::Range<u32> = 0..8;

@@ -21,7 +21,7 @@ pub(super) use papers::{
     NewArguments, ProveArguments, is_of_papers,
 };
 pub(super) use schemes::{
-    AtlasArguments, BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments,
+    AtlasArguments, BOXES, BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments,
     DepthBoundary, DistanceArgument, FacesArgument, OracleArguments, OracleFormat, PlotArguments,
     RangeArguments, SchemeArguments, SchemesArguments,
 };

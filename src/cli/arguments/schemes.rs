@@ -5,6 +5,8 @@ use super::{FindingFormat, FindingOutput, Output, Valences};
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
+use subcert::bound::{MAX_CLASSES, MAX_LEVELS};
+use subcert::smoothness::MAX_BOXES;
 
 /// A seed.
 fn seed(text: &str) -> Result<u64, String> {
@@ -16,21 +18,30 @@ fn count(text: &str) -> Result<usize, String> {
     text.parse().map_err(|_| "this is no whole number from 0 on".to_owned())
 }
 
+/// How many boxes of two parameters are examined unless another number is asked for.
+pub(in crate::cli) const BOXES: usize = 1_000;
+
+/// The most levels where classes are visited one by one: a binary scheme has so many then.
+const FEW_LEVELS: u32 = MAX_CLASSES.ilog2();
+
+/// What `-c` is.
+fn levels(most: u32) -> String {
+    format!("The greatest number of levels c, up to {most}")
+}
+
 /// How many levels at a time.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct Block {
-    /// The greatest number of levels c, up to 24
     #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4, allow_negative_numbers = true,
-          value_parser = clap::value_parser!(u32).range(1..=24))]
+          help = levels(FEW_LEVELS), value_parser = clap::value_parser!(u32).range(1..=i64::from(FEW_LEVELS)))]
     pub(in crate::cli) levels: u32,
 }
 
 /// How many levels at a time, where branch and bound finds the constants.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct DeepBlock {
-    /// The greatest number of levels c, up to 256
     #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4, allow_negative_numbers = true,
-          value_parser = clap::value_parser!(u32).range(1..=256))]
+          help = levels(MAX_LEVELS), value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_LEVELS)))]
     pub(in crate::cli) levels: u32,
 }
 
@@ -141,8 +152,8 @@ pub(in crate::cli) struct RangeArguments {
     /// The region of a map of two parameters, such as a=-1..1,b=0..1/2 [default: from -1 to 1]
     #[arg(long, value_name = "BOX", requires = "smoothness", allow_hyphen_values = true)]
     pub(in crate::cli) bounds: Option<String>,
-    /// The number of boxes to examine for a map, up to 20000 [default: 1000]
-    #[arg(long, value_name = "N", requires = "smoothness")]
+    #[arg(long, value_name = "N", requires = "smoothness",
+          help = format!("The number of boxes to examine for a map, up to {MAX_BOXES} [default: {BOXES}]"))]
     pub(in crate::cli) boxes: Option<usize>,
     /// Show T_c itself, a piecewise polynomial function of the parameter
     #[arg(long)]

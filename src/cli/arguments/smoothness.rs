@@ -3,13 +3,15 @@
 use super::{FindingOutput, Output};
 use clap::Args;
 use std::path::PathBuf;
+use subcert::joint::{MAX_MATRICES, MAX_SIZE};
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct SmoothnessArguments {
-    /// The scheme: a mask, whose coefficients may be irrational, such as sqrt(3), and whose matrices may have up to 64 rows; or rules
-    /// around a vertex or on a face, where C^1 is meant in Reif's sense: for surfaces with generic data, at the vertex or
-    /// on the face, with the smoothness of the regular part elsewhere
-    #[arg(value_name = "SCHEME")]
+    #[arg(value_name = "SCHEME", help = format!(
+        "The scheme: a mask, whose coefficients may be irrational, such as sqrt(3), and whose matrices may have up to \
+         {MAX_SIZE} rows; or rules around a vertex or on a face, where C^1 is meant in Reif's sense: for surfaces with \
+         generic data, at the vertex or on the face, with the smoothness of the regular part elsewhere"
+    ))]
     pub(in crate::cli) scheme: String,
     /// Rules around a vertex or on a face: the valences, or all from 3 on at once
     #[arg(long, value_name = "FIRST..LAST|all", value_parser = valences, conflicts_with = "certificate")]
@@ -44,9 +46,10 @@ pub(super) fn valences(text: &str) -> Result<Valences, String> {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct JsrArguments {
-    /// Up to 64 square matrices of one size, up to 64 rows: one row of rational numbers on a line, and an
-    /// empty line between two matrices
-    #[arg(value_name = "FILE")]
+    #[arg(value_name = "FILE", help = format!(
+        "Up to {MAX_MATRICES} square matrices of one size, up to {MAX_SIZE} rows: one row of rational numbers on a \
+         line, and an empty line between two matrices"
+    ))]
     pub(in crate::cli) file: PathBuf,
     /// Write a certificate of both bounds, for subcert-check --radius
     #[arg(long, value_name = "FILE")]

@@ -1,6 +1,6 @@
 //! `subcert range --smoothness` in two parameters.
 
-use crate::cli::arguments::RangeArguments;
+use crate::cli::arguments::{BOXES, RangeArguments};
 use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
@@ -12,9 +12,6 @@ use subcert::exact::{Polynomial, Rational, format::short, parse_rational};
 use subcert::report::Sheet;
 use subcert::scheme::parse_in_parameters;
 use subcert::smoothness::{Certain, MAX_BOXES, MapBox, Sides, smooth_map as computed};
-
-/// How many boxes are looked at unless another number is asked for.
-const BOXES: usize = 1_000;
 
 /// The characters in a row of the map, and the rows.
 const PICTURE: [usize; 2] = [64, 32];

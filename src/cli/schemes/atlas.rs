@@ -11,7 +11,7 @@ use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
 use serde::Serialize;
 use subcert::audit::on_all_cores;
-use subcert::facts::{SchemeFacts, atlas_references};
+use subcert::facts::{Depths, SchemeFacts, atlas_references};
 use subcert::report::json::{CurveForm, FactsForm};
 use subcert::report::{Grid, Sheet};
 use subcert::scheme::{SchemeError, find_in_catalogue};
@@ -94,12 +94,13 @@ impl Answer for Atlas<'_> {
             self.schemes.iter().filter_map(|entry| Some((entry, entry.facts.curve.as_ref()?)));
         let rows = curves.map(|(entry, curve)| curve_row(&entry.facts.scheme, curve));
         sheet.grid(Grid::of(header, rows, 1));
-        sheet.text(
-        "Points: of a rule, from the first to the last. Support: its length. Reproduces: the degree, at the \
-         natural shift. Depths: levels that polygons with differences up to 1 need for the tolerance 1/100, \
-         with x^k_i at i/n^k and at natural parameters. What is not decided is open; `subcert scheme NAME` \
-         gives the reasons, and all constants.",
-    );
+        sheet.text(format!(
+            "Points: of a rule, from the first to the last. Support: its length. Reproduces: the degree, at the \
+             natural shift. Depths: levels that polygons with differences up to 1 need for the tolerance {}, \
+             with x^k_i at i/n^k and at natural parameters. What is not decided is open; `subcert scheme NAME` \
+             gives the reasons, and all constants.",
+            Depths::tolerance()
+        ));
         sheet.heading(2, "Rules around a vertex or on a face");
         let surfaces =
             self.schemes.iter().filter_map(|entry| Some((entry, entry.facts.valences.as_ref()?)));

@@ -1,9 +1,8 @@
 //! `subcert atlas --format html`: an index of schemes, a page for each entry of the catalogue, and the pages of audits that
 //! they link to.
 
-use super::plot::BOXES;
 use super::scheme::{continuity, hoelder, sheet};
-use crate::cli::arguments::AtlasArguments;
+use crate::cli::arguments::{AtlasArguments, BOXES};
 use crate::cli::console::output::{Failure, Outcome, write_results};
 use crate::cli::console::progress::Progress;
 use crate::cli::papers::judged::{judge_all, papers};

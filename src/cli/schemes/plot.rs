@@ -1,15 +1,12 @@
 //! `subcert plot`.
 
-use crate::cli::arguments::PlotArguments;
+use crate::cli::arguments::{BOXES, PlotArguments};
 use crate::cli::console::output::{Failure, Outcome, deliver};
 use crate::cli::console::progress::Progress;
 use crate::cli::ranges::smooth_map::region;
 use subcert::facts::Drawing;
 use subcert::report::html::Plot;
 use subcert::scheme::open_parameters;
-
-/// How many boxes of a map are looked at for each order of smoothness.
-pub(crate) const BOXES: usize = 1_000;
 
 pub(crate) fn plot(arguments: &PlotArguments) -> Outcome {
     let PlotArguments { scheme, bounds, file } = arguments;

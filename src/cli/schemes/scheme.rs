@@ -6,7 +6,7 @@ use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
 use crate::cli::console::quantity::{is_fraction, written};
 use crate::cli::ranges::sets::Set;
-use subcert::facts::{FamilyFacts, ParameterFacts, SchemeFacts};
+use subcert::facts::{Depths, FamilyFacts, ParameterFacts, SchemeFacts};
 use subcert::report::json::{
     CurveForm, DepthForm, Exact, Facts, FactsForm, StencilForm, ValenceForm,
 };
@@ -129,7 +129,10 @@ fn write_curve(curve: &CurveForm, sheet: &mut Sheet) {
     constants.push(fact("depth at i/n^k", depth(curve.depth_indexed.as_ref())));
     constants.push(fact("depth at natural parameters", depth(curve.depth_natural.as_ref())));
     sheet.facts(constants);
-    sheet.text("Depths are those of polygons with differences up to 1, for the tolerance 1/100.");
+    let tolerance = Depths::tolerance();
+    sheet.text(format!(
+        "Depths are those of polygons with differences up to 1, for the tolerance {tolerance}."
+    ));
     if let (Some(values), Some(stencils)) = (&curve.values, &curve.stencils) {
         sheet.heading(2, "Limit");
         let mut facts: Vec<(String, String)> =

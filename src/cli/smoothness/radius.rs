@@ -6,7 +6,7 @@ use crate::cli::console::save::save;
 use serde::Serialize;
 use std::path::Path;
 use subcert::exact::Enclosure;
-use subcert::joint::{Entry, Hull, JointRadius, MatrixSet};
+use subcert::joint::{Entry, Hull, JointRadius, MAX_FACTORS, MAX_ROWS, MatrixSet};
 use subcert::report::json::Exact;
 use subcert::report::{down, up};
 
@@ -123,8 +123,8 @@ fn upper_text(size: usize, radius: &JointRadius, hull: &Hull) -> String {
 /// What is said where the bounds of a radius or an exponent do not meet.
 pub(crate) fn apart(of: &str) -> String {
     format!(
-        "The bounds{of} do not meet: no hull of up to 1200 rows is found that is extremal for a real eigenvalue of a \
-         product of up to 14 factors."
+        "The bounds{of} do not meet: no hull of up to {MAX_ROWS} rows is found that is extremal for a real eigenvalue of a \
+         product of up to {MAX_FACTORS} factors."
     )
 }
 

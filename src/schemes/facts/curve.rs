@@ -56,7 +56,7 @@ pub struct CurveFacts<F = Rational> {
     pub displacement: F,
     /// The best offset and its σ; of rational masks.
     pub best_offset: Option<(i64, Rational)>,
-    /// Depths of a polygon with differences up to 1 and the tolerance 1/100.
+    /// Depths of a polygon with differences up to 1.
     pub depths: Depths,
     /// Values and stencils of the limit.
     pub limit: Result<LimitFacts, String>,

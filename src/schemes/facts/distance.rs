@@ -8,16 +8,21 @@ use crate::scheme::Mask;
 /// The most steps of the search for one depth.
 const MAX_STEPS: u64 = 20_000_000;
 
-/// The tolerance of depths.
-const TOLERANCE: (i64, i64) = (1, 100);
-
-/// The depths of a polygon with differences up to 1 and the tolerance 1/100.
+/// The depths of a polygon with differences up to 1.
 #[derive(Clone, Debug)]
 pub struct Depths {
     /// With x^k_i at i/n^k.
     pub indexed: Result<TwoSidedDepth, String>,
     /// With x^k_i at (i + s)/n^k, s the natural shift.
     pub natural: Result<TwoSidedDepth, String>,
+}
+
+impl Depths {
+    /// Their tolerance.
+    #[must_use]
+    pub fn tolerance() -> Rational {
+        Rational::new(1, 100)
+    }
 }
 
 /// Values of the basic limit function φ, and stencils.
@@ -64,6 +69,5 @@ impl LimitFacts {
 fn depth(limit: &Limit, parametrisation: Parametrisation) -> Result<TwoSidedDepth, String> {
     let distances = Distances::placed(limit, parametrisation).map_err(|error| error.to_string())?;
     let distances = distances.with_budget(Budget::new(MAX_STEPS));
-    let tolerance = Rational::new(TOLERANCE.0, TOLERANCE.1);
-    distances.depth(&Rational::one(), &tolerance).map_err(|error| error.to_string())
+    distances.depth(&Rational::one(), &Depths::tolerance()).map_err(|error| error.to_string())
 }

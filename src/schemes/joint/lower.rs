@@ -16,7 +16,7 @@ use crate::float::nearest;
 pub(super) const MAX_CONJUGATE: usize = 8;
 
 /// The most rows of a hull.
-pub(super) const MAX_ROWS: usize = 1_200;
+pub const MAX_ROWS: usize = 1_200;
 
 /// The most work of the search for a hull.
 const MAX_WORK: u64 = 1_500_000_000;

@@ -15,7 +15,7 @@ use crate::float::extremal::candidates;
 use std::cmp::Ordering;
 
 /// The most factors of a product that is looked at.
-const MAX_FACTORS: u32 = 14;
+pub const MAX_FACTORS: u32 = 14;
 
 /// How many products of each length are continued.
 const BEAM: usize = 250;
@@ -88,7 +88,7 @@ impl JointRadius {
 /// Bounds the joint spectral radius of a set of matrices.
 ///
 /// Where no extremal hull is found, rational matrices are reduced to blocks. Where there are none, and the matrices are no
-/// multiples of one, the bounds are as near as the search comes within 1200 rows.
+/// multiples of one, the bounds are as near as the search comes within [`MAX_ROWS`] rows.
 ///
 /// # Panics
 /// Never.

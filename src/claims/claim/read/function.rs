@@ -127,10 +127,11 @@ impl Reader<'_> {
                 .map_err(|error| formula.diagnostic(&error))?;
             let value = RealAlgebraic::of_cyclotomic(&value).ok_or_else(|| {
                 let message = "cosines of these angles are too complicated for an end of a range";
-                self.error(field.span(), message).with_help(
-                    "cosines of multiples of 2*pi/n may stand here for n up to 60; other ends are \
-                     decimals",
-                )
+                let most = RealAlgebraic::MAX_CONDUCTOR;
+                self.error(field.span(), message).with_help(format!(
+                    "cosines of multiples of 2*pi/n may stand here for n up to {most}; other ends are \
+                     decimals"
+                ))
             })?;
             (None, value)
         };

@@ -14,11 +14,11 @@ pub(super) fn scaled(net: &Net) -> Result<(Net<f64>, Rational), NetError> {
     let [least, most] = BITS.map(|bits| Rational::from(2).pow(bits));
     let large = |x: &Rational| x.abs() > most;
     if scale < least || scale > most || net.points().iter().flatten().any(large) {
-        return Err(NetError::TooMuch(
-            "the coordinates are beyond 2^900, or all nearer to each other than 2^-900; measure them in \
+        let [least, most] = BITS;
+        return Err(NetError::TooMuch(format!(
+            "the coordinates are beyond 2^{most}, or all nearer to each other than 2^{least}; measure them in \
              another unit"
-                .to_owned(),
-        ));
+        )));
     }
     let rounded = Net::new(moved(net.points(), &scale), net.columns(), net.closed())?;
     Ok((rounded, scale))

@@ -7,9 +7,6 @@ use crate::exact::{
 };
 use std::sync::Arc;
 
-/// The greatest conductor of a number whose minimal polynomial is computed.
-const MAX_CONDUCTOR: u32 = 60;
-
 /// A polynomial of degree d with fewer than (d + 1)/4 terms has a short Sturm sequence.
 const SPARSE: usize = 4;
 
@@ -118,7 +115,11 @@ impl RealAlgebraic {
         roots
     }
 
-    /// This number as a root of its minimal polynomial; `None` where its conductor is above 60.
+    /// The greatest conductor of a number whose minimal polynomial is computed.
+    pub const MAX_CONDUCTOR: u32 = 60;
+
+    /// This number as a root of its minimal polynomial; `None` where its conductor is above
+    /// [`RealAlgebraic::MAX_CONDUCTOR`].
     ///
     /// ```
     /// use subcert::exact::{Rational, RealAlgebraic, RealCyclotomic};
@@ -135,7 +136,7 @@ impl RealAlgebraic {
         if let Some(rational) = number.as_rational() {
             return Some(RealAlgebraic::from(rational.clone()));
         }
-        if number.conductor() > MAX_CONDUCTOR {
+        if number.conductor() > RealAlgebraic::MAX_CONDUCTOR {
             return None;
         }
         let mut roots = RealAlgebraic::roots_of(&number.minimal_polynomial());

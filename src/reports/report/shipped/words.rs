@@ -1,8 +1,10 @@
 //! Verdicts, readings and places of shipped constants in words.
 
 use crate::exact::{Rational, format::short};
+use crate::report::words::numbers::grouped;
 use crate::shipped::{
-    Early, Misprint, NumberType, Outcome, Project, Reading, ShippedCell, ShippedClaim, Verdict,
+    DECIDING_BITS, Early, Misprint, NumberType, Outcome, Project, Reading, ShippedCell,
+    ShippedClaim, Verdict,
 };
 
 /// The digits of an error.
@@ -46,7 +48,7 @@ pub(super) fn verdict(cell: &ShippedCell, kind: NumberType, written: Option<usiz
             format!("wrong{}", by.unwrap_or_default())
         }
         Verdict::Open => match &cell.exact {
-            Ok(_) => "not decided within 10,000 binary digits".to_owned(),
+            Ok(_) => format!("not decided within {} binary digits", grouped(DECIDING_BITS)),
             Err(cap) => format!("not decided: {cap}"),
         },
     }

@@ -6,6 +6,7 @@ use crate::audit::{
 };
 use crate::claim::{Axis, Table};
 use crate::exact::{Rational, format::short};
+use crate::report::words::numbers::grouped;
 
 /// How many equally good readings are named.
 const MAX_LISTED: usize = 3;
@@ -217,22 +218,12 @@ fn luck(chance: &Rational) -> String {
     let often = chance.recip().floor().to_string();
     let places = u32::try_from(often.len() - 1).unwrap_or(u32::MAX);
     let rounded = format!("{}{}", &often[..1], "0".repeat(often.len() - 1));
-    let often = match rounded.parse() {
+    let often = match rounded.parse::<usize>() {
         Ok(number) if places < MANY => grouped(number),
         _ => format!("10^{places}"),
     };
     let by_luck = if *chance <= Rational::new(1, 1_000) { "" } else { ", so that it may be luck" };
     format!("Of tables of unrelated numbers, at most 1 in {often} would do as well{by_luck}.")
-}
-
-/// `280,048`.
-fn grouped(number: usize) -> String {
-    let digits = number.to_string();
-    let commas = |(place, digit): (usize, char)| {
-        let comma = place > 0 && (digits.len() - place).is_multiple_of(3);
-        comma.then_some(',').into_iter().chain([digit])
-    };
-    digits.chars().enumerate().flat_map(commas).collect()
 }
 
 fn differ_in(search: &Search) -> String {

@@ -2,6 +2,7 @@
 
 use crate::exact::{Integer, Rational, RealCyclotomic, format::fixed, format::short};
 use crate::limit::ExtremalPolygon;
+use std::fmt::Display;
 
 /// The number of significant digits of a decimal.
 pub(crate) const DIGITS: u32 = 12;
@@ -34,4 +35,14 @@ pub(crate) fn points(letter: &str, ExtremalPolygon { first, points }: &ExtremalP
 pub(crate) fn exact(value: &RealCyclotomic) -> String {
     let (text, decimal) = (value.to_string(), short(value, DIGITS));
     if text == decimal { text } else { format!("{text} = {decimal}") }
+}
+
+/// `280,048`.
+pub(crate) fn grouped(number: impl Display + Copy) -> String {
+    let digits = number.to_string();
+    let commas = |(place, digit): (usize, char)| {
+        let comma = place > 0 && (digits.len() - place).is_multiple_of(3);
+        comma.then_some(',').into_iter().chain([digit])
+    };
+    digits.chars().enumerate().flat_map(commas).collect()
 }
