@@ -4,9 +4,9 @@ use super::mesh_form::OF_MESHES;
 use crate::cli::arguments::{
     IsolatedArgument, LimitArguments, MeshBoundary, MeshOutput, MeshOutputFormat, RefineArguments,
 };
+use crate::cli::console::answer::SCHEMA;
 use crate::cli::console::output::{Failure, Outcome, write_results};
 use crate::cli::console::save::save;
-use crate::cli::console::answer::SCHEMA;
 use std::path::Path;
 use subcert::diagnostic::{SourceText, read_bytes_from};
 use subcert::exact::RealCyclotomic;

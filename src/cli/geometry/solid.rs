@@ -3,8 +3,8 @@
 use super::mesh::{deliver, input, text_of};
 use super::mesh_form::OF_SOLIDS;
 use crate::cli::arguments::{LimitArguments, MeshOutputFormat, RefineArguments};
-use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::answer::SCHEMA;
+use crate::cli::console::output::{Failure, Outcome};
 use std::path::Path;
 use subcert::diagnostic::SourceText;
 use subcert::exact::Rational;

@@ -1,8 +1,8 @@
 //! The distances of all faces of a mesh, as a table or as colours.
 
+use crate::cli::console::answer::SCHEMA;
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::save::save;
-use crate::cli::console::answer::SCHEMA;
 use std::fmt::Write as _;
 use std::path::Path;
 use subcert::exact::{Rational, RealCyclotomic};
