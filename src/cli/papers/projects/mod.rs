@@ -8,7 +8,7 @@ mod pages;
 pub(super) use audit::audit;
 pub(super) use explain::explain;
 #[cfg(feature = "schema")]
-pub(super) use {audit::Projects, explain::Shipped};
+pub(in crate::cli) use {audit::Projects, explain::Shipped};
 
 use super::judged::chosen;
 use crate::cli::console::output::Failure;

@@ -81,7 +81,7 @@ pub(crate) fn section(
     if at.is_some_and(|at| readings.iter().take(shown).any(|one| finding.is_by_luck(one, at))) {
         sheet.text(ON_LUCK);
     }
-    sheet.grid(Grid::of(header.into_iter(), readings.iter().take(shown).map(row), 1));
+    sheet.grid(Grid::of(header, readings.iter().take(shown).map(row), 1));
     let more = readings.len().saturating_sub(shown);
     if more > 0 {
         sheet.text(format!("And {more} more, none of them better: `--all` shows them."));
