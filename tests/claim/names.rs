@@ -51,6 +51,22 @@ fn two_meanings_are_refused_with_both_places() {
     }
 }
 
+/// A name that stands for a product is no factor of one: no axis is left out.
+#[test]
+fn a_product_of_products_has_too_many_axes() {
+    let of = |scheme: &str| {
+        let fields = format!("scheme = '{scheme}'\nvalue = 'contraction(1)'\n{COLUMNS}");
+        let product = "[[scheme]]\nname = 'p'\nuse = 'chaikin x chaikin'\n";
+        let paper = read(&format!("{product}{}", table(&fields))).expect("a paper");
+        subcert::audit::audit(&paper).map(|_| ()).map_err(|error| error.message)
+    };
+    assert_eq!(of("p"), Ok(()));
+    for scheme in ["p x chaikin", "chaikin x p"] {
+        let error = of(scheme).expect_err("three axes");
+        assert!(error.contains("a tensor product has two factors"), "{error}");
+    }
+}
+
 #[test]
 fn a_proof_by_hand_uses_no_theorem() {
     let theorem = |id: &str, more: &str| {

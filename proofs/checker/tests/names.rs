@@ -127,6 +127,24 @@ fn a_hypothesis_says_nothing_of_the_spread() {
 }
 
 #[test]
+fn a_product_of_products_has_too_many_axes() {
+    let of = |scheme: &str| {
+        let claims = format!(
+            "[[scheme]]\nname = \"p\"\nuse = \"chaikin x chaikin\"\n[[table]]\nid = \"t\"\n\
+             value = 'contraction(1)'\nscheme = \"{scheme}\"\ncolumns = {{ name = \"x\", values = ['5'] }}\n\
+             cells = [['0.5']]\n"
+        );
+        let certificate = format!(
+            "table t\n scheme {scheme}\n value contraction(1)\n cell 1 1 \"0.5\" 1/2 confirmed\n"
+        );
+        outcome(&claims, &certificate)
+    };
+    assert_eq!(of("p"), Outcome::Valid);
+    assert!(matches!(of("p x chaikin"), Outcome::Invalid(..)));
+    assert!(matches!(of("chaikin x p"), Outcome::Invalid(..)));
+}
+
+#[test]
 fn an_index_hides_nothing() {
     let table = |define: &str, given: &str, value: &str| {
         let claims = format!(

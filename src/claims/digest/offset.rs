@@ -48,7 +48,7 @@ pub(crate) fn unstated(
             if !promised && !takes_own_offset(&judge, at) {
                 continue;
             }
-            for (instance, constants) in scheme.instances.iter().zip(&scheme.constants) {
+            for (instance, constants) in scheme.instances.iter().zip(scheme.constants.iter()) {
                 if left.contains(&instance.name[..])
                     && let Some(better) = BetterOffset::of(constants.mask())
                 {

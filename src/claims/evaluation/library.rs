@@ -10,7 +10,8 @@ use crate::evaluation::series::Norms;
 use crate::exact::{Rational, RealCyclotomic, StoredForm};
 use crate::formula::{Context, LocatedFormula, Parameters, Value, evaluate};
 use crate::scheme::{
-    Instance, LocalRules, Mask, Reference, SchemeDefinition, SchemeError, find_in_catalogue,
+    Axes, Instance, LocalRules, Mask, Reference, ReferenceError, Scheme, SchemeDefinition,
+    SchemeError, find_in_catalogue,
 };
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
@@ -53,7 +54,17 @@ pub(crate) struct Library<'a> {
 #[derive(Clone)]
 pub(crate) struct Resolved {
     pub(crate) instances: Vec<Instance>,
-    pub(crate) constants: Vec<Rc<Constants>>,
+    pub(crate) constants: Axes<Rc<Constants>>,
+}
+
+impl Resolved {
+    /// The masks, at this offset if one is given.
+    pub(crate) fn at(&self, offset: Option<i64>) -> Scheme {
+        self.constants.map(|axis| {
+            let mask = axis.mask();
+            mask.with_offset(offset.unwrap_or(mask.offset()))
+        })
+    }
 }
 
 impl<'a> Library<'a> {
@@ -75,7 +86,7 @@ impl<'a> Library<'a> {
         let instances = instances.map_err(Unresolved::Scheme)?;
         let constants = instances.iter().map(|instance| self.constants(instance));
         let constants = constants.collect::<Result<_, _>>().map_err(Unresolved::Scheme)?;
-        Ok(Resolved { instances, constants })
+        Ok(Resolved { instances, constants: Axes::of(constants) })
     }
 
     /// The ring of this scheme, one name with parameters.
@@ -105,10 +116,8 @@ impl<'a> Library<'a> {
     ) -> Result<LocalRules<V>, SchemeError> {
         let [instance] = scheme else { return self.ring(scheme) };
         let definition = self.define(&instance.name)?;
-        let name = definition.valence_name(&instance.parameters);
-        let name = name.ok_or_else(|| SchemeError::NoValence { scheme: instance.name.clone() })?;
         let mut parameters = instance.parameters.clone();
-        parameters.insert(name.to_owned(), V::from_rational(&Rational::from(valence)));
+        definition.set_valence(&instance.name, &mut parameters, valence)?;
         definition.ring(&parameters)
     }
 
@@ -129,9 +138,10 @@ impl<'a> Library<'a> {
     pub(crate) fn masks<V: Value + PartialEq>(
         &self,
         instances: &[Instance<V>],
-    ) -> Result<Vec<Mask<V>>, Unresolved> {
+    ) -> Result<Scheme<V>, Unresolved> {
         let mask = |instance: &Instance<V>| self.define(&instance.name)?.mask(&instance.parameters);
-        instances.iter().map(mask).collect::<Result<_, _>>().map_err(Unresolved::Scheme)
+        let masks = instances.iter().map(mask).collect::<Result<_, _>>();
+        masks.map(Scheme::of).map_err(Unresolved::Scheme)
     }
 
     /// The schemes behind the names of `reference`, their parameters evaluated in
@@ -141,7 +151,10 @@ impl<'a> Library<'a> {
         reference: &Reference,
         context: &dyn Context<V>,
     ) -> Result<Vec<Instance<V>>, Unresolved> {
-        self.followed(reference, context, &[], 0)
+        let instances = self.followed(reference, context, &[], 0)?;
+        ReferenceError::check_factors(&reference.to_string(), instances.len())
+            .map_err(|error| Unresolved::Scheme(error.into()))?;
+        Ok(instances)
     }
 
     /// As [`Library::instances`], with values for the parameters of the name that is followed. A
@@ -254,24 +267,15 @@ impl<'a> Library<'a> {
         if let Some(known) = self.sound.borrow().get(&key) {
             return Ok(Rc::clone(known));
         }
-        let shifted: Vec<Rc<Constants>> = match offset {
+        let shifted = match offset {
             None => scheme.constants.clone(),
-            Some(offset) => {
-                let shift = |constants: &Rc<Constants>| {
-                    Rc::new(Constants::new(constants.mask().with_offset(offset)))
-                };
-                scheme.constants.iter().map(shift).collect()
-            }
+            Some(_) => scheme.at(offset).map(|mask| Rc::new(Constants::new(mask.clone()))),
         };
-        let bound = match &shifted[..] {
-            [curve] => SoundBound::curve(curve, block_length(&[curve.mask()]))?,
-            [first, second, ..] => {
-                let block = block_length(&[first.mask(), second.mask()]);
-                SoundBound::surface(first, second, block)?
-            }
-            [] => unreachable!("a scheme has one mask or two"),
-        };
-        let bound = Rc::new(bound);
+        let block = block_length(&shifted);
+        let bound = Rc::new(match &shifted {
+            Axes::Curve(curve) => SoundBound::curve(curve, block)?,
+            Axes::Tensor(first, second) => SoundBound::surface(first, second, block)?,
+        });
         self.sound.borrow_mut().insert(key, Rc::clone(&bound));
         Ok(bound)
     }
@@ -306,8 +310,8 @@ fn rational(instance: Instance<RealCyclotomic>) -> Result<Instance, SchemeError>
 }
 
 /// The greatest block length with at most [`MAX_SOUND_CLASSES`] residue classes.
-fn block_length(masks: &[&Mask]) -> u32 {
-    let arity = masks.iter().map(|mask| mask.arity() as u64).max().unwrap_or(2);
+fn block_length(constants: &Axes<Rc<Constants>>) -> u32 {
+    let arity = constants.iter().map(|axis| axis.mask().arity() as u64).max().unwrap_or(2);
     (1..=MAX_SOUND_BLOCK).rev().find(|&c| arity.pow(c) <= MAX_SOUND_CLASSES).unwrap_or(1)
 }
 

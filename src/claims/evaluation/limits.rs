@@ -30,7 +30,7 @@ impl LimitScheme<'_> {
         self.check_one(&scope)?;
         let resolved = self.library.resolve(&self.located.reference, &scope);
         let resolved = resolved.map_err(|error| self.unresolved(&error))?;
-        Ok(resolved.constants[0].mask().clone())
+        Ok(resolved.constants.first().mask().clone())
     }
 
     /// The instances of the scheme, if it is a ring: the rules around a vertex or on a face. The variable of a
@@ -90,7 +90,7 @@ impl LimitScheme<'_> {
             }
             other => self.unresolved(&other),
         })?;
-        polynomial(masks[0].rules()).ok_or_else(|| self.not_polynomial(variable))
+        polynomial(masks.first().rules()).ok_or_else(|| self.not_polynomial(variable))
     }
 
     fn not_polynomial(&self, variable: &str) -> Diagnostic {

@@ -82,13 +82,13 @@ impl Quantities<'_> {
         };
         let missing = || CallError::Misuse("this needs a scheme: give the table one".to_owned());
         let scheme = scheme.ok_or_else(missing)?;
-        let constants: &Constants = &scheme.constants[0];
+        let constants: &Constants = scheme.constants.first();
         let in_order = |order| self.in_order(scheme, order);
         let note = |operator, levels, order| {
             let Some(noted) = &self.noted else { return };
             noted.borrow_mut().constants.push(NotedConstant {
                 instance: scheme.instances[0].clone(),
-                constants: Rc::clone(&scheme.constants[0]),
+                constants: Rc::clone(scheme.constants.first()),
                 operator,
                 levels,
                 order,
@@ -144,7 +144,7 @@ impl Quantities<'_> {
     /// The constants of a scheme's first mask in this order. Those of a mask that is read forwards
     /// depend on the numbers of the points.
     fn in_order(&self, scheme: &Resolved, order: Order) -> Rc<Constants> {
-        let own = &scheme.constants[0];
+        let own = scheme.constants.first();
         match (order, self.settings.first % own.mask().arity()) {
             (Order::Adjoint, _) | (_, 0) => Rc::clone(own),
             (Order::Forward, first) => {

@@ -12,7 +12,7 @@ use crate::evaluation::series;
 use crate::evaluation::series::Norms;
 use crate::exact::Rational;
 use crate::formula::{Call, CallError, Context, Functions, Parameters, Value};
-use crate::scheme::{Instance, Mask, Reference, Rules};
+use crate::scheme::{Instance, Mask, Reference, Rules, Scheme};
 use std::borrow::Borrow;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -35,9 +35,8 @@ pub(crate) struct Shape<V> {
 }
 
 impl<V: Value> Shape<V> {
-    fn new(masks: Vec<Mask<V>>) -> Rc<Shape<V>> {
-        let mask = masks.into_iter().next().expect("a scheme has one mask or two");
-        Rc::new(Shape { mask, difference: OnceCell::new() })
+    fn new(scheme: &Scheme<V>) -> Rc<Shape<V>> {
+        Rc::new(Shape { mask: scheme.first().clone(), difference: OnceCell::new() })
     }
 
     pub(crate) fn difference(&self) -> &Rules<V> {
@@ -75,7 +74,7 @@ impl<'a, V: Value + PartialEq> Shapes<'a, V> {
         {
             return Ok(Rc::clone(shape));
         }
-        let shape = Shape::new(self.library.masks(&instances)?);
+        let shape = Shape::new(&self.library.masks(&instances)?);
         *self.own.borrow_mut() = Some((instances, Rc::clone(&shape)));
         Ok(shape)
     }
@@ -86,7 +85,7 @@ impl<'a, V: Value + PartialEq> Shapes<'a, V> {
         }
         let instances = self.library.instances(&reference(name)?, &Parameters::<V>::default());
         let masks = instances.and_then(|instances| self.library.masks(&instances));
-        let shape = Shape::new(masks.map_err(|error| unresolved(name, error))?);
+        let shape = Shape::new(&masks.map_err(|error| unresolved(name, error))?);
         self.named.borrow_mut().insert(name.to_owned(), Rc::clone(&shape));
         Ok(shape)
     }

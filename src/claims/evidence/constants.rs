@@ -120,7 +120,7 @@ impl NotedConstant {
 /// The constants T_c < 1 that show convergence, of those masks whose first T_c < 1 has more than
 /// 4,096 residue classes.
 pub(crate) fn convergence(scheme: &Resolved, budget: &Budget) -> Vec<SearchedConstant> {
-    let masks = scheme.instances.iter().zip(&scheme.constants);
+    let masks = scheme.instances.iter().zip(scheme.constants.iter());
     let of = |(instance, constants): (&Instance, &Rc<Constants>)| {
         let rules = constants.difference();
         let levels = first_contraction(rules)?;

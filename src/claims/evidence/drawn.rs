@@ -94,7 +94,5 @@ pub fn promise_refiner(
     let Ok(quantities) = judge.quantities(at)? else { return Ok(None) };
     let Some(scheme) = quantities.scheme else { return Ok(None) };
     let offset = offset.as_ref().map(|offset| integer(&judge, offset, at)).transpose()?.flatten();
-    let masks = scheme.constants.iter().map(|axis| axis.mask());
-    let masks = masks.map(|mask| mask.with_offset(offset.unwrap_or(mask.offset())));
-    Ok(Some(Refiner::Masks(masks.collect())))
+    Ok(Some(Refiner::Masks(scheme.at(offset).iter().cloned().collect())))
 }

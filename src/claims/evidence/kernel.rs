@@ -18,6 +18,7 @@ use crate::finding::{
 };
 use crate::judge::theorem::instance;
 use crate::limit::Parametrisation;
+use crate::scheme::Axes;
 use std::collections::BTreeSet;
 
 /// Constants with more residue classes are left out: `coqc` computes every class.
@@ -197,7 +198,7 @@ fn sound(
 ) -> Result<Option<KernelStatement>, Diagnostic> {
     let Ok(quantities) = judge.quantities(at)? else { return Ok(None) };
     let Some(scheme) = quantities.scheme else { return Ok(None) };
-    let [axis] = &scheme.constants[..] else { return Ok(None) };
+    let Axes::Curve(axis) = &scheme.constants else { return Ok(None) };
     let (Promise::Depth { spread, offset, .. } | Promise::Bound { spread, offset, .. }) = promise;
     let offset = offset.as_ref().map(|offset| integer(judge, offset, at)).transpose()?.flatten();
     let mask = axis.mask().with_offset(offset.unwrap_or(axis.mask().offset()));

@@ -1,7 +1,7 @@
 //! The evidence of certificates about promises: why a printed number keeps its promise, or breaks
 //! it.
 
-use crate::bound::{Budget, Constants};
+use crate::bound::Budget;
 use crate::claim::{Paper, Promise};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::context::CellReading;
@@ -11,9 +11,9 @@ use crate::evaluation::table::Evaluator;
 use crate::evidence::table::{integer, number};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::{Broken, CellFinding, Kept, Later, TableFinding};
-use crate::judge::distance::{Compared, KnownDistances, has_words};
+use crate::judge::distance::{KnownDistances, has_words};
 use crate::judge::later::{change, later};
-use crate::scheme::Mask;
+use crate::scheme::{AnyScheme, Mask};
 use std::collections::BTreeSet;
 
 /// The highest level for which a certificate shows a promise.
@@ -77,7 +77,7 @@ fn of_cell<'f>(
     let ring = ring.as_ref().map(|ring| judge.ring(ring, at)).transpose()?;
     let ring = ring
         .and_then(Result::ok)
-        .map(|(_, ring)| KnownDistances::new(Compared::LocalRules(ring), &Budget::unlimited()));
+        .map(|(_, ring)| KnownDistances::new(AnyScheme::LocalRules(ring), &Budget::unlimited()));
     let ring = ring.as_ref().and_then(|ring| ring.of_ring().ok());
     let weights = ring.map(|ring| ring.limit().weights().to_vec());
     match &cell.kept {
@@ -135,7 +135,7 @@ fn kept<'f>(
     let terms = terms(judge, promise, at)?.filter(|(level, _)| *level <= MAX_LEVEL);
     let Some((level, most)) = terms else { return Ok(None) };
     let Ok(bound) = judge.library.sound_bound(&scheme, offset) else { return Ok(None) };
-    let axes: Vec<&Constants> = scheme.constants.iter().map(|axis| &**axis).collect();
+    let axes = scheme.constants.map(|axis| &**axis);
     // A depth is promised for all later levels too.
     let last = |later| if matches!(promise, Promise::Depth { .. }) { later } else { level };
     let change = |later| {

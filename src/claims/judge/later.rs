@@ -4,7 +4,7 @@ use crate::bound::{Constants, Operator, Order, SoundBound};
 use crate::exact::Rational;
 use crate::finding::Later;
 use crate::limit::greatest_change;
-use crate::scheme::Rules;
+use crate::scheme::{Axes, Rules};
 
 /// The most coefficients of a product of sequences whose classes are computed one by one.
 const MAX_LENGTH: u64 = 1 << 16;
@@ -37,7 +37,12 @@ pub(crate) fn later(
 /// A bound of ‖P^l − P^k‖ for data of spread 1; of a net, of spread 1 along both indices.
 ///
 /// Source: `proofs/THEOREMS.md`, 32, with level l in place of the limit.
-pub(crate) fn change(axes: &[&Constants], offset: Option<i64>, k: u32, l: u32) -> Option<Rational> {
+pub(crate) fn change(
+    axes: &Axes<&Constants>,
+    offset: Option<i64>,
+    k: u32,
+    l: u32,
+) -> Option<Rational> {
     if k == l {
         return Some(Rational::zero());
     }
@@ -51,13 +56,12 @@ pub(crate) fn change(axes: &[&Constants], offset: Option<i64>, k: u32, l: u32) -
         constants.norm(Operator::Scheme, level, Order::Adjoint).ok().filter(|_| few)
     };
     match axes {
-        [curve] => of(curve),
-        [first, second] => {
+        Axes::Curve(curve) => of(curve),
+        Axes::Tensor(first, second) => {
             let (c, d) = (of(first)?, of(second)?);
             let one = &c * &norm(second, l)? + &d * &norm(first, k)?;
             let other = &d * &norm(first, l)? + &c * &norm(second, k)?;
             Some(one.min(other))
         }
-        _ => None,
     }
 }

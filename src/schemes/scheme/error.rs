@@ -1,5 +1,6 @@
 //! Why a text gives no scheme.
 
+use super::axes::MAX_AXES;
 use crate::cap::Cap;
 use crate::diagnostic::Diagnostic;
 use crate::formula::FormulaError;
@@ -28,6 +29,25 @@ pub enum ReferenceError {
         /// What is wrong with it.
         error: FormulaError,
     },
+}
+
+impl ReferenceError {
+    /// That a text has another form.
+    pub(super) fn form(text: &str, reason: &str) -> ReferenceError {
+        let (text, reason) = (text.chars().take(80).collect(), reason.to_owned());
+        ReferenceError::Form { text, reason }
+    }
+
+    /// Checks the number of the factors that a text stands for.
+    ///
+    /// # Errors
+    /// When there are more than two.
+    pub fn check_factors(text: &str, count: usize) -> Result<(), ReferenceError> {
+        if count > MAX_AXES {
+            return Err(ReferenceError::form(text, "a tensor product has two factors"));
+        }
+        Ok(())
+    }
 }
 
 /// Why a reference gives no scheme.

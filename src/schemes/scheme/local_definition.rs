@@ -5,7 +5,7 @@ use super::error::SchemeError;
 use super::local_formulas::{End, LocalFormulas, NEW_INDEX, OLD_INDEX};
 use super::local_rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit, point_name};
 use crate::diagnostic::Diagnostic;
-use crate::exact::{Matrix, Naming};
+use crate::exact::{Matrix, Naming, Rational};
 use crate::formula::{Dependence, IndexPair, LocatedFormula, Value};
 use std::collections::BTreeMap;
 use std::hash::Hash;
@@ -73,6 +73,22 @@ impl SchemeDefinition {
     pub fn valence_name<V>(&self, values: &BTreeMap<String, V>) -> Option<&'static str> {
         let open = |name: &&str| self.parameters.contains_key(*name) && !values.contains_key(*name);
         VALENCE_NAMES.into_iter().find(open)
+    }
+
+    /// Gives the parameter that is a valence this value.
+    ///
+    /// # Errors
+    /// When it has a value among these, or there is none. The error calls the scheme by the `name` that is given.
+    pub fn set_valence<V: Value>(
+        &self,
+        name: &str,
+        values: &mut BTreeMap<String, V>,
+        valence: usize,
+    ) -> Result<(), SchemeError> {
+        let open = self.valence_name(values);
+        let open = open.ok_or_else(|| SchemeError::NoValence { scheme: name.to_owned() })?;
+        values.insert(open.to_owned(), V::from_rational(&Rational::from(valence)));
+        Ok(())
     }
 
     /// Whether this is a ring rather than a mask.

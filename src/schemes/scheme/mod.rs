@@ -5,6 +5,7 @@
 //! extraordinary vertex or face the rules depend on the valence: there a [`LocalRules`] of v
 //! points is refined by a v×v matrix.
 
+mod axes;
 mod catalogue;
 mod definition;
 mod error;
@@ -22,10 +23,10 @@ mod parse_open;
 mod reference;
 mod rules;
 mod spanned;
-mod tensor;
 mod toml_file;
 mod typed;
 
+pub use axes::{Axes, Scheme};
 pub use catalogue::{Entry, catalogue, find};
 pub use definition::{ParameterSpec, SchemeDefinition};
 pub use error::{ReferenceError, SchemeError};
@@ -48,5 +49,4 @@ pub use parse_open::{
 pub use reference::{Instance, Reference};
 pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};
 pub use spanned::Spanned;
-pub use tensor::Scheme;
 pub use toml_file::from_toml;

@@ -112,10 +112,8 @@ pub fn parse_rules_of_valence(
     if !definition.is_ring() {
         return named.ring();
     }
-    let name = definition.valence_name(&instance.parameters);
-    let name = name.ok_or_else(|| SchemeError::NoValence { scheme: text.trim().to_owned() })?;
     let mut parameters = instance.parameters.clone();
-    parameters.insert(name.to_owned(), RealCyclotomic::from(Rational::from(valence)));
+    definition.set_valence(text.trim(), &mut parameters, valence)?;
     definition.ring(&parameters)
 }
 
@@ -156,12 +154,9 @@ pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
 /// ```
 pub fn parse_algebraic(text: &str) -> Result<Mask<FieldElement>, SchemeError> {
     let named = Named::read(text)?;
-    let mut instances = named.instances::<AlgebraicNumber>()?;
-    let (Some(instance), true) = (instances.pop(), instances.is_empty()) else {
-        return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
-    };
+    let (instance, definition) = named.factor(&Parameters::<AlgebraicNumber>::default())?;
     // The coefficients of a mask are in one field.
-    let mask = named.definition(&instance.name)?.mask(&instance.parameters)?;
+    let mask = definition.mask(&instance.parameters)?;
     Ok(mask.map(|c| c.element().clone()))
 }
 
@@ -226,7 +221,20 @@ impl Named<'_> {
         self.instances_in(&Parameters::default())
     }
 
-    pub(super) fn instances_in<V: Value>(
+    /// What SCHEME names where it is no tensor product.
+    pub(super) fn factor<V: Value>(
+        &self,
+        parameters: &Parameters<V>,
+    ) -> Result<(Instance<V>, &SchemeDefinition), SchemeError> {
+        let mut instances = self.instances_in(parameters)?;
+        let (Some(instance), true) = (instances.pop(), instances.is_empty()) else {
+            return Err(SchemeError::TensorProduct { scheme: self.text.trim().to_owned() });
+        };
+        let definition = self.definition(&instance.name)?;
+        Ok((instance, definition))
+    }
+
+    fn instances_in<V: Value>(
         &self,
         parameters: &Parameters<V>,
     ) -> Result<Vec<Instance<V>>, SchemeError> {

@@ -4,7 +4,7 @@ use super::error::SchemeError;
 use super::local_rules::LocalRules;
 use super::mask::Mask;
 use super::parse::Named;
-use crate::exact::{Polynomial, Rational};
+use crate::exact::Polynomial;
 use crate::formula::{Parameters, is_identifier};
 use std::collections::BTreeMap;
 
@@ -41,11 +41,8 @@ pub fn parse_parametric(text: &str, parameter: &str) -> Result<Mask<Polynomial>,
 /// ```
 pub fn open_parameters(text: &str) -> Result<Vec<String>, SchemeError> {
     let named = Named::read(text)?;
-    let mut instances = named.instances_in(&Parameters(BTreeMap::<String, Polynomial>::new()))?;
-    let (Some(instance), true) = (instances.pop(), instances.is_empty()) else {
-        return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
-    };
-    let known = named.definition(&instance.name)?.parameters.keys();
+    let (instance, definition) = named.factor(&Parameters::<Polynomial>::default())?;
+    let known = definition.parameters.keys();
     Ok(known.filter(|name| !instance.parameters.contains_key(*name)).cloned().collect())
 }
 
@@ -76,11 +73,7 @@ pub fn parse_in_parameters(
     let named = Named::read(text)?;
     let variables = parameters.iter().map(|name| ((*name).to_owned(), Polynomial::variable(name)));
     let variables: BTreeMap<String, Polynomial> = variables.collect();
-    let mut instances = named.instances_in(&Parameters(variables.clone()))?;
-    let (Some(mut instance), true) = (instances.pop(), instances.is_empty()) else {
-        return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
-    };
-    let definition = named.definition(&instance.name)?;
+    let (mut instance, definition) = named.factor(&Parameters(variables.clone()))?;
     for (name, variable) in variables {
         if definition.parameters.contains_key(&name) {
             instance.parameters.entry(name).or_insert(variable);
@@ -124,18 +117,12 @@ pub fn parse_rules_in_parameter(
     let named = Named::read(text)?;
     let variable = Polynomial::variable(parameter);
     let values = BTreeMap::from([(parameter.to_owned(), variable.clone())]);
-    let mut instances = named.instances_in(&Parameters(values))?;
-    let (Some(mut instance), true) = (instances.pop(), instances.is_empty()) else {
-        return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
-    };
-    let definition = named.definition(&instance.name)?;
+    let (mut instance, definition) = named.factor(&Parameters(values))?;
     if definition.parameters.contains_key(parameter) {
         instance.parameters.entry(parameter.to_owned()).or_insert(variable);
     }
     if let Some(valence) = valence.filter(|_| definition.is_ring()) {
-        let name = definition.valence_name(&instance.parameters);
-        let name = name.ok_or_else(|| SchemeError::NoValence { scheme: text.trim().to_owned() })?;
-        instance.parameters.insert(name.to_owned(), Polynomial::constant(Rational::from(valence)));
+        definition.set_valence(text.trim(), &mut instance.parameters, valence)?;
     }
     let ring = definition.ring(&instance.parameters)?;
     if ring.weights().values().iter().any(|weight| weight.has(parameter)) {

@@ -43,17 +43,12 @@ impl Reference {
     /// # Errors
     /// When the text has another form, or a parameter's value is not a formula.
     pub fn parse(text: &str) -> Result<Reference, ReferenceError> {
-        let form = |reason: &str| ReferenceError::Form {
-            text: text.chars().take(80).collect(),
-            reason: reason.to_owned(),
-        };
+        let form = |reason| ReferenceError::form(text, reason);
         if text.len() > MAX_REFERENCE_LENGTH {
             return Err(form("it is too long"));
         }
         let parts: Vec<&str> = text.split(" x ").collect();
-        if parts.len() > 2 {
-            return Err(form("a tensor product has two factors"));
-        }
+        ReferenceError::check_factors(text, parts.len())?;
         let read = |part: &&str| -> Result<Part, ReferenceError> {
             let (name, arguments) = split_name(part.trim());
             if name.is_empty() {

@@ -111,14 +111,13 @@ impl<'a> Library<'a> {
         depth: usize,
     ) -> Result<Vec<Entry<'a>>, Stop> {
         let mut entries = Vec::new();
-        let factors: Vec<&str> = reference.split(" x ").collect();
-        if factors.len() > 2 {
-            return wrong(reference, "it has more than two factors");
-        }
         if depth > MAX_ALIASES {
             return Err(Stop::Capped("the names that stand for names"));
         }
-        for factor in factors {
+        for factor in reference.split(" x ") {
+            if entries.len() >= 2 {
+                return wrong(reference, "it has more than two factors");
+            }
             let (name, table, parameters) = self.named_with(factor, scope, values)?;
             let Some(other) = table.text("use") else {
                 entries.push((name, table, parameters));

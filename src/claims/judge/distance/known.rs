@@ -9,7 +9,7 @@ use crate::limit::{
     Comparison, Distances, Limit, LocalDistances, LocalLimit, Parametrisation, Spreads,
     SurfaceDistances,
 };
-use crate::scheme::{LocalRules, Mask};
+use crate::scheme::{AnyScheme, Mask, Scheme};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 
@@ -19,23 +19,12 @@ const MAX_LATER: u32 = 24;
 /// The most cells that one comparison looks at.
 const MAX_CELLS: u32 = 1 << 13;
 
-/// A scheme whose points are compared with their limit.
-#[derive(Clone)]
-pub(crate) enum Compared {
-    /// A curve scheme at its offset.
-    Curve(Mask),
-    /// The tensor product of two curve schemes at their offsets.
-    Surface([Mask; 2]),
-    /// The points around a vertex or on a face.
-    LocalRules(LocalRules),
-}
-
 /// The distances of a scheme from its limit for control data of spread 1; results are kept.
 /// Promises of tables and theorems ask the same questions.
 ///
 /// Errors are texts that say why there is no answer.
 pub(crate) struct KnownDistances {
-    compared: Compared,
+    scheme: AnyScheme,
     parametrisation: Parametrisation,
     budget: Budget,
     distances: OnceCell<Result<AnyDistances, Reason>>,
@@ -63,40 +52,36 @@ struct LevelFindings {
 impl KnownDistances {
     /// The distances of this scheme with points at i/n^k, found within a budget that others may
     /// share.
-    pub(crate) fn new(compared: Compared, budget: &Budget) -> KnownDistances {
-        KnownDistances::placed(compared, Parametrisation::Indexed, budget)
+    pub(crate) fn new(scheme: AnyScheme, budget: &Budget) -> KnownDistances {
+        KnownDistances::placed(scheme, Parametrisation::Indexed, budget)
     }
 
     /// As [`KnownDistances::new`], with points in either parametrisation.
     pub(crate) fn placed(
-        compared: Compared,
+        scheme: AnyScheme,
         parametrisation: Parametrisation,
         budget: &Budget,
     ) -> KnownDistances {
         let budget = budget.clone();
         let (distances, levels, suprema) = Default::default();
-        KnownDistances { compared, parametrisation, budget, distances, levels, suprema }
+        KnownDistances { scheme, parametrisation, budget, distances, levels, suprema }
     }
 
     /// The distances of the same scheme with the points at their natural parameters; `None` for
     /// a ring, and where the points are there already.
     pub(crate) fn natural(&self) -> Option<KnownDistances> {
-        let masks = match &self.compared {
-            Compared::Curve(mask) => std::slice::from_ref(mask),
-            Compared::Surface(masks) => &masks[..],
-            Compared::LocalRules(_) => &[],
-        };
+        let AnyScheme::Uniform(scheme) = &self.scheme else { return None };
         let other = self.parametrisation == Parametrisation::Indexed
-            && Parametrisation::Natural.moves(masks);
+            && Parametrisation::Natural.moves(scheme.iter());
         other.then(|| {
-            KnownDistances::placed(self.compared.clone(), Parametrisation::Natural, &self.budget)
+            KnownDistances::placed(self.scheme.clone(), Parametrisation::Natural, &self.budget)
         })
     }
 
     fn of(&self) -> Result<&AnyDistances, Reason> {
         let of = self
             .distances
-            .get_or_init(|| AnyDistances::new(&self.compared, self.parametrisation, &self.budget));
+            .get_or_init(|| AnyDistances::new(&self.scheme, self.parametrisation, &self.budget));
         of.as_ref().map_err(Clone::clone)
     }
 
@@ -177,25 +162,25 @@ impl KnownDistances {
 
 impl AnyDistances {
     fn new(
-        compared: &Compared,
+        scheme: &AnyScheme,
         parametrisation: Parametrisation,
         budget: &Budget,
     ) -> Result<AnyDistances, Reason> {
         let limit = |mask: &Mask| Limit::new(mask).map_err(Reason::from);
-        Ok(match compared {
-            Compared::Curve(mask) => {
+        Ok(match scheme {
+            AnyScheme::Uniform(Scheme::Curve(mask)) => {
                 let distances =
                     Distances::placed(&limit(mask)?, parametrisation).map_err(Reason::from)?;
                 let distances = distances.with_cells(MAX_CELLS).with_budget(budget.clone());
                 AnyDistances::Curve(Box::new(distances))
             }
-            Compared::Surface([first, second]) => {
+            AnyScheme::Uniform(Scheme::Tensor(first, second)) => {
                 let limits = [limit(first)?, limit(second)?];
                 let distances =
                     SurfaceDistances::placed(&limits[0], &limits[1], parametrisation, budget);
                 AnyDistances::Surface(Box::new((distances.map_err(Reason::from)?, limits)))
             }
-            Compared::LocalRules(ring) => {
+            AnyScheme::LocalRules(ring) => {
                 let limit = LocalLimit::new(ring).map_err(Reason::from)?;
                 AnyDistances::LocalRules(Box::new(LocalDistances::new(limit)))
             }

@@ -8,6 +8,6 @@ mod overshoot;
 mod schemes;
 
 pub(crate) use attained::{at_point, has_words, points};
-pub(crate) use known::{Compared, KnownDistances};
+pub(crate) use known::KnownDistances;
 pub(crate) use overshoot::KnownOvershoots;
 pub(crate) use schemes::{LocalCap, MAX_LOCAL_SIZE, MAX_STEPS, Schemes};

@@ -3,8 +3,8 @@
 use crate::bound::Budget;
 use crate::evaluation::library::Resolved;
 use crate::finding::Reason;
-use crate::judge::distance::known::{Compared, KnownDistances};
-use crate::scheme::{Instance, LocalRules, Mask};
+use crate::judge::distance::known::KnownDistances;
+use crate::scheme::{AnyScheme, Instance, LocalRules};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -59,14 +59,8 @@ impl Schemes {
         let key = (scheme.instances.clone(), offset);
         let mut all = self.masks.borrow_mut();
         let known = all.entry(key).or_insert_with(|| {
-            let at = |mask: &Mask| mask.with_offset(offset.unwrap_or(mask.offset()));
-            let masks: Vec<Mask> = scheme.constants.iter().map(|axis| at(axis.mask())).collect();
-            let compared = match &masks[..] {
-                [curve] => Compared::Curve(curve.clone()),
-                [first, second, ..] => Compared::Surface([first.clone(), second.clone()]),
-                [] => unreachable!("a scheme has one mask or two"),
-            };
-            Rc::new(KnownDistances::new(compared, &self.budget))
+            let scheme = AnyScheme::Uniform(scheme.at(offset));
+            Rc::new(KnownDistances::new(scheme, &self.budget))
         });
         Rc::clone(known)
     }
@@ -96,7 +90,7 @@ impl Schemes {
             if !self.rings_left.takes(ring) {
                 return Err(Reason::Rings(MAX_LOCAL_SIZE));
             }
-            Ok(Rc::new(KnownDistances::new(Compared::LocalRules(ring.clone()), &self.budget)))
+            Ok(Rc::new(KnownDistances::new(AnyScheme::LocalRules(ring.clone()), &self.budget)))
         };
         all.entry(instance.clone()).or_insert_with(new).clone()
     }

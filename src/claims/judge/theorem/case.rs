@@ -14,20 +14,19 @@ use crate::judge::theorem::curve::Curve;
 use crate::judge::theorem::local_rules::AroundPoint;
 use crate::judge::theorem::setting::Setting;
 use crate::judge::theorem::surface::Surface;
-use crate::scheme::{Instance, LocalRules, Mask, SchemeError};
+use crate::scheme::{Instance, LocalRules, Scheme, SchemeError};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// Settings by the data that determine them.
-type Kept<K, S> = RefCell<BTreeMap<K, Rc<S>>>;
+type Kept<K> = RefCell<BTreeMap<K, Rc<dyn Setting>>>;
 
 /// The settings on which one theorem is tried. Each scheme at each offset is set up once, and keeps
 /// its results.
 pub(crate) struct Stage {
-    curves: Kept<(Vec<Instance>, i64), Curve>,
-    surfaces: Kept<(Vec<Instance>, Option<i64>), Surface>,
-    rings: Kept<LocalKey, AroundPoint>,
+    uniform: Kept<(Vec<Instance>, Option<i64>)>,
+    rings: Kept<LocalKey>,
     ring_cap: LocalCap,
     /// The work that all searches for distances may take together.
     budget: Budget,
@@ -41,26 +40,23 @@ type LocalScheme = Vec<Instance<RealCyclotomic>>;
 
 impl Default for Stage {
     fn default() -> Stage {
-        let (curves, surfaces, rings, ring_cap) = Default::default();
-        Stage { curves, surfaces, rings, ring_cap, budget: Budget::new(MAX_STEPS) }
+        let (uniform, rings, ring_cap) = Default::default();
+        Stage { uniform, rings, ring_cap, budget: Budget::new(MAX_STEPS) }
     }
 }
 
 impl Stage {
-    fn curve(&self, scheme: &Resolved, mask: &Mask) -> Rc<dyn Setting> {
-        let key = (scheme.instances.clone(), mask.offset());
-        let mut curves = self.curves.borrow_mut();
-        let new = || Rc::new(Curve::new(mask.clone(), &self.budget));
-        let curve: Rc<Curve> = Rc::clone(curves.entry(key).or_insert_with(new));
-        curve
-    }
-
-    fn surface(&self, scheme: &Resolved, offset: Option<i64>, masks: [Mask; 2]) -> Rc<dyn Setting> {
+    fn uniform(&self, scheme: &Resolved, offset: Option<i64>) -> Rc<dyn Setting> {
         let key = (scheme.instances.clone(), offset);
-        let mut surfaces = self.surfaces.borrow_mut();
-        let new = || Rc::new(Surface::new(masks, &self.budget));
-        let surface: Rc<Surface> = Rc::clone(surfaces.entry(key).or_insert_with(new));
-        surface
+        let new = || -> Rc<dyn Setting> {
+            match scheme.at(offset) {
+                Scheme::Curve(mask) => Rc::new(Curve::new(mask, &self.budget)),
+                Scheme::Tensor(first, second) => {
+                    Rc::new(Surface::new([first, second], &self.budget))
+                }
+            }
+        };
+        Rc::clone(self.uniform.borrow_mut().entry(key).or_insert_with(new))
     }
 }
 
@@ -171,15 +167,7 @@ impl<'a> Case<'a> {
                     let message = "masks are compared at their offset, and have no interpolant";
                     return Err(Diagnostic::new(source, span.clone(), message));
                 }
-                let masks = resolved.constants.iter().map(|axis| axis.mask());
-                let at = |mask: &Mask| mask.with_offset(offset.unwrap_or(mask.offset()));
-                self.setting = match &masks.map(at).collect::<Vec<Mask>>()[..] {
-                    [curve] => Some(stage.curve(&resolved, curve)),
-                    [first, second] => {
-                        Some(stage.surface(&resolved, *offset, [first.clone(), second.clone()]))
-                    }
-                    _ => None,
-                };
+                self.setting = Some(stage.uniform(&resolved, *offset));
                 let name = joined(&resolved.instances);
                 self.resolved = Some(resolved);
                 Ok(Some(name))
@@ -229,12 +217,11 @@ impl<'a> Case<'a> {
                         Diagnostic::new(source, span.clone(), cap.to_string()).with_cap(Some(cap))
                     );
                 }
-                let mut rings = stage.rings.borrow_mut();
-                let new = || Rc::new(AroundPoint::new(own, interpolant, &stage.budget));
-                let found = rings.entry(key).or_insert_with(new);
-                let found = Rc::clone(found);
-                drop(rings);
-                self.setting = Some(found);
+                let new = || -> Rc<dyn Setting> {
+                    Rc::new(AroundPoint::new(own, interpolant, &stage.budget))
+                };
+                self.setting =
+                    Some(Rc::clone(stage.rings.borrow_mut().entry(key).or_insert_with(new)));
                 Ok(Some(name))
             }
             Err(error) => Err(reference::located(located, &error)),

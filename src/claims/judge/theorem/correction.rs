@@ -76,7 +76,7 @@ pub(crate) fn corrections(
     found.truncate(MAX_CORRECTIONS);
     if consulted.get(ORDER.key).is_some_and(|word| word == FORWARD) {
         let masks = cases.iter().filter_map(|case| case.resolved.as_ref());
-        let masks = masks.flat_map(|scheme| &scheme.constants);
+        let masks = masks.flat_map(|scheme| scheme.constants.iter());
         let arity = masks.map(|axis| axis.mask().arity()).max().unwrap_or(0);
         found.extend((1..arity).map(|first| Correction::Numbers { first }));
     }

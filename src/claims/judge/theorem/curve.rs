@@ -4,13 +4,13 @@ use crate::bound::{Budget, Constants, MAX_CLASSES, Operator, Order, SoundBound, 
 use crate::claim::Quantity;
 use crate::exact::{Enclosed, Rational, RealCyclotomic};
 use crate::finding::{Attained, Control, LevelEvidence, Place, Reason, Supremum};
-use crate::judge::distance::{Compared, KnownDistances, KnownOvershoots};
+use crate::judge::distance::{KnownDistances, KnownOvershoots};
 use crate::judge::theorem::levels::sums;
 use crate::judge::theorem::setting::{Setting, later};
 use crate::limit::{
     Comparison, Overshoot, Parametrisation, greatest_difference, greatest_step_from, step_supremum,
 };
-use crate::scheme::Mask;
+use crate::scheme::{AnyScheme, Axes, Mask, Scheme};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 
@@ -46,10 +46,10 @@ impl Curve {
     }
 
     fn placed(mask: Mask, parametrisation: Parametrisation, budget: &Budget) -> Curve {
-        let compared = Compared::Curve(mask.clone());
+        let scheme = AnyScheme::Uniform(Scheme::Curve(mask.clone()));
         let (greatest, sound, centred, natural, overshoots) = Default::default();
         Curve {
-            distances: KnownDistances::placed(compared, parametrisation, budget),
+            distances: KnownDistances::placed(scheme, parametrisation, budget),
             shift: parametrisation.shift(&mask),
             constants: Constants::new(mask),
             greatest,
@@ -152,7 +152,9 @@ impl Setting for Curve {
         bounds: &[(u32, RealCyclotomic)],
     ) -> Result<LevelEvidence, Reason> {
         match quantity {
-            Quantity::Distance => sums(&[&self.constants], self.sound_bound().as_ref(), bounds),
+            Quantity::Distance => {
+                sums(&Axes::Curve(&self.constants), self.sound_bound().as_ref(), bounds)
+            }
             _ => Ok(LevelEvidence::Suprema),
         }
     }

@@ -9,7 +9,7 @@ use crate::finding::{HandConstant, Refiner};
 use crate::formula::{Expr, LocatedFormula, Node, is_builtin};
 use crate::judge::theorem::case::{Case, Stage};
 use crate::judge::theorem::evaluate::{LEVEL, TOLERANCE};
-use crate::scheme::LocalRules;
+use crate::scheme::{LocalRules, Scheme};
 use std::collections::BTreeMap;
 
 /// An instance of a theorem, with numbers in place of names.
@@ -50,9 +50,8 @@ pub(crate) fn instance(
     let bound = numbers.put_in(&by.expr).to_string();
     let constants = numbers.constants;
     let offset = theorem.tried.offset;
-    let axes = case.resolved.iter().flat_map(|scheme| &scheme.constants);
-    let masks = axes.map(|axis| axis.mask());
-    let masks = masks.map(|mask| mask.with_offset(offset.unwrap_or(mask.offset()))).collect();
+    let scheme = case.resolved.as_ref().map(|scheme| scheme.at(offset));
+    let masks = scheme.iter().flat_map(Scheme::iter).cloned().collect();
     let ring = case.setting.as_ref().and_then(|setting| setting.ring());
     let interpolant = case.setting.as_ref().and_then(|setting| setting.interpolant().cloned());
     Ok(Some(Instance {

@@ -4,13 +4,14 @@ use crate::bound::{Constants, SoundBound};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::{LevelEvidence, Reason};
 use crate::judge::later::{change, later};
+use crate::scheme::Axes;
 
 /// The most levels between a bound and the later sound bound that shows it.
 const MAX_LATER: u32 = 12;
 
 /// For each bound of a distance, a later level whose sound bound shows it.
 pub(crate) fn sums(
-    axes: &[&Constants],
+    axes: &Axes<&Constants>,
     sound: Option<&SoundBound>,
     bounds: &[(u32, RealCyclotomic)],
 ) -> Result<LevelEvidence, Reason> {

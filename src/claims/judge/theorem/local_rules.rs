@@ -4,10 +4,10 @@ use crate::bound::{Budget, LocalConstants};
 use crate::claim::Quantity;
 use crate::exact::{Enclosed, Rational, RealCyclotomic, comparable};
 use crate::finding::{Attained, LevelEvidence, Place, Reason, Supremum};
-use crate::judge::distance::{Compared, KnownDistances, at_point, points};
+use crate::judge::distance::{KnownDistances, at_point, points};
 use crate::judge::theorem::setting::Setting;
 use crate::limit::{Comparison, LocalDistances, LocalWitness, least_flows, minus, unit};
-use crate::scheme::LocalRules;
+use crate::scheme::{AnyScheme, LocalRules};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
@@ -28,7 +28,7 @@ impl AroundPoint {
         interpolant: Option<LocalRules>,
         budget: &Budget,
     ) -> AroundPoint {
-        let distances = KnownDistances::new(Compared::LocalRules(ring.clone()), budget);
+        let distances = KnownDistances::new(AnyScheme::LocalRules(ring.clone()), budget);
         AroundPoint { ring, interpolant, distances, known: RefCell::default() }
     }
 

@@ -60,7 +60,7 @@ pub(crate) fn naturally(
     });
     match refuted.min_by_key(|(_, violation)| size(violation)) {
         Some((case, violation)) => {
-            let resolved = case.resolved.iter().flat_map(|scheme| &scheme.constants);
+            let resolved = case.resolved.iter().flat_map(|scheme| scheme.constants.iter());
             let masks: Vec<&Mask> = resolved.map(|axis| axis.mask()).collect();
             Naturally::Refuted {
                 case: case.label.clone(),

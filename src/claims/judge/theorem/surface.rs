@@ -4,13 +4,13 @@ use crate::bound::{Budget, Constants, MAX_CLASSES, Operator, Order, SoundBound, 
 use crate::claim::Quantity;
 use crate::exact::{Enclosure, Rational, RealCyclotomic, Scalar};
 use crate::finding::{Attained, Control, LevelEvidence, Place, Reason, Supremum};
-use crate::judge::distance::{Compared, KnownDistances, KnownOvershoots};
+use crate::judge::distance::{KnownDistances, KnownOvershoots};
 use crate::judge::theorem::levels::sums;
 use crate::judge::theorem::setting::{Setting, later};
 use crate::limit::{
     Comparison, Overshoot, Parametrisation, greatest_difference, greatest_step_from, step_supremum,
 };
-use crate::scheme::Mask;
+use crate::scheme::{AnyScheme, Axes, Mask, Scheme};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 
@@ -43,11 +43,12 @@ impl Surface {
     }
 
     fn placed(masks: [Mask; 2], parametrisation: Parametrisation, budget: &Budget) -> Surface {
-        let compared = Compared::Surface(masks.clone());
+        let [first, second] = masks.clone();
+        let scheme = AnyScheme::Uniform(Scheme::Tensor(first, second));
         let (sound, attained, natural, overshoots) = Default::default();
         Surface {
             axes: masks.map(Constants::new),
-            distances: KnownDistances::placed(compared, parametrisation, budget),
+            distances: KnownDistances::placed(scheme, parametrisation, budget),
             sound,
             attained,
             parametrisation,
@@ -201,7 +202,10 @@ impl Setting for Surface {
         bounds: &[(u32, RealCyclotomic)],
     ) -> Result<LevelEvidence, Reason> {
         match quantity {
-            Quantity::Distance => sums(&self.axes.each_ref(), self.sound_bound().as_ref(), bounds),
+            Quantity::Distance => {
+                let [first, second] = &self.axes;
+                sums(&Axes::Tensor(first, second), self.sound_bound().as_ref(), bounds)
+            }
             _ => Ok(LevelEvidence::Suprema),
         }
     }
