@@ -60,7 +60,7 @@ pub fn by_hand(
 fn curve(hand: &mut ByHand, mask: &Mask, polygon: &ExtremalPolygon, violation: &Violation) {
     let mut points = Points::new(mask, polygon);
     let k = violation.level;
-    let one = |i: i64| Functional::new(i, [Rational::one()]);
+    let one = Functional::point;
     hand.sides = match (violation.quantity, &violation.attained.place) {
         (Quantity::Distance, Place::Parameter(t)) => {
             let limit = Limit::new(mask).ok();

@@ -1,7 +1,7 @@
 //! Convergence of a scheme, and its limit at 0 and at parameters with repeating digits.
 
 use super::error::{LimitError, MAX_PERIOD, MAX_WINDOW};
-use super::functional::{Functional, rule_at};
+use super::functional::Functional;
 use super::parameter::Parameter;
 use crate::bound::{Budget, Order, PowerSearch, levels_within};
 use crate::exact::{Rational, format, solve};
@@ -86,15 +86,14 @@ pub(super) fn limit_at_zero(mask: &Mask) -> Result<Functional, LimitError> {
     // which it is o + N − 1.
     let first = (arity * (mask.offset() - 1)).div_euclid(arity - 1) + 1;
     let last = (arity * (mask.offset() + width - 1)).div_euclid(arity - 1);
-    let row = |i: i64| rule_at(mask.rules(), i).map(|(column, c)| (column, c.clone())).collect();
-    invariant(first, last, row)
+    invariant(first, last, |i| Functional::point(i).after(mask.rules()))
 }
 
 /// The only w on a window with w = wB and Σ w_i = 1, for a matrix B whose rows have this window and sum to 1.
 fn invariant(
     first: i64,
     last: i64,
-    row: impl Fn(i64) -> Vec<(i64, Rational)>,
+    row: impl Fn(i64) -> Functional,
 ) -> Result<Functional, LimitError> {
     let size = usize::try_from(last - first + 1).expect("the window is not empty");
     if size > MAX_WINDOW {
@@ -103,8 +102,8 @@ fn invariant(
     let at = |i: i64| usize::try_from(i - first).expect("the window is invariant");
     let mut equations = vec![vec![Rational::zero(); size + 1]; size];
     for i in first..=last {
-        for (column, coefficient) in row(i) {
-            equations[at(column)][at(i)] += &coefficient;
+        for (column, coefficient) in row(i).terms() {
+            equations[at(column)][at(i)] += coefficient;
         }
         equations[at(i)][at(i)] -= &Rational::one();
     }
@@ -127,10 +126,7 @@ pub(super) fn limit_at_repeating(mask: &Mask, t: &Rational) -> Result<Functional
     let refused = || LimitError::Parameter { parameter: format::short(t, 12), arity };
     let period = Parameter::period(t, arity, MAX_PERIOD).ok_or_else(refused)?;
     let (first, last) = window(mask);
-    invariant(first, last, |i| {
-        let pulled = period.pull_back(&Functional::new(i, [Rational::one()]), mask.rules());
-        pulled.terms().map(|(column, c)| (column, c.clone())).collect()
-    })
+    invariant(first, last, |i| period.pull_back(&Functional::point(i), mask.rules()))
 }
 
 /// The l and h that are nearest to 0.

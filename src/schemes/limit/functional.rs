@@ -32,6 +32,12 @@ impl Functional {
         (first..).zip(coefficients).collect()
     }
 
+    /// y ↦ y_i.
+    #[must_use]
+    pub fn point(i: i64) -> Functional {
+        Functional::new(i, [Rational::one()])
+    }
+
     /// y ↦ (1 − s) y_i + s y_{i+1} for u = i + s, 0 ≤ s < 1: the value at u of the piecewise
     /// linear interpolant of y.
     pub(super) fn on_line(u: &Rational) -> Functional {

@@ -101,7 +101,7 @@ fn sparse(row: Vec<Rational>) -> Row<Rational> {
 
 /// Point `row` of the next level.
 fn refined_row(mask: &Mask, row: i64, window: Window) -> Row<Rational> {
-    let point = crate::limit::Functional::new(row, [Rational::one()]);
+    let point = crate::limit::Functional::point(row);
     sparse(over(&point.after(mask.rules()), window))
 }
 

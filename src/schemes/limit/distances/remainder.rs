@@ -158,21 +158,20 @@ impl SmoothBound {
         scaled: &[Rational],
     ) -> Option<SmoothBound> {
         let arity = Rational::from(limit.mask().arity());
-        let at_zero = |c: Rational| Functional::new(0, [c]);
         // ε: the displacement where Δ = 1 everywhere. It is the same for all
         // displacements.
         let step = displaced[0].apply(|_| Rational::one());
         if !shift.is_zero() && !step.is_zero() {
             return None;
         }
-        let straight = at_zero(step.clone());
+        let straight = Functional::new(0, [step.clone()]);
         let last = displaced[0].shifted(1);
         let rests = displaced.iter().chain([&last]).map(|f| f.plus(&Rational::from(-1), &straight));
         let factor = greatest(rests.map(|rest| second_norm(&rest)));
         let plain = (0..).zip(scaled).map(|(c, norm)| norm / arity.pow(c)).collect();
         let rows = (0..).zip(limit.difference().rows()).map(|(alpha, _)| {
-            let row = Functional::new(alpha, [Rational::one()]).after(limit.difference());
-            second_norm(&row.plus(&-arity.recip(), &at_zero(Rational::one())))
+            let row = Functional::point(alpha).after(limit.difference());
+            second_norm(&row.plus(&-arity.recip(), &Functional::point(0)))
         });
         let shift = (&step * &arity / (&arity - Rational::one())).abs();
         let turn = if shift.is_zero() {

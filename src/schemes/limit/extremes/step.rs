@@ -2,7 +2,7 @@
 
 use crate::exact::{Integer, Rational};
 use crate::limit::error::LimitError;
-use crate::limit::functional::{ExtremalPolygon, Functional, rule_at};
+use crate::limit::functional::{ExtremalPolygon, Functional};
 use crate::limit::row::{Refinement, Row};
 use crate::scheme::{Mask, Rules};
 
@@ -65,8 +65,7 @@ pub fn greatest_step_from(
 ) -> Result<Attained, LimitError> {
     let arity = i64::try_from(mask.arity()).expect("the arity is capped");
     let step = |alpha: i64| {
-        let point: Functional =
-            rule_at(mask.rules(), alpha).map(|(i, weight)| (i, weight.clone())).collect();
+        let point = Functional::point(alpha).after(mask.rules());
         let u = (Rational::from(alpha) + shift) / Rational::from(arity) - shift;
         let before = Functional::on_line(&u);
         let off = point.plus(&Rational::from(-1), &before);
@@ -89,7 +88,7 @@ pub fn step_supremum(mask: &Mask, level: u32, shift: &Rational) -> Result<Ration
     let at_points = greatest_step_from(mask, level, shift)?.value;
     let arity = Rational::from(mask.arity());
     let node = Functional::on_line(&((arity - Rational::one()) * shift)).after(mask.rules());
-    let off = node.plus(&Rational::from(-1), &Functional::new(0, [Rational::one()]));
+    let off = node.plus(&Rational::from(-1), &Functional::point(0));
     let off = off.on_differences().expect("both are affine combinations");
     Ok(at_points.max(greatest(&[(0, off)], 1, &mask.difference(), level)?.value))
 }
@@ -111,7 +110,7 @@ pub fn step_supremum(mask: &Mask, level: u32, shift: &Rational) -> Result<Ration
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn greatest_difference(mask: &Mask, level: u32) -> Result<Attained, LimitError> {
-    greatest(&[(0, Functional::new(0, [Rational::one()]))], 1, &mask.difference(), level)
+    greatest(&[(0, Functional::point(0))], 1, &mask.difference(), level)
 }
 
 /// sup ‖P^l − P^k‖_∞, k ≤ l, over the control polygons with max|Δ| ≤ 1.
@@ -142,10 +141,8 @@ pub fn greatest_change(mask: &Mask, k: u32, l: u32) -> Result<Rational, LimitErr
     points.ok_or_else(too_many)?;
     let points = i64::try_from(arity).expect("the arity is capped").pow(levels);
     let change = |i: i64| {
-        let point = Functional::new(i, [Rational::one()]);
-        let new = (0..levels).fold(point, |point, _| point.after(mask.rules()));
-        let part = Rational::new(i, points);
-        let old = Functional::new(0, [Rational::one() - &part, part]);
+        let new = (0..levels).fold(Functional::point(i), |point, _| point.after(mask.rules()));
+        let old = Functional::on_line(&Rational::new(i, points));
         let off = new.plus(&Rational::from(-1), &old);
         (i, off.on_differences().expect("both are affine combinations"))
     };
