@@ -115,24 +115,24 @@ impl<'a> Library<'a> {
             return Err(Stop::Capped("the names that stand for names"));
         }
         for factor in reference.split(" x ") {
-            if entries.len() >= 2 {
+            let (name, table, parameters) = self.named_with(factor, scope, values)?;
+            if let Some(other) = table.text("use") {
+                let known = parameters_of(other)?;
+                let place =
+                    |name: &String| known.contains(name) && !scope.definitions.contains_key(name);
+                if !parameters.keys().all(place) {
+                    return wrong(reference, "its `use` has no such parameter");
+                }
+                let outer = values.len();
+                values.extend(parameters);
+                entries.extend(self.follow(other, (scope, values), depth + 1)?);
+                values.truncate(outer);
+            } else {
+                entries.push((name, table, parameters));
+            }
+            if entries.len() > 2 {
                 return wrong(reference, "it has more than two factors");
             }
-            let (name, table, parameters) = self.named_with(factor, scope, values)?;
-            let Some(other) = table.text("use") else {
-                entries.push((name, table, parameters));
-                continue;
-            };
-            let known = parameters_of(other)?;
-            let place =
-                |name: &String| known.contains(name) && !scope.definitions.contains_key(name);
-            if !parameters.keys().all(place) {
-                return wrong(reference, "its `use` has no such parameter");
-            }
-            let outer = values.len();
-            values.extend(parameters);
-            entries.extend(self.follow(other, (scope, values), depth + 1)?);
-            values.truncate(outer);
         }
         Ok(entries)
     }

@@ -10,23 +10,22 @@ use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::FormulaErrorKind;
 use crate::judge::distance::{LocalCap, MAX_LOCAL_SIZE, MAX_STEPS};
-use crate::judge::theorem::curve::Curve;
 use crate::judge::theorem::local_rules::AroundPoint;
 use crate::judge::theorem::setting::Setting;
-use crate::judge::theorem::surface::Surface;
-use crate::scheme::{Instance, LocalRules, Scheme, SchemeError};
+use crate::judge::theorem::uniform::Uniform;
+use crate::scheme::{Instance, LocalRules, SchemeError};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// Settings by the data that determine them.
-type Kept<K> = RefCell<BTreeMap<K, Rc<dyn Setting>>>;
+type Kept<K, S> = RefCell<BTreeMap<K, Rc<S>>>;
 
 /// The settings on which one theorem is tried. Each scheme at each offset is set up once, and keeps
 /// its results.
 pub(crate) struct Stage {
-    uniform: Kept<(Vec<Instance>, Option<i64>)>,
-    rings: Kept<LocalKey>,
+    uniform: Kept<(Vec<Instance>, Option<i64>), Uniform>,
+    rings: Kept<LocalKey, AroundPoint>,
     ring_cap: LocalCap,
     /// The work that all searches for distances may take together.
     budget: Budget,
@@ -48,15 +47,8 @@ impl Default for Stage {
 impl Stage {
     fn uniform(&self, scheme: &Resolved, offset: Option<i64>) -> Rc<dyn Setting> {
         let key = (scheme.instances.clone(), offset);
-        let new = || -> Rc<dyn Setting> {
-            match scheme.at(offset) {
-                Scheme::Curve(mask) => Rc::new(Curve::new(mask, &self.budget)),
-                Scheme::Tensor(first, second) => {
-                    Rc::new(Surface::new([first, second], &self.budget))
-                }
-            }
-        };
-        Rc::clone(self.uniform.borrow_mut().entry(key).or_insert_with(new))
+        let new = || Rc::new(Uniform::new(scheme.at(offset), &self.budget));
+        Rc::clone(self.uniform.borrow_mut().entry(key).or_insert_with(new)) as Rc<dyn Setting>
     }
 }
 
@@ -217,11 +209,9 @@ impl<'a> Case<'a> {
                         Diagnostic::new(source, span.clone(), cap.to_string()).with_cap(Some(cap))
                     );
                 }
-                let new = || -> Rc<dyn Setting> {
-                    Rc::new(AroundPoint::new(own, interpolant, &stage.budget))
-                };
-                self.setting =
-                    Some(Rc::clone(stage.rings.borrow_mut().entry(key).or_insert_with(new)));
+                let new = || Rc::new(AroundPoint::new(own, interpolant, &stage.budget));
+                let found = Rc::clone(stage.rings.borrow_mut().entry(key).or_insert_with(new));
+                self.setting = Some(found);
                 Ok(Some(name))
             }
             Err(error) => Err(reference::located(located, &error)),

@@ -11,13 +11,14 @@ const MAX_LATER: u32 = 12;
 
 /// For each bound of a distance, a later level whose sound bound shows it.
 pub(crate) fn sums(
-    axes: &Axes<&Constants>,
+    axes: &Axes<Constants>,
     sound: Option<&SoundBound>,
     bounds: &[(u32, RealCyclotomic)],
 ) -> Result<LevelEvidence, Reason> {
+    let axes = axes.map(|axis| axis);
     let of = |(level, most): &(u32, RealCyclotomic)| {
         let most: &Rational = most.as_rational()?;
-        let change = |later| change(axes, None, *level, later);
+        let change = |later| change(&axes, None, *level, later);
         later(sound?, *level, MAX_LATER, change, |sum| sum <= most)
     };
     let later = bounds.iter().map(|bound| {

@@ -2,7 +2,6 @@
 
 mod case;
 mod correction;
-mod curve;
 mod evaluate;
 mod growth;
 mod instance;
@@ -12,8 +11,8 @@ mod natural;
 mod setting;
 mod shift;
 mod simplest;
-mod surface;
 mod trial;
+mod uniform;
 
 pub(crate) use instance::{Instance, instance};
 
