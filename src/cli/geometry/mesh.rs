@@ -16,6 +16,7 @@ use subcert::mesh::{
     to_ply, to_usda,
 };
 use subcert::net::NetScheme;
+use subcert::scheme::split_name;
 use subcert::solid::{SOLID_SCHEME, SolidFormat};
 
 type Mesh = PolygonMesh<RealCyclotomic>;
@@ -82,7 +83,7 @@ pub(crate) fn reference_values(scheme: &str, path: &Path, level: u32) -> Result<
 pub(crate) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, MeshFile), Failure> {
     let scheme = MeshScheme::parse(scheme).map_err(|message| {
         let of_nets = NetScheme::parse(scheme).is_ok();
-        let solid = scheme.split(':').next() == Some(SOLID_SCHEME);
+        let solid = split_name(scheme).0 == SOLID_SCHEME;
         Failure::Input(if solid {
             format!("a solid has its own valences: write `{SOLID_SCHEME}`")
         } else if of_nets {

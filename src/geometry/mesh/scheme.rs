@@ -1,5 +1,6 @@
 //! The schemes that whole meshes are refined by.
 
+use crate::scheme::split_name;
 use crate::suggestion::known;
 
 /// A scheme for polygon meshes.
@@ -64,11 +65,11 @@ impl MeshScheme {
         let names = MeshScheme::ALL.map(MeshScheme::name);
         let found = MeshScheme::ALL.into_iter().find(|scheme| scheme.name() == text);
         found.ok_or_else(|| {
-            let valence = match text.split_once(':') {
-                Some((name, _)) if names.contains(&name) => {
-                    format!("; a mesh has its own valences: write `{name}`")
-                }
-                _ => known(text, names),
+            let name = split_name(text).0;
+            let valence = if names.contains(&name) {
+                format!("; a mesh has its own valences: write `{name}`")
+            } else {
+                known(text, names)
             };
             format!("no scheme for meshes is called `{text}`{valence}")
         })

@@ -46,7 +46,7 @@ pub use parse::{
 pub use parse_open::{
     open_parameters, parse_in_parameters, parse_parametric, parse_rules_in_parameter,
 };
-pub use reference::{Instance, Reference};
+pub use reference::{Instance, Reference, split_name};
 pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};
 pub use spanned::Spanned;
 pub use toml_file::from_toml;

@@ -144,9 +144,10 @@ impl<V: fmt::Display> fmt::Display for Instance<V> {
     }
 }
 
-/// Splits `part` into the name and the parameters at the first colon, or at the first
+/// Splits a factor of SCHEME into the name and the parameters at the first colon, or at the first
 /// colon after `.toml` if a path is given. So the colon in `C:` does not count.
-fn split_name(part: &str) -> (&str, &str) {
+#[must_use]
+pub fn split_name(part: &str) -> (&str, &str) {
     let path_end = part.find(".toml").map_or(0, |start| start + ".toml".len());
     match part[path_end..].find(':') {
         Some(colon) => (&part[..path_end + colon], &part[path_end + colon + 1..]),

@@ -84,24 +84,12 @@ pub fn symmetric_square_coefficients<F: Scalar + PartialEq>(rows: &[Vec<F>]) -> 
     // Newton: k e_k = Σ_{i=1}^{k} (−1)^{i−1} e_{k−i} p_i; here c_k = (−1)^k e_k.
     let mut coefficients = vec![F::from_rational(&Rational::one())];
     for k in 1..=degree {
-        let sum = convolved(1..=k, |i| &coefficients[k - i], &squares);
+        let mut sum = F::zero();
+        (1..=k).for_each(|i| sum.accumulate(&coefficients[k - i].times(&squares[i])));
         coefficients.push(sum.times(&F::from_rational(&-Rational::from(k).recip())));
     }
     coefficients.reverse();
     coefficients
-}
-
-/// Σ c(i)·s_i.
-fn convolved<'a, F: Scalar + 'a>(
-    places: impl Iterator<Item = usize>,
-    c: impl Fn(usize) -> &'a F,
-    s: &[F],
-) -> F {
-    let mut sum = F::zero();
-    for i in places {
-        sum.accumulate(&c(i).times(&s[i]));
-    }
-    sum
 }
 
 /// p_0, …, p_{count} of the roots of a monic polynomial, by Newton's identities.

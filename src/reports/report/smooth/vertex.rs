@@ -144,15 +144,14 @@ pub fn vertex_facts(vertex: &Vertex) -> Vec<(String, String)> {
     let mut facts =
         vec![("C^1", format!("{}: {}", verdict_name(verdict), verdict_reason(verdict)))];
     facts.push(("valence", spectrum.order.to_string()));
-    if let Some(second) = second {
-        let blocks = match second.block {
+    let subdominant = spectrum.conditions.subdominant.as_ref().map(|value| (value, 1));
+    let lambda = second.as_ref().map(|second| (&second.value, second.block)).or(subdominant);
+    if let Some((value, block)) = lambda {
+        let blocks = match block {
             0 => "simple, of block 0".to_owned(),
-            1 => "double, of the blocks 1 and n − 1".to_owned(),
             k => format!("double, of the blocks {k} and n − {k}"),
         };
-        facts.push(("λ", format!("{}, {blocks}", with_decimal(&second.value))));
-    } else if let Some(value) = &spectrum.conditions.subdominant {
-        facts.push(("λ", format!("{}, double, of the blocks 1 and n − 1", with_decimal(value))));
+        facts.push(("λ", format!("{}, {blocks}", with_decimal(value))));
     }
     if matches!(verdict, Verdict::Open(_)) {
         let text = match vertex.hypothesis {

@@ -4,6 +4,7 @@ use super::arrays::{Array, Entries, arrays};
 use super::language::Language;
 use super::real::{Real, RealType};
 use super::rows::{Row, TableError};
+use crate::scheme::split_name;
 
 /// What the header of a table says of where it comes from.
 #[derive(Clone, Copy, Debug)]
@@ -84,12 +85,11 @@ fn quoted(text: &str) -> String {
 
 /// The name of a scheme as an identifier: that of a file is its stem.
 pub(super) fn identifier(scheme: &str) -> String {
-    let path = scheme.split_once(".toml").map_or_else(
-        || scheme.split(':').next().unwrap_or_default(),
-        |(path, _)| path.rsplit(['/', '\\']).next().unwrap_or_default(),
-    );
+    let (name, _) = split_name(scheme);
+    let path = name.strip_suffix(".toml");
+    let name = path.map_or(name, |path| path.rsplit(['/', '\\']).next().unwrap_or_default());
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
-    let name: String = path.chars().map(plain).collect();
+    let name: String = name.chars().map(plain).collect();
     if name.starts_with(|c: char| c.is_ascii_alphabetic()) { name } else { format!("s_{name}") }
 }
 
