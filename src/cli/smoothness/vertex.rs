@@ -6,7 +6,7 @@ use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::spectrum::ring::{failure, failure_without_valence};
 use serde::Serialize;
-use subcert::characteristic::{Family, ORDERED, Vertex, regular_for_all_valences};
+use subcert::characteristic::{Family, Vertex, ordered, regular_for_all_valences};
 use subcert::report::html::Picture;
 use subcert::report::json::VertexForm;
 use subcert::report::{
@@ -27,14 +27,14 @@ pub(crate) fn vertex(arguments: &SmoothnessArguments, to: &Destination) -> Outco
             }
         }
         Some(Valences::All) => {
-            let known = ORDERED.iter().find(|(name, _)| name == scheme);
+            let known = ordered().find(|(name, _)| name == scheme);
             let (_, family) = known.ok_or_else(|| {
-                let names = ORDERED.map(|(name, _)| name).join(", ");
+                let names = ordered().map(|(name, _)| name).collect::<Vec<&str>>().join(", ");
                 Failure::Input(format!(
                     "all valences at once are known of {names}; of other rules, give a range such as 3..50"
                 ))
             })?;
-            all = Some((*family, regular_for_all_valences(*family)));
+            all = Some((family, regular_for_all_valences(family)));
         }
     }
     let answer = Vertices {

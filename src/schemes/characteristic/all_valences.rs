@@ -5,6 +5,7 @@ use super::laurent::Laurent;
 use super::net::ratio;
 use super::ring::{Ring, examined, in_half_plane, ring_pieces};
 use crate::exact::{Rational, Scalar as _};
+use crate::scheme::{Entry, catalogue};
 
 /// Whether the characteristic maps of a scheme are regular and injective for all valences n ≥ 3: the
 /// Bernstein coefficients of J and of the half-plane are polynomials in one variable t that Sturm's theorem
@@ -44,12 +45,10 @@ pub fn regular_for_all_valences(family: Family) -> bool {
 }
 
 /// The schemes of the catalogue whose eigenvalues are in order at all valences (`proofs/THEOREMS.md`, 135).
-pub const ORDERED: [(&str, Family); 4] = [
-    ("catmull-clark", Family::Bicubic),
-    ("loop", Family::BoxSpline),
-    ("loop-warren", Family::BoxSpline),
-    ("doo-sabin", Family::Biquadratic),
-];
+pub fn ordered() -> impl Iterator<Item = (&'static str, Family)> {
+    let regular = |one: &'static Entry| Family::named(one.known.ordered.as_deref()?);
+    catalogue().iter().filter_map(move |one| Some((&*one.name, regular(one)?)))
+}
 
 /// The regular part of a scheme of the catalogue that is proved C¹ at all valences n ≥ 3 at once; `None` of others.
 ///
@@ -61,6 +60,6 @@ pub const ORDERED: [(&str, Family); 4] = [
 /// ```
 #[must_use]
 pub fn smooth_for_all_valences(scheme: &str) -> Option<Family> {
-    let (_, family) = ORDERED.into_iter().find(|(name, _)| *name == scheme)?;
+    let (_, family) = ordered().find(|(name, _)| *name == scheme)?;
     regular_for_all_valences(family).then_some(family)
 }

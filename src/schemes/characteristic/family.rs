@@ -2,6 +2,7 @@
 
 use super::net::{Lattice, Net, Point, ratio};
 use crate::exact::Scalar;
+use crate::scheme::catalogue;
 use std::collections::BTreeMap;
 
 /// A regular part with the rules next to the vertex or face.
@@ -37,14 +38,18 @@ impl Family {
         }
     }
 
-    /// The scheme of the catalogue with this regular part.
+    /// The family of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Family> {
+        let all = [Family::Bicubic, Family::BoxSpline, Family::Biquadratic];
+        all.into_iter().find(|family| family.name() == name)
+    }
+
+    /// The scheme of the catalogue that is the model of this regular part.
     #[must_use]
     pub fn scheme(self) -> &'static str {
-        match self {
-            Family::Bicubic => "catmull-clark",
-            Family::BoxSpline => "loop",
-            Family::Biquadratic => "doo-sabin",
-        }
+        let model = catalogue().iter().find(|one| one.known.model.as_deref() == Some(self.name()));
+        &model.expect("a model in the catalogue").name
     }
 
     /// The pieces of the ring, in words.

@@ -44,7 +44,7 @@ mod verdict;
 mod vertex;
 mod winding;
 
-pub use all_valences::{ORDERED, regular_for_all_valences, smooth_for_all_valences};
+pub use all_valences::{ordered, regular_for_all_valences, smooth_for_all_valences};
 pub use ball::Ball;
 pub use exponent::Exponent;
 pub use family::Family;

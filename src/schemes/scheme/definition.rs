@@ -8,6 +8,7 @@ use crate::cap::Cap;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, common_conductor};
 use crate::formula::{LocatedFormula, Scope, Value, evaluate};
+use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -23,6 +24,19 @@ pub struct ParameterSpec {
     pub about: String,
 }
 
+/// What is known of rules of the catalogue beyond themselves, so that no other list names them. A regular part is
+/// `bicubic`, `box-spline` or `biquadratic`.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Known {
+    /// The regular part of which these rules are the model.
+    pub model: Option<String>,
+    /// The regular part, where the eigenvalues are in order at all valences (`proofs/THEOREMS.md`, 135).
+    pub ordered: Option<String>,
+    /// The rules between sharp edges: `catmull-clark` or `loop`.
+    pub sector: Option<String>,
+}
+
 /// A scheme as defined in a file: a mask or a ring, as formulas over parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SchemeDefinition {
@@ -36,6 +50,8 @@ pub struct SchemeDefinition {
     pub samples: Vec<String>,
     /// Its parameters, under their names.
     pub parameters: BTreeMap<String, ParameterSpec>,
+    /// What the catalogue knows of it.
+    pub known: Known,
     pub(super) definitions: BTreeMap<String, LocatedFormula>,
     pub(super) offset: Option<LocatedFormula>,
     pub(super) coefficients: Coefficients,

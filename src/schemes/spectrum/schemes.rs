@@ -8,14 +8,8 @@ use crate::scheme::{LocalRules, Reference, parse_rules_of_valence, read_scheme};
 use std::collections::BTreeMap;
 
 /// The rules on two rings around a vertex or face, for the schemes of the catalogue whose ring alone does
-/// not determine the surface near the vertex or face.
-const WIDER: [(&str, &str); 5] = [
-    ("catmull-clark", include_str!("surroundings/catmull-clark.toml")),
-    ("doo-sabin", include_str!("surroundings/doo-sabin.toml")),
-    ("loop", include_str!("surroundings/loop.toml")),
-    ("loop-warren", include_str!("surroundings/loop-warren.toml")),
-    ("sqrt3", include_str!("surroundings/sqrt3.toml")),
-];
+/// not determine the surface near the vertex or face: the files of the folder `surroundings`, by the names of the schemes.
+const WIDER: &[(&str, &str)] = &include!(concat!(env!("OUT_DIR"), "/surroundings.rs"));
 
 /// A ring, and the wider ring of the same scheme.
 #[derive(Clone, Debug, PartialEq)]

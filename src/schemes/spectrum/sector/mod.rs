@@ -15,13 +15,9 @@ use super::eigenvalues::{Eigenvalue, block_roots, merged};
 use super::error::SpectrumError;
 use super::stencil::Stencil;
 use crate::exact::{Rational, RealCyclotomic, Scalar};
-use crate::scheme::{Orbit, point_name};
+use crate::scheme::{Orbit, find, point_name};
 use across::across;
 use rules::{Rules, block, number};
-
-/// The schemes whose rules at sharp edges are known.
-const SCHEMES: [(&str, Rules); 3] =
-    [("catmull-clark", Rules::CatmullClark), ("loop", Rules::Loop), ("loop-warren", Rules::Loop)];
 
 /// The part of a mesh at a vertex v between two infinitely sharp edges, F faces wide, or the faces at a boundary vertex:
 /// the edges e_0, …, e_F, of which e_0 and e_F are sharp, and for Catmull–Clark the opposite points f_0, …, f_{F−1}
@@ -78,15 +74,17 @@ impl Sector {
     /// # Ok::<(), subcert::spectrum::SpectrumError>(())
     /// ```
     pub fn of(scheme: &str, faces: usize, corner: bool) -> Result<Sector, SpectrumError> {
-        let found = SCHEMES.iter().find(|(name, _)| *name == scheme);
-        let (_, rules) =
-            found.ok_or_else(|| SpectrumError::NoSectors { scheme: scheme.to_owned() })?;
+        let rules = match find(scheme).and_then(|found| found.known.sector.as_deref()) {
+            Some("catmull-clark") => Rules::CatmullClark,
+            Some("loop") => Rules::Loop,
+            _ => return Err(SpectrumError::NoSectors { scheme: scheme.to_owned() }),
+        };
         if !(1..=MAX_SECTOR_FACES).contains(&faces) {
             return Err(SpectrumError::Faces { faces });
         }
         let orbit = |name: &str, count| Orbit { name: name.to_owned(), count };
         let mut orbits = vec![orbit("vertex", 1), orbit("edge", faces + 1)];
-        if *rules == Rules::CatmullClark {
+        if rules == Rules::CatmullClark {
             orbits.push(orbit("face", faces));
         }
         let points: usize = orbits.iter().map(|orbit| orbit.count).sum();
@@ -111,10 +109,10 @@ impl Sector {
             faces,
             corner,
             orbits,
-            eigenvalues: eigenvalues(*rules, faces, corner)?,
+            eigenvalues: eigenvalues(rules, faces, corner)?,
             limit,
             along,
-            across: across(*rules, faces, corner, points)?,
+            across: across(rules, faces, corner, points)?,
         })
     }
 
