@@ -4,7 +4,7 @@ use crate::common::{mask, r};
 use proptest::prelude::*;
 use subcert::exact::Rational;
 use subcert::facts::{
-    CurveFacts, FamilyFacts, Kind, SchemeFacts, VALENCES, atlas_references, centre,
+    CurveFacts, FamilyFacts, PointPlacement, SchemeFacts, VALENCES, atlas_references, centre,
     is_interpolating, kind, parameter_facts, points,
 };
 use subcert::limit::natural_shift;
@@ -17,7 +17,7 @@ fn kinds_of_schemes() {
         let facts = CurveFacts::of_rational(&mask(name));
         (facts.kind, facts.interpolating, facts.points, facts.centre)
     };
-    let (primal, dual) = (Some(Kind::Primal), Some(Kind::Dual));
+    let (primal, dual) = (Some(PointPlacement::Primal), Some(PointPlacement::Dual));
     assert_eq!(found("four-point:w=1/16"), (primal, true, 4, Some(r(0, 1))));
     assert_eq!(found("chaikin"), (dual, false, 2, Some(r(-1, 2))));
     assert_eq!(found("b-spline:degree=3"), (primal, false, 3, Some(r(0, 1))));

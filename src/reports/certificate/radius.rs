@@ -1,7 +1,7 @@
 //! Certificates of joint spectral radii, and of the smoothness that follows. `proofs/format/radius.md`.
 
 use crate::exact::Rational;
-use crate::joint::{Entry, Hull, JointRadius, Kind, MatrixSet};
+use crate::joint::{Entry, Hull, JointRadius, LeadingEigenvalue, MatrixSet};
 use crate::scheme::Mask;
 use crate::smoothness::{Coefficient, Smoothness};
 use std::fmt::Write as _;
@@ -129,9 +129,9 @@ fn write_radius<F: Entry>(
         let factors: Vec<String> = radius.product.iter().map(ToString::to_string).collect();
         line(text, "product", &factors.join(" "));
         let kind = match eigenvalue.kind {
-            Kind::Positive => "positive",
-            Kind::Negative => "negative",
-            Kind::Conjugate => "conjugate",
+            LeadingEigenvalue::Positive => "positive",
+            LeadingEigenvalue::Negative => "negative",
+            LeadingEigenvalue::Conjugate => "conjugate",
         };
         line(text, "eigenvalue", &format!("{kind} {}", eigenvalue.at_least));
     }

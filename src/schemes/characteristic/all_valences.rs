@@ -46,7 +46,7 @@ pub fn regular_for_all_valences(family: Family) -> bool {
 
 /// The schemes of the catalogue whose eigenvalues are in order at all valences (`proofs/THEOREMS.md`, 135).
 pub fn ordered() -> impl Iterator<Item = (&'static str, Family)> {
-    let regular = |one: &'static Entry| Family::named(one.known.ordered.as_deref()?);
+    let regular = |one: &'static Entry| Family::named(one.facts.ordered.as_deref()?);
     catalogue().iter().filter_map(move |one| Some((&*one.name, regular(one)?)))
 }
 

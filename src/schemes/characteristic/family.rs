@@ -48,7 +48,7 @@ impl Family {
     /// The scheme of the catalogue that is the model of this regular part.
     #[must_use]
     pub fn scheme(self) -> &'static str {
-        let model = catalogue().iter().find(|one| one.known.model.as_deref() == Some(self.name()));
+        let model = catalogue().iter().find(|one| one.facts.model.as_deref() == Some(self.name()));
         &model.expect("a model in the catalogue").name
     }
 

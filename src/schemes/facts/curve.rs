@@ -1,7 +1,7 @@
 //! The facts of a mask.
 
 use super::distance::{Depths, LimitFacts};
-use super::shape::{Kind, centre, is_interpolating, kind, points};
+use super::shape::{PointPlacement, centre, is_interpolating, kind, points};
 use crate::bound::{
     Budget, Order, PowerSearch, Terms, best_offset, displacement, power_norm_generic,
 };
@@ -37,7 +37,7 @@ pub struct CurveFacts<F = Rational> {
     pub points: usize,
     /// Whether the scheme is primal or dual, by its centre of symmetry or its natural shift; `None` where it has
     /// neither, or is neither.
-    pub kind: Option<Kind>,
+    pub kind: Option<PointPlacement>,
     /// Whether it interpolates its data.
     pub interpolating: bool,
     /// The centre of the basic limit function; `None` without symmetry.

@@ -4,12 +4,12 @@
 //! the reason.
 //!
 //! ```
-//! use subcert::facts::{CurveFacts, Kind};
+//! use subcert::facts::{CurveFacts, PointPlacement};
 //! use subcert::scheme::parse_scheme;
 //!
 //! let scheme = parse_scheme("chaikin")?;
 //! let facts = CurveFacts::of_rational(scheme.masks()[0]);
-//! assert_eq!((facts.kind, facts.points, facts.sum_rules), (Some(Kind::Dual), 2, 3));
+//! assert_eq!((facts.kind, facts.points, facts.sum_rules), (Some(PointPlacement::Dual), 2, 3));
 //! # Ok::<(), subcert::scheme::SchemeError>(())
 //! ```
 
@@ -27,4 +27,4 @@ pub use drawing::{
 };
 pub use ranges::{FamilyFacts, ParameterFacts, parameter_facts};
 pub use scheme::{SchemeFacts, VALENCES, ValenceFacts, atlas_references};
-pub use shape::{Kind, centre, is_interpolating, kind, points};
+pub use shape::{PointPlacement, centre, is_interpolating, kind, points};

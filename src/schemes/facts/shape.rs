@@ -7,20 +7,20 @@ use crate::smoothness::Symbol;
 
 /// Where new points stand between old ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum PointPlacement {
     /// Old points have the parameters of some new ones: (n − 1)s is an integer.
     Primal,
     /// New points stand symmetrically around the old parameters, half a step off: (n − 1)s + 1/2 is an integer.
     Dual,
 }
 
-impl Kind {
+impl PointPlacement {
     /// `primal` or `dual`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Kind::Primal => "primal",
-            Kind::Dual => "dual",
+            PointPlacement::Primal => "primal",
+            PointPlacement::Dual => "dual",
         }
     }
 }
@@ -60,18 +60,18 @@ pub fn centre<F: Entry>(symbol: &Symbol<F>) -> Option<Rational> {
 ///
 /// ```
 /// use subcert::exact::Rational;
-/// use subcert::facts::{Kind, kind};
+/// use subcert::facts::{PointPlacement, kind};
 ///
-/// assert_eq!(kind(2, &Rational::new(-1, 2)), Some(Kind::Dual));
-/// assert_eq!(kind(3, &Rational::new(1, 2)), Some(Kind::Primal));
-/// assert_eq!(kind(3, &Rational::new(-1, 4)), Some(Kind::Dual));
+/// assert_eq!(kind(2, &Rational::new(-1, 2)), Some(PointPlacement::Dual));
+/// assert_eq!(kind(3, &Rational::new(1, 2)), Some(PointPlacement::Primal));
+/// assert_eq!(kind(3, &Rational::new(-1, 4)), Some(PointPlacement::Dual));
 /// assert_eq!(kind(2, &Rational::new(1, 3)), None);
 /// ```
 #[must_use]
-pub fn kind(arity: usize, place: &Rational) -> Option<Kind> {
+pub fn kind(arity: usize, place: &Rational) -> Option<PointPlacement> {
     let steps = place * &(Rational::from(arity) - Rational::one());
     if steps.is_integer() {
-        return Some(Kind::Primal);
+        return Some(PointPlacement::Primal);
     }
-    (steps + Rational::new(1, 2)).is_integer().then_some(Kind::Dual)
+    (steps + Rational::new(1, 2)).is_integer().then_some(PointPlacement::Dual)
 }

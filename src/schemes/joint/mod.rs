@@ -38,6 +38,6 @@ pub use hull::Hull;
 pub use interval::{Closing, contracts, expanding_product, expands};
 pub use lower::MAX_ROWS;
 pub use matrix_set::{MAX_MATRICES, MAX_SIZE, MatrixSet, MatrixSetError};
-pub use product::{Eigenvalue, JordanBlock, Kind, jordan_block};
+pub use product::{Eigenvalue, JordanBlock, LeadingEigenvalue, jordan_block};
 pub use radius::{JointRadius, MAX_FACTORS, extremal_rate, joint_radius};
 pub use reduction::Reduction;

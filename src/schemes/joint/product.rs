@@ -59,7 +59,7 @@ pub(super) fn square_of_radius<F: Entry>(set: &MatrixSet<F>, word: &[usize]) -> 
 
 /// Which eigenvalue bounds the radius from below.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum LeadingEigenvalue {
     /// A positive one.
     Positive,
     /// A negative one.
@@ -73,7 +73,7 @@ pub enum Kind {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Eigenvalue {
     /// Which of the three.
-    pub kind: Kind,
+    pub kind: LeadingEigenvalue,
     /// q: ϱ^l ≥ q for l factors, or ϱ^{2l} ≥ q.
     pub at_least: Rational,
 }
@@ -93,15 +93,15 @@ pub(super) fn shown<F: Entry>(
     let at = |p: &[F], x: &Rational| value_at(p, &F::from_rational(x)).signum();
     if conjugate {
         let shows = at(&symmetric_square_coefficients(&product), &at_least) <= 0;
-        return shows.then_some(Eigenvalue { kind: Kind::Conjugate, at_least });
+        return shows.then_some(Eigenvalue { kind: LeadingEigenvalue::Conjugate, at_least });
     }
     let polynomial = characteristic_coefficients(&product);
     if at(&polynomial, &at_least) <= 0 {
-        return Some(Eigenvalue { kind: Kind::Positive, at_least });
+        return Some(Eigenvalue { kind: LeadingEigenvalue::Positive, at_least });
     }
     let mirrored = at(&polynomial, &-&at_least);
     let shows = if product.len().is_multiple_of(2) { mirrored <= 0 } else { mirrored >= 0 };
-    shows.then_some(Eigenvalue { kind: Kind::Negative, at_least })
+    shows.then_some(Eigenvalue { kind: LeadingEigenvalue::Negative, at_least })
 }
 
 /// A product with a Jordan block of size 2 or more.

@@ -1,7 +1,7 @@
 //! The schemes of the catalogue. Each is a small TOML file in the format of user files; a table `[catalogue]` at its end
 //! says what is known of its rules beyond themselves.
 
-use super::definition::{Known, SchemeDefinition};
+use super::definition::{CatalogueFacts, SchemeDefinition};
 use super::file::read_scheme;
 use super::toml_file::from_toml;
 use crate::diagnostic::SourceText;
@@ -22,10 +22,10 @@ pub fn catalogue() -> &'static [Entry] {
     static CATALOGUE: OnceLock<Vec<Entry>> = OnceLock::new();
     CATALOGUE.get_or_init(|| {
         let read = |(name, text): &(&str, &str)| {
-            let (rules, known) = text.split_once("\n[catalogue]\n").unwrap_or((text, ""));
+            let (rules, facts) = text.split_once("\n[catalogue]\n").unwrap_or((text, ""));
             let source = |text| SourceText::new(format!("catalogue/{name}.toml"), text);
-            let known: Result<Known, _> = from_toml(&source(known));
-            let read = known.and_then(|known| Ok(Entry { known, ..read_scheme(&source(rules))? }));
+            let facts: Result<CatalogueFacts, _> = from_toml(&source(facts));
+            let read = facts.and_then(|facts| Ok(Entry { facts, ..read_scheme(&source(rules))? }));
             read.unwrap_or_else(|error| panic!("{error}"))
         };
         FILES.iter().map(read).collect()

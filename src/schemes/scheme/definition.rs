@@ -28,7 +28,7 @@ pub struct ParameterSpec {
 /// `bicubic`, `box-spline` or `biquadratic`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct Known {
+pub struct CatalogueFacts {
     /// The regular part of which these rules are the model.
     pub model: Option<String>,
     /// The regular part, where the eigenvalues are in order at all valences (`proofs/THEOREMS.md`, 135).
@@ -51,7 +51,7 @@ pub struct SchemeDefinition {
     /// Its parameters, under their names.
     pub parameters: BTreeMap<String, ParameterSpec>,
     /// What the catalogue knows of it.
-    pub known: Known,
+    pub facts: CatalogueFacts,
     pub(super) definitions: BTreeMap<String, LocatedFormula>,
     pub(super) offset: Option<LocatedFormula>,
     pub(super) coefficients: Coefficients,

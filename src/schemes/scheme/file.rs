@@ -1,6 +1,8 @@
 //! Reading schemes from TOML.
 
-use super::definition::{Coefficients, Known, ParameterSpec, RuleFormulas, SchemeDefinition};
+use super::definition::{
+    CatalogueFacts, Coefficients, ParameterSpec, RuleFormulas, SchemeDefinition,
+};
 use super::fields::{definitions, formula, identifier};
 use super::local_file::{EdgeTable, OrbitTable, WeightTable, ring};
 use super::local_formulas::{LocalFormulas, NEW_INDEX, OLD_INDEX};
@@ -129,7 +131,7 @@ impl SchemeTable {
             citation: self.source.clone(),
             samples: self.samples.clone(),
             parameters,
-            known: Known::default(),
+            facts: CatalogueFacts::default(),
             definitions: definitions(source, &self.definitions)?,
             offset: self.offset.as_ref().map(|text| formula(source, text)).transpose()?,
             coefficients: self.coefficients(source)?,

@@ -28,7 +28,7 @@ mod typed;
 
 pub use axes::{Axes, Scheme};
 pub use catalogue::{Entry, catalogue, find};
-pub use definition::{Known, ParameterSpec, SchemeDefinition};
+pub use definition::{CatalogueFacts, ParameterSpec, SchemeDefinition};
 pub use error::{ReferenceError, SchemeError};
 pub use fields::{definitions, formula, identifier};
 pub use file::SchemeTable;

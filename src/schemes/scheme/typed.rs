@@ -1,6 +1,6 @@
 //! A mask that is typed in place of a name: `[1, 3, 3, 1]/4`.
 
-use super::definition::{Coefficients, Known, ParameterSpec, SchemeDefinition};
+use super::definition::{CatalogueFacts, Coefficients, ParameterSpec, SchemeDefinition};
 use super::reference::split_top_level;
 use super::rules::MAX_ARITY;
 use crate::diagnostic::{Diagnostic, SourceText};
@@ -76,7 +76,7 @@ pub(super) fn typed(text: &str) -> Result<SchemeDefinition, Diagnostic> {
         citation: String::new(),
         samples: Vec::new(),
         parameters: names.into_iter().map(|name| (name, open.clone())).collect(),
-        known: Known::default(),
+        facts: CatalogueFacts::default(),
         definitions: BTreeMap::new(),
         offset: Some(number(first)?),
         coefficients: Coefficients::Listed(rows),

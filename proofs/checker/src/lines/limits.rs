@@ -8,7 +8,7 @@ use crate::radius::{Radius, check_mask, has_independent_shifts};
 use crate::text::{Block, Checked, RadiusReason, Reason, Stop, Toml, Verdict, require};
 
 /// What is shown of the limits of a mask.
-pub struct Shown {
+pub struct LimitProof {
     radius: Radius,
     mask: Vec<Vec<Q>>,
 }
@@ -22,9 +22,13 @@ pub fn mask(paper: &Paper<'_>, claim: &Toml, scope: &Scope<'_>) -> Checked<Vec<V
     Ok(mask.ok_or(Stop::Undefined("a coefficient of the mask is irrational"))?)
 }
 
-impl Shown {
+impl LimitProof {
     /// Reads the lines from `order` to `end` and checks them.
-    pub fn read(paper: &Paper<'_>, mask: Vec<Vec<Q>>, block: &mut Block<'_>) -> Checked<Shown> {
+    pub fn read(
+        paper: &Paper<'_>,
+        mask: Vec<Vec<Q>>,
+        block: &mut Block<'_>,
+    ) -> Checked<LimitProof> {
         let mut lines = Vec::new();
         block.look();
         let first = block.at;
@@ -40,7 +44,7 @@ impl Shown {
                         reason => Reason::Radius(reason),
                     }
                 })?;
-                return Ok(Shown { radius, mask });
+                return Ok(LimitProof { radius, mask });
             }
             lines.push(line);
         }

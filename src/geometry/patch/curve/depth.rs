@@ -3,7 +3,7 @@
 use super::super::geometric::{GeometricDepth, LEAST_SHARE, SetKind};
 use super::cells::{Cells, Shape};
 use super::find::{Finder, MAX_POINTS};
-use super::level::{CurveNearness, Far, LevelSearch};
+use super::level::{CurveNearness, FarPoint, LevelSearch};
 use super::points::RefinedPoints;
 use crate::bound::Budget;
 use crate::exact::Rational;
@@ -215,7 +215,7 @@ impl CurveSets {
         Ok(lower(&(tolerance / &self.scale)))
     }
 
-    fn place(&self, far: &Far) -> CurvePlace {
+    fn place(&self, far: &FarPoint) -> CurvePlace {
         let (level, i) = far.at;
         let shape = &self.finder.cells.shape;
         let points = Rational::from(shape.arity.pow(level));

@@ -21,11 +21,11 @@ const MORE_PIECES: u32 = 6;
 const MAX_OPEN: usize = 1 << 18;
 
 /// What is known of a level.
-pub(super) type CurveNearness = Nearness<Far>;
+pub(super) type CurveNearness = Nearness<FarPoint>;
 
 /// A point that is far from the other set.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Far {
+pub(super) struct FarPoint {
     pub(super) from: SetKind,
     pub(super) point: Vec<f64>,
     /// A point of the curve is at i/n^m, with (m, i) here; one of the polygon so far from point i of level m to the next.
@@ -78,7 +78,7 @@ impl LevelSearch<'_> {
     }
 
     /// A point of the segment of a cell of the level that is surely far from the curve, if one of a few is.
-    fn far_point(&mut self, name: Name) -> Option<Far> {
+    fn far_point(&mut self, name: Name) -> Option<FarPoint> {
         let cell = self.finder.cells.cell(name);
         let [u, v] = self.finder.chord(&cell);
         for share in [0.0, 0.5] {
@@ -100,7 +100,7 @@ impl LevelSearch<'_> {
     }
 
     /// A point of the curve, if it is surely far from the polygon.
-    fn far_limit(&mut self, at: Name, near: Name) -> Option<Far> {
+    fn far_limit(&mut self, at: Name, near: Name) -> Option<FarPoint> {
         let number = self.finder.cells.points.limit(at.0, at.1);
         let point = self.finder.cells.points.point(number).to_vec();
         let far = self.is_beyond(Set::Polygon(self.level), &point, self.tolerance, near);
@@ -310,7 +310,14 @@ impl LevelSearch<'_> {
     }
 
     /// A point that is far, with the greatest of a few lower bounds of its distance that holds.
-    fn far(&mut self, from: SetKind, point: Vec<f64>, at: Name, share: f64, near: Name) -> Far {
+    fn far(
+        &mut self,
+        from: SetKind,
+        point: Vec<f64>,
+        at: Name,
+        share: f64,
+        near: Name,
+    ) -> FarPoint {
         let set = match from {
             SetKind::Limit => Set::Polygon(self.level),
             SetKind::Mesh => Set::Curve,
@@ -323,7 +330,7 @@ impl LevelSearch<'_> {
             let middle = 0.5 * (low + high);
             if self.is_beyond(set, &point, middle, near) { low = middle } else { high = middle }
         }
-        Far { from, point, at, share, distance: low * (1.0 - 1e-12) }
+        FarPoint { from, point, at, share, distance: low * (1.0 - 1e-12) }
     }
 }
 

@@ -4,7 +4,9 @@ use super::SCHEMA;
 use super::exact::Exact;
 use super::sets::Interval;
 use crate::exact::Rational;
-use crate::facts::{CurveFacts, FamilyFacts, Kind, ParameterFacts, SchemeFacts, ValenceFacts};
+use crate::facts::{
+    CurveFacts, FamilyFacts, ParameterFacts, PointPlacement, SchemeFacts, ValenceFacts,
+};
 use crate::limit::{Functional, TwoSidedDepth};
 use crate::report::json::smooth::smoothness::HoelderForm;
 use crate::report::json::smooth::vertex::VertexForm;
@@ -233,7 +235,7 @@ impl CurveForm {
         CurveForm {
             arity: facts.symbol.arity(),
             points: facts.points,
-            kind: facts.kind.map(Kind::name),
+            kind: facts.kind.map(PointPlacement::name),
             interpolating: facts.interpolating,
             support: [Exact::of(&low), Exact::of(&high)],
             support_length: Exact::of(&(&high - &low)),

@@ -74,7 +74,7 @@ impl Sector {
     /// # Ok::<(), subcert::spectrum::SpectrumError>(())
     /// ```
     pub fn of(scheme: &str, faces: usize, corner: bool) -> Result<Sector, SpectrumError> {
-        let rules = match find(scheme).and_then(|found| found.known.sector.as_deref()) {
+        let rules = match find(scheme).and_then(|found| found.facts.sector.as_deref()) {
             Some("catmull-clark") => Rules::CatmullClark,
             Some("loop") => Rules::Loop,
             _ => return Err(SpectrumError::NoSectors { scheme: scheme.to_owned() }),

@@ -3,7 +3,7 @@
 use crate::claims::{Paper, printed};
 use crate::formulas::{Scope, formula};
 use crate::kinds::smoothness::{order, scope, valences, vertex};
-use crate::lines::limits::{Shown, mask};
+use crate::lines::limits::{LimitProof, mask};
 use crate::lines::pieces::Free;
 use crate::numbers::{Decimal, Meter, Q, Root, Value, int, is_rounded, read_rational};
 use crate::schemes::{Convolution, MAX_LENGTH, Sequence};
@@ -76,7 +76,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     } else {
         let place = Root::from(at.clone());
         let scope = free.scope([Some(place.clone()), Some(place)])?;
-        let shown = Shown::read(paper, mask(paper, claim, &scope)?, block)?;
+        let shown = LimitProof::read(paper, mask(paper, claim, &scope)?, block)?;
         (shown.not_continuous(m), shown.continuous(m))
     };
     let [inside, outside] = sides(&at, &printed, closed)?;
