@@ -5,15 +5,15 @@ use crate::float::nearest;
 use crate::mesh::Point;
 
 /// A linear combination: weights of numbered points.
-pub(super) type Row<W> = Vec<(u32, W)>;
+pub(crate) type Row<W> = Vec<(u32, W)>;
 
 /// The number of a point in a row.
-pub(super) fn index(point: usize) -> u32 {
+pub(crate) fn index(point: usize) -> u32 {
     u32::try_from(point).unwrap_or(u32::MAX)
 }
 
 /// A kind of number that weights are taken to.
-pub(super) trait Number: Scalar {
+pub(crate) trait Number: Scalar {
     /// This weight, or the nearest number of this kind.
     fn of(weight: &RealCyclotomic) -> Self;
     /// Whether it is 0.
@@ -39,7 +39,7 @@ impl Number for RealCyclotomic {
 }
 
 /// What is combined: points, or functionals of points.
-pub(super) trait Vector: Clone {
+pub(crate) trait Vector: Clone {
     /// The weights.
     type Weight: Scalar;
     /// Σ w·p over the row.
@@ -93,7 +93,7 @@ impl Vector for Vec<f64> {
 }
 
 /// All these combinations.
-pub(super) fn combinations<'a, V: Vector>(
+pub(crate) fn combinations<'a, V: Vector>(
     rows: impl IntoIterator<Item = &'a Row<V::Weight>>,
     points: &[V],
 ) -> Vec<V>
@@ -104,13 +104,13 @@ where
 }
 
 /// Their mean.
-pub(super) fn mean(points: &[Point<f64>]) -> Point<f64> {
+pub(crate) fn mean(points: &[Point<f64>]) -> Point<f64> {
     let count = f64::from(u32::try_from(points.len()).unwrap_or(u32::MAX));
     [0, 1, 2].map(|i| points.iter().map(|point| point[i]).sum::<f64>() / count)
 }
 
 /// |p − q|².
-pub(super) fn squared(p: &Point<f64>, q: &Point<f64>) -> f64 {
+pub(crate) fn squared(p: &Point<f64>, q: &Point<f64>) -> f64 {
     let [x, y, z] = [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
     x * x + y * y + z * z
 }

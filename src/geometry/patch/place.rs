@@ -20,17 +20,17 @@ pub struct FarPlace {
 
 /// A place in a piece where the limit is far away.
 #[derive(Clone, Debug)]
-pub(super) struct Place<A, V> {
+pub(crate) struct Place<A, V> {
     /// The level of the piece.
-    pub(super) level: u32,
+    pub(crate) level: u32,
     /// Where in the root it is.
-    pub(super) at: A,
-    pub(super) limit: V,
-    pub(super) polygon: V,
+    pub(crate) at: A,
+    pub(crate) limit: V,
+    pub(crate) polygon: V,
 }
 
 /// Whether a piece is within the tolerance.
-pub(super) enum Verdict<P> {
+pub(crate) enum Verdict<P> {
     Within,
     Beyond(P),
     /// Too near to call, or too much work.
@@ -39,7 +39,7 @@ pub(super) enum Verdict<P> {
 
 impl<P> Verdict<P> {
     /// The same with the place in other terms.
-    pub(super) fn map<Q>(self, map: impl Fn(P) -> Q) -> Verdict<Q> {
+    pub(crate) fn map<Q>(self, map: impl Fn(P) -> Q) -> Verdict<Q> {
         match self {
             Verdict::Within => Verdict::Within,
             Verdict::Beyond(place) => Verdict::Beyond(map(place)),

@@ -123,7 +123,7 @@ impl Tags {
         Ok(())
     }
 
-    pub(in crate::mesh) fn set_edge(&mut self, edge: usize, sharpness: Option<Sharpness>) {
+    pub(crate) fn set_edge(&mut self, edge: usize, sharpness: Option<Sharpness>) {
         set(&mut self.edges, edge, sharpness);
     }
 
@@ -201,7 +201,7 @@ impl Tags {
     }
 
     /// Whether a face is a hole.
-    pub(in crate::mesh) fn is_hole(&self, connectivity: &Connectivity, face: usize) -> bool {
+    pub(crate) fn is_hole(&self, connectivity: &Connectivity, face: usize) -> bool {
         let opens = |&vertex: &usize| {
             let star = connectivity.star(vertex);
             let ends = [star.edges[0], star.edges[star.edges.len() - 1]];

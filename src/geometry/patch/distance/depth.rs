@@ -36,8 +36,8 @@ pub struct MeshDepth {
 /// The distances of a mesh, a solid or a net from its limit: see [`MeshDistances`](crate::patch::MeshDistances) and
 /// [`NetDistances`](crate::patch::NetDistances).
 pub struct Distances<S> {
-    pub(in crate::patch) model: S,
-    pub(in crate::patch) work: Arc<MeshWork>,
+    pub(crate) model: S,
+    pub(crate) work: Arc<MeshWork>,
     looks_apart: bool,
 }
 
@@ -72,10 +72,10 @@ macro_rules! distances_of {
         }
     };
 }
-pub(in crate::patch) use distances_of;
+pub(crate) use distances_of;
 
 impl<S> Distances<S> {
-    pub(in crate::patch) fn of(model: S) -> Self {
+    pub(crate) fn of(model: S) -> Self {
         Distances { model, work: Arc::default(), looks_apart: true }
     }
 
@@ -100,10 +100,7 @@ impl<S> Distances<S> {
 
 #[expect(private_bounds, reason = "all surfaces are here")]
 impl<S: Surface> Distances<S> {
-    pub(in crate::patch) fn depth_within(
-        &self,
-        tolerance: &Rational,
-    ) -> Result<MeshDepth, S::Error> {
+    pub(crate) fn depth_within(&self, tolerance: &Rational) -> Result<MeshDepth, S::Error> {
         positive::<S::Error>(tolerance)?;
         let Descent { level, beyond, exact_pieces } = self.descended(tolerance)?;
         let (mut distance, worst) = self.measured(level);
@@ -120,7 +117,7 @@ impl<S: Surface> Distances<S> {
     }
 
     /// The level of [`depth`](Self::depth).
-    pub(in crate::patch) fn parametric_level(&self, tolerance: &Rational) -> Result<u32, S::Error> {
+    pub(crate) fn parametric_level(&self, tolerance: &Rational) -> Result<u32, S::Error> {
         Ok(self.descended(tolerance)?.level)
     }
 

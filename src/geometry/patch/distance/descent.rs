@@ -9,7 +9,7 @@ const EXACT_STEPS: u64 = 20_000;
 /// How many pieces may still be looked at, in f64 and exactly.
 pub(super) struct Budget {
     pub(super) rounded: u64,
-    pub(in crate::patch) exact: u64,
+    pub(crate) exact: u64,
 }
 
 /// What was found at a level.
@@ -26,7 +26,7 @@ pub(super) struct LevelResult {
 /// What was found at all levels.
 pub(super) struct Descent {
     /// The least level that is sufficient with all later ones, as far as they were decided.
-    pub(in crate::patch) level: u32,
+    pub(crate) level: u32,
     /// The greatest level that is not sufficient, and a place that shows it.
     pub(super) beyond: Option<(u32, FarPlace)>,
     pub(super) exact_pieces: usize,

@@ -8,7 +8,7 @@ use crate::patch::shapes::rules::Rules;
 use crate::patch::shapes::shape::Shape;
 
 /// Points of one kind, and the weights of shapes for them.
-pub(in crate::patch) trait Points: Vector {
+pub(crate) trait Points: Vector {
     fn rules(shape: &Shape) -> &Rules<Self::Weight>;
 }
 
@@ -28,7 +28,7 @@ impl Points for Point<RealCyclotomic> {
 ///
 /// A vector is a sum of points of a level whose coefficients sum to 0, and their absolute values
 /// to 8 at most.
-pub(in crate::patch) trait Judge<V>: Sync {
+pub(crate) trait Judge<V>: Sync {
     /// |v| is at most this.
     fn above(&self, vector: &V, level: u32) -> f64;
     /// All |v| are at most this.
@@ -47,7 +47,7 @@ pub(in crate::patch) trait Judge<V>: Sync {
 
 /// In f64.
 #[derive(Clone, Debug)]
-pub(in crate::patch) struct Rounded {
+pub(crate) struct Rounded {
     /// ε between two f64.
     tolerance: [f64; 2],
     /// What is added for each level.
@@ -57,19 +57,19 @@ pub(in crate::patch) struct Rounded {
 impl Rounded {
     /// For points with coordinates up to `size`, refined by rows of up to `terms` weights: see
     /// `proofs/THEOREMS.md`, 95.
-    pub(in crate::patch) fn new(tolerance: &Rational, size: f64, terms: usize) -> Rounded {
+    pub(crate) fn new(tolerance: &Rational, size: f64, terms: usize) -> Rounded {
         let terms = f64::from(u32::try_from(terms + 8).unwrap_or(u32::MAX));
         let unit = 98.0 * terms * size * (f64::EPSILON / 2.0);
         Rounded::with_unit(tolerance, unit)
     }
 
     /// For lengths that are off by at most (k + 2)·`unit` where they are of points of level k.
-    pub(in crate::patch) fn with_unit(tolerance: &Rational, unit: f64) -> Rounded {
+    pub(crate) fn with_unit(tolerance: &Rational, unit: f64) -> Rounded {
         Rounded { tolerance: [lower(tolerance), upper(tolerance)], unit }
     }
 
     /// How far a length of points of this level may be off.
-    pub(in crate::patch) fn slack(&self, level: u32) -> f64 {
+    pub(crate) fn slack(&self, level: u32) -> f64 {
         self.unit * f64::from(level + 2)
     }
 }
@@ -109,7 +109,7 @@ impl Judge<Point<f64>> for Rounded {
 }
 
 /// Exactly.
-pub(in crate::patch) struct Exactly<S> {
+pub(crate) struct Exactly<S> {
     /// ε².
     square: S,
     /// An f64 that is at most ε.
@@ -117,7 +117,7 @@ pub(in crate::patch) struct Exactly<S> {
 }
 
 impl<S: Scalar> Exactly<S> {
-    pub(in crate::patch) fn new(tolerance: &Rational) -> Exactly<S> {
+    pub(crate) fn new(tolerance: &Rational) -> Exactly<S> {
         let square = S::from_rational(&(tolerance * tolerance));
         Exactly { square, tolerance: lower(tolerance) }
     }

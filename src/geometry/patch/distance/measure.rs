@@ -23,7 +23,7 @@ const TRIED: usize = 64;
 
 #[expect(private_bounds, reason = "all surfaces are here")]
 impl<S: Surface> Distances<S> {
-    pub(in crate::patch) fn measured_faces(&self, level: u32) -> Vec<[f64; 2]> {
+    pub(crate) fn measured_faces(&self, level: u32) -> Vec<[f64; 2]> {
         let model = &self.model;
         let judge = model.rounded_judge(&Rational::one());
         let mut faces = vec![[0.0_f64; 2]; model.face_count()];
@@ -53,7 +53,7 @@ impl<S: Surface> Distances<S> {
     }
 
     /// An enclosure of the distance at a level.
-    pub(in crate::patch) fn measured(&self, level: u32) -> ([f64; 2], Option<FarPlace>) {
+    pub(crate) fn measured(&self, level: u32) -> ([f64; 2], Option<FarPlace>) {
         let model = &self.model;
         let judge = model.rounded_judge(&Rational::one());
         let (width, waiting) = (model.width(), model.above(level, 0.0));

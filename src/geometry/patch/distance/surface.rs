@@ -8,11 +8,11 @@ use crate::net::NetError;
 use crate::patch::place::{FarPlace, Place, Verdict};
 
 /// How wide the enclosure of the distance is for most surfaces, relative to it.
-pub(in crate::patch) const WIDTH: f64 = 1e-3;
+pub(crate) const WIDTH: f64 = 1e-3;
 
 /// A surface, or a solid, as pieces that can be divided. In f64, points are moved so that the first one is the
 /// origin, and divided by a power of two.
-pub(in crate::patch) trait Surface: Sync {
+pub(crate) trait Surface: Sync {
     type Error: TooMuch;
     /// A piece with its points in f64.
     type Cell;
@@ -111,7 +111,7 @@ pub(in crate::patch) trait Surface: Sync {
 }
 
 /// A search in one piece after another, for the mesh of one level.
-pub(in crate::patch) trait PieceSearch<C, P> {
+pub(crate) trait PieceSearch<C, P> {
     /// How many pieces may still be looked at.
     fn left(&self) -> u64;
 
@@ -124,16 +124,16 @@ pub(in crate::patch) trait PieceSearch<C, P> {
 }
 
 /// A ball around the mesh on a piece of a level.
-pub(in crate::patch) struct Ball {
-    pub(in crate::patch) centre: Point<f64>,
-    pub(in crate::patch) radius: f64,
-    pub(in crate::patch) level: u32,
+pub(crate) struct Ball {
+    pub(crate) centre: Point<f64>,
+    pub(crate) radius: f64,
+    pub(crate) level: u32,
     /// Whether the centre is surely on the mesh.
-    pub(in crate::patch) on_mesh: bool,
+    pub(crate) on_mesh: bool,
 }
 
 /// Errors that say what is beyond a cap.
-pub(in crate::patch) trait TooMuch: std::fmt::Display {
+pub(crate) trait TooMuch: std::fmt::Display {
     fn too_much(reason: String) -> Self;
 }
 
@@ -150,7 +150,7 @@ impl TooMuch for NetError {
 }
 
 /// Refuses a tolerance that is not positive.
-pub(in crate::patch) fn positive<E: TooMuch>(tolerance: &Rational) -> Result<(), E> {
+pub(crate) fn positive<E: TooMuch>(tolerance: &Rational) -> Result<(), E> {
     if tolerance.sign() > 0 {
         return Ok(());
     }

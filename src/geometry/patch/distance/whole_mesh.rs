@@ -22,7 +22,7 @@ pub(super) struct WholeMesh<'a, S> {
 }
 
 impl<'a, S: Surface> WholeMesh<'a, S> {
-    pub(in crate::patch) fn new(model: &'a S, judge: &'a Rounded, level: u32) -> Self {
+    pub(crate) fn new(model: &'a S, judge: &'a Rounded, level: u32) -> Self {
         let roots: Vec<usize> = (0..model.root_count()).collect();
         let ball = |&root: &usize| model.root_ball(&model.root(root, level), judge, level);
         WholeMesh { model, judge, level, balls: in_threads(&roots, ball) }
@@ -34,7 +34,7 @@ impl<'a, S: Surface> WholeMesh<'a, S> {
     }
 
     /// A lower bound of the distance of a point, which is at most `known` away, from the mesh.
-    pub(in crate::patch) fn distance(&self, point: &Point<f64>, known: f64) -> f64 {
+    pub(crate) fn distance(&self, point: &Point<f64>, known: f64) -> f64 {
         let (mut nearest, mut steps, mut lower) = (known, STEPS, known);
         let [_, deepest] = self.model.most_levels();
         for (root, ball) in self.balls.iter().enumerate() {

@@ -20,11 +20,11 @@ const MAX_TRIED: u32 = 24;
 
 /// A point of one set, and one that is near it of the other.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::patch) struct FarPoint {
-    pub(in crate::patch) unit: usize,
-    pub(in crate::patch) from: SetKind,
-    pub(in crate::patch) point: Point<f64>,
-    pub(in crate::patch) other: Point<f64>,
+pub(crate) struct FarPoint {
+    pub(crate) unit: usize,
+    pub(crate) from: SetKind,
+    pub(crate) point: Point<f64>,
+    pub(crate) other: Point<f64>,
 }
 
 /// The search on one unit. `is_far` says whether a point of a set is surely beyond the tolerance from the other

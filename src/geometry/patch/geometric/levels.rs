@@ -8,17 +8,17 @@ use crate::mesh::Point;
 use crate::patch::distance::surface::{TooMuch, positive};
 
 /// The highest level that is looked at as a set of points.
-pub(in crate::patch) const MAX_LEVEL: u32 = 14;
+pub(crate) const MAX_LEVEL: u32 = 14;
 
 /// What is known of a face at a level.
-pub(in crate::patch) type MeshNearness = Nearness<GeometricPlace>;
+pub(crate) type MeshNearness = Nearness<GeometricPlace>;
 
 /// As a distance of sets, a tolerance is at least 2 to the power of minus this, times the diagonal of the box around a
 /// mesh, or the greatest width of a control polygon in a coordinate.
 pub const LEAST_SHARE: u32 = 20;
 
 /// Refuses a tolerance that is not positive, or too small for a distance of sets of a mesh or a net with these points.
-pub(in crate::patch) fn check<E: TooMuch>(
+pub(crate) fn check<E: TooMuch>(
     tolerance: &Rational,
     points: &[Point<Rational>],
     what: &str,
@@ -35,7 +35,7 @@ pub(in crate::patch) fn check<E: TooMuch>(
 }
 
 /// A surface that can be looked at level by level.
-pub(in crate::patch) trait Levels {
+pub(crate) trait Levels {
     type Error: TooMuch;
 
     /// How many faces there are.
@@ -182,7 +182,7 @@ fn too_many() -> String {
 
 /// For each face a lower and an upper bound of its distance: with upper bounds ε, ε/2, ε/4 or ε/8, or infinite where ε
 /// is none. `search` makes the search for a tolerance.
-pub(in crate::patch) fn distances<S: Levels>(
+pub(crate) fn distances<S: Levels>(
     level: u32,
     tolerance: &Rational,
     search: impl Fn(&Rational) -> Result<S, S::Error>,

@@ -58,7 +58,7 @@ pub(super) fn ball(points: &[Point<f64>]) -> (Point<f64>, f64) {
 /// A part of a mesh: bilinear between four corners a, b, c, d in turn, or the flat triangle a, b, c
 /// with d = c.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::patch) struct Patch {
+pub(crate) struct Patch {
     pub(super) corners: [Point<f64>; 4],
     flat: bool,
 }
@@ -70,7 +70,7 @@ impl Patch {
 
     /// The patches between the corners of a part of a face: three, or four in turn, the third of which
     /// is the centroid.
-    pub(in crate::patch) fn between(corners: &[Point<f64>], bilinear: bool) -> Vec<Patch> {
+    pub(crate) fn between(corners: &[Point<f64>], bilinear: bool) -> Vec<Patch> {
         match corners {
             [a, b, c, d] if bilinear => vec![Patch { corners: [*a, *b, *c, *d], flat: false }],
             [a, b, c, d] => vec![Patch::triangle(*a, *b, *c), Patch::triangle(*a, *c, *d)],

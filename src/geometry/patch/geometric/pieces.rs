@@ -4,25 +4,25 @@ use super::patch::{Patch, ball};
 use crate::mesh::Point;
 
 /// Where a piece of the limit is.
-pub(in crate::patch) struct Hull {
+pub(crate) struct Hull {
     /// The piece is in the hull of these points, or as near to it as `extra`.
-    pub(in crate::patch) points: Vec<Point<f64>>,
-    pub(in crate::patch) extra: f64,
+    pub(crate) points: Vec<Point<f64>>,
+    pub(crate) extra: f64,
     /// Limit points: those at the corners, in turn.
-    pub(in crate::patch) limits: Vec<Point<f64>>,
-    pub(in crate::patch) level: u32,
+    pub(crate) limits: Vec<Point<f64>>,
+    pub(crate) level: u32,
 }
 
 impl Hull {
     /// A ball around the piece.
-    pub(in crate::patch) fn ball(&self) -> (Point<f64>, f64) {
+    pub(crate) fn ball(&self) -> (Point<f64>, f64) {
         let (centre, radius) = ball(&self.points);
         (centre, radius + self.extra)
     }
 }
 
 /// Pieces of a limit that can be divided.
-pub(in crate::patch) trait Pieces: Sync {
+pub(crate) trait Pieces: Sync {
     type Piece: Clone + Send + Sync;
 
     fn hull(&self, piece: &Self::Piece) -> Hull;
@@ -33,16 +33,16 @@ pub(in crate::patch) trait Pieces: Sync {
 
 /// A part of the mesh, together with the part of the limit that has the same parameters: a quarter of a quadrilateral at a
 /// vertex, a quarter of a triangle, a cell of a net.
-pub(in crate::patch) struct Unit {
-    pub(in crate::patch) patches: Vec<Patch>,
+pub(crate) struct Unit {
+    pub(crate) patches: Vec<Patch>,
     /// A closed chain around it, of points of the mesh at the corners, and their numbers: units with a corner in common
     /// touch there.
-    pub(in crate::patch) base: Vec<Point<f64>>,
-    pub(in crate::patch) corners: Vec<usize>,
+    pub(crate) base: Vec<Point<f64>>,
+    pub(crate) corners: Vec<usize>,
 }
 
 /// The mesh of a level, in units that each have a piece of the limit.
-pub(in crate::patch) trait Units: Pieces {
+pub(crate) trait Units: Pieces {
     fn piece(&self, number: usize) -> Self::Piece;
 
     /// Whether mesh and limit are within the tolerance on a unit, point by point at equal parameters.
@@ -56,7 +56,7 @@ pub(in crate::patch) trait Units: Pieces {
 }
 
 /// The part of a mesh that belongs to a piece.
-pub(in crate::patch) enum MeshPart {
+pub(crate) enum MeshPart {
     /// It is somewhere in the hull of these points, or as near to it as that: pieces of a later level show it.
     Within(Vec<Point<f64>>, f64),
     /// Here.
@@ -64,7 +64,7 @@ pub(in crate::patch) enum MeshPart {
 }
 
 /// All of a mesh of a level, and of its limit.
-pub(in crate::patch) trait Sets: Pieces {
+pub(crate) trait Sets: Pieces {
     /// How many roots there are: the pieces of the roots make up the limit, and their meshes the mesh.
     fn count(&self) -> usize;
 

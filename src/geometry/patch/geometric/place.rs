@@ -25,7 +25,7 @@ impl SetKind {
 
 /// Whether a part of a set is near the other set.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::patch) enum Nearness<F> {
+pub(crate) enum Nearness<F> {
     Near,
     /// With a point that shows it.
     Far(F),
@@ -34,7 +34,7 @@ pub(in crate::patch) enum Nearness<F> {
 
 impl<F> Nearness<F> {
     /// That of all these parts together, up to the first that is far.
-    pub(in crate::patch) fn all(parts: impl IntoIterator<Item = Self>) -> Self {
+    pub(crate) fn all(parts: impl IntoIterator<Item = Self>) -> Self {
         let mut all = Nearness::Near;
         for part in parts {
             match part {
@@ -47,7 +47,7 @@ impl<F> Nearness<F> {
     }
 
     /// Adds what is known of one more part; `place` makes a point of this kind of one of the other.
-    pub(in crate::patch) fn add<G>(&mut self, part: &Nearness<G>, place: impl FnOnce(&G) -> F) {
+    pub(crate) fn add<G>(&mut self, part: &Nearness<G>, place: impl FnOnce(&G) -> F) {
         match (part, &self) {
             (Nearness::Far(far), Nearness::Near | Nearness::Open) => {
                 *self = Nearness::Far(place(far));
@@ -97,12 +97,12 @@ pub struct GeometricDepth<P = GeometricPlace> {
 
 impl<P> GeometricDepth<P> {
     /// What is known of the levels that were looked at: points that show that they are not sufficient, from level 0 on.
-    pub(in crate::patch) fn new(level: u32, places: Vec<P>) -> GeometricDepth<P> {
+    pub(crate) fn new(level: u32, places: Vec<P>) -> GeometricDepth<P> {
         GeometricDepth::of(Some(level), None, places)
     }
 
     /// The same of a search that ended early, with a level that is sufficient, if one is known.
-    pub(in crate::patch) fn ended(
+    pub(crate) fn ended(
         level: Option<u32>,
         why: impl Into<String>,
         places: Vec<P>,

@@ -11,9 +11,9 @@ use std::collections::HashMap;
 use std::sync::OnceLock;
 
 /// The mesh with its units.
-pub(in crate::patch) struct Scene<P> {
-    pub(in crate::patch) pieces: P,
-    pub(in crate::patch) units: Vec<Unit>,
+pub(crate) struct Scene<P> {
+    pub(crate) pieces: P,
+    pub(crate) units: Vec<Unit>,
     /// The units at each corner.
     at_corner: Grouped<usize>,
     /// How far lengths may be off.
@@ -28,7 +28,7 @@ pub(super) struct Ring {
 }
 
 impl<P: Units> Scene<P> {
-    pub(in crate::patch) fn new(pieces: P, units: Vec<Unit>, slack: f64) -> Scene<P> {
+    pub(crate) fn new(pieces: P, units: Vec<Unit>, slack: f64) -> Scene<P> {
         let count = units.iter().flat_map(|unit| &unit.corners).max().map_or(0, |most| most + 1);
         let corners = units.iter().enumerate();
         let corners =

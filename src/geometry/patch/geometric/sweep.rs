@@ -16,7 +16,7 @@ use crate::float::nearest;
 const TRIED: usize = 400;
 
 /// What is known of some units; where `all` is false, those after the first that is far are open.
-pub(in crate::patch) fn sweep<P: Units, S: Sets>(
+pub(crate) fn sweep<P: Units, S: Sets>(
     scene: &Scene<P>,
     own: &[usize],
     whole: &Whole<S>,
@@ -35,7 +35,7 @@ pub(in crate::patch) fn sweep<P: Units, S: Sets>(
 }
 
 /// The first of some points of units that is far from the other set: for a level that is far from sufficient.
-pub(in crate::patch) fn first_far<P: Units, S: Sets>(
+pub(crate) fn first_far<P: Units, S: Sets>(
     scene: &Scene<P>,
     own: &[usize],
     whole: &Whole<S>,
@@ -55,11 +55,7 @@ pub(in crate::patch) fn first_far<P: Units, S: Sets>(
 
 /// The greatest of a few lower bounds of the distance of a far point that holds, above `tolerance`, which is in the
 /// scale of the sets.
-pub(in crate::patch) fn far_distance<S: Sets>(
-    whole: &Whole<S>,
-    far: &FarPoint,
-    tolerance: &Rational,
-) -> f64 {
+pub(crate) fn far_distance<S: Sets>(whole: &Whole<S>, far: &FarPoint, tolerance: &Rational) -> f64 {
     // So far it is from all of the other set already.
     let least = nearest(tolerance).next_up();
     let greatest = length(&far.other.minus(&far.point));

@@ -15,14 +15,14 @@ const STEPS: u64 = 200_000;
 const DEEPEST: u32 = 40;
 
 /// Both sets of one level.
-pub(in crate::patch) struct Whole<S> {
-    pub(in crate::patch) sets: S,
+pub(crate) struct Whole<S> {
+    pub(crate) sets: S,
     /// Balls around the limit and the mesh of each root.
     balls: Vec<[(Point<f64>, f64); 2]>,
 }
 
 impl<S: Sets> Whole<S> {
-    pub(in crate::patch) fn new(sets: S) -> Whole<S> {
+    pub(crate) fn new(sets: S) -> Whole<S> {
         let numbers: Vec<usize> = (0..sets.count()).collect();
         let around = |&number: &usize| {
             let limit = sets.hull(&sets.root(number, false)).ball();
@@ -40,12 +40,7 @@ impl<S: Sets> Whole<S> {
     }
 
     /// Whether a point of one set is surely farther than this from the other set.
-    pub(in crate::patch) fn is_beyond(
-        &self,
-        point: &Point<f64>,
-        from: SetKind,
-        distance: f64,
-    ) -> bool {
+    pub(crate) fn is_beyond(&self, point: &Point<f64>, from: SetKind, distance: f64) -> bool {
         let enough = distance + self.sets.slack();
         let mut steps = STEPS;
         let of_mesh = from == SetKind::Limit;

@@ -10,23 +10,23 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The weights of such a piece.
 #[derive(Clone, Debug)]
-pub(in crate::patch) struct Across<W> {
+pub(crate) struct Across<W> {
     /// The parts of the section.
-    pub(in crate::patch) parts: Vec<AcrossPart<W>>,
+    pub(crate) parts: Vec<AcrossPart<W>>,
     /// For each Bézier coefficient across the layers, and each corner of the section: the point of the
     /// coefficient's section there, and that of the trilinear interpolant.
-    pub(in crate::patch) nodes: Vec<(Row<W>, Row<W>)>,
+    pub(crate) nodes: Vec<(Row<W>, Row<W>)>,
 }
 
 /// A part of the section with all layers.
 #[derive(Clone, Debug)]
-pub(in crate::patch) struct AcrossPart<W> {
+pub(crate) struct AcrossPart<W> {
     /// The part of the piece whose shape it has.
-    pub(in crate::patch) part: usize,
+    pub(crate) part: usize,
     /// Its points, over those of the piece.
-    pub(in crate::patch) points: Vec<Row<W>>,
+    pub(crate) points: Vec<Row<W>>,
     /// Its corners in the interpolant of the piece, over the corners of the piece.
-    pub(in crate::patch) base: Vec<Row<W>>,
+    pub(crate) base: Vec<Row<W>>,
 }
 
 /// Where points of the next level are: the columns that they are in the middle of, and twice their height in

@@ -8,7 +8,7 @@ const COUNT: usize = 4;
 
 /// The points of the layers, each in the same order: column i has point i of each. Column 0 has a corner of
 /// the piece.
-pub(in crate::patch) type Layers = [Vec<u32>; COUNT];
+pub(crate) type Layers = [Vec<u32>; COUNT];
 
 /// The layers of the cells around a piece, which comes first with corners 0 to 7; `None` where the cells
 /// are not the same in three layers.

@@ -11,15 +11,15 @@ use crate::patch::shapes::rules::{Rules, mean_of, rows};
 use crate::solid::{Complex, limit_rows, part_corners, refined_points};
 
 /// A hexahedron, which comes first, with all that share a corner with it. Corners 0 to 7 are its own.
-pub(in crate::patch) struct HexLocal {
-    pub(in crate::patch) complex: Complex,
+pub(crate) struct HexLocal {
+    pub(crate) complex: Complex,
     grid: Option<Grid>,
     /// Of a piece that is not regular.
-    pub(in crate::patch) layers: Option<Layers>,
+    pub(crate) layers: Option<Layers>,
 }
 
 /// The neighbourhoods of the eight parts of the first cell.
-pub(in crate::patch) fn parts_of(complex: &Complex) -> Vec<Neighbourhood> {
+pub(crate) fn parts_of(complex: &Complex) -> Vec<Neighbourhood> {
     let mut parts = Parts::new(complex);
     (0..8).map(|part| least(&mut parts, part)).collect()
 }
@@ -27,7 +27,7 @@ pub(in crate::patch) fn parts_of(complex: &Complex) -> Vec<Neighbourhood> {
 impl HexLocal {
     /// # Panics
     /// Never: a part of a solid fits together.
-    pub(in crate::patch) fn new(points: usize, cells: &[Vec<usize>]) -> HexLocal {
+    pub(crate) fn new(points: usize, cells: &[Vec<usize>]) -> HexLocal {
         let corners = |cell: &Vec<usize>| std::array::from_fn(|corner| cell[corner]);
         let cells: Vec<[usize; 8]> = cells.iter().map(corners).collect();
         let grid = Grid::of(points, &cells);
@@ -38,11 +38,7 @@ impl HexLocal {
 
     /// The weights, where the parts need these points of the next level; `parts` has the points of each
     /// part among all points of the next level, its corners first.
-    pub(in crate::patch) fn rules<W: Number>(
-        &self,
-        wanted: &[usize],
-        parts: &[Vec<usize>],
-    ) -> Rules<W> {
+    pub(crate) fn rules<W: Number>(&self, wanted: &[usize], parts: &[Vec<usize>]) -> Rules<W> {
         let own: Vec<Row<W>> = (0..8).map(|corner| mean_of(&[corner])).collect();
         let base: Vec<Vec<Row<W>>> = parts.iter().map(|points| self.split(&points[..8])).collect();
         let weight = |(point, weight): (usize, Rational)| {

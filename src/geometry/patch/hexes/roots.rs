@@ -14,10 +14,7 @@ const MAX_SHAPES: usize = 2_000;
 ///
 /// # Errors
 /// When there are too many different shapes.
-pub(in crate::patch) fn hex_roots(
-    complex: &Complex,
-    shapes: &mut Shapes,
-) -> Result<Roots, SolidError> {
+pub(crate) fn hex_roots(complex: &Complex, shapes: &mut Shapes) -> Result<Roots, SolidError> {
     let mut parts = Parts::new(complex);
     // Neighbourhoods that have been met, with their shapes and the orders of their points there.
     let mut orders: HashMap<Vec<u32>, (usize, Vec<u32>)> = HashMap::new();

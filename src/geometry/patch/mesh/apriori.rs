@@ -27,7 +27,7 @@ pub struct APriori {
 const MAX_LEVEL: u32 = 100_000;
 
 /// For the rounding of a few operations.
-pub(in crate::patch) const UP: f64 = 1.0 + 1e-9;
+pub(crate) const UP: f64 = 1.0 + 1e-9;
 
 /// The level that the longest edge and the valences of a mesh guarantee.
 ///
@@ -140,7 +140,7 @@ impl Creases {
 }
 
 /// The length of the longest of these edges, at most 1 + 10⁻⁹ times too large.
-pub(in crate::patch) fn longest_edge(
+pub(crate) fn longest_edge(
     points: &[Point<Rational>],
     edges: impl IntoIterator<Item = [usize; 2]>,
 ) -> f64 {
@@ -175,7 +175,7 @@ fn contraction(scheme: MeshScheme, valences: impl IntoIterator<Item = usize>) ->
 }
 
 #[allow(clippy::cast_precision_loss)] // Valences are small.
-pub(in crate::patch) fn real(n: usize) -> f64 {
+pub(crate) fn real(n: usize) -> f64 {
     n as f64
 }
 

@@ -7,8 +7,8 @@ use crate::patch::number::{Number, Vector, combinations};
 use crate::solid::{Complex, HexMesh, check_bits, refined_points, split_points};
 
 /// The points of level 1, and what the control mesh has at the corners of pieces of level 1.
-pub(in crate::patch) struct Levels<V: Vector> {
-    pub(in crate::patch) refined: Vec<V>,
+pub(crate) struct Levels<V: Vector> {
+    pub(crate) refined: Vec<V>,
     start: Start<V>,
 }
 
@@ -38,13 +38,13 @@ impl<V: Vector> Levels<V> {
 }
 
 /// What the pieces come from.
-pub(in crate::patch) enum Source {
+pub(crate) enum Source {
     Surface { mesh: PolygonMesh<Rational>, scheme: MeshScheme, stencils: Stencils },
     Solid(HexMesh<Rational>),
 }
 
 impl Source {
-    pub(in crate::patch) fn points(&self) -> &[Point<Rational>] {
+    pub(crate) fn points(&self) -> &[Point<Rational>] {
         match self {
             Source::Surface { mesh, .. } => mesh.points(),
             Source::Solid(mesh) => mesh.points(),
@@ -68,7 +68,7 @@ impl Source {
     }
 
     /// The first of the faces of level 1 that a face becomes; `None` for Doo and Sabin, and of a solid.
-    pub(in crate::patch) fn first_part(&self, face: usize) -> Option<usize> {
+    pub(crate) fn first_part(&self, face: usize) -> Option<usize> {
         match self {
             Source::Surface { scheme: MeshScheme::DooSabin, .. } | Source::Solid(_) => None,
             Source::Surface { mesh, scheme, .. } if scheme.is_bicubic() => {
@@ -79,7 +79,7 @@ impl Source {
     }
 
     /// The exact points; `None` where there would be too many, or too long ones.
-    pub(in crate::patch) fn exact(&self, count: usize) -> Option<Levels<Point<RealCyclotomic>>> {
+    pub(crate) fn exact(&self, count: usize) -> Option<Levels<Point<RealCyclotomic>>> {
         match self {
             Source::Surface { mesh, scheme, stencils, .. } => {
                 let mesh = mesh.map(|x| RealCyclotomic::from(x.clone()));
@@ -98,7 +98,7 @@ impl Source {
 }
 
 /// The points of a surface and those of its refinement.
-pub(in crate::patch) fn surface<S: Number>(
+pub(crate) fn surface<S: Number>(
     mesh: &PolygonMesh<S>,
     scheme: MeshScheme,
     refined: Vec<Point<S>>,

@@ -21,15 +21,15 @@ use std::sync::OnceLock;
 
 /// A mesh or a solid as pieces.
 pub struct Model {
-    pub(in crate::patch) shapes: Shapes,
-    pub(in crate::patch) roots: Roots,
-    pub(in crate::patch) source: Source,
+    pub(crate) shapes: Shapes,
+    pub(crate) roots: Roots,
+    pub(crate) source: Source,
     /// In f64: moved so that the first point is the origin, and multiplied by 2^−e.
     rounded: Levels<Point<f64>>,
     /// `None` where exact numbers are too much work.
     exact: OnceLock<Option<Levels<Point<RealCyclotomic>>>>,
     /// 2^e.
-    pub(in crate::patch) scale: Rational,
+    pub(crate) scale: Rational,
     /// The greatest coordinate, and the most weights of a row.
     size: f64,
     terms: usize,
@@ -40,7 +40,7 @@ pub struct Model {
 }
 
 impl Model {
-    pub(in crate::patch) fn new(
+    pub(crate) fn new(
         control: PolygonMesh<Rational>,
         scheme: MeshScheme,
     ) -> Result<Model, MeshError> {
@@ -108,22 +108,18 @@ impl Model {
 
     /// Lengths in f64, for the points of the levels after that many, counted from 0 again: the slack of level ℓ is at least
     /// that of level ℓ + `level`.
-    pub(in crate::patch) fn rounded_judge_after(
-        &self,
-        tolerance: &Rational,
-        level: u32,
-    ) -> Rounded {
+    pub(crate) fn rounded_judge_after(&self, tolerance: &Rational, level: u32) -> Rounded {
         let size = self.size * f64::from(level + 1);
         Rounded::new(&(tolerance / &self.scale), size, self.terms)
     }
 
     /// The points of a control mesh in f64: moved and scaled.
-    pub(in crate::patch) fn control(&self) -> Vec<Point<f64>> {
+    pub(crate) fn control(&self) -> Vec<Point<f64>> {
         moved(self.source.points(), &self.scale)
     }
 
     /// How many vertices the face of a piece has.
-    pub(in crate::patch) fn face_size(&self, root: &Root) -> usize {
+    pub(crate) fn face_size(&self, root: &Root) -> usize {
         match &self.source {
             Source::Surface { mesh, .. } => mesh.faces()[root.face].len(),
             Source::Solid(_) => 0,
@@ -139,7 +135,7 @@ impl Model {
     }
 
     /// A piece in f64, for the polygons of a level.
-    pub(in crate::patch) fn rounded_cell(&self, root: &Root, level: u32) -> LevelPiece<Point<f64>> {
+    pub(crate) fn rounded_cell(&self, root: &Root, level: u32) -> LevelPiece<Point<f64>> {
         self.cell(root, level, &self.rounded)
     }
 
@@ -155,7 +151,7 @@ impl Model {
 }
 
 /// The points in f64, the first one as the origin, in units of the scale.
-pub(in crate::patch) fn moved(points: &[Point<Rational>], scale: &Rational) -> Vec<Point<f64>> {
+pub(crate) fn moved(points: &[Point<Rational>], scale: &Rational) -> Vec<Point<f64>> {
     let origin = &points[0];
     let moved =
         |point: &Point<Rational>| [0, 1, 2].map(|i| nearest(&(&(&point[i] - &origin[i]) / scale)));
@@ -169,7 +165,7 @@ fn size(points: &[Point<f64>]) -> f64 {
 
 /// The power of two that is just above all differences of coordinates from those of the first
 /// point.
-pub(in crate::patch) fn scale(points: &[Point<Rational>]) -> Rational {
+pub(crate) fn scale(points: &[Point<Rational>]) -> Rational {
     let bits = |x: &Rational| {
         let [p, q] = [x.numerator(), x.denominator()];
         i64::try_from(p.bits()).unwrap_or(i64::MAX) - i64::try_from(q.bits()).unwrap_or(0) + 1

@@ -9,17 +9,17 @@ use crate::patch::shapes::shape::{Part, Shape, UP, quarter};
 
 /// A piece of a level with its points.
 #[derive(Clone)]
-pub(in crate::patch) struct LevelPiece<V> {
-    pub(in crate::patch) shape: usize,
+pub(crate) struct LevelPiece<V> {
+    pub(crate) shape: usize,
     /// The level, from 1 on.
-    pub(in crate::patch) level: u32,
-    pub(in crate::patch) points: Vec<V>,
+    pub(crate) level: u32,
+    pub(crate) points: Vec<V>,
     /// The polygon that the limit is compared with, at the corners of the piece, where that polygon
     /// is of this level or an earlier one and linear or bilinear on the piece.
-    pub(in crate::patch) base: Option<Vec<V>>,
+    pub(crate) base: Option<Vec<V>>,
     /// The parts of parts that led here from the piece of level 1: two binary digits for each, the
     /// last one lowest. Of a solid it is not kept.
-    pub(in crate::patch) path: u128,
+    pub(crate) path: u128,
 }
 
 /// What is known of the distance on a piece.
@@ -41,7 +41,7 @@ impl<V: Points> LevelPiece<V> {
     }
 
     /// The work for this piece: 1 for a regular one, more the more points there are.
-    pub(in crate::patch) fn work(&self) -> u64 {
+    pub(crate) fn work(&self) -> u64 {
         self.points.len() as u64 / 16 + 1
     }
 
@@ -55,7 +55,7 @@ impl<V: Points> LevelPiece<V> {
     }
 
     /// One part, of a piece that has no polygon to be compared with yet.
-    pub(in crate::patch) fn part(&self, shapes: &Shapes, part: usize) -> LevelPiece<V> {
+    pub(crate) fn part(&self, shapes: &Shapes, part: usize) -> LevelPiece<V> {
         let shape = self.shape(shapes);
         let Part { shape: next, points } = &shape.parts[part];
         let refined = &V::rules(shape).refined;
@@ -71,7 +71,7 @@ impl<V: Points> LevelPiece<V> {
     }
 
     /// The parts. `begin`: the polygon that the limit is compared with is that of this level.
-    pub(in crate::patch) fn parts(&self, shapes: &Shapes, begin: bool) -> Vec<LevelPiece<V>> {
+    pub(crate) fn parts(&self, shapes: &Shapes, begin: bool) -> Vec<LevelPiece<V>> {
         let shape = self.shape(shapes);
         let rules = V::rules(shape);
         let refined = combinations(&rules.refined, &self.points);
@@ -89,7 +89,7 @@ impl<V: Points> LevelPiece<V> {
     }
 
     /// This piece with its own polygon to be compared with; `None` where that is so on its parts only.
-    pub(in crate::patch) fn begun(&self, shapes: &Shapes) -> Option<LevelPiece<V>> {
+    pub(crate) fn begun(&self, shapes: &Shapes) -> Option<LevelPiece<V>> {
         let own = V::rules(self.shape(shapes)).own.as_ref()?;
         Some(LevelPiece { base: Some(combinations(own, &self.points)), ..self.clone() })
     }

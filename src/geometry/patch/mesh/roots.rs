@@ -14,20 +14,20 @@ const MAX_SHAPES: usize = 5_000;
 
 /// A piece of level 1.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::patch) struct Root {
+pub(crate) struct Root {
     /// The face of the control mesh that it is on.
-    pub(in crate::patch) face: usize,
+    pub(crate) face: usize,
     /// Which part of that face: for Doo–Sabin, which of its vertices.
-    pub(in crate::patch) part: usize,
-    pub(in crate::patch) shape: usize,
+    pub(crate) part: usize,
+    pub(crate) shape: usize,
     /// Where its points begin in the list of all.
-    pub(in crate::patch) first: usize,
+    pub(crate) first: usize,
 }
 
 /// The pieces of level 1, and the numbers of their points in the mesh of that level.
-pub(in crate::patch) struct Roots {
-    pub(in crate::patch) all: Vec<Root>,
-    pub(in crate::patch) points: Vec<u32>,
+pub(crate) struct Roots {
+    pub(crate) all: Vec<Root>,
+    pub(crate) points: Vec<u32>,
 }
 
 impl Roots {
@@ -35,7 +35,7 @@ impl Roots {
     ///
     /// # Errors
     /// When creases make too many different shapes.
-    pub(in crate::patch) fn of<S>(
+    pub(crate) fn of<S>(
         scheme: MeshScheme,
         control: &Connectivity,
         refined: &PolygonMesh<S>,
@@ -78,7 +78,7 @@ impl Roots {
     }
 
     /// A piece with its points.
-    pub(in crate::patch) fn cell<V: Vector>(
+    pub(crate) fn cell<V: Vector>(
         &self,
         root: &Root,
         shapes: &Shapes,
@@ -99,10 +99,7 @@ impl Roots {
 pub(super) type Corners<W> = BTreeMap<usize, Vec<Vec<Row<W>>>>;
 
 /// Those of all faces of a mesh.
-pub(in crate::patch) fn corners<W: Number>(
-    scheme: MeshScheme,
-    control: &Connectivity,
-) -> Corners<W> {
+pub(crate) fn corners<W: Number>(scheme: MeshScheme, control: &Connectivity) -> Corners<W> {
     let mut corners = Corners::new();
     for face in control.faces() {
         corners.entry(face.len()).or_insert_with(|| match scheme {

@@ -11,7 +11,7 @@ use crate::patch::shapes::library::Shapes;
 pub(super) const MAX_PIECE_LEVEL: u32 = 64;
 
 /// The search in one piece of level 1 after another, for the polygons of one level.
-pub(in crate::patch) struct Search<'a, V: Points, J> {
+pub(crate) struct Search<'a, V: Points, J> {
     shapes: &'a Shapes,
     judge: &'a J,
     /// The level of the polygons.
@@ -22,7 +22,7 @@ pub(in crate::patch) struct Search<'a, V: Points, J> {
 }
 
 impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
-    pub(in crate::patch) fn new(shapes: &'a Shapes, judge: &'a J, level: u32, steps: u64) -> Self {
+    pub(crate) fn new(shapes: &'a Shapes, judge: &'a J, level: u32, steps: u64) -> Self {
         // (1 − u)³ + u³ is from 1/4 to 1, and (1/2 − u)²·4 from 0 to 1.
         let least = Rational::new(i64::from(shapes.scheme.is_cubic()), 4);
         let factors = [Rational::one(), least].map(|x| V::Weight::from_rational(&x));

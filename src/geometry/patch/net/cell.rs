@@ -10,7 +10,7 @@ use crate::patch::distance::judge::Judge;
 
 /// A cell of a level with the points of its window, row by row.
 #[derive(Clone)]
-pub(in crate::patch) struct Cell<S> {
+pub(crate) struct Cell<S> {
     /// How often each direction is divided.
     pub(super) levels: [u32; 2],
     /// i and j, of the parameters from i to i + 1 and from j to j + 1 over n and m to the power of

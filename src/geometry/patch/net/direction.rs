@@ -10,7 +10,7 @@ use crate::scheme::Mask;
 
 /// What is known of one direction.
 #[derive(Clone, Debug)]
-pub(in crate::patch) struct Direction {
+pub(crate) struct Direction {
     pub(super) arity: usize,
     /// s: point i of level k belongs to the parameter (i + s)/n^k.
     pub(super) shift: Rational,
@@ -51,7 +51,7 @@ impl Direction {
 }
 
 /// The weights in one of the two arithmetics.
-pub(in crate::patch) trait Weights: crate::exact::Scalar + Sync {
+pub(crate) trait Weights: crate::exact::Scalar + Sync {
     fn rules(direction: &Direction) -> &Rules<Self>;
 }
 

@@ -12,7 +12,7 @@ const MAX_PHASES: usize = 80;
 
 /// The maps of one direction, over the points of a window.
 #[derive(Clone, Debug)]
-pub(in crate::patch) struct Rules<S> {
+pub(crate) struct Rules<S> {
     /// The points of the next level in the windows of all parts.
     pub(super) refined: Vec<Row<S>>,
     /// Phase 0 has no node of the polygon inside the cell.

@@ -9,7 +9,7 @@ use crate::patch::distance::surface::PieceSearch;
 
 /// Node of a cell.
 #[derive(Clone, Debug)]
-pub(in crate::patch) struct Node {
+pub(crate) struct Node {
     pub(super) levels: [u32; 2],
     pub(super) index: [i128; 2],
     pub(super) phases: [usize; 2],

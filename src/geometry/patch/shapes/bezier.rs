@@ -7,7 +7,7 @@ use crate::patch::number::{Number, Row};
 
 /// The Bézier coefficients of a piece, each with the weights, over the corners of the piece, of the
 /// linear or bilinear interpolant there.
-pub(in crate::patch) type Bezier<W> = Vec<(Row<W>, Row<W>)>;
+pub(crate) type Bezier<W> = Vec<(Row<W>, Row<W>)>;
 
 impl<W: Number> Layout<W> {
     /// The Bézier coefficients. The first ones are at the corners of the piece.

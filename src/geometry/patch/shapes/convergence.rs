@@ -21,7 +21,7 @@ const NEAR: f64 = 0.001;
 const MOST_STATES: usize = 64;
 
 /// The greatest levels that bounds are computed for.
-pub(in crate::patch) const LAST: usize = 80;
+pub(crate) const LAST: usize = 80;
 
 /// Those of a shape, the parts of which have theirs.
 pub(super) fn convergence(shapes: &[Shape], shape: usize) -> Convergence {

@@ -8,7 +8,7 @@ use crate::patch::number::index;
 const MOST: [usize; 2] = [4, 6];
 
 /// The faces around the vertices of a regular face, from the face itself on, and which of their vertices these are.
-pub(in crate::patch) struct Fans {
+pub(crate) struct Fans {
     /// How many vertices each face has, and how many faces each vertex.
     count: usize,
     valence: usize,
@@ -18,11 +18,7 @@ pub(in crate::patch) struct Fans {
 impl Fans {
     /// Those of a triangle at three inner vertices of valence 6 with triangles around, or of a quadrilateral at four of
     /// valence 4 with quadrilaterals, where nothing is sharp in the mesh.
-    pub(in crate::patch) fn of(
-        connectivity: &Connectivity,
-        tags: &Tags,
-        face: usize,
-    ) -> Option<Fans> {
+    pub(crate) fn of(connectivity: &Connectivity, tags: &Tags, face: usize) -> Option<Fans> {
         let count = connectivity.faces()[face].len();
         let valence = match count {
             3 => 6,
@@ -58,15 +54,15 @@ impl Fans {
 }
 
 /// Where the points of the [`Neighbourhood`] of a regular piece are in its fans; this is the same for all of them.
-pub(in crate::patch) struct Regular {
-    pub(in crate::patch) shape: usize,
+pub(crate) struct Regular {
+    pub(crate) shape: usize,
     count: usize,
     places: Vec<[usize; 3]>,
 }
 
 impl Regular {
     /// As it is in the neighbourhood of this piece; `None` where two points are one in the mesh.
-    pub(in crate::patch) fn new(
+    pub(crate) fn new(
         connectivity: &Connectivity,
         fans: &Fans,
         neighbourhood: &Neighbourhood,
@@ -87,17 +83,12 @@ impl Regular {
     }
 
     /// Whether these are fans of such a piece.
-    pub(in crate::patch) fn has(&self, fans: &Fans) -> bool {
+    pub(crate) fn has(&self, fans: &Fans) -> bool {
         self.count == fans.count
     }
 
     /// Appends the points of a piece with these fans.
-    pub(in crate::patch) fn points(
-        &self,
-        connectivity: &Connectivity,
-        fans: &Fans,
-        points: &mut Vec<u32>,
-    ) {
+    pub(crate) fn points(&self, connectivity: &Connectivity, fans: &Fans, points: &mut Vec<u32>) {
         let point = |at: &[usize; 3]| index(fans.point(connectivity, *at));
         points.extend(self.places.iter().map(point));
     }

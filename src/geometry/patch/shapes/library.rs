@@ -10,23 +10,23 @@ use std::collections::HashMap;
 use std::sync::OnceLock;
 
 /// All shapes that have been met.
-pub(in crate::patch) struct Shapes {
-    pub(in crate::patch) scheme: PieceScheme,
+pub(crate) struct Shapes {
+    pub(crate) scheme: PieceScheme,
     known: HashMap<Vec<u32>, usize>,
     all: Vec<Shape>,
 }
 
 impl Shapes {
-    pub(in crate::patch) fn new(scheme: PieceScheme) -> Shapes {
+    pub(crate) fn new(scheme: PieceScheme) -> Shapes {
         Shapes { scheme, known: HashMap::new(), all: Vec::new() }
     }
 
-    pub(in crate::patch) fn get(&self, shape: usize) -> &Shape {
+    pub(crate) fn get(&self, shape: usize) -> &Shape {
         &self.all[shape]
     }
 
     /// The shape of a neighbourhood, with those of its parts, of their parts, and so on.
-    pub(in crate::patch) fn shape(&mut self, neighbourhood: &Neighbourhood) -> usize {
+    pub(crate) fn shape(&mut self, neighbourhood: &Neighbourhood) -> usize {
         if let Some(&shape) = self.known.get(&neighbourhood.key) {
             return shape;
         }
@@ -101,12 +101,12 @@ impl Shapes {
     }
 
     /// How many there are.
-    pub(in crate::patch) fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.all.len()
     }
 
     /// The longest row of weights of all shapes.
-    pub(in crate::patch) fn longest(&self) -> usize {
+    pub(crate) fn longest(&self) -> usize {
         self.all.iter().map(Shape::longest).max().unwrap_or(0)
     }
 }

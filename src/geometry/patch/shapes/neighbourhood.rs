@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 /// A piece of the surface of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::patch) enum Piece {
+pub(crate) enum Piece {
     /// A face.
     Face(usize),
     /// The quarters of the faces around an inner vertex, one of which is the first.
@@ -18,21 +18,21 @@ pub(in crate::patch) enum Piece {
 /// A piece with all faces that share a vertex with it and that its limit depends on, unfolded: faces that meet only far
 /// away from the piece do not meet here, and faces beyond an infinitely sharp crease are left out, so that the crease is
 /// a boundary (`proofs/THEOREMS.md`, 169).
-pub(in crate::patch) struct Neighbourhood {
+pub(crate) struct Neighbourhood {
     /// The numbers of the points in the mesh. Those of the piece come first: the vertices of the
     /// face, or the vertex.
-    pub(in crate::patch) points: Vec<usize>,
+    pub(crate) points: Vec<usize>,
     /// The faces on these points; the first one is the piece, or the first around the vertex.
-    pub(in crate::patch) faces: Vec<Vec<usize>>,
+    pub(crate) faces: Vec<Vec<usize>>,
     /// What is sharp besides the boundary.
-    pub(in crate::patch) sharp: Sharp,
+    pub(crate) sharp: Sharp,
     /// What the shape depends on: boundary, order, the numbers of vertices of the faces, and what is sharp.
-    pub(in crate::patch) key: Vec<u32>,
+    pub(crate) key: Vec<u32>,
 }
 
 /// What is sharp at the vertices of a piece besides the boundary of its neighbourhood, by the numbers there.
 #[derive(Default)]
-pub(in crate::patch) struct Sharp {
+pub(crate) struct Sharp {
     creasing: Creasing,
     points: Vec<(usize, Sharpness)>,
     edges: Vec<([usize; 2], Sharpness)>,
@@ -78,11 +78,7 @@ struct Unfolding<'a> {
 }
 
 impl Neighbourhood {
-    pub(in crate::patch) fn of(
-        connectivity: &Connectivity,
-        tags: &Tags,
-        piece: Piece,
-    ) -> Neighbourhood {
+    pub(crate) fn of(connectivity: &Connectivity, tags: &Tags, piece: Piece) -> Neighbourhood {
         let mut unfolding = Unfolding {
             connectivity,
             tags,

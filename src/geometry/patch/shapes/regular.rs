@@ -13,15 +13,15 @@ pub(super) type Place = (i32, i32);
 
 /// The points of a regular piece by their places: rows over the points of the neighbourhood.
 pub(super) struct Layout<W> {
-    pub(in crate::patch) scheme: MeshScheme,
+    pub(crate) scheme: MeshScheme,
     pub(super) at: BTreeMap<Place, Row<W>>,
 }
 
 /// Second differences, as rows: in each direction, and (Loop) across edges.
 #[derive(Clone, Debug)]
-pub(in crate::patch) struct Bends<W> {
-    pub(in crate::patch) directions: Vec<Vec<Row<W>>>,
-    pub(in crate::patch) across: Vec<Row<W>>,
+pub(crate) struct Bends<W> {
+    pub(crate) directions: Vec<Vec<Row<W>>>,
+    pub(crate) across: Vec<Row<W>>,
 }
 
 /// The directions of the triangular lattice, counter-clockwise.
@@ -58,7 +58,7 @@ pub(super) fn weighted<W: Number>(terms: &[(W, &Row<W>)]) -> Row<W> {
 }
 
 /// p/q.
-pub(in crate::patch) fn number<W: Number>(p: i64, q: i64) -> W {
+pub(crate) fn number<W: Number>(p: i64, q: i64) -> W {
     W::from_rational(&Rational::new(p, q))
 }
 
@@ -68,7 +68,7 @@ fn one<W: Number>(point: usize) -> Row<W> {
 
 impl<W: Number> Layout<W> {
     /// The places of the points of a piece on `corners` points; `None` where it is not regular.
-    pub(in crate::patch) fn of(
+    pub(crate) fn of(
         scheme: MeshScheme,
         connectivity: &Connectivity,
         corners: usize,

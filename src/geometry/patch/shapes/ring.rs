@@ -8,14 +8,14 @@ pub(super) struct Ring {
     pub(super) start: usize,
     /// The place of the face itself, from the first one on.
     pub(super) position: usize,
-    pub(in crate::patch) count: usize,
+    pub(crate) count: usize,
     /// Whether the first and the last one do not meet.
     pub(super) open: bool,
 }
 
 impl Ring {
     /// The faces, and which vertex of each the vertex is.
-    pub(in crate::patch) fn faces<'a>(
+    pub(crate) fn faces<'a>(
         &self,
         star: &'a Star,
     ) -> impl Iterator<Item = (usize, usize)> + use<'a> {
@@ -82,14 +82,14 @@ impl Corner {
 
 /// The vertices of a face.
 pub(super) struct Corners {
-    pub(in crate::patch) all: Vec<Corner>,
+    pub(crate) all: Vec<Corner>,
     /// Whether only the faces between two sharp edges count at a vertex: two or more of its edges are infinitely sharp,
     /// nothing falls there, and the same holds at the other end of a sharp edge of the face.
     pub(super) is_cut: Vec<bool>,
 }
 
 impl Corners {
-    pub(in crate::patch) fn new(connectivity: &Connectivity, tags: &Tags, face: usize) -> Corners {
+    pub(crate) fn new(connectivity: &Connectivity, tags: &Tags, face: usize) -> Corners {
         let count = connectivity.faces()[face].len();
         let all: Vec<Corner> =
             (0..count).map(|i| Corner::new(connectivity, tags, face, i)).collect();

@@ -14,29 +14,29 @@ use std::collections::BTreeMap;
 
 /// The weights of a shape.
 #[derive(Clone, Debug, Default)]
-pub(in crate::patch) struct Rules<W> {
+pub(crate) struct Rules<W> {
     /// The points of the next level that its parts need.
-    pub(in crate::patch) refined: Vec<Row<W>>,
+    pub(crate) refined: Vec<Row<W>>,
     /// For each part, the polygons of this level at the corners of the part.
-    pub(in crate::patch) base: Vec<Vec<Row<W>>>,
+    pub(crate) base: Vec<Vec<Row<W>>>,
     /// The same where the polygons of an earlier level are given at the corners of the piece.
-    pub(in crate::patch) split: Vec<Vec<Row<W>>>,
+    pub(crate) split: Vec<Vec<Row<W>>>,
     /// The corners between which the polygon of this level is linear or bilinear; `None` where it is so
     /// on the parts only.
-    pub(in crate::patch) own: Option<Vec<Row<W>>>,
+    pub(crate) own: Option<Vec<Row<W>>>,
     /// Points of the polygon of this level between which it is linear or bilinear, each with its weights
     /// over the corners of the piece.
-    pub(in crate::patch) nodes: Vec<(Row<W>, Row<W>)>,
+    pub(crate) nodes: Vec<(Row<W>, Row<W>)>,
     /// The limits at the corners of the piece.
-    pub(in crate::patch) limits: Vec<Row<W>>,
+    pub(crate) limits: Vec<Row<W>>,
     /// Of a piece of a solid that is the same in each layer, and not regular.
-    pub(in crate::patch) across: Option<Across<W>>,
+    pub(crate) across: Option<Across<W>>,
     /// Of a regular piece.
-    pub(in crate::patch) regular: Option<(Bezier<W>, Bends<W>)>,
+    pub(crate) regular: Option<(Bezier<W>, Bends<W>)>,
 }
 
 /// The faces around a piece, in numbers of their own.
-pub(in crate::patch) struct Local {
+pub(crate) struct Local {
     scheme: MeshScheme,
     mesh: PolygonMesh<()>,
     stencils: Stencils,
@@ -45,7 +45,7 @@ pub(in crate::patch) struct Local {
 impl Local {
     /// # Panics
     /// Never: the faces around a piece are a disc.
-    pub(in crate::patch) fn new(scheme: MeshScheme, neighbourhood: &Neighbourhood) -> Local {
+    pub(crate) fn new(scheme: MeshScheme, neighbourhood: &Neighbourhood) -> Local {
         let points = vec![[(); 3]; neighbourhood.points.len()];
         let mesh = PolygonMesh::new(points, neighbourhood.faces.clone()).expect("a disc");
         let stencils = Stencils::new(scheme, weighted_valences(mesh.connectivity(), scheme));
@@ -54,12 +54,12 @@ impl Local {
     }
 
     /// The next level.
-    pub(in crate::patch) fn refined(&self) -> PolygonMesh<f64> {
+    pub(crate) fn refined(&self) -> PolygonMesh<f64> {
         self.step(vec![[0.0; 3]; self.mesh.points().len()])
     }
 
     /// The parts in the mesh of the next level.
-    pub(in crate::patch) fn parts(&self, refined: &PolygonMesh<f64>) -> Vec<Piece> {
+    pub(crate) fn parts(&self, refined: &PolygonMesh<f64>) -> Vec<Piece> {
         match self.scheme {
             // The faces of the first face come first.
             MeshScheme::CatmullClark | MeshScheme::Bajaj => {
@@ -87,7 +87,7 @@ impl Local {
     }
 
     /// The weights, where the parts need these points of the next level.
-    pub(in crate::patch) fn rules<W: Number>(&self, wanted: &[usize]) -> Rules<W> {
+    pub(crate) fn rules<W: Number>(&self, wanted: &[usize]) -> Rules<W> {
         let corners = self.mesh.faces()[0].len();
         let plain = !self.mesh.tags().has_sharp();
         let layout = plain.then(|| Layout::of(self.scheme, self.mesh.connectivity(), corners));
@@ -126,7 +126,7 @@ impl Local {
 }
 
 /// The rows of these points of the next level, which `refine` makes of `count` points.
-pub(in crate::patch) fn rows<S: Number>(
+pub(crate) fn rows<S: Number>(
     count: usize,
     wanted: &[usize],
     refine: impl Fn(Vec<Point<S>>) -> Vec<Point<S>>,
@@ -150,7 +150,7 @@ pub(in crate::patch) fn rows<S: Number>(
 }
 
 /// The mean of these points.
-pub(in crate::patch) fn mean_of<W: Number>(points: &[usize]) -> Row<W> {
+pub(crate) fn mean_of<W: Number>(points: &[usize]) -> Row<W> {
     let share = Rational::new(1, points.len());
     let row = |&point: &usize| (index(point), W::from_rational(&share));
     let single: Vec<Row<W>> = points.iter().map(|point| vec![row(point)]).collect();
@@ -160,7 +160,7 @@ pub(in crate::patch) fn mean_of<W: Number>(points: &[usize]) -> Row<W> {
 
 /// The corners of the parts of a face: of a triangle three and the middle one, else one for each
 /// vertex.
-pub(in crate::patch) fn parts_of_face<W: Number>(corners: usize) -> Vec<Vec<Row<W>>> {
+pub(crate) fn parts_of_face<W: Number>(corners: usize) -> Vec<Vec<Row<W>>> {
     let n = corners;
     let all: Vec<usize> = (0..n).collect();
     if n == 3 {
@@ -173,10 +173,7 @@ pub(in crate::patch) fn parts_of_face<W: Number>(corners: usize) -> Vec<Vec<Row<
 }
 
 /// The corners of the quadrilaterals of a face of n vertices.
-pub(in crate::patch) fn quadrilaterals_of_face<W: Number>(
-    n: usize,
-    all: &[usize],
-) -> Vec<Vec<Row<W>>> {
+pub(crate) fn quadrilaterals_of_face<W: Number>(n: usize, all: &[usize]) -> Vec<Vec<Row<W>>> {
     let part = |i: usize| {
         vec![
             mean_of(&[i]),

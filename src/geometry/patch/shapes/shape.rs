@@ -7,40 +7,40 @@ use crate::exact::RealCyclotomic;
 use std::sync::OnceLock;
 
 /// What sums and products of a few bounds are multiplied by for their rounding.
-pub(in crate::patch) const UP: f64 = 1.0 + 1e-14;
+pub(crate) const UP: f64 = 1.0 + 1e-14;
 
 /// 4^−i.
-pub(in crate::patch) fn quarter(i: u32) -> f64 {
+pub(crate) fn quarter(i: u32) -> f64 {
     0.25_f64.powi(i32::try_from(i).unwrap_or(i32::MAX))
 }
 
 /// One part of a piece at the next level.
 #[derive(Clone, Debug)]
-pub(in crate::patch) struct Part {
+pub(crate) struct Part {
     /// Its shape.
-    pub(in crate::patch) shape: usize,
+    pub(crate) shape: usize,
     /// Its points, among those that the piece makes.
-    pub(in crate::patch) points: Vec<usize>,
+    pub(crate) points: Vec<usize>,
 }
 
 /// A piece with the faces around it, whatever its points are.
-pub(in crate::patch) struct Shape {
+pub(crate) struct Shape {
     /// How many points there are.
-    pub(in crate::patch) points: usize,
-    pub(in crate::patch) parts: Vec<Part>,
-    pub(in crate::patch) rules: Rules<f64>,
+    pub(crate) points: usize,
+    pub(crate) parts: Vec<Part>,
+    pub(crate) rules: Rules<f64>,
     /// How fast pieces of this shape tend to the limit.
-    pub(in crate::patch) convergence: Convergence,
-    pub(in crate::patch) scheme: PieceScheme,
-    pub(in crate::patch) surroundings: Surroundings,
+    pub(crate) convergence: Convergence,
+    pub(crate) scheme: PieceScheme,
+    pub(crate) surroundings: Surroundings,
     /// The points of the next level that the parts need.
     pub(super) wanted: Vec<usize>,
-    pub(in crate::patch) exact: OnceLock<Rules<RealCyclotomic>>,
+    pub(crate) exact: OnceLock<Rules<RealCyclotomic>>,
 }
 
 impl Shape {
     /// The exact weights, computed when they are first needed.
-    pub(in crate::patch) fn exact(&self) -> &Rules<RealCyclotomic> {
+    pub(crate) fn exact(&self) -> &Rules<RealCyclotomic> {
         self.exact.get_or_init(|| self.surroundings.rules(&self.wanted, &self.part_points()))
     }
 
@@ -50,26 +50,26 @@ impl Shape {
         self.parts.iter().map(points).collect()
     }
 
-    pub(in crate::patch) fn is_regular(&self) -> bool {
+    pub(crate) fn is_regular(&self) -> bool {
         self.rules.regular.is_some()
     }
 
     /// The bound of a piece of this size, for the level that many levels later and all after it.
-    pub(in crate::patch) fn bound(&self, size: f64, later: u32) -> f64 {
+    pub(crate) fn bound(&self, size: f64, later: u32) -> f64 {
         let factor = if self.is_regular() { quarter(later) } else { self.convergence.bound(later) };
         factor * size * UP
     }
 
     /// The part that has the same shape, and the bound of [`bound`](Self::bound) for all other parts
     /// together: the piece itself has this size, and the level is that many levels after its own.
-    pub(in crate::patch) fn others(&self, size: f64, later: u32) -> Option<(usize, f64)> {
+    pub(crate) fn others(&self, size: f64, later: u32) -> Option<(usize, f64)> {
         let (part, bounds) = self.convergence.repeated.as_ref()?;
         let bound = entry(bounds, later.checked_sub(1)?);
         Some((*part, bound * size * UP))
     }
 
     /// The longest row of weights.
-    pub(in crate::patch) fn longest(&self) -> usize {
+    pub(crate) fn longest(&self) -> usize {
         self.rules.refined.iter().chain(&self.rules.limits).map(Vec::len).max().unwrap_or(0)
     }
 }
@@ -78,7 +78,7 @@ impl Shape {
 /// i-th level after it from the limit on the piece, N the greatest distance of its points from its
 /// first point.
 #[derive(Clone, Debug, Default)]
-pub(in crate::patch) struct Convergence {
+pub(crate) struct Convergence {
     pub(super) bounds: Vec<f64>,
     /// The part that has the same shape, and the same bounds for all other parts.
     pub(super) repeated: Option<(usize, Vec<f64>)>,
@@ -91,7 +91,7 @@ fn entry(bounds: &[f64], i: u32) -> f64 {
 
 impl Convergence {
     /// G_i; infinite beyond those that are known.
-    pub(in crate::patch) fn bound(&self, i: u32) -> f64 {
+    pub(crate) fn bound(&self, i: u32) -> f64 {
         entry(&self.bounds, i)
     }
 

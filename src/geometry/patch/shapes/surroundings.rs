@@ -7,16 +7,13 @@ use crate::patch::hexes::{HexLocal, Layers, parts_of};
 use crate::patch::number::Number;
 
 /// The faces or the cells around a piece.
-pub(in crate::patch) enum Surroundings {
+pub(crate) enum Surroundings {
     Surface(Local),
     Solid(HexLocal),
 }
 
 impl Surroundings {
-    pub(in crate::patch) fn new(
-        scheme: PieceScheme,
-        neighbourhood: &Neighbourhood,
-    ) -> Surroundings {
+    pub(crate) fn new(scheme: PieceScheme, neighbourhood: &Neighbourhood) -> Surroundings {
         match scheme {
             PieceScheme::Surface(scheme) => {
                 Surroundings::Surface(Local::new(scheme, neighbourhood))
@@ -28,7 +25,7 @@ impl Surroundings {
     }
 
     /// The layers of a piece of a solid that is the same in each.
-    pub(in crate::patch) fn layers(&self) -> Option<&Layers> {
+    pub(crate) fn layers(&self) -> Option<&Layers> {
         match self {
             Surroundings::Surface(_) => None,
             Surroundings::Solid(local) => local.layers.as_ref(),
@@ -36,7 +33,7 @@ impl Surroundings {
     }
 
     /// The neighbourhoods of the parts of the piece at the next level.
-    pub(in crate::patch) fn parts(&self) -> Vec<Neighbourhood> {
+    pub(crate) fn parts(&self) -> Vec<Neighbourhood> {
         match self {
             Surroundings::Surface(local) => {
                 let refined = local.refined();
@@ -49,11 +46,7 @@ impl Surroundings {
     }
 
     /// The weights, where the parts need these points of the next level.
-    pub(in crate::patch) fn rules<W: Number>(
-        &self,
-        wanted: &[usize],
-        parts: &[Vec<usize>],
-    ) -> Rules<W> {
+    pub(crate) fn rules<W: Number>(&self, wanted: &[usize], parts: &[Vec<usize>]) -> Rules<W> {
         match self {
             Surroundings::Surface(local) => local.rules(wanted),
             Surroundings::Solid(local) => local.rules(wanted, parts),

@@ -3,76 +3,76 @@
 use rug::Complete as _;
 use rug::ops::{DivRounding as _, Pow as _, RemRounding as _};
 
-pub(in crate::exact) use rug::Integer as Int;
+pub(crate) use rug::Integer as Int;
 
-pub(in crate::exact) const NAME: &str = "GMP";
+pub(crate) const NAME: &str = "GMP";
 
-pub(in crate::exact) fn parse_digits(digits: &str) -> Option<Int> {
+pub(crate) fn parse_digits(digits: &str) -> Option<Int> {
     Int::parse(digits).ok().map(Int::from)
 }
 
 /// Σ 2^{64i}·words[i].
-pub(in crate::exact) fn from_words(words: &[u64]) -> Int {
+pub(crate) fn from_words(words: &[u64]) -> Int {
     Int::from_digits(words, rug::integer::Order::Lsf)
 }
 
-pub(in crate::exact) fn div_floor(a: &Int, b: &Int) -> Int {
+pub(crate) fn div_floor(a: &Int, b: &Int) -> Int {
     Int::from(a.div_floor(b))
 }
 
 /// a/b, which is an integer.
-pub(in crate::exact) fn div_exact(a: &Int, b: &Int) -> Int {
+pub(crate) fn div_exact(a: &Int, b: &Int) -> Int {
     a.div_exact_ref(b).complete()
 }
 
-pub(in crate::exact) fn gcd(a: &Int, b: &Int) -> Int {
+pub(crate) fn gcd(a: &Int, b: &Int) -> Int {
     a.gcd_ref(b).complete()
 }
 
-pub(in crate::exact) fn pow(a: &Int, exponent: u32) -> Int {
+pub(crate) fn pow(a: &Int, exponent: u32) -> Int {
     Int::from(a.pow(exponent))
 }
 
-pub(in crate::exact) fn neg(a: &Int) -> Int {
+pub(crate) fn neg(a: &Int) -> Int {
     (-a).complete()
 }
 
-pub(in crate::exact) fn sign(a: &Int) -> i8 {
+pub(crate) fn sign(a: &Int) -> i8 {
     a.cmp0() as i8
 }
 
-pub(in crate::exact) fn bits(a: &Int) -> u64 {
+pub(crate) fn bits(a: &Int) -> u64 {
     u64::from(a.significant_bits())
 }
 
-pub(in crate::exact) fn is_even(a: &Int) -> bool {
+pub(crate) fn is_even(a: &Int) -> bool {
     a.is_even()
 }
 
 /// How often 2 divides a; `None` for 0.
-pub(in crate::exact) fn trailing_zeros(a: &Int) -> Option<u32> {
+pub(crate) fn trailing_zeros(a: &Int) -> Option<u32> {
     a.find_one(0)
 }
 
-pub(in crate::exact) fn to_i64(a: &Int) -> Option<i64> {
+pub(crate) fn to_i64(a: &Int) -> Option<i64> {
     a.to_i64()
 }
 
-pub(in crate::exact) fn to_i128(a: &Int) -> Option<i128> {
+pub(crate) fn to_i128(a: &Int) -> Option<i128> {
     a.to_i128()
 }
 
 /// a·2^places.
-pub(in crate::exact) fn shl(a: &Int, places: u32) -> Int {
+pub(crate) fn shl(a: &Int, places: u32) -> Int {
     (a << places).complete()
 }
 
 /// ⌊a/2^places⌋.
-pub(in crate::exact) fn shr(a: &Int, places: u32) -> Int {
+pub(crate) fn shr(a: &Int, places: u32) -> Int {
     (a >> places).complete()
 }
 
 /// a mod modulus, from 0 to modulus − 1.
-pub(in crate::exact) fn residue(a: &Int, modulus: u64) -> u64 {
+pub(crate) fn residue(a: &Int, modulus: u64) -> u64 {
     Int::from(a.rem_euc(Int::from(modulus))).to_u64().expect("less than the modulus")
 }

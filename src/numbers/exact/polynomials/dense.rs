@@ -3,7 +3,7 @@
 use crate::exact::{Rational, Real};
 
 /// Without the coefficients 0 at the end.
-pub(in crate::exact) fn trimmed<F: Real + PartialEq>(mut p: Vec<F>) -> Vec<F> {
+pub(crate) fn trimmed<F: Real + PartialEq>(mut p: Vec<F>) -> Vec<F> {
     let zero = F::zero();
     let length = p.iter().rposition(|c| *c != zero).map_or(0, |last| last + 1);
     p.truncate(length);
@@ -62,7 +62,7 @@ pub fn square_free<F: Real + PartialEq>(p: &[F]) -> Vec<F> {
 }
 
 /// The derivative.
-pub(in crate::exact) fn derivative<F: Real>(p: &[F]) -> Vec<F> {
+pub(crate) fn derivative<F: Real>(p: &[F]) -> Vec<F> {
     (1..p.len()).map(|i| p[i].times(&F::from_rational(&Rational::from(i)))).collect()
 }
 
@@ -77,7 +77,7 @@ pub fn stretched<F: Real>(p: &[F], n: usize) -> Vec<F> {
 }
 
 /// p(q(z)) for a polynomial q.
-pub(in crate::exact) fn composed<F: Real>(p: &[F], q: &[F]) -> Vec<F> {
+pub(crate) fn composed<F: Real>(p: &[F], q: &[F]) -> Vec<F> {
     p.iter().rev().fold(Vec::new(), |value, c| {
         let mut next = product(&value, q);
         match next.first_mut() {
@@ -89,7 +89,7 @@ pub(in crate::exact) fn composed<F: Real>(p: &[F], q: &[F]) -> Vec<F> {
 }
 
 /// The product.
-pub(in crate::exact) fn product<F: Real>(p: &[F], q: &[F]) -> Vec<F> {
+pub(crate) fn product<F: Real>(p: &[F], q: &[F]) -> Vec<F> {
     let mut product = vec![F::zero(); (p.len() + q.len()).saturating_sub(1)];
     if p.is_empty() {
         return Vec::new();

@@ -4,7 +4,7 @@ use super::sturm::changes;
 use crate::exact::{Integer, IntegerPolynomial};
 
 /// A place in the interval [0, 1] that holds one root of a polynomial in it.
-pub(in crate::exact) enum Place {
+pub(crate) enum Place {
     /// The root is numerator/2^level.
     Point { numerator: Integer, level: u32 },
     /// The root is in the open interval from numerator/2^level to (numerator + 1)/2^level.
@@ -38,7 +38,7 @@ enum Task {
 /// The number of sign changes in b_0, …, b_d is at least the number of roots in the open interval, of the same parity,
 /// so that 0 and 1 settle an interval. Others are halved, by de Casteljau's algorithm. A short interval is
 /// settled, as f is square-free (Vincent; Obreshkoff's theorem of two circles).
-pub(in crate::exact) fn isolated(coefficients: &[Integer]) -> Vec<Place> {
+pub(crate) fn isolated(coefficients: &[Integer]) -> Vec<Place> {
     let start = Part { numerator: Integer::zero(), level: 0, bernstein: bernstein(coefficients) };
     let (mut tasks, mut found) = (vec![Task::Search(start)], Vec::new());
     while let Some(task) = tasks.pop() {
@@ -111,7 +111,7 @@ fn reduced(mut numbers: Vec<Integer>) -> Vec<Integer> {
 
 /// The Bernstein coefficients on [0, 1], times the least common multiple of the C(d, j): b_i = Σ_{j≤i} C(i, j)
 /// c_j/C(d, j).
-pub(in crate::exact) fn bernstein(coefficients: &[Integer]) -> Vec<Integer> {
+pub(crate) fn bernstein(coefficients: &[Integer]) -> Vec<Integer> {
     let degree = u32::try_from(coefficients.len() - 1).expect("a degree that fits in memory");
     let binomials: Vec<Integer> = (0..=degree).map(|j| Integer::binomial(degree, j)).collect();
     let common = binomials.iter().fold(Integer::one(), |common, binomial| common.lcm(binomial));
@@ -128,12 +128,7 @@ pub(in crate::exact) fn bernstein(coefficients: &[Integer]) -> Vec<Integer> {
 
 impl IntegerPolynomial {
     /// The coefficients of f(low + (high − low)x), times a positive number, for low and high over one denominator.
-    pub(in crate::exact) fn on(
-        &self,
-        low: &Integer,
-        high: &Integer,
-        denominator: &Integer,
-    ) -> Vec<Integer> {
+    pub(crate) fn on(&self, low: &Integer, high: &Integer, denominator: &Integer) -> Vec<Integer> {
         let degree = self.coefficients().len().saturating_sub(1);
         let mut shifted = self.coefficients().to_vec();
         let mut scale = Integer::one();

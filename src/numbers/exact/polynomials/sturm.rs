@@ -32,7 +32,7 @@ impl SturmSequence {
     }
 
     /// The sequence of a square-free polynomial.
-    pub(in crate::exact) fn of_square_free(polynomial: IntegerPolynomial) -> SturmSequence {
+    pub(crate) fn of_square_free(polynomial: IntegerPolynomial) -> SturmSequence {
         let derivative = polynomial.derivative();
         let mut sequence = vec![polynomial, derivative];
         while let [.., a, b] = &sequence[..]
@@ -46,7 +46,7 @@ impl SturmSequence {
     }
 
     /// The square-free part of f.
-    pub(in crate::exact) fn polynomial(&self) -> &IntegerPolynomial {
+    pub(crate) fn polynomial(&self) -> &IntegerPolynomial {
         &self.sequence[0]
     }
 
@@ -83,7 +83,7 @@ impl SturmSequence {
 }
 
 /// The number of sign changes, zeros left out.
-pub(in crate::exact) fn changes(signs: impl Iterator<Item = i8>) -> usize {
+pub(crate) fn changes(signs: impl Iterator<Item = i8>) -> usize {
     let (mut count, mut last) = (0, 0);
     for sign in signs.filter(|&sign| sign != 0) {
         count += usize::from(sign == -last);

@@ -79,7 +79,7 @@ impl IntegerPolynomial {
     }
 
     /// (q^d·f(p/q), q^d), by Horner's rule on integers.
-    pub(in crate::exact) fn scaled_value(&self, point: &Rational) -> (Integer, Integer) {
+    pub(crate) fn scaled_value(&self, point: &Rational) -> (Integer, Integer) {
         let (p, q) = (point.numerator(), point.denominator());
         let Some((leading, rest)) = self.coefficients.split_last() else {
             return (Integer::zero(), Integer::one());

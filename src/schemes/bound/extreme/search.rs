@@ -10,14 +10,14 @@ use crate::scheme::Rules;
 
 /// ‖R^c‖ for several c. The levels are computed once.
 #[derive(Clone, Debug)]
-pub(in crate::bound) struct ExtremeSearch {
+pub(crate) struct ExtremeSearch {
     levels: Levels,
     exact: ExactRows,
 }
 
 impl ExtremeSearch {
     /// `None` if a coefficient, times the common denominator, is above 2^53.
-    pub(in crate::bound) fn new(rules: &Rules) -> Option<ExtremeSearch> {
+    pub(crate) fn new(rules: &Rules) -> Option<ExtremeSearch> {
         let CommonDenominator { denominator, numerators } = CommonDenominator::of(rules.rows());
         let exact = ExactRows::new(&numerators, denominator, rules.offset());
         let levels = Levels::new(Steps::new(&exact.matrices)?);
@@ -29,7 +29,7 @@ impl ExtremeSearch {
     /// or the rows that were dropped leave it open.
     ///
     /// The class is the least one, unless for some m < c two rows of R^m are equal or opposite.
-    pub(in crate::bound) fn norm(
+    pub(crate) fn norm(
         &mut self,
         levels: u32,
         work: &mut u64,

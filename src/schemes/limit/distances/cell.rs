@@ -180,7 +180,7 @@ impl Splitting {
 
     /// The parameter of the left (`end` = 0) or right (`end` = 1) end of a cell of level
     /// k or later.
-    pub(in crate::limit) fn parameter(&self, cell: &Cell, end: i64) -> Rational {
+    pub(crate) fn parameter(&self, cell: &Cell, end: i64) -> Rational {
         let points = Integer::from(self.arity).pow(cell.level);
         let at = Rational::from(&cell.index + Integer::from(end)) + &self.phases[cell.phase].part;
         at / Rational::from(points)
@@ -231,7 +231,7 @@ impl Splitting {
     }
 
     /// |P^∞ − P^k| at both ends; `None` for a cell of a level below k.
-    pub(in crate::limit) fn distances(&self, cell: &Cell) -> Option<[Fraction; 2]> {
+    pub(crate) fn distances(&self, cell: &Cell) -> Option<[Fraction; 2]> {
         let scale = &cell.scale * &self.scale;
         let ends = cell.ends.as_ref()?;
         Some(ends.each_ref().map(|end| Fraction { p: magnitude(end), q: scale.clone() }))

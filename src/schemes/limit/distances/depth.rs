@@ -148,7 +148,7 @@ impl Distances {
 /// `lasting` is some c, and c levels in a row meet the tolerance, all later levels do. Levels
 /// are tried upwards until the search leaves one open. After that they are tried downwards, from
 /// the first level that surely meets the tolerance.
-pub(in crate::limit) fn two_sided<E: From<LimitError>>(
+pub(crate) fn two_sided<E: From<LimitError>>(
     mut meets: impl FnMut(u32) -> Result<Option<bool>, E>,
     surely: impl Fn(u32) -> bool,
     lasting: Option<u32>,

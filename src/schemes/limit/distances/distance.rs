@@ -138,7 +138,7 @@ impl Distances {
     }
 
     /// The number of differences on which a cell depends.
-    pub(in crate::limit) fn window(&self) -> usize {
+    pub(crate) fn window(&self) -> usize {
         self.splitting.size
     }
 
@@ -225,7 +225,7 @@ impl Distances {
     }
 
     /// The search for the distance at level k, and a first lower bound of it.
-    pub(in crate::limit) fn search<'a>(
+    pub(crate) fn search<'a>(
         &'a self,
         among: &'a Polygons,
         level: u32,
@@ -268,14 +268,14 @@ impl Distances {
     }
 
     /// An upper bound of the distance at level k without a search.
-    pub(in crate::limit) fn unsearched(&self, among: &Polygons, level: u32) -> Rational {
+    pub(crate) fn unsearched(&self, among: &Polygons, level: u32) -> Rational {
         let of_all = self.remainders.of_all(level);
         among.only.map_or(of_all.clone(), |polygon| of_all * polygon.spread())
     }
 
     /// All polygons: a single cell stands for all cells, and its differences are the
     /// unit vectors.
-    pub(in crate::limit) fn any_polygon(&self) -> Polygons<'static> {
+    pub(crate) fn any_polygon(&self) -> Polygons<'static> {
         let size = self.splitting.size;
         let unit = |at: usize| (0..size).map(|i| Integer::from(u32::from(i == at))).collect();
         let rows = (0..size).map(unit).collect();

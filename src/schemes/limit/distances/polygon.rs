@@ -72,7 +72,7 @@ impl ControlPolygon {
 }
 
 /// The control polygons over which the supremum of the distance is taken.
-pub(in crate::limit) struct Polygons<'a> {
+pub(crate) struct Polygons<'a> {
     /// The cells of level 0.
     pub(super) roots: Vec<Cell>,
     /// For an open polygon the parameters between which it determines the limit.

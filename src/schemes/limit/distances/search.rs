@@ -13,14 +13,14 @@ const MAX_DEEPER: u32 = 96;
 
 /// The greatest value found, and its parameter.
 #[derive(Clone, Debug)]
-pub(in crate::limit) struct Best {
+pub(crate) struct Best {
     pub(super) value: Rational,
     /// t.
-    pub(in crate::limit) parameter: Rational,
+    pub(crate) parameter: Rational,
 }
 
 /// The goal of a search.
-pub(in crate::limit) enum Goal {
+pub(crate) enum Goal {
     /// The upper bound exceeds the greatest value found by at most this.
     Width(Rational),
     /// The supremum is proved to be at most this, or a greater value is found.
@@ -44,7 +44,7 @@ impl Goal {
 /// the ends of cells count in the range alone.
 ///
 /// Source: `proofs/THEOREMS.md`, 8 and 88.
-pub(in crate::limit) struct Search<'a> {
+pub(crate) struct Search<'a> {
     splitting: &'a Splitting,
     remainders: &'a Remainders,
     roots: &'a [Cell],
@@ -82,14 +82,14 @@ impl<'a> Search<'a> {
     }
 
     /// An upper bound of the supremum without splitting any cell.
-    pub(in crate::limit) fn bound(&self, best: &mut Best) -> Rational {
+    pub(crate) fn bound(&self, best: &mut Best) -> Rational {
         let bounded = self.bounded(self.start(), None, best).pop();
         bounded.map_or_else(Rational::zero, |(bound, _)| bound.reduced())
     }
 
     /// Searches all cells and improves `best`. Returns an upper bound of the supremum,
     /// which meets the goal unless a cap was reached.
-    pub(in crate::limit) fn run(&mut self, goal: &Goal, best: &mut Best) -> Rational {
+    pub(crate) fn run(&mut self, goal: &Goal, best: &mut Best) -> Rational {
         let mut upper = Fraction::from(&best.value);
         let mut stack = self.bounded(self.start(), None, best);
         let (mut found, mut enough) = (best.value.clone(), goal.enough(&best.value));
@@ -113,7 +113,7 @@ impl<'a> Search<'a> {
 
     /// Improves an upper bound and `best` until they differ by `width` or a cap is reached. First, coarse searches find good
     /// values; with them the next search splits fewer cells.
-    pub(in crate::limit) fn narrowed(
+    pub(crate) fn narrowed(
         &mut self,
         mut upper: Rational,
         width: &Rational,

@@ -110,7 +110,7 @@ impl Summits {
 
 /// A scheme, prepared for the greatest values of its limits.
 pub(super) struct Peaked {
-    pub(in crate::limit) limit: Limit,
+    pub(crate) limit: Limit,
     pub(super) rules: Refinement,
     /// The natural shift.
     pub(super) shift: Rational,

@@ -36,7 +36,7 @@ pub(super) struct Norms {
     /// The norm of P^∞ − P^k as a functional of the differences.
     pub(super) error: Rational,
     /// The norm of P^∞ as a functional of the points: Σ|coefficients|.
-    pub(in crate::limit) limit: Rational,
+    pub(crate) limit: Rational,
     /// The norm of P^k as a functional of the points.
     pub(super) polygon: Rational,
 }
@@ -47,7 +47,7 @@ pub(super) struct Norms {
 pub(super) struct Constant {
     pub(super) level: u32,
     pub(super) upper: Rational,
-    pub(in crate::limit) parameter: Rational,
+    pub(crate) parameter: Rational,
 }
 
 /// One direction of a tensor product.
@@ -89,11 +89,11 @@ impl Axis {
         Ok(axis)
     }
 
-    pub(in crate::limit) fn distances(&self) -> &Distances {
+    pub(crate) fn distances(&self) -> &Distances {
         &self.distances
     }
 
-    pub(in crate::limit) fn limit(&self) -> &Limit {
+    pub(crate) fn limit(&self) -> &Limit {
         self.distances.limit()
     }
 
@@ -139,7 +139,7 @@ impl Axis {
     }
 
     /// A bound of C_k without a search.
-    pub(in crate::limit) fn unsearched(&self, level: u32) -> Constant {
+    pub(crate) fn unsearched(&self, level: u32) -> Constant {
         let upper = self.distances.unsearched(&self.distances.any_polygon(), level);
         Constant { level, upper, parameter: Rational::zero() }
     }

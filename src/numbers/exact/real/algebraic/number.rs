@@ -51,7 +51,7 @@ impl From<Rational> for RealAlgebraic {
 impl RealAlgebraic {
     /// The root of the square-free `polynomial` in (lower, upper]. This interval must
     /// hold exactly one root.
-    pub(in crate::exact) fn isolated(
+    pub(crate) fn isolated(
         polynomial: &Arc<IntegerPolynomial>,
         lower: Rational,
         upper: Rational,
@@ -65,7 +65,7 @@ impl RealAlgebraic {
 
     /// The only root of the square-free `polynomial` in an open interval; `sign` is that of the polynomial just to the
     /// right of its lower end. With `touches`, an end may be another root.
-    pub(in crate::exact) fn between(
+    pub(crate) fn between(
         polynomial: &Arc<IntegerPolynomial>,
         [lower, upper]: [Rational; 2],
         sign: i8,

@@ -8,7 +8,7 @@ impl RealCyclotomic {
     /// (b, q) with q > 0 such that q times this number is an algebraic integer, none of whose
     /// conjugates exceeds b in absolute value. For (Σ a_k C_k)/q with C_0 = 1 and C_k = 2cos(2πk/n)
     /// it is b = |a_0| + 2 Σ_{k≥1} |a_k|, since the conjugates of C_k are C_j.
-    pub(in crate::exact) fn conjugate_bound(&self) -> (Integer, Integer) {
+    pub(crate) fn conjugate_bound(&self) -> (Integer, Integer) {
         match &self.0 {
             Form::Rational(value) => (value.numerator().abs(), value.denominator()),
             Form::Irrational(element) => {
@@ -20,7 +20,7 @@ impl RealCyclotomic {
 
     /// The rational g/q > 0 such that this number is (g/q) Σ b_k C_k, with integers b_k without a
     /// common factor; 0 for the number 0.
-    pub(in crate::exact) fn content(&self) -> Rational {
+    pub(crate) fn content(&self) -> Rational {
         match &self.0 {
             Form::Rational(value) => value.abs(),
             Form::Irrational(element) => {
