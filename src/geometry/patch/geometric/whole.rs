@@ -66,23 +66,15 @@ impl<S: Sets> Whole<S> {
         enough: f64,
         steps: &mut u64,
     ) -> bool {
-        let mut stack = vec![root];
-        while let Some(piece) = stack.pop() {
-            if *steps == 0 {
-                return false;
-            }
-            *steps -= 1;
+        all_beyond(root, steps, |piece, _| {
             let hull = self.sets.hull(&piece);
             let (centre, radius) = hull.ball();
             if reach(point, &hull, &centre, radius) > enough {
-                continue;
+                return Some(Vec::new());
             }
-            if radius < enough * 1e-6 || hull.level > DEEPEST {
-                return false;
-            }
-            stack.extend(self.sets.parts(&piece));
-        }
-        true
+            let wide = radius >= enough * 1e-6 && hull.level <= DEEPEST;
+            wide.then(|| self.sets.parts(&piece))
+        })
     }
 
     fn mesh_is_beyond(
@@ -93,30 +85,37 @@ impl<S: Sets> Whole<S> {
         enough: f64,
         steps: &mut u64,
     ) -> bool {
-        let mut stack = vec![root];
-        while let Some(piece) = stack.pop() {
-            if *steps == 0 {
-                return false;
+        all_beyond(root, steps, |piece, steps| match self.sets.mesh_part(number, &piece) {
+            MeshPart::Within(points, extra) => {
+                let hull = as_hull(points, extra);
+                let (centre, radius) = hull.ball();
+                let beyond = reach(point, &hull, &centre, radius) > enough;
+                Some(if beyond { Vec::new() } else { self.sets.parts(&piece) })
             }
-            *steps -= 1;
-            match self.sets.mesh_part(number, &piece) {
-                MeshPart::Within(points, extra) => {
-                    let hull = as_hull(points, extra);
-                    let (centre, radius) = hull.ball();
-                    if reach(point, &hull, &centre, radius) <= enough {
-                        stack.extend(self.sets.parts(&piece));
-                    }
-                }
-                MeshPart::Patches(patches) => {
-                    let beyond = |patch| is_beyond_patch(patch, point, enough, steps);
-                    if !patches.into_iter().all(beyond) {
-                        return false;
-                    }
-                }
+            MeshPart::Patches(patches) => {
+                let beyond = |patch| is_beyond_patch(patch, point, enough, steps);
+                patches.into_iter().all(beyond).then(Vec::new)
             }
-        }
-        true
+        })
     }
+}
+
+/// Whether all of a piece is beyond: `parts` has the parts that are left to look at, and `None` where that ends the search.
+fn all_beyond<P>(
+    root: P,
+    steps: &mut u64,
+    mut parts: impl FnMut(P, &mut u64) -> Option<Vec<P>>,
+) -> bool {
+    let mut stack = vec![root];
+    while let Some(piece) = stack.pop() {
+        if *steps == 0 {
+            return false;
+        }
+        *steps -= 1;
+        let Some(parts) = parts(piece, steps) else { return false };
+        stack.extend(parts);
+    }
+    true
 }
 
 fn as_hull(points: Vec<Point<f64>>, extra: f64) -> Hull {
@@ -124,12 +123,7 @@ fn as_hull(points: Vec<Point<f64>>, extra: f64) -> Hull {
 }
 
 fn is_beyond_patch(patch: Patch, point: &Point<f64>, enough: f64, steps: &mut u64) -> bool {
-    let mut stack = vec![patch];
-    while let Some(patch) = stack.pop() {
-        if *steps == 0 {
-            return false;
-        }
-        *steps -= 1;
+    all_beyond(patch, steps, |patch, _| {
         let corners = patch.corners();
         let hull = as_hull(corners.to_vec(), 0.0);
         let (centre, radius) = hull.ball();
@@ -142,12 +136,8 @@ fn is_beyond_patch(patch: Patch, point: &Point<f64>, enough: f64, steps: &mut u6
             }
         }
         if reached > enough {
-            continue;
+            return Some(Vec::new());
         }
-        if radius < enough * 1e-6 {
-            return false;
-        }
-        stack.extend(patch.parts());
-    }
-    true
+        (radius >= enough * 1e-6).then(|| patch.parts().into())
+    })
 }
