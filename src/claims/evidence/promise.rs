@@ -13,7 +13,7 @@ use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::{Broken, CellFinding, Kept, Later, TableFinding};
 use crate::judge::distance::{KnownDistances, has_words};
 use crate::judge::later::{change, later};
-use crate::scheme::{AnyScheme, Mask};
+use crate::scheme::Mask;
 use std::collections::BTreeSet;
 
 /// The highest level for which a certificate shows a promise.
@@ -75,9 +75,8 @@ fn of_cell<'f>(
 ) -> Result<PromiseEvidence<'f>, Diagnostic> {
     let (Promise::Depth { ring, .. } | Promise::Bound { ring, .. }) = promise;
     let ring = ring.as_ref().map(|ring| judge.ring(ring, at)).transpose()?;
-    let ring = ring
-        .and_then(Result::ok)
-        .map(|(_, ring)| KnownDistances::new(AnyScheme::LocalRules(ring), &Budget::unlimited()));
+    let ring =
+        ring.and_then(Result::ok).map(|(_, ring)| KnownDistances::new(ring, &Budget::unlimited()));
     let ring = ring.as_ref().and_then(|ring| ring.of_ring().ok());
     let weights = ring.map(|ring| ring.limit().weights().to_vec());
     match &cell.kept {

@@ -27,6 +27,18 @@ pub enum AnyScheme {
     LocalRules(LocalRules<RealCyclotomic>),
 }
 
+impl From<Scheme> for AnyScheme {
+    fn from(scheme: Scheme) -> AnyScheme {
+        AnyScheme::Uniform(scheme)
+    }
+}
+
+impl From<LocalRules> for AnyScheme {
+    fn from(rules: LocalRules) -> AnyScheme {
+        AnyScheme::LocalRules(rules)
+    }
+}
+
 /// The exact scheme that SCHEME names: a catalogue entry such as `six-point:w=3/256`, a file such as
 /// `my.toml:w=1/16`, a mask such as `[1, 3, 3, 1]/4` or `[w, 1/2, 1 - 2*w, 1/2, w]:w=1/8`, or two with ` x ` between them.
 ///

@@ -52,17 +52,17 @@ struct LevelFindings {
 impl KnownDistances {
     /// The distances of this scheme with points at i/n^k, found within a budget that others may
     /// share.
-    pub(crate) fn new(scheme: AnyScheme, budget: &Budget) -> KnownDistances {
+    pub(crate) fn new(scheme: impl Into<AnyScheme>, budget: &Budget) -> KnownDistances {
         KnownDistances::placed(scheme, Parametrisation::Indexed, budget)
     }
 
     /// As [`KnownDistances::new`], with points in either parametrisation.
     pub(crate) fn placed(
-        scheme: AnyScheme,
+        scheme: impl Into<AnyScheme>,
         parametrisation: Parametrisation,
         budget: &Budget,
     ) -> KnownDistances {
-        let budget = budget.clone();
+        let (scheme, budget) = (scheme.into(), budget.clone());
         let (distances, levels, suprema) = Default::default();
         KnownDistances { scheme, parametrisation, budget, distances, levels, suprema }
     }

@@ -4,7 +4,7 @@ use crate::bound::Budget;
 use crate::evaluation::library::Resolved;
 use crate::finding::Reason;
 use crate::judge::distance::known::KnownDistances;
-use crate::scheme::{AnyScheme, Instance, LocalRules};
+use crate::scheme::{Instance, LocalRules};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -58,10 +58,9 @@ impl Schemes {
     pub(crate) fn of(&self, scheme: &Resolved, offset: Option<i64>) -> Rc<KnownDistances> {
         let key = (scheme.instances.clone(), offset);
         let mut all = self.masks.borrow_mut();
-        let known = all.entry(key).or_insert_with(|| {
-            let scheme = AnyScheme::Uniform(scheme.at(offset));
-            Rc::new(KnownDistances::new(scheme, &self.budget))
-        });
+        let known = all
+            .entry(key)
+            .or_insert_with(|| Rc::new(KnownDistances::new(scheme.at(offset), &self.budget)));
         Rc::clone(known)
     }
 
@@ -90,7 +89,7 @@ impl Schemes {
             if !self.rings_left.takes(ring) {
                 return Err(Reason::Rings(MAX_LOCAL_SIZE));
             }
-            Ok(Rc::new(KnownDistances::new(AnyScheme::LocalRules(ring.clone()), &self.budget)))
+            Ok(Rc::new(KnownDistances::new(ring.clone(), &self.budget)))
         };
         all.entry(instance.clone()).or_insert_with(new).clone()
     }

@@ -7,7 +7,7 @@ use crate::finding::{Attained, LevelEvidence, Place, Reason, Supremum};
 use crate::judge::distance::{KnownDistances, at_point, points};
 use crate::judge::theorem::setting::Setting;
 use crate::limit::{Comparison, LocalDistances, LocalWitness, least_flows, minus, unit};
-use crate::scheme::{AnyScheme, LocalRules};
+use crate::scheme::LocalRules;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
@@ -28,7 +28,7 @@ impl AroundPoint {
         interpolant: Option<LocalRules>,
         budget: &Budget,
     ) -> AroundPoint {
-        let distances = KnownDistances::new(AnyScheme::LocalRules(ring.clone()), budget);
+        let distances = KnownDistances::new(ring.clone(), budget);
         AroundPoint { ring, interpolant, distances, known: RefCell::default() }
     }
 

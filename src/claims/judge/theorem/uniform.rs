@@ -13,7 +13,7 @@ use crate::limit::{
     self, Comparison, Overshoot, Parametrisation, greatest_difference, greatest_step_from,
     step_supremum,
 };
-use crate::scheme::{AnyScheme, Axes, Mask, Scheme};
+use crate::scheme::{Axes, Mask, Scheme};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 
@@ -54,7 +54,7 @@ impl Uniform {
         let (attained, sound, centred, natural, overshoots) = Default::default();
         Uniform {
             axes: scheme.map(|mask| Constants::new(mask.clone())),
-            distances: KnownDistances::placed(AnyScheme::Uniform(scheme), parametrisation, budget),
+            distances: KnownDistances::placed(scheme, parametrisation, budget),
             attained,
             sound,
             centred,
@@ -273,7 +273,7 @@ impl Setting for Uniform {
         let Axes::Curve(axis) = &self.axes else { return None };
         let centred = self.centred.get_or_init(|| {
             let (offset, _) = best_offset(axis.mask());
-            let scheme = Scheme::Curve(axis.mask().with_offset(offset));
+            let scheme = Axes::Curve(axis.mask().with_offset(offset));
             let other = offset != axis.mask().offset();
             other.then(|| Box::new(Uniform::new(scheme, &self.budget)))
         });
