@@ -67,12 +67,7 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
                 break;
             }
             "METADATA" | "FIELD" => words.skip(|text| SECTIONS.contains(&text)),
-            _ => {
-                let message = format!("`{}` is not expected here", word.text);
-                return Err(words
-                    .wrong(word.place(), message)
-                    .with_help("are the numbers before it as many as their count says?"));
-            }
+            _ => return Err(words.unexpected(&word)),
         }
     }
     Ok(parts)

@@ -49,6 +49,12 @@ impl<'a> Words<'a> {
         self.lines.wrong(place, message)
     }
 
+    /// The error of a word with which no section begins.
+    pub(crate) fn unexpected(&self, word: &Word<'_>) -> Diagnostic {
+        self.wrong(word.place(), format!("`{}` is not expected here", word.text))
+            .with_help("are the numbers before it as many as their count says?")
+    }
+
     /// A count.
     pub(crate) fn count(&mut self, what: &str) -> Result<usize, Diagnostic> {
         let word = self.expect(|| format!("{what} is missing"))?;
