@@ -48,6 +48,7 @@ impl<T> Axes<T> {
     }
 
     /// What `f` makes of each.
+    #[must_use]
     pub fn map<'a, U>(&'a self, mut f: impl FnMut(&'a T) -> U) -> Axes<U> {
         match self {
             Axes::Curve(only) => Axes::Curve(f(only)),
