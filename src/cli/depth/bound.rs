@@ -154,11 +154,10 @@ impl Bounds {
 
     pub(super) fn grid(&self) -> Grid {
         let header = ["c", "constant as printed", "depth by the printed formula"];
-        let header = header.map(str::to_owned).to_vec();
         let rows = self.printed_formula.iter().map(|Printed { c, constant, depth, note }| {
             let depth = depth.map_or_else(|| note.clone().unwrap_or_default(), |n| n.to_string());
             vec![c.to_string(), constant.short(8), depth]
         });
-        Grid { header, rows: rows.collect(), left_columns: 0 }
+        Grid::of(header, rows, 0)
     }
 }

@@ -3,26 +3,28 @@
 use crate::cli::console::output::Failure;
 use std::collections::BTreeMap;
 use subcert::audit::PaperAudit;
-use subcert::certificate::certificate;
+use subcert::certificate::{Certificate, certificate};
 use subcert::claim::Target;
-use subcert::report::json::{AuditReport, Certificate};
+use subcert::diagnostic::SourceText;
+use subcert::report::json::{self, AuditReport};
 use subcert::report::{Grid, Sheet};
 use subcert_check::{Outcome, check};
 
 /// The results of the checker for the claims of papers, by `key:claim`.
 pub(crate) struct Certified {
-    papers: Vec<Paper>,
+    papers: Vec<Checked>,
 }
 
-struct Paper {
-    key: String,
+/// The results of the checker for one claim file.
+pub(super) struct Checked {
+    pub(super) key: String,
     /// The claims in the order of the claim file, with the reason when the certificate
     /// is not valid.
-    claims: Vec<(String, State)>,
+    pub(super) claims: Vec<(String, State)>,
 }
 
 #[derive(Clone, PartialEq, Eq)]
-enum State {
+pub(super) enum State {
     Certified,
     /// Valid if this statement is believed.
     Cited(String),
@@ -33,7 +35,10 @@ enum State {
 impl Certified {
     /// Writes certificates of the audits, and has them checked.
     pub(crate) fn of(audits: &[PaperAudit<'_>]) -> Result<Certified, Failure> {
-        let papers = audits.iter().map(Paper::of).collect::<Result<_, Failure>>()?;
+        let papers = audits
+            .iter()
+            .map(|audit| Checked::of(&audit.paper.source, certificate(audit)))
+            .collect::<Result<_, Failure>>()?;
         Ok(Certified { papers })
     }
 
@@ -62,13 +67,9 @@ impl Certified {
         for paper in &self.papers {
             let mut others: BTreeMap<String, Vec<&str>> = BTreeMap::new();
             for (id, state) in &paper.claims {
-                let why = match state {
-                    State::Certified => continue,
-                    State::Cited(statement) => format!("on the word of {statement}"),
-                    State::Rejected(why) => format!("rejected, {why}"),
-                    State::Incomplete(why) => format!("incomplete, {why}"),
-                };
-                others.entry(why).or_default().push(id);
+                if *state != State::Certified {
+                    others.entry(state.words()).or_default().push(id);
+                }
             }
             let fact = |(why, ids): (String, Vec<&str>)| {
                 (paper.key.clone(), format!("{why}: {}", ids.join(", ")))
@@ -86,7 +87,7 @@ impl Certified {
                 checked.claims.iter().map(|(id, state)| (id.as_str(), state)).collect();
             for claim in &mut paper.claims {
                 let state = states.get(Target::of(claim.id).claim).copied();
-                claim.certificate = Some(Certificate {
+                claim.certificate = Some(json::Certificate {
                     certified: state == Some(&State::Certified),
                     certificate: match state {
                         Some(State::Certified) => "valid".to_owned(),
@@ -101,10 +102,9 @@ impl Certified {
     }
 }
 
-impl Paper {
-    fn of(audit: &PaperAudit<'_>) -> Result<Paper, Failure> {
-        let written = certificate(audit);
-        let source = &audit.paper.source;
+impl Checked {
+    /// What the checker says of a claim file with this certificate.
+    pub(super) fn of(source: &SourceText, written: Certificate) -> Result<Checked, Failure> {
         let report = check(&source.text, &[&written.text]).map_err(|why| {
             let name = &source.name;
             Failure::Input(format!("subcert-check cannot read the claim file `{name}`: {why}"))
@@ -132,6 +132,18 @@ impl Paper {
             (id, state)
         });
         let claims = claims.collect();
-        Ok(Paper { key, claims })
+        Ok(Checked { key, claims })
+    }
+}
+
+impl State {
+    /// It in words.
+    pub(super) fn words(&self) -> String {
+        match self {
+            State::Certified => "certified".to_owned(),
+            State::Cited(statement) => format!("on the word of {statement}"),
+            State::Rejected(why) => format!("rejected, {why}"),
+            State::Incomplete(why) => format!("incomplete, {why}"),
+        }
     }
 }

@@ -50,10 +50,6 @@ impl Answer for Errata<'_> {
     fn sheet(&self) -> Sheet {
         if self.together { differences_sheet(self.audits) } else { errata_sheet(self.audits) }
     }
-
-    fn latex(&self) -> String {
-        self.sheet().to_latex_document()
-    }
 }
 
 /// What to tell the authors of programs.
@@ -67,10 +63,6 @@ impl Answer for Issues<'_> {
     fn sheet(&self) -> Sheet {
         issue_sheet(self.0)
     }
-
-    fn latex(&self) -> String {
-        self.sheet().to_latex_document()
-    }
 }
 
 /// Writes the errata of all to the standard output, or those of each into a file of its own, named by its key.
@@ -81,12 +73,15 @@ fn deliver<'a, A, E: Answer>(
     errata: impl Fn(&'a [A]) -> E,
 ) -> Outcome {
     let format = Format::named(arguments.format).expect("a format of texts");
+    let text = |audits, width| match (errata(audits), format) {
+        (errata, Format::Latex) => errata.sheet().to_latex_document(),
+        (errata, _) => text(&errata, format, width),
+    };
     let Some(folder) = &arguments.output_folder else {
-        return write_results(&text(&errata(audits), format, terminal::width()));
+        return write_results(&text(audits, terminal::width()));
     };
     for audit in audits {
-        let text = text(&errata(std::slice::from_ref(audit)), format, None);
-        save(folder, format, key(audit), text)?;
+        save(folder, format, key(audit), text(std::slice::from_ref(audit), None))?;
     }
     Ok(())
 }

@@ -16,15 +16,14 @@ pub(crate) struct Listing<'a> {
     key: &'a str,
     /// Its claims.
     claims: Vec<Claim<'a>>,
-    /// Whether they are constants that a program ships.
-    #[serde(skip)]
-    is_program: bool,
     /// What they are from.
     #[serde(skip)]
-    source: String,
-    /// How they are explained.
-    #[serde(skip)]
-    note: String,
+    source: Source<'a>,
+}
+
+enum Source<'a> {
+    Paper(&'a Paper),
+    Project(&'a Project),
 }
 
 /// A claim that can be explained.
@@ -39,60 +38,33 @@ struct Claim<'a> {
     locus: &'a str,
     /// What it is.
     title: &'a str,
-    /// How many numbers of a program it has.
-    #[serde(skip)]
-    numbers: usize,
 }
 
 impl<'a> Listing<'a> {
     pub(crate) fn of_paper(paper: &'a Paper) -> Listing<'a> {
-        let key = &paper.key;
         let kind = |claim| match claim {
             claim::Claim::Smoothness(claim) => claim.kind.name(),
             other => other.kind().name(),
         };
-        let claim = |claim: claim::Claim<'a>| Claim {
-            id: claim.id(),
-            kind: kind(claim),
-            locus: claim.locus(),
-            title: claim.title(),
-            numbers: 0,
+        let claim = |one: claim::Claim<'a>| Claim {
+            id: one.id(),
+            kind: kind(one),
+            locus: one.locus(),
+            title: one.title(),
         };
-        let note = format!(
-            "`subcert explain {key}:ID` explains one claim, `subcert explain {key}:ID:ROW:COLUMN` one \
-             cell of a table; rows and columns are counted from 1."
-        );
         let claims = paper.claims().map(claim).collect();
-        Listing {
-            schema: SCHEMA,
-            key,
-            claims,
-            is_program: false,
-            source: paper.bibliography.short(),
-            note,
-        }
+        Listing { schema: SCHEMA, key: &paper.key, claims, source: Source::Paper(paper) }
     }
 
     pub(crate) fn of_project(project: &'a Project) -> Listing<'a> {
-        let key = &project.key;
-        let claim = |claim: &'a ShippedClaim| Claim {
-            id: &claim.id,
+        let claim = |ShippedClaim { id, locus, title, .. }: &'a ShippedClaim| Claim {
+            id,
             kind: "shipped",
-            locus: &claim.locus,
-            title: &claim.title,
-            numbers: claim.numbers.len(),
+            locus,
+            title,
         };
-        let file = &project.source.name;
-        let note = format!("`subcert explain {key}:ID {file}` shows every number of one table.");
         let claims = project.shipped.iter().map(claim).collect();
-        Listing {
-            schema: SCHEMA,
-            key,
-            claims,
-            is_program: true,
-            source: project.name.clone(),
-            note,
-        }
+        Listing { schema: SCHEMA, key: &project.key, claims, source: Source::Project(project) }
     }
 }
 
@@ -100,24 +72,31 @@ impl Answer for Listing<'_> {
     const NAME: &'static str = "explain-list";
 
     fn sheet(&self) -> Sheet {
-        let mut sheet = Sheet::titled(format!("{} · {}", self.key, self.source));
-        let row = |claim: &Claim<'_>| {
-            let Claim { id, kind, locus, title, numbers } = *claim;
-            let numbers = &*numbers.to_string();
-            let row = if self.is_program {
-                [id, locus, title, numbers]
-            } else {
-                [id, kind, locus, title]
-            };
-            row.map(str::to_owned).to_vec()
+        let (key, claims) = (self.key, self.claims.iter());
+        let row = |texts: [&str; 4]| texts.map(str::to_owned).to_vec();
+        let (name, grid, note) = match self.source {
+            Source::Paper(paper) => {
+                let rows = claims.map(|one| row([one.id, one.kind, one.locus, one.title]));
+                let note = format!(
+                    "`subcert explain {key}:ID` explains one claim, `subcert explain {key}:ID:ROW:COLUMN` one \
+                     cell of a table; rows and columns are counted from 1."
+                );
+                let grid = Grid::of(["id", "kind", "where", "what"], rows, 4);
+                (paper.bibliography.short(), grid, note)
+            }
+            Source::Project(Project { name, shipped, source, .. }) => {
+                let counts = shipped.iter().map(|claim| claim.numbers.len().to_string());
+                let rows = claims.zip(counts);
+                let rows = rows.map(|(one, count)| row([one.id, one.locus, one.title, &count]));
+                let file = &source.name;
+                let note =
+                    format!("`subcert explain {key}:ID {file}` shows every number of one table.");
+                (name.clone(), Grid::of(["id", "where", "what", "numbers"], rows, 3), note)
+            }
         };
-        let (header, left_columns) = if self.is_program {
-            (["id", "where", "what", "numbers"], 3)
-        } else {
-            (["id", "kind", "where", "what"], 4)
-        };
-        sheet.grid(Grid::of(header, self.claims.iter().map(row), left_columns));
-        sheet.text(self.note.clone());
+        let mut sheet = Sheet::titled(format!("{key} · {name}"));
+        sheet.grid(grid);
+        sheet.text(note);
         sheet
     }
 }

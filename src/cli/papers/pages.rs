@@ -36,9 +36,13 @@ pub(crate) fn pages(
     folder: &Path,
 ) -> Outcome {
     write_pages(audits, certified, embedded, folder)?;
-    let (count, folder) = (audits.len(), folder.display());
-    let pages = if count == 1 { "page" } else { "pages" };
-    write_results(&format!("{folder}: {count} {pages}, and index.html, which leads to them\n"))
+    tell(folder, audits.len(), "")
+}
+
+/// Says how many pages a folder has, and `of` what.
+pub(crate) fn tell(folder: &Path, count: usize, of: &str) -> Outcome {
+    let (folder, pages) = (folder.display(), if count == 1 { "page" } else { "pages" });
+    write_results(&format!("{folder}: {count} {pages}{of}, and index.html, which leads to them\n"))
 }
 
 /// The same, without a word.
@@ -48,21 +52,36 @@ pub(crate) fn write_pages(
     embedded: bool,
     folder: &Path,
 ) -> Outcome {
-    if audits.iter().any(|audit| audit.paper.key == INDEX) {
-        let message =
-            "a paper of the key `index` would take the place of the index: give it another key";
-        return Err(Failure::Input(message.to_owned()));
-    }
-    for audit in audits {
-        let name = &audit.paper.source.name;
-        let file = (!embedded).then_some(name.as_str());
-        write(folder, &audit.paper.key, &audit_page(audit, file)?)?;
-    }
     let mut more = Sheet::default();
     if let Some(certified) = certified {
         certified.section(&mut more);
     }
-    write(folder, INDEX, &index_page(audits, &more))
+    let page = |audit: &PaperAudit<'_>| {
+        let file = (!embedded).then_some(audit.paper.source.name.as_str());
+        Ok(audit_page(audit, file)?)
+    };
+    let index = index_page(audits, &more);
+    write_all("paper", audits, |audit| &audit.paper.key, page, &index, folder)
+}
+
+/// Writes a page for each audit of a paper or what else `kind` says, by their keys, and their index.
+pub(crate) fn write_all<A>(
+    kind: &str,
+    audits: &[A],
+    key: impl Fn(&A) -> &str,
+    page: impl Fn(&A) -> Result<String, Failure>,
+    index: &str,
+    folder: &Path,
+) -> Outcome {
+    if audits.iter().any(|audit| key(audit) == INDEX) {
+        return Err(Failure::Input(format!(
+            "a {kind} of the key `index` would take the place of the index: give it another key"
+        )));
+    }
+    for audit in audits {
+        write(folder, key(audit), &page(audit)?)?;
+    }
+    write(folder, INDEX, index)
 }
 
 /// Writes the page of this name into a folder.

@@ -3,10 +3,10 @@
 
 use super::scheme::{continuity, hoelder, sheet};
 use crate::cli::arguments::{AtlasArguments, BOXES};
-use crate::cli::console::output::{Failure, Outcome, write_results};
+use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
 use crate::cli::papers::judged::{judge_all, papers};
-use crate::cli::papers::pages::{INDEX, folder, write, write_pages};
+use crate::cli::papers::pages::{INDEX, folder, tell, write, write_pages};
 use crate::cli::spectrum::table::{of_mask, ring_table};
 use subcert::audit::{PaperAudit, on_all_cores};
 use subcert::claim::SmoothnessBody;
@@ -49,11 +49,7 @@ pub(crate) fn pages(arguments: &AtlasArguments, entries: &[Entry]) -> Outcome {
     if !audits.is_empty() {
         write_pages(&audits, None, false, &folder.join(AUDITS))?;
     }
-    let (count, folder) = (entries.len(), folder.display());
-    let pages = if count == 1 { "page" } else { "pages" };
-    write_results(&format!(
-        "{folder}: {count} {pages} of schemes, and index.html, which leads to them\n"
-    ))
+    tell(folder, entries.len(), " of schemes")
 }
 
 fn page(
