@@ -24,7 +24,7 @@ pub(in crate::cli) enum FindingFormat {
 impl FindingFormat {
     /// The format of what is no page, into this file; `None` for pages.
     pub(in crate::cli) fn of_text(self, file: Option<&PathBuf>) -> Option<Output> {
-        Some(Output { format: Format::named(self)?, file: file.cloned() })
+        Some(Output { format: Format::named(&self)?, file: file.cloned() })
     }
 }
 

@@ -175,7 +175,7 @@ pub(super) enum Format {
 
 impl Format {
     /// That of the same name, if there is one.
-    pub(super) fn named(other: impl ValueEnum) -> Option<Format> {
+    pub(super) fn named(other: &impl ValueEnum) -> Option<Format> {
         Format::from_str(other.to_possible_value()?.get_name(), false).ok()
     }
 }

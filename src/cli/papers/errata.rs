@@ -72,7 +72,7 @@ fn deliver<'a, A, E: Answer>(
     key: impl Fn(&A) -> &str,
     errata: impl Fn(&'a [A]) -> E,
 ) -> Outcome {
-    let format = Format::named(arguments.format).expect("a format of texts");
+    let format = Format::named(&arguments.format).expect("a format of texts");
     let text = |audits, width| match (errata(audits), format) {
         (errata, Format::Latex) => errata.sheet().to_latex_document(),
         (errata, _) => text(&errata, format, width),
