@@ -248,7 +248,7 @@ fn sets(
     budget: Budget,
 ) -> Result<Option<OrNone<Sets>>, Failure> {
     let certificate = arguments.certificate.as_deref();
-    let (Scheme::Curve(mask), Some(points)) = (scheme, points) else { return Ok(None) };
+    let (Some(mask), Some(points)) = (scheme.only(), points) else { return Ok(None) };
     match (points.coordinates.len(), arguments.distance) {
         (_, Some(DistanceArgument::Parametric)) | (1, None) if certificate.is_some() => {
             Err(certified::none("leave out --distance parametric, and write (i, x) for numbers"))
@@ -269,7 +269,7 @@ const CAPS: Caps = Caps { bytes: 1 << 20, points: 10_000, bits: 4_096 };
 /// The control polygon that was given.
 fn points(scheme: &Scheme, arguments: &DepthArguments) -> Result<Option<Points>, Failure> {
     let Some(path) = &arguments.polygon else { return Ok(None) };
-    if let Scheme::Tensor(..) = scheme {
+    if scheme.only().is_none() {
         let message = "--polygon is for curves; a surface has a control net";
         return Err(Failure::Input(message.to_owned()));
     }

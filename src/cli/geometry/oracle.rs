@@ -77,7 +77,7 @@ fn of_ring(ring: &LocalRules, arguments: &OracleArguments) -> Result<OracleValue
 
 /// The control polygon or grid: from a file, or seeded.
 fn control(arguments: &OracleArguments, scheme: &Scheme) -> Result<Control, Failure> {
-    let surface = matches!(scheme, Scheme::Tensor(..));
+    let surface = scheme.only().is_none();
     if let Some(path) = &arguments.polygon {
         return read_control(path, surface);
     }

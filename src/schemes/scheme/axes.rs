@@ -41,6 +41,12 @@ impl<T> Axes<T> {
         first
     }
 
+    /// The thing of the only axis; `None` where there are two.
+    #[must_use]
+    pub fn only(&self) -> Option<&T> {
+        if let Axes::Curve(only) = self { Some(only) } else { None }
+    }
+
     /// The things, axis by axis.
     pub fn iter(&self) -> impl Iterator<Item = &T> {
         let second = if let Axes::Tensor(_, second) = self { Some(second) } else { None };
