@@ -46,6 +46,9 @@ impl Family {
     }
 
     /// The scheme of the catalogue that is the model of this regular part.
+    ///
+    /// # Panics
+    /// Never: the catalogue has a model of each.
     #[must_use]
     pub fn scheme(self) -> &'static str {
         let model = catalogue().iter().find(|one| one.facts.model.as_deref() == Some(self.name()));
