@@ -55,7 +55,7 @@ fn alone(paper: &Paper) -> Vec<(String, usize)> {
         let part = audit_claim(paper, id, &|| {}).expect("no error");
         assert!(!said(&whole, id).is_empty());
         assert_eq!(said(&part, id), said(&whole, id), "{id}");
-        assert_eq!(part.tables.len() + part.smoothness.len(), claims_needed(paper, id), "{id}");
+        assert_eq!(part.findings().count(), claims_needed(paper, id), "{id}");
         (id.to_owned(), part.tables.len())
     };
     ids.map(one).collect()

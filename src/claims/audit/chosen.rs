@@ -1,7 +1,7 @@
 //! The claims of a paper that are judged.
 
 use crate::claim::{Paper, Table};
-use crate::judge::related::related;
+use crate::judge::kind::Judge as _;
 use std::collections::BTreeSet;
 
 /// The ids of the claims that are judged; `None` for all claims.
@@ -30,16 +30,15 @@ impl Chosen {
         }
         let cells = paper.smoothness.iter().filter(|claim| claim.is_cell_of(id));
         ids.extend(cells.map(|claim| &claim.id[..]));
-        let groups = related(paper);
+        let groups = Table::groups(&paper.tables);
         loop {
             let before = ids.len();
             let chosen = |table: &&Table| ids.contains(&table.id[..]);
             let open: BTreeSet<&str> = paper.tables.iter().filter(chosen).flat_map(open).collect();
             for group in &groups {
-                let tables = || group.iter().map(|&place| &paper.tables[place]);
                 let lends = |table: &Table| self::open(table).any(|name| open.contains(name));
-                if tables().any(|table| ids.contains(&table.id[..]) || lends(table)) {
-                    ids.extend(tables().map(|table| &table.id[..]));
+                if group.iter().any(|table| ids.contains(&table.id[..]) || lends(table)) {
+                    ids.extend(group.iter().map(|table| &table.id[..]));
                 }
             }
             if ids.len() == before {

@@ -1,30 +1,54 @@
 //! The parts of papers that are judged independently of each other, on all cores.
 
 use crate::audit::chosen::Chosen;
-use crate::claim::{Claim, Paper};
+use crate::claim::{self, Paper, with_kinds};
 use crate::diagnostic::{Collected, Diagnostic, Errors};
 use crate::digest::{consistency, kernel, offset, premises};
 use crate::evaluation::library::Library;
 use crate::finding::PaperAudit;
-use crate::judge::{equation, function, parallel, range, related, smoothness, theorem};
+use crate::judge::kind::Judge as _;
+use crate::judge::{parallel, related};
 use std::cmp::Reverse;
 use std::sync::{Mutex, PoisonError};
 
-/// A part of a paper that one thread judges. Its findings depend neither on the other parts nor on
-/// the thread.
-enum Part<'a> {
-    /// The tables at these places, which share schemes.
-    Tables(Vec<usize>),
-    /// A claim that is judged by itself.
-    Alone(Claim<'a>),
-    Theorems,
+macro_rules! parts {
+    ($($(#[$doc:meta])* $kind:ident $name:literal $field:ident $claim:ident $f:ident $c:ident,)*) => {
+        /// Claims of a paper that one thread judges. Their findings depend neither on the other parts nor on the
+        /// thread.
+        enum Part<'a> { $($(#[$doc])* $kind(Vec<&'a claim::$claim>),)* }
+
+        impl<'a> Part<'a> {
+            /// The parts of the chosen claims.
+            fn all(paper: &'a Paper, chosen: &Chosen) -> Vec<Part<'a>> {
+                let mut parts = Vec::new();
+                $(for mut group in claim::$claim::groups(&paper.$field) {
+                    group.retain(|claim| chosen.has(&claim.id));
+                    if !group.is_empty() {
+                        parts.push(Part::$kind(group));
+                    }
+                })*
+                parts
+            }
+
+            /// A rough measure of the work.
+            fn work(&self) -> usize {
+                match self { $(Part::$kind(group) => group.iter().map(|claim| claim.work()).sum(),)* }
+            }
+
+            fn judge(&self, paper: &'a Paper, after_claim: &(dyn Fn() + Sync)) -> Judged<'a> {
+                let mut audit = PaperAudit::new(paper);
+                match self {
+                    $(Part::$kind(group) => audit.$field = claim::$claim::judge(paper, group, after_claim)?,)*
+                }
+                Ok(audit)
+            }
+        }
+    };
 }
 
-/// The work of a claim about smoothness, in cells of tables.
-const SMOOTHNESS_WORK: usize = 20;
+with_kinds!(parts);
 
-/// Judges the chosen claims of these papers, on all cores; calls `after_claim` after each
-/// table and each claim about smoothness.
+/// Judges the chosen claims of these papers, on all cores; calls `after_claim` after each.
 pub(super) fn judge<'a>(
     papers: &'a [Paper],
     chosen: &dyn Fn(&Paper) -> Chosen,
@@ -33,20 +57,11 @@ pub(super) fn judge<'a>(
     let chosen: Vec<Chosen> = papers.iter().map(chosen).collect();
     let mut jobs: Vec<(usize, Part<'a>)> = Vec::new();
     for (at, paper) in papers.iter().enumerate() {
-        let has =
-            |group: &Vec<usize>| group.iter().any(|&place| chosen[at].has(&paper.tables[place].id));
-        let tables = related::related(paper).into_iter().filter(has).map(Part::Tables);
-        let alone = paper.claims().filter(|claim| {
-            !matches!(claim, Claim::Table(_) | Claim::Theorem(_)) && chosen[at].has(claim.id())
-        });
-        let parts = tables.chain(alone.map(Part::Alone)).chain([Part::Theorems]);
-        jobs.extend(parts.map(|part| (at, part)));
+        jobs.extend(Part::all(paper, &chosen[at]).into_iter().map(|part| (at, part)));
     }
     // The longest first, so that they end together.
-    jobs.sort_by_key(|(at, part)| Reverse(part.size(&papers[*at])));
-    let found = parallel::map(&jobs, |(at, part)| {
-        (*at, part.judge(&papers[*at], &chosen[*at], after_claim))
-    });
+    jobs.sort_by_key(|(_, part)| Reverse(part.work()));
+    let found = parallel::map(&jobs, |(at, part)| (*at, part.judge(&papers[*at], after_claim)));
     let mut parts: Vec<Vec<Judged<'a>>> = papers.iter().map(|_| Vec::new()).collect();
     for (at, found) in found {
         parts[at].push(found);
@@ -61,53 +76,6 @@ pub(super) fn judge<'a>(
 
 /// The findings of a part, or its error: of a group of tables or of the theorems the first one.
 type Judged<'a> = Result<PaperAudit<'a>, Diagnostic>;
-
-impl<'a> Part<'a> {
-    /// A rough measure of the work.
-    fn size(&self, paper: &Paper) -> usize {
-        match self {
-            Part::Tables(places) => {
-                places.iter().map(|&place| paper.tables[place].cells.iter().flatten().count()).sum()
-            }
-            Part::Alone(Claim::Smoothness(_)) => SMOOTHNESS_WORK,
-            Part::Alone(_) => 1,
-            Part::Theorems => 2 * paper.theorems.len(),
-        }
-    }
-
-    fn judge(
-        &self,
-        paper: &'a Paper,
-        chosen: &Chosen,
-        after_claim: &(dyn Fn() + Sync),
-    ) -> Judged<'a> {
-        let (mut audit, library) = (PaperAudit::new(paper), || Library::new(paper));
-        match self {
-            Part::Tables(places) => {
-                audit.tables = related::judge_all(paper, places, after_claim)?;
-            }
-            Part::Alone(Claim::Equation(claim)) => {
-                audit.equations.push(equation::judge(paper, claim, &library())?);
-            }
-            Part::Alone(Claim::Function(claim)) => {
-                audit.functions.push(function::judge(paper, claim, &library())?);
-            }
-            Part::Alone(Claim::Range(claim)) => {
-                audit.ranges.push(range::judge(paper, claim, &library())?);
-            }
-            Part::Alone(Claim::Smoothness(claim)) => {
-                let found = smoothness::judge(paper, claim, &library());
-                after_claim();
-                audit.smoothness.push(found?);
-            }
-            Part::Theorems | Part::Alone(Claim::Table(_) | Claim::Theorem(_)) => {
-                let theorems = paper.theorems.iter().filter(|theorem| chosen.has(&theorem.id));
-                audit.theorems = theorem::trials(paper, theorems)?;
-            }
-        }
-        Ok(audit)
-    }
-}
 
 /// Joins the findings of a paper's parts, and computes what follows from all of them. Fails with
 /// the errors of the paper, if there are any.

@@ -5,8 +5,8 @@ mod jobs;
 
 pub use crate::digest::{
     Beyond, BeyondCap, Cause, CellErratum, CellGroup, CellOutcome, CellStanding, CellSummary,
-    ClaimVerdict, Consequences, Coverage, CoverageState, Errata, Erratum, Harm, HowRead,
-    KernelCounts, NotSharp, Share, Subject, Unchecked,
+    ClaimVerdict, Consequences, Coverage, CoverageState, Errata, Erratum, HowRead, KernelCounts,
+    NotSharp, Share, Subject, Unchecked,
 };
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
@@ -14,19 +14,7 @@ pub use crate::evidence::{
     by_hand, depth_levels, evidence, kernel_findings, promise_evidence, promise_refiner,
     theorem_evidence, working,
 };
-pub use crate::finding::{
-    AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contraction,
-    Contradiction, Control, Correction, Difference, Direction, EndFinding, EndRelation,
-    EquationFinding, EquationVerdict, EveryShift, Example, Excess, Explanation, FailingPremise,
-    Failure, Finding, Fitting, FoundRange, FunctionFinding, FunctionVerdict, HandCell,
-    HandConstant, Kept, KernelFinding, KernelProof, KernelStatement, KnownLimits, Later, LeftOut,
-    LevelEvidence, Levels, Limits, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Needed,
-    Outcome, PaperAudit, Place, PromiseCounts, RangeAtValence, RangeFinding, RangeOfLimits,
-    RangeVerdict, Reason, Recovered, RecoveredFrom, Refiner, Refutation, Repair, RingExcess,
-    Search, Side, Slip, SmoothnessFinding, SmoothnessVerdict, Solved, Sound, Supremum,
-    TableFinding, TablePart, TheoremFinding, TheoremVerdict, Unshiftable, UnstatedOffset, Verdict,
-    VertexWitness, Vertices, Violation, WayCounts, Witness, Working,
-};
+pub use crate::finding::*;
 pub use crate::judge::MAX_CASES;
 pub use crate::judge::parallel::map as on_all_cores;
 pub use crate::verdict::{Standing, Tally, Word};
@@ -60,7 +48,7 @@ pub fn audit(paper: &Paper) -> Result<PaperAudit<'_>, Diagnostic> {
 }
 
 /// Judges every claim of these papers, each paper by itself, on all cores; calls `after_claim`
-/// after each table and each claim about smoothness.
+/// after each claim.
 ///
 /// # Errors
 /// As [`audit`]: the first error of the first paper that has one.
@@ -103,13 +91,11 @@ pub fn audit_claim<'a>(
     Ok(audits.pop().expect("an audit for the paper"))
 }
 
-/// The number of tables and claims about smoothness that [`audit_claim`] judges.
+/// The number of claims that [`audit_claim`] judges.
 #[must_use]
 pub fn claims_needed(paper: &Paper, id: &str) -> usize {
     let chosen = Chosen::claim(paper, id);
-    let tables = paper.tables.iter().map(|table| &table.id);
-    let smoothness = paper.smoothness.iter().map(|claim| &claim.id);
-    tables.chain(smoothness).filter(|id| chosen.has(id)).count()
+    paper.claims().filter(|claim| chosen.has(claim.id())).count()
 }
 
 /// Every reading that the search compares for the cells of one kind, with the cells that it

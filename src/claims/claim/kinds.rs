@@ -3,6 +3,8 @@
 /// Calls a macro with the list of the kinds, the one place that names them all: the kind, its name, the field of
 /// its claims and of their findings, the type of a claim, that of a finding, and the field of the claim in it. The
 /// order is that of audits.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! with_kinds {
     ($expand:ident) => {
         $expand! {
@@ -21,9 +23,7 @@ macro_rules! with_kinds {
         }
     };
 }
-pub(crate) use with_kinds;
-
-use super::{Equation, FunctionClaim, Paper, RangeClaim, SmoothnessClaim, Table, Theorem};
+pub use with_kinds;
 
 macro_rules! claims {
     ($($(#[$doc:meta])* $kind:ident $name:literal $field:ident $claim:ident $f:ident $c:ident,)*) => {
@@ -33,7 +33,7 @@ macro_rules! claims {
 
         /// A claim of any kind.
         #[derive(Clone, Copy, Debug)]
-        pub enum Claim<'p> { $($(#[$doc])* $kind(&'p $claim),)* }
+        pub enum Claim<'p> { $($(#[$doc])* $kind(&'p super::$claim),)* }
 
         impl Kind {
             /// All of them, in the order of audits.
@@ -77,23 +77,7 @@ macro_rules! claims {
                 match self { $(Claim::$kind(claim) => claim.note.as_deref(),)* }
             }
         }
-
-        impl Paper {
-            /// All claims, kind by kind.
-            pub fn claims(&self) -> impl Iterator<Item = Claim<'_>> {
-                let none = std::iter::empty();
-                none$(.chain(self.$field.iter().map(Claim::$kind)))*
-            }
-        }
     };
 }
 
 with_kinds!(claims);
-
-impl Paper {
-    /// The claim of this id.
-    #[must_use]
-    pub fn claim(&self, id: &str) -> Option<Claim<'_>> {
-        self.claims().find(|claim| claim.id() == id)
-    }
-}

@@ -1,56 +1,78 @@
 //! A paper and its claims.
 
 use super::contents::Item;
-use super::equation::Equation;
-use super::function::{FunctionClaim, RangeClaim};
+use super::kinds::{Claim, with_kinds};
 use super::regularity::RegularityTable;
-use super::smoothness::SmoothnessClaim;
 use super::table::Table;
-use super::theorem::Theorem;
 use crate::diagnostic::SourceText;
 use crate::formula::LocatedFormula;
 use crate::scheme::{Reference, SchemeDefinition};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// A paper's claim file, read.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Paper {
-    /// The short name that ids begin with, such as `khan2019-newton`.
-    pub key: String,
-    /// Who wrote what, where and when.
-    pub bibliography: Bibliography,
-    /// The numbered items of the paper, in the order of the claim file; empty when the claim file
-    /// lists none.
-    pub contents: Vec<Item>,
-    /// The schemes that the claims refer to by name.
-    pub schemes: BTreeMap<String, SchemeSource>,
-    /// Named formulas: the paper's definitions.
-    pub definitions: BTreeMap<String, LocatedFormula>,
-    /// Other formulas for some definitions, by which a table may have been computed.
-    pub alternatives: Vec<Alternative>,
-    /// Values that the paper states for parameters.
-    pub given: BTreeMap<String, LocatedFormula>,
-    /// The tables, in the paper's order.
-    pub tables: Vec<Table>,
-    /// The equations, in the paper's order.
-    pub equations: Vec<Equation>,
-    /// The closed forms in a free parameter, in the paper's order.
-    pub functions: Vec<FunctionClaim>,
-    /// The ranges of a free parameter, in the paper's order.
-    pub ranges: Vec<RangeClaim>,
-    /// What it says of the smoothness of limits: of C^m, then of Hölder exponents, then of ranges of a
-    /// parameter, each in the paper's order.
-    pub smoothness: Vec<SmoothnessClaim>,
-    /// The tables of orders and exponents, of which each cell is a claim about smoothness.
-    pub regularity: Vec<Arc<RegularityTable>>,
-    /// The theorems, lemmas and corollaries, in the paper's order.
-    pub theorems: Vec<Theorem>,
-    /// The claim file.
-    pub source: Arc<SourceText>,
+macro_rules! paper {
+    ($($(#[$doc:meta])* $kind:ident $name:literal $field:ident $claim:ident $f:ident $c:ident,)*) => {
+        /// A paper's claim file, read. Claims of a kind are in the paper's order; those about smoothness are first of
+        /// C^m, then of Hölder exponents, then of ranges of a parameter.
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct Paper {
+            /// The short name that ids begin with, such as `khan2019-newton`.
+            pub key: String,
+            /// Who wrote what, where and when.
+            pub bibliography: Bibliography,
+            /// The numbered items of the paper, in the order of the claim file; empty when the claim file
+            /// lists none.
+            pub contents: Vec<Item>,
+            /// The schemes that the claims refer to by name.
+            pub schemes: BTreeMap<String, SchemeSource>,
+            /// Named formulas: the paper's definitions.
+            pub definitions: BTreeMap<String, LocatedFormula>,
+            /// Other formulas for some definitions, by which a table may have been computed.
+            pub alternatives: Vec<Alternative>,
+            /// Values that the paper states for parameters.
+            pub given: BTreeMap<String, LocatedFormula>,
+            $(#[doc = concat!("Its claims of the kind `", $name, "`.")] pub $field: Vec<super::$claim>,)*
+            /// The tables of orders and exponents, of which each cell is a claim about smoothness.
+            pub regularity: Vec<Arc<RegularityTable>>,
+            /// The claim file.
+            pub source: Arc<SourceText>,
+        }
+
+        impl Paper {
+            /// A paper without claims.
+            pub(super) fn new(key: String, bibliography: Bibliography, source: &Arc<SourceText>) -> Paper {
+                Paper {
+                    key,
+                    bibliography,
+                    contents: Vec::new(),
+                    schemes: BTreeMap::new(),
+                    definitions: BTreeMap::new(),
+                    alternatives: Vec::new(),
+                    given: BTreeMap::new(),
+                    $($field: Vec::new(),)*
+                    regularity: Vec::new(),
+                    source: Arc::clone(source),
+                }
+            }
+
+            /// All claims, kind by kind.
+            pub fn claims(&self) -> impl Iterator<Item = Claim<'_>> {
+                let none = std::iter::empty();
+                none$(.chain(self.$field.iter().map(Claim::$kind)))*
+            }
+        }
+    };
 }
 
+with_kinds!(paper);
+
 impl Paper {
+    /// The claim of this id.
+    #[must_use]
+    pub fn claim(&self, id: &str) -> Option<Claim<'_>> {
+        self.claims().find(|claim| claim.id() == id)
+    }
+
     /// The definitions that a formula uses, at once or through other definitions.
     #[must_use]
     pub fn definitions_in(&self, formula: &LocatedFormula) -> BTreeMap<&str, &LocatedFormula> {

@@ -67,7 +67,7 @@ pub enum SmoothnessBody {
 }
 
 /// The kinds of claims about smoothness.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SmoothnessKind {
     /// The limits are C^m, or not all of them are.
     Continuity,

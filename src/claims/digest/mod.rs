@@ -18,7 +18,7 @@ pub use cause::{Cause, HowRead};
 pub use claims::ClaimVerdict;
 pub use coverage::{Coverage, CoverageState};
 pub use errata::{
-    Beyond, CellErratum, Consequences, Errata, Erratum, Harm, NotSharp, Subject, Unchecked,
+    Beyond, CellErratum, Consequences, Errata, Erratum, NotSharp, Subject, Unchecked,
 };
 pub use kernel::{KernelCounts, Share};
 pub use summary::{CellGroup, CellOutcome, CellStanding, CellSummary};

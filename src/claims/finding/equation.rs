@@ -1,5 +1,7 @@
 //! The finding about an equation.
 
+use super::harm::Harm;
+use super::judgement::Judgement;
 use crate::cap::Cap;
 use crate::claim::Equation;
 use crate::exact::{Polynomial, Rational};
@@ -14,6 +16,14 @@ pub struct EquationFinding<'a> {
     pub equation: &'a Equation,
     /// The verdict.
     pub verdict: EquationVerdict,
+}
+
+impl EquationFinding<'_> {
+    pub(crate) fn judgement(&self) -> Judgement<'_> {
+        let cap =
+            if let EquationVerdict::BeyondCap(cap) = &self.verdict { Some(cap) } else { None };
+        Judgement { word: Some(self.verdict.word()), cap, harm: Harm::Formula }
+    }
 }
 
 /// The verdict of an equation.

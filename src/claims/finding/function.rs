@@ -1,5 +1,7 @@
 //! The finding about a closed form in a free parameter.
 
+use super::harm::Harm;
+use super::judgement::Judgement;
 use crate::cap::Cap;
 use crate::claim::FunctionClaim;
 use crate::exact::{IntervalSet, Rational};
@@ -14,6 +16,14 @@ pub struct FunctionFinding<'a> {
     pub claim: &'a FunctionClaim,
     /// The verdict.
     pub verdict: FunctionVerdict,
+}
+
+impl FunctionFinding<'_> {
+    pub(crate) fn judgement(&self) -> Judgement<'_> {
+        let cap =
+            if let FunctionVerdict::BeyondCap(cap) = &self.verdict { Some(cap) } else { None };
+        Judgement { word: Some(self.verdict.word()), cap, harm: Harm::Formula }
+    }
 }
 
 /// The verdict of a closed form in a free parameter.

@@ -1,5 +1,7 @@
 //! The finding about a range of a free parameter.
 
+use super::harm::Harm;
+use super::judgement::Judgement;
 use crate::cap::Cap;
 use crate::claim::RangeClaim;
 use crate::exact::{IntervalSet, Rational, RealAlgebraic};
@@ -23,6 +25,17 @@ impl RangeFinding<'_> {
     #[must_use]
     pub fn verdict(&self) -> Word {
         self.found.as_ref().map_or(Word::NotCheckable, |found| found.verdict.word())
+    }
+}
+
+impl RangeFinding<'_> {
+    pub(crate) fn judgement(&self) -> Judgement<'_> {
+        let harm = if self.found.as_ref().is_ok_and(|found| found.kept) {
+            Harm::NotSharp
+        } else {
+            Harm::Broken
+        };
+        Judgement { word: Some(self.verdict()), cap: self.found.as_ref().err(), harm }
     }
 }
 

@@ -1,5 +1,7 @@
 //! The finding about a claim of smoothness.
 
+use super::harm::Harm;
+use super::judgement::Judgement;
 use crate::cap::Cap;
 use crate::characteristic::{Family, Vertex, VertexRange};
 use crate::claim::SmoothnessClaim;
@@ -64,6 +66,13 @@ impl SmoothnessVerdict {
             SmoothnessVerdict::Open => Word::Open,
             SmoothnessVerdict::NotCheckable => Word::NotCheckable,
         }
+    }
+}
+
+impl SmoothnessFinding<'_> {
+    pub(crate) fn judgement(&self) -> Judgement<'_> {
+        let cap = if let KnownLimits::BeyondCap(cap) = &self.known { Some(cap) } else { None };
+        Judgement { word: Some(self.verdict.word()), cap, harm: Harm::Refuted }
     }
 }
 

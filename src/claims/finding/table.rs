@@ -1,5 +1,7 @@
 //! The finding about a table.
 
+use super::harm::Harm;
+use super::judgement::Judgement;
 use crate::claim::Table;
 use crate::exact::Rational;
 use crate::finding::cell::{CellFinding, CellKind};
@@ -73,5 +75,11 @@ impl TableFinding<'_> {
     /// The searches for readings.
     pub fn searches(&self) -> impl Iterator<Item = &Search> {
         self.search.iter().chain(&self.assumed_search)
+    }
+}
+
+impl TableFinding<'_> {
+    pub(crate) fn judgement(&self) -> Judgement<'_> {
+        Judgement { word: None, cap: None, harm: Harm::Number }
     }
 }

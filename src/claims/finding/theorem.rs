@@ -1,5 +1,7 @@
 //! The finding about a theorem.
 
+use super::harm::Harm;
+use super::judgement::Judgement;
 use crate::claim::Theorem;
 use crate::evaluation::{Choice, Way};
 use crate::exact::{Rational, RealCyclotomic};
@@ -112,6 +114,12 @@ impl TheoremVerdict {
             TheoremVerdict::Refuted => Word::Refuted,
             TheoremVerdict::Open => Word::Open,
         }
+    }
+}
+
+impl TheoremFinding<'_> {
+    pub(crate) fn judgement(&self) -> Judgement<'_> {
+        Judgement { word: Some(self.verdict.word()), cap: None, harm: Harm::Refuted }
     }
 }
 

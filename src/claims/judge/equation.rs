@@ -9,6 +9,7 @@ use crate::exact::Rational;
 use crate::finding::{EquationFinding, EquationVerdict, Failure};
 use crate::formula::{LocatedFormula, Parameters, evaluate};
 use crate::judge::comparison::{Case, Comparison};
+use crate::judge::kind::JudgeAlone;
 use crate::judge::mend;
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -22,21 +23,25 @@ const MAX_INDEX: i64 = 1_000_000;
 /// The most combinations of indices that an identity is compared in.
 pub const MAX_CASES: usize = 100_000;
 
-/// Judges an equation: both sides as polynomials in the symbols, in normal form.
-pub(crate) fn judge<'a>(
-    paper: &'a Paper,
-    equation: &'a Equation,
-    library: &Library<'_>,
-) -> Result<EquationFinding<'a>, Diagnostic> {
-    let id = format!("{}:{}", paper.key, equation.id);
-    let verdict = match &equation.body {
-        EquationBody::NotCheckable(_) => EquationVerdict::NotCheckable,
-        EquationBody::Identity(identity) => {
-            let found = Diagnostic::or_cap(compare(paper, identity, library))?;
-            found.unwrap_or_else(EquationVerdict::BeyondCap)
-        }
-    };
-    Ok(EquationFinding { id, equation, verdict })
+impl<'a> JudgeAlone<'a> for Equation {
+    type Finding = EquationFinding<'a>;
+
+    /// Judges an equation: both sides as polynomials in the symbols, in normal form.
+    fn judge_alone(
+        &'a self,
+        paper: &'a Paper,
+        library: &Library<'_>,
+    ) -> Result<EquationFinding<'a>, Diagnostic> {
+        let id = format!("{}:{}", paper.key, self.id);
+        let verdict = match &self.body {
+            EquationBody::NotCheckable(_) => EquationVerdict::NotCheckable,
+            EquationBody::Identity(identity) => {
+                let found = Diagnostic::or_cap(compare(paper, identity, library))?;
+                found.unwrap_or_else(EquationVerdict::BeyondCap)
+            }
+        };
+        Ok(EquationFinding { id, equation: self, verdict })
+    }
 }
 
 fn compare(

@@ -6,25 +6,30 @@ use crate::evaluation::library::Library;
 use crate::evaluation::parametric::FreeParameter;
 use crate::exact::{Interval, PiecewisePolynomial, Rational};
 use crate::finding::{Example, FunctionFinding, FunctionVerdict};
+use crate::judge::kind::JudgeAlone;
 
-/// Judges a closed form: both sides as piecewise polynomial functions, in normal form.
-pub(crate) fn judge<'a>(
-    paper: &Paper,
-    claim: &'a FunctionClaim,
-    library: &Library<'_>,
-) -> Result<FunctionFinding<'a>, Diagnostic> {
-    let free = FreeParameter::new(paper, library, &claim.variable, claim.scheme.as_ref())?;
-    let sides = Diagnostic::both(free.function(&claim.left), free.function(&claim.right));
-    let verdict = match Diagnostic::or_cap(sides)? {
-        Err(cap) => FunctionVerdict::BeyondCap(cap),
-        Ok((left, right)) if left == right => FunctionVerdict::Holds,
-        Ok((left, right)) => FunctionVerdict::Fails {
-            larger: left.exceeds(&right),
-            smaller: right.exceeds(&left),
-            example: Box::new(example(&left, &right)),
-        },
-    };
-    Ok(FunctionFinding { id: format!("{}:{}", paper.key, claim.id), claim, verdict })
+impl<'a> JudgeAlone<'a> for FunctionClaim {
+    type Finding = FunctionFinding<'a>;
+
+    /// Judges a closed form: both sides as piecewise polynomial functions, in normal form.
+    fn judge_alone(
+        &'a self,
+        paper: &'a Paper,
+        library: &Library<'_>,
+    ) -> Result<FunctionFinding<'a>, Diagnostic> {
+        let free = FreeParameter::new(paper, library, &self.variable, self.scheme.as_ref())?;
+        let sides = Diagnostic::both(free.function(&self.left), free.function(&self.right));
+        let verdict = match Diagnostic::or_cap(sides)? {
+            Err(cap) => FunctionVerdict::BeyondCap(cap),
+            Ok((left, right)) if left == right => FunctionVerdict::Holds,
+            Ok((left, right)) => FunctionVerdict::Fails {
+                larger: left.exceeds(&right),
+                smaller: right.exceeds(&left),
+                example: Box::new(example(&left, &right)),
+            },
+        };
+        Ok(FunctionFinding { id: format!("{}:{}", paper.key, self.id), claim: self, verdict })
+    }
 }
 
 /// A place where two different functions differ: of 0 and the breaks of their difference, the one

@@ -6,6 +6,7 @@ pub(crate) mod distance;
 pub(crate) mod equation;
 pub(crate) mod function;
 mod hypotheses;
+pub(crate) mod kind;
 pub(crate) mod later;
 mod mend;
 pub(crate) mod parallel;

@@ -9,21 +9,26 @@ use crate::exact::{
 };
 use crate::finding::{Direction, EndFinding, EndRelation, FoundRange, RangeFinding, RangeVerdict};
 use crate::formula::{Parameters, evaluate};
+use crate::judge::kind::JudgeAlone;
 use std::ops::Bound;
 
-/// Judges a range against the exact set where the value keeps its limit.
-pub(crate) fn judge<'a>(
-    paper: &Paper,
-    claim: &'a RangeClaim,
-    library: &Library<'_>,
-) -> Result<RangeFinding<'a>, Diagnostic> {
-    let free = FreeParameter::new(paper, library, &claim.variable, claim.scheme.as_ref())?;
-    let formula = claim.limit.formula();
-    let limit = evaluate(&formula.expr, &Parameters::<Rational>::default());
-    let limit = limit.map_err(|error| formula.diagnostic(&error));
-    let sides = Diagnostic::or_cap(Diagnostic::both(free.function(&claim.value), limit))?;
-    let found = sides.map(|(function, limit)| compare(claim, &function, limit));
-    Ok(RangeFinding { id: format!("{}:{}", paper.key, claim.id), claim, found })
+impl<'a> JudgeAlone<'a> for RangeClaim {
+    type Finding = RangeFinding<'a>;
+
+    /// Judges a range against the exact set where the value keeps its limit.
+    fn judge_alone(
+        &'a self,
+        paper: &'a Paper,
+        library: &Library<'_>,
+    ) -> Result<RangeFinding<'a>, Diagnostic> {
+        let free = FreeParameter::new(paper, library, &self.variable, self.scheme.as_ref())?;
+        let formula = self.limit.formula();
+        let limit = evaluate(&formula.expr, &Parameters::<Rational>::default());
+        let limit = limit.map_err(|error| formula.diagnostic(&error));
+        let sides = Diagnostic::or_cap(Diagnostic::both(free.function(&self.value), limit))?;
+        let found = sides.map(|(function, limit)| compare(self, &function, limit));
+        Ok(RangeFinding { id: format!("{}:{}", paper.key, self.id), claim: self, found })
+    }
 }
 
 fn compare(claim: &RangeClaim, function: &PiecewisePolynomial, limit: Rational) -> FoundRange {

@@ -6,6 +6,7 @@ use crate::exact::Rational;
 use crate::finding::{
     CellKind, Difference, Explanation, Recovered, RecoveredFrom, TableFinding, Verdict,
 };
+use crate::judge::kind::Judge;
 use crate::judge::parallel;
 use crate::judge::reading::chance::{Evidence, is_small};
 use crate::judge::reading::plain::{as_plain, height};
@@ -14,86 +15,93 @@ use crate::judge::recovery::{self, RecoveredValues, Values, combinations, reprod
 use crate::judge::table::{judge, judge_promises};
 use std::collections::BTreeSet;
 
-/// Groups the tables of a paper, given by their places. Tables about schemes of the same name are
-/// judged together, since the numbers of one may determine a parameter of another.
-pub(crate) fn related(paper: &Paper) -> Vec<Vec<usize>> {
-    let mut groups: Vec<(Vec<usize>, BTreeSet<&str>)> = Vec::new();
-    for (place, table) in paper.tables.iter().enumerate() {
-        let ring = table.promise.as_ref().and_then(Promise::ring);
-        let references = table.schemes().chain(ring);
-        let names: BTreeSet<&str> = references.flat_map(|one| one.reference.names()).collect();
-        let (same, others) = groups
-            .into_iter()
-            .partition(|(_, others): &(_, BTreeSet<&str>)| !others.is_disjoint(&names));
-        groups = others;
-        groups.push(same.into_iter().fold((vec![place], names), |mut group, (places, names)| {
-            group.0.extend(places);
-            group.1.extend(names);
-            group
-        }));
-    }
-    let sorted = |(mut places, _): (Vec<usize>, _)| {
-        places.sort_unstable();
-        places
-    };
-    groups.into_iter().map(sorted).collect()
-}
+impl<'a> Judge<'a> for Table {
+    type Finding = TableFinding<'a>;
 
-/// Judges related tables. Parameters that the paper does
-/// not state are recovered in passes, each of which may use the values that earlier passes have
-/// found.
-///
-/// # Errors
-/// The first.
-pub(crate) fn judge_all<'a>(
-    paper: &'a Paper,
-    places: &[usize],
-    after_table: &(dyn Fn() + Sync),
-) -> Result<Vec<TableFinding<'a>>, Diagnostic> {
-    let judged = parallel::map(places, |&place| {
-        let table = &paper.tables[place];
-        // Of these tables nothing is recovered.
-        let known = open(table).next().is_none();
-        let family = if known { Family::InTurn } else { Family::Plain };
-        judge(paper, table, Values::new(), family)
-    });
-    let mut findings = judged.into_iter().collect::<Result<Vec<TableFinding<'a>>, Diagnostic>>()?;
-    let mut fitting = vec![None; findings.len()];
-    let mut tried: Vec<Option<Offers>> = vec![None; findings.len()];
-    // A pass may recover values that help the next one.
-    loop {
-        let mut more = false;
-        for i in 0..findings.len() {
-            if missing(&findings[i]).is_empty() {
-                continue;
-            }
-            let offers = offers(&findings[i], &findings);
-            // With the same offers an earlier pass found nothing.
-            if tried[i].as_ref() == Some(&offers) {
-                continue;
-            }
-            let found = recover(paper, &findings[i], &offers);
-            (tried[i], fitting[i]) = (Some(offers), None);
-            match found? {
-                RecoveredValues::Values(found) => (findings[i], more) = (*found, true),
-                RecoveredValues::Fitting(values) => fitting[i] = Some(values),
-                RecoveredValues::Nothing => {}
-            }
+    /// Tables about schemes of the same name are judged together, since the numbers of one may determine a
+    /// parameter of another.
+    fn groups(tables: &'a [Table]) -> Vec<Vec<&'a Table>> {
+        let mut groups: Vec<(Vec<usize>, BTreeSet<&str>)> = Vec::new();
+        for (place, table) in tables.iter().enumerate() {
+            let ring = table.promise.as_ref().and_then(Promise::ring);
+            let references = table.schemes().chain(ring);
+            let names: BTreeSet<&str> = references.flat_map(|one| one.reference.names()).collect();
+            let (same, others) = groups
+                .into_iter()
+                .partition(|(_, others): &(_, BTreeSet<&str>)| !others.is_disjoint(&names));
+            groups = others;
+            groups.push(same.into_iter().fold(
+                (vec![place], names),
+                |mut group, (places, names)| {
+                    group.0.extend(places);
+                    group.1.extend(names);
+                    group
+                },
+            ));
         }
-        if !more {
-            break;
-        }
+        let sorted = |(mut places, _): (Vec<usize>, _)| {
+            places.sort_unstable();
+            places.into_iter().map(|place| &tables[place]).collect()
+        };
+        groups.into_iter().map(sorted).collect()
     }
-    let judged: Vec<_> = findings.into_iter().zip(fitting).collect();
-    let judged = parallel::map(&judged, |(finding, fitting)| {
-        let mut finding = finding.clone();
-        widen(paper, &mut finding)?;
-        finding.fitting.clone_from(fitting);
-        judge_promises(paper, &mut finding)?;
-        after_table();
-        Ok(finding)
-    });
-    judged.into_iter().collect()
+
+    fn work(&self) -> usize {
+        self.cells.iter().flatten().count()
+    }
+
+    /// Judges related tables. Parameters that the paper does not state are recovered in passes, each of which may
+    /// use the values that earlier passes have found.
+    fn judge(
+        paper: &'a Paper,
+        tables: &[&'a Table],
+        after_claim: &(dyn Fn() + Sync),
+    ) -> Result<Vec<TableFinding<'a>>, Diagnostic> {
+        let judged = parallel::map(tables, |&table| {
+            // Of these tables nothing is recovered.
+            let known = open(table).next().is_none();
+            let family = if known { Family::InTurn } else { Family::Plain };
+            judge(paper, table, Values::new(), family)
+        });
+        let mut findings =
+            judged.into_iter().collect::<Result<Vec<TableFinding<'a>>, Diagnostic>>()?;
+        let mut fitting = vec![None; findings.len()];
+        let mut tried: Vec<Option<Offers>> = vec![None; findings.len()];
+        // A pass may recover values that help the next one.
+        loop {
+            let mut more = false;
+            for i in 0..findings.len() {
+                if missing(&findings[i]).is_empty() {
+                    continue;
+                }
+                let offers = offers(&findings[i], &findings);
+                // With the same offers an earlier pass found nothing.
+                if tried[i].as_ref() == Some(&offers) {
+                    continue;
+                }
+                let found = recover(paper, &findings[i], &offers);
+                (tried[i], fitting[i]) = (Some(offers), None);
+                match found? {
+                    RecoveredValues::Values(found) => (findings[i], more) = (*found, true),
+                    RecoveredValues::Fitting(values) => fitting[i] = Some(values),
+                    RecoveredValues::Nothing => {}
+                }
+            }
+            if !more {
+                break;
+            }
+        }
+        let judged: Vec<_> = findings.into_iter().zip(fitting).collect();
+        let judged = parallel::map(&judged, |(finding, fitting)| {
+            let mut finding = finding.clone();
+            widen(paper, &mut finding)?;
+            finding.fitting.clone_from(fitting);
+            judge_promises(paper, &mut finding)?;
+            after_claim();
+            Ok(finding)
+        });
+        judged.into_iter().collect()
+    }
 }
 
 /// Judges a table again by the whole family of readings, if the readings that take nothing from

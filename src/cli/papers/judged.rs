@@ -53,7 +53,7 @@ pub(crate) fn judge_claim<'a>(
 
 /// Judges every claim of the papers, on all cores. With `bar`, a bar shows the progress.
 pub(crate) fn judge_all(papers: &[Paper], bar: bool) -> Result<Vec<PaperAudit<'_>>, Failure> {
-    let claims = papers.iter().map(|paper| paper.tables.len() + paper.smoothness.len()).sum();
+    let claims = papers.iter().map(|paper| paper.claims().count()).sum();
     let progress = Progress::of_claims(claims, bar);
     Ok(audit_whole(papers, &|| progress.step())?)
 }

@@ -1,7 +1,15 @@
 //! Blocks: the lines about one claim.
 
+use crate::claim::Paper;
+
 /// The most bytes of a line.
 const MAX_LINE: usize = 65_536;
+
+/// A finding that certificates state.
+pub(super) trait Certified {
+    /// What the certificate of the paper says of the claim.
+    fn block(&self, paper: &Paper) -> Block;
+}
 
 /// The lines about one claim, and why it cannot be certified, if it cannot.
 pub(super) struct Block {

@@ -1,27 +1,29 @@
 //! Equations: whether their sides are equal, and the difference of the sides where they are not.
 
-use super::block::{Block, closed};
+use super::block::{Block, Certified, closed};
 use crate::audit::{EquationFinding, EquationVerdict, Failure};
-use crate::claim::{EquationBody, Identity, Left};
+use crate::claim::{EquationBody, Identity, Left, Paper};
 
-pub(super) fn block(finding: &EquationFinding<'_>) -> Block {
-    let mut block = Block::new("equation", &finding.equation.id);
-    match &finding.equation.body {
-        EquationBody::NotCheckable(absent) => block.restate("absent", absent),
-        EquationBody::Identity(identity) => restate(&mut block, identity),
-    }
-    match &finding.verdict {
-        EquationVerdict::Holds { cases } => block.line(format!("holds {cases}")),
-        EquationVerdict::Fails { cases, failures, .. } => {
-            block.line(format!("fails {cases}"));
-            for failure in failures {
-                block.line(case(failure));
-            }
+impl Certified for EquationFinding<'_> {
+    fn block(&self, _: &Paper) -> Block {
+        let mut block = Block::new("equation", &self.equation.id);
+        match &self.equation.body {
+            EquationBody::NotCheckable(absent) => block.restate("absent", absent),
+            EquationBody::Identity(identity) => restate(&mut block, identity),
         }
-        EquationVerdict::NotCheckable => {}
-        EquationVerdict::BeyondCap(cap) => block.give_up(cap.to_string()),
+        match &self.verdict {
+            EquationVerdict::Holds { cases } => block.line(format!("holds {cases}")),
+            EquationVerdict::Fails { cases, failures, .. } => {
+                block.line(format!("fails {cases}"));
+                for failure in failures {
+                    block.line(case(failure));
+                }
+            }
+            EquationVerdict::NotCheckable => {}
+            EquationVerdict::BeyondCap(cap) => block.give_up(cap.to_string()),
+        }
+        block
     }
-    block
 }
 
 fn restate(block: &mut Block, identity: &Identity) {

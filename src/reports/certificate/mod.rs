@@ -23,11 +23,24 @@ mod vertex;
 mod witness;
 
 use crate::audit::{Finding, PaperAudit};
-use block::words;
+use crate::claim::Paper;
+use block::{Block, Certified as _, words};
 pub use coq::{CoqFile, coq_files};
 pub use depth::{DepthDirection, DepthFar, depth_certificate};
 pub use radius::{radius_certificate, smoothness_certificate};
 pub use shipped::project_certificate;
+use subcert_claims::with_kinds;
+
+macro_rules! blocks {
+    ($($(#[$doc:meta])* $kind:ident $name:literal $field:ident $c:ident $finding:ident $claim:ident,)*) => {
+        /// What the certificate of a paper says of a claim.
+        fn block(finding: Finding<'_, '_>, paper: &Paper) -> Block {
+            match finding { $(Finding::$kind(finding) => finding.block(paper),)* }
+        }
+    };
+}
+
+with_kinds!(blocks);
 
 /// The version of the format.
 const VERSION: &str = "subcert-certificate 4";
@@ -117,16 +130,8 @@ pub struct CertifiedClaim {
 #[must_use]
 pub fn certificate_lines(audit: &PaperAudit<'_>) -> Vec<CertifiedClaim> {
     let paper = audit.paper;
-    let block = |finding: Finding<'_, '_>| match finding {
-        Finding::Table(finding) => table::block(paper, finding),
-        Finding::Equation(finding) => equation::block(finding),
-        Finding::Function(finding) => parametric::function(finding),
-        Finding::Range(finding) => parametric::range(finding),
-        Finding::Smoothness(finding) => smoothness::block(finding),
-        Finding::Theorem(finding) => theorem::block(paper, finding),
-    };
     let claim = |finding| {
-        let block = block(finding);
+        let block = block(finding, paper);
         let id = block.id().to_owned();
         CertifiedClaim { id, lines: block.text().map_err(|why| words(&why)) }
     };

@@ -1,60 +1,64 @@
 //! Closed forms in a free parameter, and ranges of one: signs on the pieces of the line.
 
-use super::block::{Block, words};
+use super::block::{Block, Certified, words};
 use crate::audit::{
     Direction, EndFinding, EndRelation, FunctionFinding, FunctionVerdict, RangeFinding, Word,
 };
-use crate::claim::{Limit, LocatedReference};
+use crate::claim::{Limit, LocatedReference, Paper};
 use crate::exact::{IntervalSet, RealAlgebraic};
 use std::fmt::Display;
 use std::ops::Bound;
 
-pub(super) fn function(finding: &FunctionFinding<'_>) -> Block {
-    let claim = finding.claim;
-    let mut block = Block::new("function", &claim.id);
-    head(&mut block, &claim.variable, claim.scheme.as_ref());
-    block.restate("left", &claim.left.text);
-    block.restate("right", &claim.right.text);
-    match &finding.verdict {
-        FunctionVerdict::Holds => {
-            pieces(&mut block, &IntervalSet::default(), &IntervalSet::default());
-            block.line(Word::Holds);
+impl Certified for FunctionFinding<'_> {
+    fn block(&self, _: &Paper) -> Block {
+        let claim = self.claim;
+        let mut block = Block::new("function", &claim.id);
+        head(&mut block, &claim.variable, claim.scheme.as_ref());
+        block.restate("left", &claim.left.text);
+        block.restate("right", &claim.right.text);
+        match &self.verdict {
+            FunctionVerdict::Holds => {
+                pieces(&mut block, &IntervalSet::default(), &IntervalSet::default());
+                block.line(Word::Holds);
+            }
+            FunctionVerdict::Fails { larger, smaller, example } => {
+                pieces(&mut block, smaller, larger);
+                block.line(format!("fails {} {} {}", example.at, example.left, example.right));
+            }
+            FunctionVerdict::BeyondCap(cap) => block.give_up(cap.to_string()),
         }
-        FunctionVerdict::Fails { larger, smaller, example } => {
-            pieces(&mut block, smaller, larger);
-            block.line(format!("fails {} {} {}", example.at, example.left, example.right));
-        }
-        FunctionVerdict::BeyondCap(cap) => block.give_up(cap.to_string()),
+        block
     }
-    block
 }
 
-pub(super) fn range(finding: &RangeFinding<'_>) -> Block {
-    let claim = finding.claim;
-    let mut block = Block::new("range", &claim.id);
-    head(&mut block, &claim.variable, claim.scheme.as_ref());
-    block.restate("value", &claim.value.text);
-    let relation = match claim.limit {
-        Limit::Below(_) => "below",
-        Limit::AtMost(_) => "at-most",
-    };
-    block.restate(relation, &claim.limit.formula().text);
-    let found = match &finding.found {
-        Ok(found) => found,
-        Err(cap) => {
-            block.give_up(cap.to_string());
-            return block;
+impl Certified for RangeFinding<'_> {
+    fn block(&self, _: &Paper) -> Block {
+        let claim = self.claim;
+        let mut block = Block::new("range", &claim.id);
+        head(&mut block, &claim.variable, claim.scheme.as_ref());
+        block.restate("value", &claim.value.text);
+        let relation = match claim.limit {
+            Limit::Below(_) => "below",
+            Limit::AtMost(_) => "at-most",
+        };
+        block.restate(relation, &claim.limit.formula().text);
+        let found = match &self.found {
+            Ok(found) => found,
+            Err(cap) => {
+                block.give_up(cap.to_string());
+                return block;
+            }
+        };
+        pieces(&mut block, &found.below, &found.above);
+        let sides = [("from", &claim.from), ("to", &claim.to)];
+        let printed = sides.into_iter().filter(|(_, printed)| printed.is_some());
+        for ((side, _), end) in printed.zip(&found.ends) {
+            let exact = end.exact.as_ref().map_or("none".to_owned(), place);
+            block.line(format!("end {side} \"{}\" {exact} {}", end.printed, self::relation(end)));
         }
-    };
-    pieces(&mut block, &found.below, &found.above);
-    let sides = [("from", &claim.from), ("to", &claim.to)];
-    let printed = sides.into_iter().filter(|(_, printed)| printed.is_some());
-    for ((side, _), end) in printed.zip(&found.ends) {
-        let exact = end.exact.as_ref().map_or("none".to_owned(), place);
-        block.line(format!("end {side} \"{}\" {exact} {}", end.printed, self::relation(end)));
+        block.line(found.verdict.word());
+        block
     }
-    block.line(found.verdict.word());
-    block
 }
 
 fn head(block: &mut Block, variable: &str, scheme: Option<&LocatedReference>) {

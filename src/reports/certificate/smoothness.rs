@@ -1,61 +1,65 @@
 //! Claims about smoothness: the joint spectral radius of the matrices, and what it shows.
 
-use super::block::Block;
+use super::block::{Block, Certified};
 use super::limits::radius;
 use super::radius::LimitLines;
 use super::{smooth_range, vertex};
 use crate::audit::{Direction, KnownLimits, Limits, SmoothnessFinding, SmoothnessVerdict};
-use crate::claim::{ExponentStatement, PrintedExponent, SmoothnessBody, SmoothnessStatement};
+use crate::claim::{
+    ExponentStatement, Paper, PrintedExponent, SmoothnessBody, SmoothnessStatement,
+};
 use crate::exact::{Decimal, LogSum, LogTerm, Rational};
 use std::cmp::Ordering;
 
 /// Why a finding has no certificate: the radius is enclosed by rational numbers.
 const NOT_SHOWN: &str = "the rational bounds of the joint spectral radius do not show this";
 
-pub(super) fn block(finding: &SmoothnessFinding<'_>) -> Block {
-    let claim = finding.claim;
-    let mut block = Block::new(claim.kind.name(), &claim.id);
-    let (scheme, statement) = match &claim.body {
-        SmoothnessBody::NotCheckable(absent) => {
-            block.restate("absent", absent);
-            return block;
-        }
-        SmoothnessBody::Statement(scheme, statement) => (scheme, &**statement),
-    };
-    match &finding.known {
-        KnownLimits::Capped(why) => block.give_up(why.to_string()),
-        KnownLimits::BeyondCap(cap) => block.give_up(cap.to_string()),
-        _ if finding.verdict == SmoothnessVerdict::Open => block.give_up("it is open"),
-        _ => {}
-    }
-    let scheme = scheme.reference.to_string();
-    match (statement, &finding.known) {
-        (SmoothnessStatement::Range(range), KnownLimits::Range(known)) => {
-            smooth_range::lines(&mut block, range, &scheme, known, finding.verdict);
-        }
-        (SmoothnessStatement::Range(range), KnownLimits::VertexRanges(known)) => {
-            vertex::range_lines(&mut block, range, &scheme, known, finding.verdict);
-        }
-        (
-            SmoothnessStatement::Continuity { continuous, not_continuous, valences },
-            KnownLimits::Vertices(known),
-        ) => {
-            block.restate("scheme", &scheme);
-            restate(&mut block, statement);
-            if let Some(valences) = valences {
-                block.restate("valences", &valences.text);
+impl Certified for SmoothnessFinding<'_> {
+    fn block(&self, _: &Paper) -> Block {
+        let claim = self.claim;
+        let mut block = Block::new(claim.kind.name(), &claim.id);
+        let (scheme, statement) = match &claim.body {
+            SmoothnessBody::NotCheckable(absent) => {
+                block.restate("absent", absent);
+                return block;
             }
-            let orders = [*continuous, *not_continuous];
-            vertex::lines(&mut block, known, orders, finding.verdict);
+            SmoothnessBody::Statement(scheme, statement) => (scheme, &**statement),
+        };
+        match &self.known {
+            KnownLimits::Capped(why) => block.give_up(why.to_string()),
+            KnownLimits::BeyondCap(cap) => block.give_up(cap.to_string()),
+            _ if self.verdict == SmoothnessVerdict::Open => block.give_up("it is open"),
+            _ => {}
         }
-        (_, KnownLimits::Limits(known)) => {
-            block.restate("scheme", &scheme);
-            restate(&mut block, statement);
-            of_limits(&mut block, statement, known, finding.verdict);
+        let scheme = scheme.reference.to_string();
+        match (statement, &self.known) {
+            (SmoothnessStatement::Range(range), KnownLimits::Range(known)) => {
+                smooth_range::lines(&mut block, range, &scheme, known, self.verdict);
+            }
+            (SmoothnessStatement::Range(range), KnownLimits::VertexRanges(known)) => {
+                vertex::range_lines(&mut block, range, &scheme, known, self.verdict);
+            }
+            (
+                SmoothnessStatement::Continuity { continuous, not_continuous, valences },
+                KnownLimits::Vertices(known),
+            ) => {
+                block.restate("scheme", &scheme);
+                restate(&mut block, statement);
+                if let Some(valences) = valences {
+                    block.restate("valences", &valences.text);
+                }
+                let orders = [*continuous, *not_continuous];
+                vertex::lines(&mut block, known, orders, self.verdict);
+            }
+            (_, KnownLimits::Limits(known)) => {
+                block.restate("scheme", &scheme);
+                restate(&mut block, statement);
+                of_limits(&mut block, statement, known, self.verdict);
+            }
+            _ => block.give_up("nothing is known of the limits"),
         }
-        _ => block.give_up("nothing is known of the limits"),
+        block
     }
-    block
 }
 
 fn restate(block: &mut Block, statement: &SmoothnessStatement) {

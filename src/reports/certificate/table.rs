@@ -1,6 +1,6 @@
 //! Tables: the value of every cell, and the verdict on the printed number.
 
-use super::block::{Block, closed};
+use super::block::{Block, Certified, closed};
 use super::reading::Readings;
 use super::{constant, family, promise};
 use crate::audit::{
@@ -9,57 +9,59 @@ use crate::audit::{
 };
 use crate::claim::{Cell, Paper, Promise};
 
-pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
-    let table = finding.table;
-    let mut block = Block::new("table", &table.id);
-    let readings = Readings::of(finding);
-    let refuted = refuted(finding);
-    let otherwise = !refuted.is_empty() || !readings.is_empty() || !finding.recovered.is_empty();
-    let evidence = match evidence(paper, finding, otherwise) {
-        Ok(evidence) => evidence,
-        Err(error) => {
-            block.give_up(error.message);
-            return block;
-        }
-    };
-    evidence.searched.iter().for_each(|constant| constant::searched(&mut block, constant));
-    if let Some(scheme) = &table.scheme {
-        block.restate("scheme", &scheme.reference.to_string());
-    }
-    block.restate("value", &table.value.text);
-    for (name, recovered) in &finding.recovered {
-        let from = match &recovered.from {
-            RecoveredFrom::Table { id, .. } => format!(" from {id}"),
-            RecoveredFrom::Solved(..) | RecoveredFrom::Tried => String::new(),
+impl Certified for TableFinding<'_> {
+    fn block(&self, paper: &Paper) -> Block {
+        let table = self.table;
+        let mut block = Block::new("table", &table.id);
+        let readings = Readings::of(self);
+        let refuted = refuted(self);
+        let otherwise = !refuted.is_empty() || !readings.is_empty() || !self.recovered.is_empty();
+        let evidence = match evidence(paper, self, otherwise) {
+            Ok(evidence) => evidence,
+            Err(error) => {
+                block.give_up(error.message);
+                return block;
+            }
         };
-        block.line(format!("recovered {name} {}{from}", recovered.value));
-    }
-    readings.write(&mut block);
-    for (row, cells) in finding.cells.iter().enumerate() {
-        for (column, cell) in cells.iter().enumerate() {
-            let line = line(cell, &readings, (row, column));
-            block.try_line(line.map(|line| format!("cell {} {} {line}", row + 1, column + 1)));
+        evidence.searched.iter().for_each(|constant| constant::searched(&mut block, constant));
+        if let Some(scheme) = &table.scheme {
+            block.restate("scheme", &scheme.reference.to_string());
         }
-    }
-    evidence.attained.iter().for_each(|constant| block.line(constant::attained(constant)));
-    evidence.sound.iter().for_each(|cell| block.line(sound(cell)));
-    match promise_evidence(paper, finding) {
-        Ok(evidence) => {
-            let is_depth = matches!(table.promise, Some(Promise::Depth { .. }));
-            let printed = |row: usize, column: usize| match &table.cells[row][column] {
-                Cell::Printed(printed) if is_depth => {
-                    let value = printed.decimal.value();
-                    let level = value.numerator().to_i64().filter(|_| value.is_integer());
-                    level.and_then(|level| u32::try_from(level).ok())
-                }
-                _ => None,
+        block.restate("value", &table.value.text);
+        for (name, recovered) in &self.recovered {
+            let from = match &recovered.from {
+                RecoveredFrom::Table { id, .. } => format!(" from {id}"),
+                RecoveredFrom::Solved(..) | RecoveredFrom::Tried => String::new(),
             };
-            promise::lines(&mut block, &evidence, printed);
+            block.line(format!("recovered {name} {}{from}", recovered.value));
         }
-        Err(error) => block.give_up(error.message),
+        readings.write(&mut block);
+        for (row, cells) in self.cells.iter().enumerate() {
+            for (column, cell) in cells.iter().enumerate() {
+                let line = line(cell, &readings, (row, column));
+                block.try_line(line.map(|line| format!("cell {} {} {line}", row + 1, column + 1)));
+            }
+        }
+        evidence.attained.iter().for_each(|constant| block.line(constant::attained(constant)));
+        evidence.sound.iter().for_each(|cell| block.line(sound(cell)));
+        match promise_evidence(paper, self) {
+            Ok(evidence) => {
+                let is_depth = matches!(table.promise, Some(Promise::Depth { .. }));
+                let printed = |row: usize, column: usize| match &table.cells[row][column] {
+                    Cell::Printed(printed) if is_depth => {
+                        let value = printed.decimal.value();
+                        let level = value.numerator().to_i64().filter(|_| value.is_integer());
+                        level.and_then(|level| u32::try_from(level).ok())
+                    }
+                    _ => None,
+                };
+                promise::lines(&mut block, &evidence, printed);
+            }
+            Err(error) => block.give_up(error.message),
+        }
+        families(&mut block, paper, self, (&readings, &refuted), evidence.scale.as_deref());
+        block
     }
-    families(&mut block, paper, finding, (&readings, &refuted), evidence.scale.as_deref());
-    block
 }
 
 /// The places of the refuted cells.

@@ -1,6 +1,6 @@
 //! Theorems: control data that refute them, levels that prove them, or the statement that is cited.
 
-use super::block::{Block, closed};
+use super::block::{Block, Certified, closed};
 use super::constant::searched;
 use super::promise::{flows, later};
 use super::witness::{attained, list, unshiftable};
@@ -11,37 +11,39 @@ use crate::audit::{
 use crate::claim::{Paper, Statement, Theorem};
 use crate::exact::{Rational, RealCyclotomic};
 
-pub(super) fn block(paper: &Paper, finding: &TheoremFinding<'_>) -> Block {
-    let theorem = finding.theorem;
-    let mut block = Block::new("theorem", &theorem.id);
-    match theorem_evidence(paper, finding) {
-        Ok(constants) => constants.iter().for_each(|constant| searched(&mut block, constant)),
-        Err(error) => {
-            block.give_up(error.message);
-            return block;
-        }
-    }
-    match (&finding.refutation, &theorem.by_hand) {
-        (Some(refutation), _) => {
-            restate(&mut block, theorem);
-            refuted(&mut block, theorem, refutation);
-        }
-        (None, Some(hand)) if finding.verdict != TheoremVerdict::Open => {
-            restate(&mut block, theorem);
-            let word = if hand.refutes { "refuted-by" } else { "proved-by" };
-            block.restate(word, &hand.text);
-            block.line(finding.verdict.word());
-        }
-        _ if finding.verdict == TheoremVerdict::Open => block.line(Word::Open),
-        _ => {
-            restate(&mut block, theorem);
-            match &finding.levels {
-                Some(levels) => proved(&mut block, theorem, levels),
-                None => block.give_up("the levels that prove it are not known"),
+impl Certified for TheoremFinding<'_> {
+    fn block(&self, paper: &Paper) -> Block {
+        let theorem = self.theorem;
+        let mut block = Block::new("theorem", &theorem.id);
+        match theorem_evidence(paper, self) {
+            Ok(constants) => constants.iter().for_each(|constant| searched(&mut block, constant)),
+            Err(error) => {
+                block.give_up(error.message);
+                return block;
             }
         }
+        match (&self.refutation, &theorem.by_hand) {
+            (Some(refutation), _) => {
+                restate(&mut block, theorem);
+                refuted(&mut block, theorem, refutation);
+            }
+            (None, Some(hand)) if self.verdict != TheoremVerdict::Open => {
+                restate(&mut block, theorem);
+                let word = if hand.refutes { "refuted-by" } else { "proved-by" };
+                block.restate(word, &hand.text);
+                block.line(self.verdict.word());
+            }
+            _ if self.verdict == TheoremVerdict::Open => block.line(Word::Open),
+            _ => {
+                restate(&mut block, theorem);
+                match &self.levels {
+                    Some(levels) => proved(&mut block, theorem, levels),
+                    None => block.give_up("the levels that prove it are not known"),
+                }
+            }
+        }
+        block
     }
-    block
 }
 
 fn proved(block: &mut Block, theorem: &Theorem, levels: &Levels) {

@@ -2,8 +2,11 @@
 
 use super::axis::AxisTable;
 use super::fields::claim_table;
+use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
-use crate::claim::{Equation, EquationBody, Hypothesis, Identity, Index, Left, LocatedReference};
+use crate::claim::{
+    Equation, EquationBody, Hypothesis, Identity, Index, Left, LocatedReference, Paper,
+};
 use crate::diagnostic::Diagnostic;
 use crate::formula::{LocatedFormula, Node};
 use crate::scheme::{Spanned, formula, identifier};
@@ -28,6 +31,22 @@ claim_table!(EquationTable {
     /// In place of both sides: what the paper lacks that the equation would need.
     absent: Option<String>,
 });
+
+impl ClaimTable for EquationTable {
+    fn names(&self) -> Vec<(&str, Named)> {
+        let indices = self.indices.iter().filter_map(|axis| axis.get_ref().name.as_ref());
+        named(&self.symbols, Role::Symbol).chain(named(indices, Role::Index)).collect()
+    }
+
+    fn takes_given(&self) -> bool {
+        false
+    }
+
+    fn read(&self, reader: &Reader<'_>, paper: &mut Paper) -> Result<(), Diagnostic> {
+        paper.equations.push(reader.equation(self)?);
+        Ok(())
+    }
+}
 
 /// One formula for all combinations of the indices, or one for each.
 #[derive(Debug)]

@@ -1,9 +1,10 @@
 //! Reading the claims about a free parameter.
 
 use super::fields::{NumberField, claim_table};
+use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
 use crate::claim::{
-    FunctionClaim, Limit, RangeClaim, RangeEnd, SmoothRangeStatement, SmoothnessClaim,
+    FunctionClaim, Limit, Paper, RangeClaim, RangeEnd, SmoothRangeStatement, SmoothnessClaim,
     SmoothnessKind, SmoothnessStatement,
 };
 use crate::diagnostic::Diagnostic;
@@ -14,7 +15,7 @@ use std::ops::Range;
 
 claim_table!(FunctionTable {
     /// The free parameter.
-    pub(super) variable: Spanned<String>,
+    variable: Spanned<String>,
     /// The printed closed form.
     left: Spanned<String>,
     /// What it is said to equal.
@@ -23,11 +24,11 @@ claim_table!(FunctionTable {
 
 claim_table!(RangeTable {
     /// The free parameter.
-    pub(super) variable: Spanned<String>,
+    variable: Spanned<String>,
     /// The value that is limited.
     value: Option<Spanned<String>>,
     /// In place of `value`: m, where the limits are C^m.
-    pub(super) smoothness: Option<Spanned<String>>,
+    smoothness: Option<Spanned<String>>,
     /// The value is less than this.
     below: Option<Spanned<String>>,
     /// The value is this at most.
@@ -44,36 +45,46 @@ claim_table!(RangeTable {
     valences: Option<Spanned<String>>,
 });
 
-/// A range of a free parameter, of one of the two kinds.
-pub(super) enum AnyRange {
-    Value(Box<RangeClaim>),
-    Smoothness(Box<SmoothnessClaim>),
+impl ClaimTable for FunctionTable {
+    fn names(&self) -> Vec<(&str, Named)> {
+        named([&self.variable], Role::Variable).collect()
+    }
+
+    fn read(&self, reader: &Reader<'_>, paper: &mut Paper) -> Result<(), Diagnostic> {
+        paper.functions.push(reader.function(self)?);
+        Ok(())
+    }
+}
+
+impl ClaimTable for RangeTable {
+    fn names(&self) -> Vec<(&str, Named)> {
+        named([&self.variable], Role::Variable).collect()
+    }
+
+    fn read(&self, reader: &Reader<'_>, paper: &mut Paper) -> Result<(), Diagnostic> {
+        match (&self.value, &self.smoothness) {
+            (Some(value), None) => paper.ranges.push(reader.value_range(self, value)?),
+            (None, Some(m)) => paper.smoothness.push(reader.smooth_range(self, m)?),
+            _ => {
+                return Err(reader
+                    .error(self.id.span(), "a range needs either `value` or `smoothness`")
+                    .with_help(
+                        "value = 'contraction(1)' with below = '1' is where a value is limited, \
+                         smoothness = '2' is where the limits are C^2",
+                    ));
+            }
+        }
+        Ok(())
+    }
 }
 
 impl Reader<'_> {
-    pub(super) fn function(&self, table: &FunctionTable) -> Result<FunctionClaim, Diagnostic> {
+    fn function(&self, table: &FunctionTable) -> Result<FunctionClaim, Diagnostic> {
         let Head { id, locus, title, scheme, note } = self.head(table.common())?;
         let variable = identifier(self.source, &table.variable)?;
         let left = formula(self.source, &table.left)?;
         let right = formula(self.source, &table.right)?;
         Ok(FunctionClaim { id, locus, title, variable, scheme, left, right, note })
-    }
-
-    pub(super) fn range(&self, table: &RangeTable) -> Result<AnyRange, Diagnostic> {
-        match (&table.value, &table.smoothness) {
-            (Some(value), None) => {
-                self.value_range(table, value).map(|claim| AnyRange::Value(Box::new(claim)))
-            }
-            (None, Some(m)) => {
-                self.smooth_range(table, m).map(|claim| AnyRange::Smoothness(Box::new(claim)))
-            }
-            _ => Err(self
-                .error(table.id.span(), "a range needs either `value` or `smoothness`")
-                .with_help(
-                    "value = 'contraction(1)' with below = '1' is where a value is limited, \
-                     smoothness = '2' is where the limits are C^2",
-                )),
-        }
     }
 
     /// The range of a parameter for which the limits are C^m.

@@ -1,19 +1,28 @@
 //! Checks of names in formulas: the index of a sum must not hide another name, and a formula
 //! mentions a name of theorems only where this has a meaning.
 
+use super::kind::{Formulas, Placed, Role, of_reference, placed};
 use super::reader::Reader;
-use super::roles::{AllRoles, Role, Roles};
+use super::roles::{AllRoles, Roles};
 use crate::claim::{
-    Claim, Equation, EquationBody, Index, Left, LocatedReference, Paper, Promise, SmoothnessBody,
-    Statement, THEOREM_NAMES, Table, Theorem,
+    Claim, Equation, EquationBody, FunctionClaim, Index, Left, LocatedReference, Paper, Promise,
+    RangeClaim, SmoothnessBody, SmoothnessClaim, Statement, THEOREM_NAMES, Table, Theorem,
+    with_kinds,
 };
 use crate::diagnostic::Diagnostic;
-use crate::formula::{Expr, LocatedFormula};
+use crate::formula::LocatedFormula;
 use std::collections::BTreeSet;
-use std::ops::Range;
 
-/// A formula, and its byte range in the file.
-type Placed<'p> = (&'p Expr, Range<usize>);
+macro_rules! formulas {
+    ($($(#[$doc:meta])* $kind:ident $name:literal $field:ident $c:ident $f:ident $own:ident,)*) => {
+        /// The formulas of a claim.
+        fn formulas(claim: Claim<'_>) -> Vec<Placed<'_>> {
+            match claim { $(Claim::$kind(claim) => claim.formulas(),)* }
+        }
+    };
+}
+
+with_kinds!(formulas);
 
 impl Reader<'_> {
     /// Checks the names in the formulas of a paper.
@@ -25,32 +34,16 @@ impl Reader<'_> {
     /// has no meaning there, such as `k` in a hypothesis.
     pub(super) fn formulas(&self, paper: &Paper, all: &AllRoles<'_>) -> Result<(), Diagnostic> {
         for claim in paper.claims() {
-            let formulas = match claim {
-                Claim::Table(table) => of_table(table),
-                Claim::Equation(equation) => of_equation(equation),
-                Claim::Function(claim) => {
-                    of_parameter([&claim.left, &claim.right], claim.scheme.as_ref())
-                }
-                Claim::Range(claim) => of_parameter([&claim.value], claim.scheme.as_ref()),
-                Claim::Smoothness(claim) => match &claim.body {
-                    SmoothnessBody::Statement(scheme, _) => of_reference(scheme).collect(),
-                    SmoothnessBody::NotCheckable(_) => continue,
-                },
-                Claim::Theorem(theorem) => {
-                    let (bound, others) = of_theorem(theorem);
-                    let formulas = [&bound[..], &others].concat();
-                    self.claim(paper, formulas, all.of(&theorem.id), all)?;
-                    let known: &[&str] = match &theorem.statement {
-                        Statement::Bound { .. } => &["k", "beta", "beta_1", "beta_2", "beta_3"],
-                        Statement::Depth(_) => &["epsilon", "beta", "beta_1", "beta_2", "beta_3"],
-                        Statement::Other(_) => continue,
-                    };
-                    self.mentions(paper, &bound, known)?;
-                    self.mentions(paper, &others, &[])?;
-                    continue;
-                }
+            self.claim(paper, formulas(claim), all.of(claim.id()), all)?;
+            let Claim::Theorem(theorem) = claim else { continue };
+            let known: &[&str] = match &theorem.statement {
+                Statement::Bound { .. } => &["k", "beta", "beta_1", "beta_2", "beta_3"],
+                Statement::Depth(_) => &["epsilon", "beta", "beta_1", "beta_2", "beta_3"],
+                Statement::Other(_) => continue,
             };
-            self.claim(paper, formulas, all.of(claim.id()), all)?;
+            let (bound, others) = of_theorem(theorem);
+            self.mentions(paper, &bound, known)?;
+            self.mentions(paper, &others, &[])?;
         }
         Ok(())
     }
@@ -126,14 +119,6 @@ fn reached<'p>(paper: &'p Paper, formulas: Vec<Placed<'p>>) -> Vec<Placed<'p>> {
     found
 }
 
-fn placed(formula: &LocatedFormula) -> Placed<'_> {
-    (&formula.expr, formula.span.clone())
-}
-
-fn of_reference(located: &LocatedReference) -> impl Iterator<Item = Placed<'_>> {
-    located.reference.formulas().map(|expr| (expr, located.span.clone()))
-}
-
 /// Of a claim about a free parameter.
 fn of_parameter<'p, const N: usize>(
     formulas: [&'p LocatedFormula; N],
@@ -142,34 +127,66 @@ fn of_parameter<'p, const N: usize>(
     formulas.into_iter().map(placed).chain(scheme.into_iter().flat_map(of_reference)).collect()
 }
 
-fn of_table(table: &Table) -> Vec<Placed<'_>> {
-    let mut formulas = vec![placed(&table.value)];
-    formulas.extend(table.schemes().flat_map(of_reference));
-    if let Some(promise) = &table.promise {
-        let (Promise::Depth { tolerance: first, spread, offset, ring }
-        | Promise::Bound { level: first, spread, offset, ring }) = promise;
-        formulas.extend([first, spread].into_iter().chain(offset).map(placed));
-        formulas.extend(ring.iter().flat_map(of_reference));
+impl Formulas for Table {
+    fn formulas(&self) -> Vec<Placed<'_>> {
+        let mut formulas = vec![placed(&self.value)];
+        formulas.extend(self.schemes().flat_map(of_reference));
+        if let Some(promise) = &self.promise {
+            let (Promise::Depth { tolerance: first, spread, offset, ring }
+            | Promise::Bound { level: first, spread, offset, ring }) = promise;
+            formulas.extend([first, spread].into_iter().chain(offset).map(placed));
+            formulas.extend(ring.iter().flat_map(of_reference));
+        }
+        formulas
     }
-    formulas
 }
 
-fn of_equation(equation: &Equation) -> Vec<Placed<'_>> {
-    let EquationBody::Identity(identity) = &equation.body else { return Vec::new() };
-    let mut formulas = vec![placed(&identity.right)];
-    formulas.extend(identity.scheme.iter().flat_map(of_reference));
-    match &identity.left {
-        Left::One(left) => formulas.push(placed(left)),
-        Left::Each(lefts) => formulas.extend(lefts.iter().map(placed)),
+impl Formulas for Equation {
+    fn formulas(&self) -> Vec<Placed<'_>> {
+        let EquationBody::Identity(identity) = &self.body else { return Vec::new() };
+        let mut formulas = vec![placed(&identity.right)];
+        formulas.extend(identity.scheme.iter().flat_map(of_reference));
+        match &identity.left {
+            Left::One(left) => formulas.push(placed(left)),
+            Left::Each(lefts) => formulas.extend(lefts.iter().map(placed)),
+        }
+        let sides = identity.hypotheses.iter().flat_map(|one| [&one.member, &one.value]);
+        formulas.extend(sides.map(placed));
+        for index in &identity.indices {
+            if let Index::Range { from, to, .. } = index {
+                formulas.extend([placed(from), placed(to)]);
+            }
+        }
+        formulas
     }
-    let sides = identity.hypotheses.iter().flat_map(|one| [&one.member, &one.value]);
-    formulas.extend(sides.map(placed));
-    for index in &identity.indices {
-        if let Index::Range { from, to, .. } = index {
-            formulas.extend([placed(from), placed(to)]);
+}
+
+impl Formulas for FunctionClaim {
+    fn formulas(&self) -> Vec<Placed<'_>> {
+        of_parameter([&self.left, &self.right], self.scheme.as_ref())
+    }
+}
+
+impl Formulas for RangeClaim {
+    fn formulas(&self) -> Vec<Placed<'_>> {
+        of_parameter([&self.value], self.scheme.as_ref())
+    }
+}
+
+impl Formulas for SmoothnessClaim {
+    fn formulas(&self) -> Vec<Placed<'_>> {
+        match &self.body {
+            SmoothnessBody::Statement(scheme, _) => of_reference(scheme).collect(),
+            SmoothnessBody::NotCheckable(_) => Vec::new(),
         }
     }
-    formulas
+}
+
+impl Formulas for Theorem {
+    fn formulas(&self) -> Vec<Placed<'_>> {
+        let (bound, others) = of_theorem(self);
+        [bound, others].concat()
+    }
 }
 
 /// The formulas of a theorem in which names of theorems have a meaning, which are its bound or its

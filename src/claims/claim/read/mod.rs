@@ -14,6 +14,7 @@ mod figure;
 mod file;
 mod function;
 mod indices;
+mod kind;
 mod paper;
 mod reader;
 mod regularity;

@@ -2,10 +2,9 @@
 
 use super::fields::{CommonFields, Formulas};
 use super::file::{AlternativeTable, PaperFile};
-use super::function::AnyRange;
 use super::reader::Reader;
 use super::regularity::RegularityFile;
-use crate::claim::{Alternative, Paper, RangeClaim, SchemeSource, SmoothnessClaim};
+use crate::claim::{Alternative, Paper, SchemeSource};
 use crate::diagnostic::{Collected, Diagnostic, Errors, SourceText, read_text};
 use crate::formula::LocatedFormula;
 use crate::scheme::{SchemeTable, formula, from_toml, identifier};
@@ -53,7 +52,7 @@ pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
     let begun = source.text.lines().any(|line| line.trim_start().starts_with(['[', 'p']));
     let mut file: PaperFile = from_toml(source)
         .map_err(|error| Errors::from(if begun { error } else { error.with_help(BEGIN) }))?;
-    let reader = Reader { source };
+    let reader = Reader { source, ids: Default::default() };
     let mut errors = Collected::default();
     let mut regularity = Vec::new();
     for cells in errors.all(&file.regularity, |table| reader.regularity(table)) {
@@ -63,18 +62,16 @@ pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
     }
     errors.take(reader.id(&file.key));
     errors.take(reader.ids(&file));
-    let ids = file.claims().map(|claim| claim.id.get_ref().as_str()).collect();
-    let theorems =
-        file.theorem.iter().map(|theorem| theorem.common().id.get_ref().as_str()).collect();
+    let ids = [
+        file.claims().map(|(fields, _)| fields.id.get_ref().as_str()).collect(),
+        file.theorem.iter().map(|theorem| theorem.id.get_ref().as_str()).collect(),
+    ];
+    let reader = Reader { source, ids };
     let roles = errors.take(reader.roles(&file));
-    let contents = reader.contents(&file.paper.numbered, file.claims(), &file.unclaimed);
-    let (ranges, smooth_ranges) = ranges(errors.all(&file.range, |range| reader.range(range)));
-    let mut smoothness = errors.all(&file.smoothness, |claim| reader.smoothness(claim));
-    smoothness.extend(errors.all(&file.exponent, |claim| reader.exponent(claim)));
-    smoothness.extend(smooth_ranges);
-    let paper = Paper {
-        key: file.key.get_ref().clone(),
-        bibliography: file.paper.bibliography(),
+    let fields = file.claims().map(|(fields, _)| fields);
+    let contents = reader.contents(&file.paper.numbered, fields, &file.unclaimed);
+    let bibliography = file.paper.bibliography();
+    let mut paper = Paper {
         contents: errors.take(contents).unwrap_or_default(),
         schemes: reader.schemes(&file.scheme, &mut errors),
         definitions: formulas(source, &file.define, &mut errors),
@@ -82,33 +79,19 @@ pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
             .take(reader.alternatives(&file.alternative, &file.define))
             .unwrap_or_default(),
         given: formulas(source, &file.given, &mut errors),
-        tables: errors.all(&file.table, |table| reader.table(table)),
-        equations: errors.all(&file.equation, |equation| reader.equation(equation)),
-        functions: errors.all(&file.function, |function| reader.function(function)),
-        ranges,
-        smoothness,
         regularity,
-        theorems: errors.all(&file.theorem, |theorem| reader.theorem(theorem, &ids, &theorems)),
-        source: Arc::clone(source),
+        ..Paper::new(file.key.get_ref().clone(), bibliography, source)
     };
+    for (_, claim) in file.claims() {
+        errors.take(claim.read(&reader, &mut paper));
+    }
+    paper.smoothness.sort_by_key(|claim| claim.kind);
     // The names in formulas are checked only if the file has no other error.
     match (roles, errors.none()) {
         (Some(roles), Ok(())) => reader.formulas(&paper, &roles).map_err(Errors::from)?,
         (_, none) => none?,
     }
     Ok(paper)
-}
-
-/// Ranges of a parameter: those in which a value is limited, and those of smoothness.
-fn ranges(all: Vec<AnyRange>) -> (Vec<RangeClaim>, Vec<SmoothnessClaim>) {
-    let (mut values, mut smoothness) = (Vec::new(), Vec::new());
-    for range in all {
-        match range {
-            AnyRange::Value(claim) => values.push(*claim),
-            AnyRange::Smoothness(claim) => smoothness.push(*claim),
-        }
-    }
-    (values, smoothness)
 }
 
 /// The JSON schema of claim files about papers, from the types that are read. It says nothing of formulas.
@@ -143,7 +126,7 @@ impl Reader<'_> {
     fn ids<'f>(&self, file: &'f PaperFile) -> Result<BTreeSet<&'f str>, Diagnostic> {
         let mut ids = BTreeSet::new();
         let tables = file.regularity.iter().map(RegularityFile::common);
-        for CommonFields { id, .. } in tables.chain(file.claims()) {
+        for CommonFields { id, .. } in tables.chain(file.claims().map(|(fields, _)| fields)) {
             self.id(id)?;
             if !ids.insert(id.get_ref().as_str()) {
                 return Err(self

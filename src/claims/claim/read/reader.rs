@@ -6,12 +6,15 @@ use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{NumberError, parse_decimal};
 use crate::formula::LocatedFormula;
 use crate::scheme::{Reference, Spanned, formula};
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
 
 /// Reads the parts of a claim file: from TOML tables to claims.
 pub(super) struct Reader<'a> {
     pub(super) source: &'a Arc<SourceText>,
+    /// The ids of the claims of the file, and those of its theorems.
+    pub(super) ids: [BTreeSet<&'a str>; 2],
 }
 
 /// What every claim begins with.

@@ -1,63 +1,12 @@
 //! The meaning of names in each claim: every name has one (`proofs/FORMAT.md`, Names).
 
 use super::file::PaperFile;
+use super::kind::{Named, Role};
 use super::reader::Reader;
-use crate::claim::THEOREM_NAMES;
 use crate::diagnostic::Diagnostic;
 use crate::scheme::Spanned;
 use std::collections::BTreeMap;
-use std::fmt;
-use std::ops::Range;
 use std::rc::Rc;
-
-/// The role of a name in a claim.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Role {
-    /// A key of `[define]`.
-    Definition,
-    /// A key of `[given]`.
-    Stated,
-    /// A key of the claim's own `given`.
-    Given,
-    /// A key of the table's `unstated`.
-    Unstated,
-    /// The name of `rows`, or of `columns`, where the headers are numbers.
-    Header,
-    /// One of an equation's `symbols`.
-    Symbol,
-    /// The name of one of an equation's `indices`.
-    Index,
-    /// The `variable` of a function or a range.
-    Variable,
-    /// A key of a theorem's `values`.
-    Open,
-    /// One of [`THEOREM_NAMES`], in a theorem with a bound or a depth.
-    OfTheorem,
-}
-
-impl fmt::Display for Role {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Role::Definition => "a definition",
-            Role::Stated => "a value that the paper states",
-            Role::Given => "a value that the claim states",
-            Role::Unstated => "a parameter that is not stated",
-            Role::Header => "the parameter of the headers",
-            Role::Symbol => "a symbol",
-            Role::Index => "an index of the equation",
-            Role::Variable => "the free parameter",
-            Role::Open => "a parameter of the theorem",
-            Role::OfTheorem => "the spread, the level or the tolerance of this theorem",
-        })
-    }
-}
-
-/// The role of a name, and the place in the file that gives it this role.
-#[derive(Clone, Debug)]
-pub(super) struct Named {
-    pub(super) role: Role,
-    pub(super) span: Range<usize>,
-}
 
 /// The roles of names: those of a claim's own, and those that it shares with the others.
 #[derive(Clone, Default)]
@@ -111,57 +60,12 @@ impl Reader<'_> {
         }
         let common = common.sharing();
         let mut claims = BTreeMap::new();
-        for table in &file.table {
-            let mut roles = common.clone();
-            for name in table.given.keys() {
-                self.add(&mut roles, name, Role::Given)?;
+        for (fields, claim) in file.claims() {
+            let mut roles = if claim.takes_given() { common.clone() } else { definitions.clone() };
+            for (name, named) in claim.names() {
+                self.insert(&mut roles, name, named)?;
             }
-            for name in table.unstated.names() {
-                self.add(&mut roles, name, Role::Unstated)?;
-            }
-            let axes = table.rows.iter().chain([&table.columns]);
-            for name in axes.filter_map(|axis| axis.get_ref().name.as_ref()) {
-                self.add(&mut roles, name, Role::Header)?;
-            }
-            claims.insert(table.common().id.get_ref().as_str(), roles);
-        }
-        for equation in &file.equation {
-            // The values of `[given]` have no meaning in equations.
-            let mut roles = definitions.clone();
-            for symbol in &equation.symbols {
-                self.add(&mut roles, symbol, Role::Symbol)?;
-            }
-            for name in equation.indices.iter().filter_map(|axis| axis.get_ref().name.as_ref()) {
-                self.add(&mut roles, name, Role::Index)?;
-            }
-            claims.insert(equation.common().id.get_ref().as_str(), roles);
-        }
-        let functions = file.function.iter().map(|claim| (claim.common(), &claim.variable));
-        let ranges = file.range.iter().map(|claim| (claim.common(), &claim.variable));
-        for (claim, variable) in functions.chain(ranges) {
-            let mut roles = common.clone();
-            self.add(&mut roles, variable, Role::Variable)?;
-            claims.insert(claim.id.get_ref().as_str(), roles);
-        }
-        let smoothness = file.smoothness.iter().map(|claim| (claim.common(), &claim.given));
-        let exponents = file.exponent.iter().map(|claim| (claim.common(), &claim.given));
-        for (claim, given) in smoothness.chain(exponents) {
-            let mut roles = common.clone();
-            for name in given.keys() {
-                self.add(&mut roles, name, Role::Given)?;
-            }
-            claims.insert(claim.id.get_ref().as_str(), roles);
-        }
-        for theorem in &file.theorem {
-            let mut roles = common.clone();
-            for name in theorem.values.keys() {
-                self.add(&mut roles, name, Role::Open)?;
-            }
-            for name in theorem.by.iter().flat_map(|by| THEOREM_NAMES.map(|name| (name, by))) {
-                let ((name, by), role) = (name, Role::OfTheorem);
-                self.insert(&mut roles, name, Named { role, span: by.span() })?;
-            }
-            claims.insert(theorem.common().id.get_ref().as_str(), roles);
+            claims.insert(fields.id.get_ref().as_str(), roles);
         }
         Ok(AllRoles { definitions, claims })
     }

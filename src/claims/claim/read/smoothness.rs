@@ -2,9 +2,10 @@
 
 use super::exponent::exponent;
 use super::fields::{CommonFields, Formulas, NumberField, claim_table};
+use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
 use crate::claim::{
-    ExponentStatement, PrintedValences, RegularityCell, SmoothnessBody, SmoothnessClaim,
+    ExponentStatement, Paper, PrintedValences, RegularityCell, SmoothnessBody, SmoothnessClaim,
     SmoothnessKind, SmoothnessStatement,
 };
 use crate::diagnostic::Diagnostic;
@@ -54,6 +55,28 @@ claim_table!(ExponentTable {
     #[serde(skip)]
     pub(super) cell: Option<RegularityCell>,
 });
+
+impl ClaimTable for SmoothnessTable {
+    fn names(&self) -> Vec<(&str, Named)> {
+        named(self.given.keys(), Role::Given).collect()
+    }
+
+    fn read(&self, reader: &Reader<'_>, paper: &mut Paper) -> Result<(), Diagnostic> {
+        paper.smoothness.push(reader.smoothness(self)?);
+        Ok(())
+    }
+}
+
+impl ClaimTable for ExponentTable {
+    fn names(&self) -> Vec<(&str, Named)> {
+        named(self.given.keys(), Role::Given).collect()
+    }
+
+    fn read(&self, reader: &Reader<'_>, paper: &mut Paper) -> Result<(), Diagnostic> {
+        paper.smoothness.push(reader.exponent(self)?);
+        Ok(())
+    }
+}
 
 impl Reader<'_> {
     /// Reads a claim that the limits are C^m, or not.

@@ -3,8 +3,9 @@
 use super::axis::AxisTable;
 use super::fields::{Formulas, NumberField, TableOf, Unstated, claim_table};
 use super::figure::FigureTable;
+use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
-use crate::claim::{Cell, Promise, Table};
+use crate::claim::{Cell, Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
 use crate::scheme::{Spanned, definitions, formula, identifier};
@@ -58,6 +59,22 @@ enum CellsField {
     #[cfg_attr(feature = "schema", schemars(with = "Lost"))]
     Lost,
     Rows(Vec<Spanned<Vec<Spanned<NumberField>>>>),
+}
+
+impl ClaimTable for TableTable {
+    fn names(&self) -> Vec<(&str, Named)> {
+        let axes = self.rows.iter().chain([&self.columns]);
+        let headers = axes.filter_map(|axis| axis.get_ref().name.as_ref());
+        let own = named(self.given.keys(), Role::Given);
+        own.chain(named(self.unstated.names(), Role::Unstated))
+            .chain(named(headers, Role::Header))
+            .collect()
+    }
+
+    fn read(&self, reader: &Reader<'_>, paper: &mut Paper) -> Result<(), Diagnostic> {
+        paper.tables.push(reader.table(self)?);
+        Ok(())
+    }
 }
 
 /// The word for cells of which the source has none.

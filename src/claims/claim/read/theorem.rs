@@ -1,9 +1,10 @@
 //! Reading theorems.
 
 use super::fields::claim_table;
+use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
 use super::trial::{RewritingTable, SupposesTable, TrialFields};
-use crate::claim::{ByHand, Quantity, Statement, Theorem};
+use crate::claim::{ByHand, Paper, Quantity, Statement, THEOREM_NAMES, Theorem};
 use crate::diagnostic::Diagnostic;
 use crate::scheme::{Spanned, formula};
 use crate::suggestion::did_you_mean;
@@ -47,6 +48,20 @@ claim_table!(TheoremTable {
     rests: Vec<Spanned<String>>,
 });
 
+impl ClaimTable for TheoremTable {
+    fn names(&self) -> Vec<(&str, Named)> {
+        let of_theorems = self.by.iter().flat_map(|by| {
+            THEOREM_NAMES.map(|name| (name, Named { role: Role::OfTheorem, span: by.span() }))
+        });
+        named(self.values.keys(), Role::Open).chain(of_theorems).collect()
+    }
+
+    fn read(&self, reader: &Reader<'_>, paper: &mut Paper) -> Result<(), Diagnostic> {
+        paper.theorems.push(reader.theorem(self)?);
+        Ok(())
+    }
+}
+
 impl TheoremTable {
     fn trial(&self) -> TrialFields<'_> {
         TrialFields {
@@ -66,18 +81,12 @@ impl TheoremTable {
 const DEPTH: &str = "depth";
 
 impl Reader<'_> {
-    /// Reads a theorem; `ids` are those of all claims of the file, `theorems` those of its theorems.
-    pub(super) fn theorem(
-        &self,
-        table: &TheoremTable,
-        ids: &BTreeSet<&str>,
-        theorems: &BTreeSet<&str>,
-    ) -> Result<Theorem, Diagnostic> {
+    fn theorem(&self, table: &TheoremTable) -> Result<Theorem, Diagnostic> {
         let Head { id, locus, title, scheme, note } = self.head(table.common())?;
         let statement = self.statement(table)?;
-        self.known(&id, &table.rests, "rests", ids)?;
-        self.known(&id, &table.proof_uses, "proof_uses", ids)?;
-        self.decided(&table.proof_uses, theorems)?;
+        self.known(&id, &table.rests, "rests", &self.ids[0])?;
+        self.known(&id, &table.proof_uses, "proof_uses", &self.ids[0])?;
+        self.decided(&table.proof_uses, &self.ids[1])?;
         let rests = table.rests.iter().map(|premise| premise.get_ref().clone()).collect();
         let (tried, by_hand) = (self.trial(table.trial())?, self.by_hand(table)?);
         Ok(Theorem { id, locus, title, scheme, statement, tried, by_hand, rests, note })

@@ -3,7 +3,7 @@
 use crate::claim::Statement;
 use crate::digest::errata::{CellErratum, Subject};
 use crate::exact::RealCyclotomic;
-use crate::finding::{CellFinding, PaperAudit, TheoremFinding};
+use crate::finding::{CellFinding, Finding, PaperAudit, TheoremFinding};
 use crate::formula::LocatedFormula;
 
 /// The consequences of an erratum, computed.
@@ -66,13 +66,10 @@ impl<'a> PaperAudit<'a> {
                 consequences.broken = count(&|cell| cell.keeps_promise() == Some(false));
                 consequences.open = count(&CellFinding::may_break_promise);
             }
-            Subject::Function(finding) => {
+            Subject::Claim(Finding::Function(finding)) => {
                 consequences.used_by = self.used_by(&finding.claim.left.text);
             }
-            Subject::Equation(_)
-            | Subject::Range(..)
-            | Subject::Smoothness(_)
-            | Subject::Theorem(_) => {}
+            Subject::Claim(_) => {}
         }
         consequences
     }

@@ -2,20 +2,15 @@
 //! checked.
 
 mod consequence;
-mod harm;
 mod sharp;
 pub use consequence::Consequences;
-pub use harm::Harm;
 pub use sharp::{Beyond, NotSharp};
 
 use crate::claim::{Printed, Promise};
 use crate::digest::cause::Cause;
 use crate::digest::summary::{CellOutcome, CellStanding, CellSummary};
 use crate::exact::Rounding;
-use crate::finding::{
-    CellFinding, EquationFinding, Finding, FoundRange, FunctionFinding, PaperAudit, RangeFinding,
-    SmoothnessFinding, TableFinding, TheoremFinding,
-};
+use crate::finding::{CellFinding, Finding, Harm, PaperAudit, TableFinding};
 use crate::verdict::{Standing, Word};
 use std::collections::BTreeMap;
 
@@ -47,16 +42,8 @@ pub struct Erratum<'e, 'a> {
 pub enum Subject<'e, 'a> {
     /// Cells of a table, by one cause.
     Cells(CellErratum<'e, 'a>),
-    /// An equation.
-    Equation(&'e EquationFinding<'a>),
-    /// A closed form in a free parameter.
-    Function(&'e FunctionFinding<'a>),
-    /// A range of a free parameter.
-    Range(&'e RangeFinding<'a>, &'e FoundRange),
-    /// A refuted claim about smoothness.
-    Smoothness(&'e SmoothnessFinding<'a>),
-    /// A refuted theorem.
-    Theorem(&'e TheoremFinding<'a>),
+    /// A claim of another kind.
+    Claim(Finding<'e, 'a>),
 }
 
 /// Cells of a table that have one outcome.
@@ -106,21 +93,11 @@ impl<'a> PaperAudit<'a> {
     #[must_use]
     pub fn errata<'e>(&'e self) -> Errata<'e, 'a> {
         let subjects = self.findings().flat_map(|finding| -> Vec<Subject<'e, 'a>> {
-            let one = match finding {
-                Finding::Table(finding) => {
-                    return cell_errata(finding).into_iter().map(Subject::Cells).collect();
-                }
-                Finding::Equation(finding) => Subject::Equation(finding),
-                Finding::Function(finding) => Subject::Function(finding),
-                Finding::Range(finding) => match &finding.found {
-                    Ok(found) => Subject::Range(finding, found),
-                    Err(_) => return Vec::new(),
-                },
-                Finding::Smoothness(finding) => Subject::Smoothness(finding),
-                Finding::Theorem(finding) => Subject::Theorem(finding),
-            };
-            let fails = one.verdict().standing() == Standing::Fails;
-            fails.then_some(one).into_iter().collect()
+            if let Finding::Table(finding) = finding {
+                return cell_errata(finding).into_iter().map(Subject::Cells).collect();
+            }
+            let fails = finding.word().is_some_and(|word| word.standing() == Standing::Fails);
+            fails.then_some(Subject::Claim(finding)).into_iter().collect()
         });
         let errata = subjects.map(|subject| {
             let consequences = self.consequences(&subject);
@@ -139,11 +116,7 @@ impl<'e, 'a> Subject<'e, 'a> {
     pub fn finding(&self) -> Finding<'e, 'a> {
         match self {
             Subject::Cells(cells) => Finding::Table(cells.finding),
-            Subject::Equation(finding) => Finding::Equation(finding),
-            Subject::Function(finding) => Finding::Function(finding),
-            Subject::Range(finding, _) => Finding::Range(finding),
-            Subject::Smoothness(finding) => Finding::Smoothness(finding),
-            Subject::Theorem(finding) => Finding::Theorem(finding),
+            Subject::Claim(finding) => *finding,
         }
     }
 
@@ -164,7 +137,7 @@ impl<'e, 'a> Subject<'e, 'a> {
     pub fn verdict(&self) -> Word {
         let word = match self {
             Subject::Cells(cells) => cells.findings().next().map(|cell| cell.verdict.word()),
-            other => other.finding().word(),
+            Subject::Claim(finding) => finding.word(),
         };
         word.unwrap_or(Word::Refuted)
     }
@@ -174,6 +147,16 @@ impl<'a> Erratum<'_, 'a> {
     #[must_use]
     pub fn id(&self) -> &'a str {
         self.subject.id()
+    }
+
+    /// The harm that it does.
+    #[must_use]
+    pub fn harm(&self) -> Harm {
+        match &self.subject {
+            Subject::Cells(_) if self.consequences.broken > 0 => Harm::Broken,
+            Subject::Cells(_) if self.consequences.open > 0 => Harm::Unshown,
+            subject => subject.finding().harm(),
+        }
     }
 }
 

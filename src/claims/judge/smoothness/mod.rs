@@ -13,25 +13,39 @@ use crate::evaluation::library::Library;
 use crate::evaluation::limits::LimitScheme;
 use crate::exact::RealCyclotomic;
 use crate::finding::{KnownLimits, SmoothnessFinding, SmoothnessVerdict};
+use crate::judge::kind::JudgeAlone;
 use mask::{is_continuous, limits, no_valences};
 
-/// Judges a claim about the limits of a scheme.
-pub(crate) fn judge<'a>(
-    paper: &Paper,
-    claim: &'a SmoothnessClaim,
-    library: &Library<'_>,
-) -> Result<SmoothnessFinding<'a>, Diagnostic> {
-    let (verdict, known) = match &claim.body {
-        SmoothnessBody::NotCheckable(_) => (SmoothnessVerdict::NotCheckable, KnownLimits::Absent),
-        SmoothnessBody::Statement(located, statement) => {
-            let scheme = LimitScheme { paper, library, located, given: &claim.given };
-            let found = Diagnostic::or_cap(of(&scheme, statement))?;
-            found.unwrap_or_else(|cap| {
-                (SmoothnessVerdict::NotCheckable, KnownLimits::BeyondCap(cap))
-            })
-        }
-    };
-    Ok(SmoothnessFinding { id: format!("{}:{}", paper.key, claim.id), claim, verdict, known })
+impl<'a> JudgeAlone<'a> for SmoothnessClaim {
+    type Finding = SmoothnessFinding<'a>;
+
+    const WORK: usize = 20;
+
+    /// Judges a claim about the limits of a scheme.
+    fn judge_alone(
+        &'a self,
+        paper: &'a Paper,
+        library: &Library<'_>,
+    ) -> Result<SmoothnessFinding<'a>, Diagnostic> {
+        let (verdict, known) = match &self.body {
+            SmoothnessBody::NotCheckable(_) => {
+                (SmoothnessVerdict::NotCheckable, KnownLimits::Absent)
+            }
+            SmoothnessBody::Statement(located, statement) => {
+                let scheme = LimitScheme { paper, library, located, given: &self.given };
+                let found = Diagnostic::or_cap(of(&scheme, statement))?;
+                found.unwrap_or_else(|cap| {
+                    (SmoothnessVerdict::NotCheckable, KnownLimits::BeyondCap(cap))
+                })
+            }
+        };
+        Ok(SmoothnessFinding {
+            id: format!("{}:{}", paper.key, self.id),
+            claim: self,
+            verdict,
+            known,
+        })
+    }
 }
 
 fn of(

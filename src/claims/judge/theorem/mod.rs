@@ -22,6 +22,7 @@ use crate::evaluation::library::{Library, Resolved};
 use crate::finding::{
     CaseFinding, Correction, Outcome, Refutation, Repair, TheoremFinding, TheoremVerdict, Violation,
 };
+use crate::judge::kind::Judge;
 use crate::judge::theorem::case::{Case, Stage};
 use crate::judge::theorem::correction::{corrections, subsets};
 use crate::judge::theorem::natural::{naturally, outcomes, placed, size};
@@ -34,13 +35,31 @@ use std::collections::BTreeSet;
 /// The precision of the supremum that is given beside a false bound: 1/1000 of it.
 const PARTS: u32 = 1_000;
 
-/// Tries theorems of a paper, each by itself.
-pub(crate) fn trials<'a>(
-    paper: &'a Paper,
-    theorems: impl Iterator<Item = &'a Theorem>,
-) -> Result<Vec<TheoremFinding<'a>>, Diagnostic> {
-    let one = |theorem| one(paper, theorem, &Library::new(paper), &Stage::default());
-    theorems.map(one).collect()
+impl<'a> Judge<'a> for Theorem {
+    type Finding = TheoremFinding<'a>;
+
+    /// All theorems, since one thread has time enough for them.
+    fn groups(theorems: &'a [Theorem]) -> Vec<Vec<&'a Theorem>> {
+        vec![theorems.iter().collect()]
+    }
+
+    fn work(&self) -> usize {
+        2
+    }
+
+    /// Tries theorems, each by itself.
+    fn judge(
+        paper: &'a Paper,
+        theorems: &[&'a Theorem],
+        after_claim: &(dyn Fn() + Sync),
+    ) -> Result<Vec<TheoremFinding<'a>>, Diagnostic> {
+        let one = |theorem: &&'a Theorem| {
+            let found = one(paper, theorem, &Library::new(paper), &Stage::default());
+            after_claim();
+            found
+        };
+        theorems.iter().map(one).collect()
+    }
 }
 
 /// The masks of the cases with these labels, each once; rings have none.

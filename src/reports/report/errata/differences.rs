@@ -2,14 +2,13 @@
 
 use super::cells;
 use crate::audit::{
-    Beyond, CellErratum, CellFinding, EquationFinding, EquationVerdict, Erratum, Harm, KnownLimits,
-    NotSharp, PaperAudit, SmoothnessFinding, SmoothnessVerdict, Subject,
+    Beyond, CellErratum, CellFinding, Erratum, Harm, KnownLimits, NotSharp, PaperAudit,
+    SmoothnessFinding, SmoothnessVerdict, Subject,
 };
 use crate::claim::{ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
 use crate::exact::{Enclosed as _, Rational, format::fixed};
-use crate::report::formulas::function;
 use crate::report::smooth::smoothness;
-use crate::report::theorems::theorem;
+use crate::report::told::told;
 use crate::report::words::sheet::{Grid, Sheet};
 use crate::smoothness::Hoelder;
 
@@ -104,35 +103,12 @@ impl Line {
             Subject::Cells(cells) => {
                 let [printed, exact] = numbers(cells, erratum.harm());
                 let origin = cells::origin(cells);
-                (&cells.finding.table.title, printed, exact, Some(origin))
+                (cells.finding.table.title.as_str(), printed, exact, Some(origin))
             }
-            Subject::Equation(finding) => {
-                let [printed, exact] = sides(finding);
-                (&finding.equation.title, printed, exact, mended(finding))
-            }
-            Subject::Function(finding) => {
-                let outcome = function::function_outcome(finding);
-                let exact = outcome.last().cloned().unwrap_or_default();
-                let claim = finding.claim;
-                (&claim.title, claim.left.text.clone(), exact, claim.note.clone())
-            }
-            Subject::Range(finding, found) => {
-                let claim = finding.claim;
-                let exact = found.exact.describe(&claim.variable);
-                (&claim.title, function::printed(finding), exact, claim.note.clone())
-            }
-            Subject::Smoothness(finding) => {
-                let claim = finding.claim;
-                let printed = smoothness::statement(claim).unwrap_or_default();
-                let exact = smoothness::outcome(finding).join("; ");
-                (&claim.title, printed, exact, claim.note.clone())
-            }
-            Subject::Theorem(finding) => {
-                let theorem = finding.theorem;
-                let outcome = theorem::outcome(finding);
-                let exact = outcome.lines().next().unwrap_or_default().to_owned();
-                let printed = theorem::statement(&theorem.statement);
-                (&theorem.title, printed, exact, theorem.note.clone())
+            Subject::Claim(finding) => {
+                let told = told(*finding);
+                let [printed, exact] = told.difference();
+                (finding.claim().title(), printed, exact, told.origin())
             }
         };
         let place = place(subject.locus(), title);
@@ -243,30 +219,8 @@ fn numbers(cells: &CellErratum<'_, '_>, harm: Harm) -> [String; 2] {
     [printed, exact]
 }
 
-/// The first case in which an equation fails: what is printed, and what it should be.
-fn sides(finding: &EquationFinding<'_>) -> [String; 2] {
-    let EquationVerdict::Fails { failures, .. } = &finding.verdict else {
-        return Default::default();
-    };
-    let Some(first) = failures.first() else { return Default::default() };
-    let at = if first.at.is_empty() { String::new() } else { format!(" at {}", first.at) };
-    let more = match failures.len() {
-        1 => String::new(),
-        count => format!("; {count} cases fail"),
-    };
-    let [left, right] = [&first.left, &first.right].map(ToString::to_string);
-    [format!("{}{at}{more}", cut(left)), right]
-}
-
-/// The one symbol that mends an equation, or a remark.
-fn mended(finding: &EquationFinding<'_>) -> Option<String> {
-    let EquationVerdict::Fails { mends, .. } = &finding.verdict else { return None };
-    let mend = mends.first().map(|mend| format!("it holds with one side as {mend}"));
-    mend.or_else(|| finding.equation.note.clone())
-}
-
 /// A text of no more than [`LONGEST`] characters.
-fn cut(text: String) -> String {
+pub(crate) fn cut(text: String) -> String {
     if text.chars().count() <= LONGEST {
         return text;
     }

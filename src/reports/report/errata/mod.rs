@@ -1,8 +1,7 @@
 //! The errata of a paper, as one could send them to a journal.
 
 pub(super) mod cells;
-mod claims;
-mod differences;
+pub(super) mod differences;
 pub(crate) mod latex_table;
 
 pub use differences::differences_sheet;
@@ -14,6 +13,7 @@ use crate::report::papers::headline::unstated_offsets;
 use crate::report::papers::summary;
 use crate::report::tables::reading::capital;
 use crate::report::theorems::theorem;
+use crate::report::told::told;
 use crate::report::words::sheet::{Block, Grid, Sheet};
 
 /// The errata of papers.
@@ -91,11 +91,15 @@ impl Entry {
         };
         let (title, facts, origin) = match subject {
             Subject::Cells(cells) => (None, cells::facts(cells), cells::origin(cells)),
-            Subject::Equation(finding) => claims::equation(finding),
-            Subject::Function(finding) => claims::function(finding),
-            Subject::Range(finding, found) => claims::range(finding, found),
-            Subject::Smoothness(finding) => claims::smoothness(finding),
-            Subject::Theorem(finding) => claims::theorem(finding),
+            Subject::Claim(finding) => {
+                let (facts, reasons) = told(*finding).erratum();
+                let origin = if reasons.is_empty() {
+                    "not explained".to_owned()
+                } else {
+                    reasons.join("\n")
+                };
+                (Some(finding.claim().title().to_owned()), facts, origin)
+            }
         };
         let mut causes = vec![("how it came about".to_owned(), origin)];
         let mut grid = None;

@@ -4,27 +4,6 @@ use super::function::beyond;
 use crate::audit::{EquationFinding, EquationVerdict};
 use crate::claim::{EquationBody, Identity, Index, Left};
 use crate::exact::Rational;
-use crate::report::words::parts::titled;
-use crate::report::words::sheet::Sheet;
-
-/// The equations that fail or cannot be checked; with `all`, every one.
-pub(crate) fn equations(sheet: &mut Sheet, findings: &[EquationFinding<'_>], all: bool) {
-    let shown = |finding: &&EquationFinding<'_>| {
-        all || !matches!(finding.verdict, EquationVerdict::Holds { .. })
-    };
-    let shown: Vec<&EquationFinding<'_>> = findings.iter().filter(shown).collect();
-    if shown.is_empty() {
-        return;
-    }
-    sheet.heading(2, "Equations");
-    let fact = |finding: &EquationFinding<'_>| {
-        let mark = finding.verdict.word().mark();
-        let equation = finding.equation;
-        let lines = [titled(&[&equation.title, &equation.id]), outcome(finding)].join("\n");
-        (format!("{mark} {}", equation.locus), lines)
-    };
-    sheet.facts(shown.into_iter().map(fact).collect());
-}
 
 /// How many cases a failing equation shows.
 const MAX_FAILURES: usize = 2;

@@ -1,96 +1,15 @@
 //! Findings about a free parameter.
 
 use crate::audit::{
-    EndFinding, EndRelation, FoundRange, FunctionFinding, FunctionVerdict, PaperAudit,
-    RangeFinding, RangeVerdict, Word,
+    EndFinding, EndRelation, FoundRange, FunctionFinding, FunctionVerdict, RangeFinding,
+    RangeVerdict,
 };
 use crate::claim::LocatedReference;
 use crate::exact::format::short;
-use crate::report::words::parts::{definitions, titled};
-use crate::report::words::sheet::Sheet;
 
-/// The sections on closed forms and on ranges; without `all`, on those where
-/// something is wrong.
-pub(crate) fn sections(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
-    let wrong = |finding: &&FunctionFinding<'_>| all || finding.verdict != FunctionVerdict::Holds;
-    let facts = audit.functions.iter().filter(wrong).map(|finding| {
-        let claim = finding.claim;
-        let title = titled(&[&claim.title, &claim.id]);
-        let lines = lines(title, function_outcome(finding), claim.note.as_deref());
-        (format!("{} {}", finding.verdict.word().mark(), claim.locus), lines)
-    });
-    section(sheet, "Functions of a parameter", facts.collect());
-    let wrong = |finding: &&RangeFinding<'_>| all || finding.verdict() != Word::Exact;
-    let facts = audit.ranges.iter().filter(wrong).map(|finding| {
-        let claim = finding.claim;
-        let title = titled(&[&claim.title, &claim.id]);
-        let lines = lines(title, range_outcome(finding), claim.note.as_deref());
-        (format!("{} {}", finding.verdict().mark(), claim.locus), lines)
-    });
-    section(sheet, "Parameter ranges", facts.collect());
-}
-
-fn section(sheet: &mut Sheet, heading: &str, facts: Vec<(String, String)>) {
-    if !facts.is_empty() {
-        sheet.heading(2, heading);
-        sheet.facts(facts);
-    }
-}
-
-fn lines(title: String, outcome: Vec<String>, note: Option<&str>) -> String {
-    std::iter::once(title)
-        .chain(outcome)
-        .chain(note.map(str::to_owned))
-        .collect::<Vec<String>>()
-        .join("\n")
-}
-
-/// What there is to say of a closed form in full.
-pub(crate) fn function_facts(
-    audit: &PaperAudit<'_>,
-    finding: &FunctionFinding<'_>,
-) -> Vec<(String, String)> {
-    let claim = finding.claim;
-    let mut facts = head(&claim.variable, claim.scheme.as_ref());
-    facts.push(("left".to_owned(), claim.left.text.clone()));
-    facts.push(("right".to_owned(), claim.right.text.clone()));
-    facts.extend(definitions(audit, &claim.left));
-    facts.push((
-        verdict(finding.verdict.word()),
-        function_outcome(finding).join(
-            "
-",
-        ),
-    ));
-    facts.extend(claim.note.clone().map(|note| ("note".to_owned(), note)));
-    facts
-}
-
-/// What there is to say of a range in full.
-pub(crate) fn range_facts(finding: &RangeFinding<'_>) -> Vec<(String, String)> {
-    let claim = finding.claim;
-    let mut facts = head(&claim.variable, claim.scheme.as_ref());
-    let condition =
-        format!("{} {} {}", claim.value.text, claim.limit.relation(), claim.limit.formula().text);
-    facts.push(("condition".to_owned(), condition));
-    facts.push((
-        verdict(finding.verdict()),
-        range_outcome(finding).join(
-            "
-",
-        ),
-    ));
-    facts.extend(claim.note.clone().map(|note| ("note".to_owned(), note)));
-    facts
-}
-
-fn head(variable: &str, scheme: Option<&LocatedReference>) -> Vec<(String, String)> {
+pub(crate) fn head(variable: &str, scheme: Option<&LocatedReference>) -> Vec<(String, String)> {
     let scheme = scheme.map(|scheme| ("scheme".to_owned(), scheme.reference.to_string()));
     [("variable".to_owned(), variable.to_owned())].into_iter().chain(scheme).collect()
-}
-
-fn verdict(word: Word) -> String {
-    format!("{} {word}", word.mark())
 }
 
 pub(crate) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {

@@ -5,18 +5,18 @@ use crate::certificate::certificate_lines;
 use std::collections::BTreeMap;
 
 /// An audit, and what certifies it.
-pub(super) struct Context<'p, 'a> {
-    pub(super) audit: &'p PaperAudit<'a>,
+pub(crate) struct Context<'p, 'a> {
+    pub(crate) audit: &'p PaperAudit<'a>,
     /// The claim file of a paper that is not embedded.
-    pub(super) file: Option<&'p str>,
+    pub(crate) file: Option<&'p str>,
     /// Whether all of a finding stands on the page beside its section.
-    pub(super) is_whole: bool,
+    pub(crate) is_whole: bool,
     /// For each claim the lines of its certificate, or why there are none.
-    pub(super) certificate: BTreeMap<String, Result<String, String>>,
+    pub(crate) certificate: BTreeMap<String, Result<String, String>>,
 }
 
 impl<'p, 'a> Context<'p, 'a> {
-    pub(super) fn new(audit: &'p PaperAudit<'a>, file: Option<&'p str>) -> Context<'p, 'a> {
+    pub(crate) fn new(audit: &'p PaperAudit<'a>, file: Option<&'p str>) -> Context<'p, 'a> {
         let claims = certificate_lines(audit).into_iter();
         let certificate = claims.map(|claim| (claim.id, claim.lines)).collect();
         Context { audit, file, is_whole: false, certificate }

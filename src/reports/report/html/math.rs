@@ -6,7 +6,7 @@ use crate::formula::{Expr, Fold, Node, Operator, OptionWord};
 use maud::{Markup, html};
 
 /// A formula; its text stands in it for programs that do not show MathML.
-pub(super) fn formula(expr: &Expr) -> Markup {
+pub(crate) fn formula(expr: &Expr) -> Markup {
     html! { math alttext=(expr) { (inner(expr)) } }
 }
 

@@ -28,7 +28,7 @@ fn one(block: &Block, deeper: u8) -> Markup {
 }
 
 /// Names with values.
-pub(super) fn facts(list: &[(String, String)]) -> Markup {
+pub(crate) fn facts(list: &[(String, String)]) -> Markup {
     html! {
         @if !list.is_empty() {
             dl {
@@ -57,7 +57,7 @@ fn value_of(value: &str) -> Markup {
 }
 
 /// A text with its line breaks.
-pub(super) fn lines(text: &str) -> Markup {
+pub(crate) fn lines(text: &str) -> Markup {
     html! {
         @for (place, line) in text.split('\n').enumerate() {
             @if place > 0 { br; }

@@ -13,7 +13,7 @@ fn block(contents: &Markup) -> Markup {
 }
 
 /// What a theorem bounds.
-pub(super) fn quantity(quantity: Quantity) -> Markup {
+pub(crate) fn quantity(quantity: Quantity) -> Markup {
     let level = |k: &Markup| html! { msup { mi { "P" } (k) } };
     let (k, next, limit) = (
         html! { mi { "k" } },
@@ -36,7 +36,7 @@ pub(super) fn quantity(quantity: Quantity) -> Markup {
 }
 
 /// The definitions that a formula uses, as entries of a list.
-pub(super) fn definitions(audit: &PaperAudit<'_>, located: &LocatedFormula) -> Markup {
+pub(crate) fn definitions(audit: &PaperAudit<'_>, located: &LocatedFormula) -> Markup {
     html! {
         @for (defined, definition) in audit.paper.definitions_in(located) {
             div {
@@ -48,7 +48,7 @@ pub(super) fn definitions(audit: &PaperAudit<'_>, located: &LocatedFormula) -> M
 }
 
 /// left = right, for the values of the indices.
-pub(super) fn identity(identity: &Identity) -> Markup {
+pub(crate) fn identity(identity: &Identity) -> Markup {
     let right = || inner(&identity.right.expr);
     html! {
         div.scroll tabindex="0" role="group" aria-label="equation" {

@@ -20,7 +20,7 @@ use maud::{Markup, html};
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.
-pub(super) fn section(
+pub(crate) fn section(
     context: &Context<'_, '_>,
     finding: &TableFinding<'_>,
 ) -> Result<Markup, Diagnostic> {

@@ -9,6 +9,7 @@ use crate::audit::{self, PaperAudit, PromiseCounts, TableFinding, Word};
 use crate::claim::Kind;
 use crate::report::json::tables::reading::Search;
 use crate::report::json::tables::recovered::{Fitting, Recovered};
+use crate::report::told::told;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -112,7 +113,7 @@ impl<'a> AuditReport<'a> {
 
 impl<'a> Paper<'a> {
     fn of(audit: &'a PaperAudit<'_>) -> Paper<'a> {
-        let claims = audit.findings().flat_map(|finding| Claim::all(audit, finding)).collect();
+        let claims = audit.findings().flat_map(|finding| told(finding).form(audit)).collect();
         let tally = audit.tally(Kind::ALL);
         let mut summary: BTreeMap<&str, usize> =
             Word::OF_CELLS.iter().map(|word| (word.name(), 0)).collect();

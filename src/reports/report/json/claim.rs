@@ -1,12 +1,7 @@
 //! A claim with its verdict.
 
-use super::exact::{Named, decimal};
-use crate::audit::{
-    self, CellFinding, EndFinding, EquationFinding, EquationVerdict, Finding, FunctionFinding,
-    FunctionVerdict, KernelProof, PaperAudit, RangeFinding, TheoremFinding, Verdict,
-};
-use crate::claim::Statement;
-use crate::report::formulas::function::printed;
+use super::exact::Named;
+use crate::audit::{self, EndFinding, KernelProof};
 use crate::report::json::smooth::smoothness::SmoothnessDetails;
 use crate::report::json::tables::cell::{AsRead, CellSound};
 use crate::report::json::theorems::theorem::Trial;
@@ -162,54 +157,8 @@ pub struct Certificate {
 }
 
 impl<'a> Claim<'a> {
-    /// The claims of a finding: those of a table are its cells.
-    pub(super) fn all(audit: &'a PaperAudit<'_>, finding: Finding<'a, '_>) -> Vec<Claim<'a>> {
-        match finding {
-            Finding::Table(finding) => finding.cells.iter().flatten().map(Claim::of_cell).collect(),
-            Finding::Equation(finding) => vec![Claim::of_equation(finding)],
-            Finding::Function(finding) => vec![Claim::of_function(audit, finding)],
-            Finding::Range(finding) => vec![Claim::of_range(finding)],
-            Finding::Smoothness(finding) => vec![Claim::of_smoothness(finding)],
-            Finding::Theorem(finding) => vec![Claim::of_theorem(finding)],
-        }
-    }
-
-    fn of_cell(cell: &'a CellFinding) -> Claim<'a> {
-        let why = match &cell.verdict {
-            Verdict::Rounding(direction) => Some(direction.to_string()),
-            Verdict::Misprint(slip) => Some(slip.to_string()),
-            Verdict::NotCheckable(missing) => Some(missing.to_string()),
-            _ => cell.undefined.clone(),
-        };
-        let assumed = cell.assumed.iter();
-        let assumed = assumed.map(|(name, value)| (name.clone(), value.to_string())).collect();
-        let sound = cell.sound.as_ref();
-        Claim {
-            id: &cell.id,
-            locus: &cell.locus,
-            kind: "number",
-            printed: cell.printed.as_deref().map(Cow::Borrowed),
-            exact: cell.exact.as_ref().map(ToString::to_string),
-            decimal: cell.exact.as_ref().map(decimal),
-            trial: None,
-            verdict: cell.verdict.word().name(),
-            reading: cell.as_read.as_ref().map(AsRead::of),
-            sound: sound.map(|sound| Sound::Cell(Box::new(CellSound::of(sound, cell)))),
-            checked_by_coq: names(&cell.by_kernel),
-            note: joined(why, cell.note.as_deref()),
-            details: Details::Cell {
-                assumed: (!cell.assumed.is_empty()).then_some(Named(assumed)),
-                verdict_if_assumed: cell
-                    .verdict_if_assumed
-                    .as_ref()
-                    .map(|verdict| verdict.word().name()),
-            },
-            certificate: None,
-        }
-    }
-
     /// A claim that has no exact value.
-    pub(super) fn plain(
+    pub(crate) fn plain(
         id: &'a str,
         locus: &'a str,
         kind: &'static str,
@@ -234,100 +183,14 @@ impl<'a> Claim<'a> {
             certificate: None,
         }
     }
-
-    fn of_equation(finding: &'a EquationFinding<'_>) -> Claim<'a> {
-        let equation = finding.equation;
-        let (failures, mends, absent) = match &finding.verdict {
-            EquationVerdict::Fails { failures, mends, .. } => {
-                (Some(failures.iter().map(Failure::of).collect()), Some(&mends[..]), None)
-            }
-            EquationVerdict::NotCheckable => {
-                (None, None, equation.absent().map(|absent| format!("missing: {absent}")))
-            }
-            EquationVerdict::BeyondCap(cap) => (None, None, Some(cap.to_string())),
-            EquationVerdict::Holds { .. } => (None, None, None),
-        };
-        let details = Details::Equation { failures, mends };
-        let (title, verdict) = (equation.title.as_str(), finding.verdict.word().name());
-        let claim = Claim::plain(&finding.id, &equation.locus, "equation", title, verdict, details);
-        Claim { note: joined(absent, equation.note.as_deref()), ..claim }
-    }
-
-    fn of_function(audit: &'a PaperAudit<'_>, finding: &'a FunctionFinding<'_>) -> Claim<'a> {
-        let claim = finding.claim;
-        let left = &claim.left.text;
-        // If the printed form is the name of a definition, the definition's formula is what is
-        // printed.
-        let definition = audit.paper.definitions.get(left);
-        let printed = definition.map_or(left, |definition| &definition.text).as_str();
-        let mut cap = None;
-        let (failures, printed_larger, printed_smaller) = match &finding.verdict {
-            FunctionVerdict::Fails { larger, smaller, example } => {
-                let failure = Failure {
-                    at: format!("{} = {}", claim.variable, example.at).into(),
-                    left: example.left.to_string(),
-                    right: example.right.to_string(),
-                    difference: (&example.left - &example.right).to_string(),
-                };
-                (Some([failure]), Some(larger.to_string()), Some(smaller.to_string()))
-            }
-            FunctionVerdict::Holds => (None, None, None),
-            FunctionVerdict::BeyondCap(beyond) => {
-                cap = Some(beyond.to_string());
-                (None, None, None)
-            }
-        };
-        let variable = &claim.variable;
-        let details = Details::Function { variable, failures, printed_larger, printed_smaller };
-        let verdict = finding.verdict.word().name();
-        let plain = Claim::plain(&finding.id, &claim.locus, "function", printed, verdict, details);
-        Claim { note: joined(cap, claim.note.as_deref()), ..plain }
-    }
-
-    fn of_range(finding: &'a RangeFinding<'_>) -> Claim<'a> {
-        let claim = finding.claim;
-        let found = finding.found.as_ref().ok();
-        let ends = found.iter().flat_map(|found| &found.ends).map(End::of).collect();
-        let details = Details::Range { variable: &claim.variable, ends };
-        let (printed, verdict) = (printed(finding), finding.verdict().name());
-        let cap = finding.found.as_ref().err().map(ToString::to_string);
-        Claim {
-            exact: found.map(|found| found.exact.to_string()),
-            sound: found.map(|found| Sound::Range { kept: found.kept }),
-            note: joined(cap, claim.note.as_deref()),
-            ..Claim::plain(&finding.id, &claim.locus, "range", printed, verdict, details)
-        }
-    }
-
-    pub(super) fn of_theorem(finding: &'a TheoremFinding<'_>) -> Claim<'a> {
-        let theorem = finding.theorem;
-        let (bounds, from) = match &theorem.statement {
-            Statement::Bound { quantity, from, .. } => (Some(quantity.name()), Some(*from)),
-            Statement::Depth(_) => (Some("depth"), None),
-            Statement::Other(_) => (None, None),
-        };
-        let printed = match &theorem.statement {
-            Statement::Bound { by, .. } | Statement::Depth(by) => &by.text,
-            Statement::Other(says) => says,
-        };
-        let failing = finding.failing.iter().map(|premise| premise.id).collect();
-        let details = Details::Theorem { bounds, from, rests: &theorem.rests, failing };
-        let (printed, verdict) = (printed.as_str(), finding.verdict.word().name());
-        Claim {
-            trial: Some(Trial::of(finding)),
-            checked_by_coq: names(&finding.by_kernel),
-            note: theorem.note.as_deref().map(Cow::Borrowed),
-            ..Claim::plain(&finding.id, &theorem.locus, "theorem", printed, verdict, details)
-        }
-    }
 }
 
-fn names(proofs: &[KernelProof]) -> Vec<&'static str> {
+pub(crate) fn names(proofs: &[KernelProof]) -> Vec<&'static str> {
     proofs.iter().map(|proof| proof.name()).collect()
 }
 
 /// A reason and a note, joined as far as they exist.
-fn joined(reason: Option<String>, note: Option<&str>) -> Option<Cow<'_, str>> {
+pub(crate) fn joined(reason: Option<String>, note: Option<&str>) -> Option<Cow<'_, str>> {
     match (reason, note) {
         (Some(reason), Some(note)) => Some(format!("{reason}; {note}").into()),
         (Some(reason), None) => Some(reason.into()),
@@ -336,7 +199,7 @@ fn joined(reason: Option<String>, note: Option<&str>) -> Option<Cow<'_, str>> {
 }
 
 impl<'a> Failure<'a> {
-    fn of(failure: &'a audit::Failure) -> Failure<'a> {
+    pub(crate) fn of(failure: &'a audit::Failure) -> Failure<'a> {
         Failure {
             at: failure.at.as_str().into(),
             left: failure.left.to_string(),
@@ -347,7 +210,7 @@ impl<'a> Failure<'a> {
 }
 
 impl<'a> End<'a> {
-    fn of(end: &'a EndFinding) -> End<'a> {
+    pub(crate) fn of(end: &'a EndFinding) -> End<'a> {
         End {
             printed: &end.printed,
             exact: end.exact.as_ref().map(ToString::to_string),

@@ -7,6 +7,7 @@ use super::summary::Summary;
 use crate::audit::{self, Cause, CellErratum, Errata, PaperAudit, Subject, TableFinding};
 use crate::report::errata::cells::{correct, origin};
 use crate::report::json::tables::recovered::Recovered;
+use crate::report::told::{Told as _, told};
 use serde::Serialize;
 
 /// What `subcert errata` finds.
@@ -194,12 +195,12 @@ impl<'a> PaperErrata<'a> {
             key: &audit.paper.key,
             note: audit.paper.bibliography.note.as_deref(),
             errata: numbered.map(|(number, one)| Erratum::of(audit, number, one)).collect(),
-            not_sharp: not_sharp.map(|one| Claim::of_smoothness(one.finding)).collect(),
+            not_sharp: not_sharp.flat_map(|one| one.finding.form(audit)).collect(),
             recovered: errata.recovered.iter().map(|finding| OfTable::of(finding)).collect(),
             unchecked: errata.unchecked.iter().map(Unchecked::of).collect(),
             beyond_caps: audit.beyond_caps().into_iter().map(BeyondCap::of).collect(),
             contradictions: Contradiction::all(audit),
-            theorems: audit.theorems.iter().map(Claim::of_theorem).collect(),
+            theorems: audit.theorems.iter().flat_map(|theorem| theorem.form(audit)).collect(),
             cells: Summary::of(&audit.cell_summary()),
         }
     }
@@ -240,8 +241,8 @@ impl<'a> Detail<'a> {
     fn of(audit: &'a PaperAudit<'a>, subject: Subject<'a, 'a>) -> Detail<'a> {
         match subject {
             Subject::Cells(cells) => Detail::Cells(WrongCells::of(&cells)),
-            other => {
-                let mut claims = Claim::all(audit, other.finding());
+            Subject::Claim(finding) => {
+                let mut claims = told(finding).form(audit);
                 Detail::Claim(Box::new(claims.pop().expect("one claim of a finding without cells")))
             }
         }

@@ -26,7 +26,7 @@ impl Exact {
 }
 
 /// The decimal that stands beside an exact value.
-pub(super) fn decimal(value: &impl Enclosed) -> String {
+pub(crate) fn decimal(value: &impl Enclosed) -> String {
     short(value, DECIMAL_DIGITS)
 }
 

@@ -8,8 +8,9 @@ use crate::claim::Target;
 use crate::report::json::tables::reading::Reading;
 use crate::report::json::tables::working::Working;
 use crate::report::json::theorems::by_hand::ByHand;
-use crate::report::papers::explain::{Background, table_of};
+use crate::report::papers::explain::table_of;
 use crate::report::tables::eye::Eye;
+use crate::report::told::Background;
 use serde::Serialize;
 
 /// What `subcert explain` finds.

@@ -8,19 +8,20 @@ mod claim;
 mod consistency;
 mod coverage;
 mod errata;
-mod exact;
+pub(crate) mod exact;
 mod explain;
 mod facts;
 mod offset;
 mod sets;
 mod shipped;
-mod smooth;
+pub(crate) mod smooth;
 mod summary;
-mod tables;
+pub(crate) mod tables;
 mod theorems;
 
 pub use audit::{AuditReport, Paper, PromiseTally, Table, UnstatedOffset};
 pub use claim::{Certificate, Claim, Details, End, Failure, Sound};
+pub(crate) use claim::{joined, names};
 pub use consistency::{Contradiction, Side, TablePart};
 pub use coverage::{CoverageReport, CoveredPaper, CoveringClaim, NumberedItem};
 pub use errata::{

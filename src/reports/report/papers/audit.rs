@@ -3,14 +3,13 @@
 use super::consistency;
 use super::overview::overview;
 use crate::audit::{CellFinding, Direction, PaperAudit, TableFinding, Verdict, Word};
+use crate::claim::Kind;
 use crate::exact::{Rational, format::short};
-use crate::report::formulas::equation::equations;
-use crate::report::formulas::function;
-use crate::report::smooth::smoothness;
+use crate::report::smooth::regularity;
 use crate::report::tables::headers;
 use crate::report::tables::promise;
 use crate::report::tables::reading;
-use crate::report::theorems::theorem;
+use crate::report::told::{Told, told};
 use crate::report::words::kernel;
 use crate::report::words::parts::titled;
 use crate::report::words::sheet::{Grid, Sheet};
@@ -56,12 +55,28 @@ fn paper(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
             sheet.grid(unclear_grid(&unclear));
         }
     }
-    equations(sheet, &audit.equations, all);
-    function::sections(sheet, audit, all);
-    smoothness::section(sheet, audit, all);
-    theorem::section(sheet, audit);
+    for kind in Kind::ALL.iter().filter(|kind| **kind != Kind::Table) {
+        section(sheet, audit, *kind, all);
+    }
     consistency::section(sheet, audit);
     super::summary::section(sheet, audit);
+}
+
+/// The claims of a kind; without `all`, those of which something is wrong.
+fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, kind: Kind, all: bool) {
+    let findings = audit.findings().filter(|finding| finding.claim().kind() == kind).map(told);
+    let shown: Vec<&dyn Told<'_>> = findings.filter(|finding| all || finding.is_shown()).collect();
+    let Some(first) = shown.first() else { return };
+    sheet.heading(2, first.heading()[0]);
+    if kind == Kind::Smoothness {
+        regularity::section(sheet, audit, all);
+    }
+    let fact = |finding: &&dyn Told<'_>| {
+        let claim = finding.claim();
+        let lines = [vec![titled(&[claim.title(), claim.id()])], finding.remarks()].concat();
+        (format!("{} {}", finding.word().mark(), claim.locus()), lines.join("\n"))
+    };
+    sheet.facts(shown.iter().map(fact).collect());
 }
 
 fn is_unclear(table: &TableFinding<'_>) -> bool {

@@ -2,9 +2,9 @@
 
 use crate::audit::{CellFinding, PaperAudit, PromiseCounts, Tally, UnstatedOffset, Verdict, Word};
 use crate::bound::BetterOffset;
-use crate::claim::Kind;
 use crate::exact::format::short;
 use crate::report::tables::reading::capital;
+use crate::report::told::{Counted, counts, told};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most places that the first sentence names.
@@ -83,14 +83,13 @@ fn first(audit: &PaperAudit<'_>) -> (About, String) {
         let all = cells().filter(|cell| cell.printed.is_some()).count();
         return (About::Cells, format!("{said}: {count} of {all}."));
     }
-    if let Some(kind) = groups(audit).into_iter().find(|kind| kind.wrong() > 0) {
+    if let Some((kind, count, all)) = groups(audit).into_iter().find(|(_, wrong, _)| *wrong > 0) {
         let wrong = audit.findings().filter(|finding| {
-            kind.kinds.contains(&finding.claim().kind()) && finding.verdicts().of(kind.verdict) > 0
+            told(*finding).counted() == Some(kind) && finding.verdicts().of(kind.wrong) > 0
         });
         let places = places(wrong.map(|finding| finding.claim().locus()), kind.one);
-        let is = kind.words[usize::from(kind.wrong() != 1)];
         let sentence =
-            format!("{places} {is}: {} of {} {}.", kind.wrong(), kind.all(), kind.several);
+            format!("{places} {}: {count} of {all} {}.", is_wrong(kind, count), kind.several);
         return (About::Claims(kind.several), sentence);
     }
     let judged = cells().any(|cell| cell.printed.is_some()) || !audit.claims().is_empty();
@@ -255,47 +254,19 @@ fn open_promises(audit: &PaperAudit<'_>) -> Option<String> {
     }
 }
 
-/// Claims other than cells.
-struct Group {
-    kinds: &'static [Kind],
-    counts: Tally,
-    several: &'static str,
-    one: &'static str,
-    /// The verdict of a wrong claim.
-    verdict: Word,
-    /// The words for it in the singular and in the plural.
-    words: [&'static str; 2],
+/// The claims of a paper other than cells, those that weigh most first, with how many of them are wrong and how many
+/// there are.
+fn groups(audit: &PaperAudit<'_>) -> Vec<(&'static Counted, usize, usize)> {
+    let counts = counts(std::slice::from_ref(audit)).into_iter();
+    let mut groups: Vec<_> =
+        counts.map(|(kind, tally)| (kind, tally.of(kind.wrong), tally.total())).collect();
+    groups.sort_by_key(|(kind, ..)| kind.place);
+    groups
 }
 
-impl Group {
-    fn all(&self) -> usize {
-        self.counts.total()
-    }
-
-    fn wrong(&self) -> usize {
-        self.counts.of(self.verdict)
-    }
-}
-
-/// The kinds of claims that a paper has, those that weigh most first.
-fn groups(audit: &PaperAudit<'_>) -> Vec<Group> {
-    let refuted = (Word::Refuted, ["is refuted", "are refuted"]);
-    let groups: [(&[Kind], _, _, _); 4] = [
-        (&[Kind::Theorem], "theorems", "theorem", refuted),
-        (&[Kind::Smoothness], "statements about smoothness", "statement", refuted),
-        (
-            &[Kind::Equation, Kind::Function],
-            "equations",
-            "equation",
-            (Word::Fails, ["fails", "fail"]),
-        ),
-        (&[Kind::Range], "ranges", "range", (Word::Inexact, ["is wrong", "are wrong"])),
-    ];
-    let group = |(kinds, several, one, (verdict, words))| {
-        let counts = audit.tally(kinds);
-        Group { kinds, counts, several, one, verdict, words }
-    };
-    groups.into_iter().map(group).filter(|group| group.all() > 0).collect()
+/// `are refuted`.
+fn is_wrong(kind: &Counted, wrong: usize) -> &'static str {
+    kind.words[usize::from(wrong != 1)]
 }
 
 /// `2 claims need a value beyond a cap.`
@@ -309,12 +280,11 @@ fn beyond(audit: &PaperAudit<'_>) -> Option<String> {
 
 /// `15 of 43 equations fail and 8 of 10 theorems are refuted.`, without what is said already.
 fn claims(audit: &PaperAudit<'_>, said: About) -> Option<String> {
-    let kinds = groups(audit);
-    let rest = kinds.iter().filter(|kind| said != About::Claims(kind.several) && kind.wrong() > 0);
+    let rest = groups(audit).into_iter();
+    let rest = rest.filter(|(kind, wrong, _)| said != About::Claims(kind.several) && *wrong > 0);
     let wrong: Vec<String> = rest
-        .map(|kind| {
-            let is = kind.words[usize::from(kind.wrong() != 1)];
-            format!("{} of {} {} {is}", kind.wrong(), kind.all(), kind.several)
+        .map(|(kind, wrong, all)| {
+            format!("{wrong} of {all} {} {}", kind.several, is_wrong(kind, wrong))
         })
         .collect();
     (!wrong.is_empty()).then(|| format!("{}.", listed(&wrong)))

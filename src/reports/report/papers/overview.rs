@@ -3,21 +3,11 @@
 use super::headline::headline;
 use crate::audit::{PaperAudit, Tally, Word};
 use crate::claim::Kind;
+use crate::report::told::counts;
 use crate::report::words::sheet::{Grid, Sheet};
 
 /// The text in place of a count of 0.
 const NONE: &str = "·";
-
-/// A column of claims other than cells: its heading, and its counts in a paper.
-type Column = (&'static str, fn(&PaperAudit<'_>) -> Tally);
-
-const COLUMNS: [Column; 5] = [
-    ("promises\n✓ kept ✗ broken ? open", promises),
-    ("equations\n✓ hold ✗ fail", |audit| audit.tally(&[Kind::Equation, Kind::Function])),
-    ("ranges\n✓ exact ≈ ✗", |audit| audit.tally(&[Kind::Range])),
-    ("smoothness\n✓ confirmed ≈ ✗ ?", |audit| audit.tally(&[Kind::Smoothness])),
-    ("theorems\n✓ proved ✗ refuted ? open", |audit| audit.tally(&[Kind::Theorem])),
-];
 
 /// The head of an audit's report by itself.
 #[must_use]
@@ -36,8 +26,19 @@ pub(crate) fn overview(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
     if audits.iter().any(|audit| !audit.tables.is_empty()) {
         sheet.grid(cells(audits));
     }
-    let stated = |column: &&Column| audits.iter().any(|audit| column.1(audit).total() > 0);
-    let columns: Vec<&Column> = COLUMNS.iter().filter(stated).collect();
+    let promises: Vec<Tally> = audits.iter().map(promises).collect();
+    let mut columns = vec![("promises\n✓ kept ✗ broken ? open", promises)];
+    columns.extend(counts(audits).into_iter().map(|(kind, _)| {
+        let of = |audit: &PaperAudit<'_>| {
+            let all = counts(std::slice::from_ref(audit)).into_iter();
+            all.filter(|(other, _)| *other == kind)
+                .map(|(_, tally)| tally)
+                .next()
+                .unwrap_or_default()
+        };
+        (kind.column, audits.iter().map(of).collect())
+    }));
+    columns.retain(|(_, tallies)| tallies.iter().any(|tally| tally.total() > 0));
     if !columns.is_empty() {
         sheet.grid(others(audits, &columns));
     }
@@ -68,10 +69,10 @@ fn cells(audits: &[PaperAudit<'_>]) -> Grid {
     Grid::of(header.chain(verdicts), rows, 1)
 }
 
-fn others(audits: &[PaperAudit<'_>], columns: &[&Column]) -> Grid {
+fn others(audits: &[PaperAudit<'_>], columns: &[(&str, Vec<Tally>)]) -> Grid {
     let header = columns.iter().map(|(heading, _)| (*heading).to_owned());
-    let rows = audits.iter().map(|audit| {
-        let tallies = columns.iter().map(|(_, counts)| tally(&counts(audit)));
+    let rows = audits.iter().enumerate().map(|(place, audit)| {
+        let tallies = columns.iter().map(|(_, tallies)| tally(&tallies[place]));
         std::iter::once(audit.paper.key.clone()).chain(tallies).collect()
     });
     Grid::of(std::iter::once("paper".to_owned()).chain(header), rows, 1)

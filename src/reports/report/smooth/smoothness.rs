@@ -13,33 +13,12 @@ use crate::claim::{
 use crate::exact::{Enclosed as _, IntervalSet, Rational, RationalPolynomial};
 use crate::report::formulas::function::beyond;
 use crate::report::words::numbers::{down, up};
-use crate::report::words::parts::titled;
 use crate::report::words::set::set_text;
 use crate::report::words::sheet::Sheet;
 use crate::smoothness::{Hoelder, SmoothRange};
 
 /// The longest formula of an exponent that stands beside its decimals.
 const LONGEST: usize = 100;
-
-/// The section on smoothness; without `all`, on the claims that are not confirmed.
-pub(crate) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
-    let shown =
-        |finding: &&SmoothnessFinding<'_>| all || finding.verdict != SmoothnessVerdict::Confirmed;
-    let facts = audit.smoothness.iter().filter(shown).map(|finding| {
-        let claim = finding.claim;
-        let title = titled(&[&claim.title, &claim.id]);
-        let states = statement(claim).map(|statement| format!("states: {statement}"));
-        let lines = [title].into_iter().chain(states).chain(outcome(finding));
-        let lines = lines.chain(claim.note.clone()).collect::<Vec<String>>().join("\n");
-        (format!("{} {}", finding.verdict.word().mark(), claim.locus), lines)
-    });
-    let facts: Vec<(String, String)> = facts.collect();
-    if !facts.is_empty() {
-        sheet.heading(2, "Smoothness");
-        regularity::section(sheet, audit, all);
-        sheet.facts(facts);
-    }
-}
 
 /// A table of smoothness in full, with each cell.
 pub(crate) fn explain_table(audit: &PaperAudit<'_>, id: Target<'_>) -> Option<Sheet> {

@@ -2,31 +2,15 @@
 
 use super::witness;
 use crate::audit::{
-    ByHand, Correction, EveryShift, KernelProof, Naturally, Outcome, PaperAudit, Refutation,
-    TheoremFinding, TheoremVerdict, Unshiftable, Violation, Word,
+    ByHand, Correction, EveryShift, KernelProof, Naturally, Outcome, Refutation, TheoremFinding,
+    TheoremVerdict, Unshiftable, Violation, Word,
 };
 use crate::claim::Statement;
 use crate::exact::{RealCyclotomic, format::short};
 use crate::report::words::kernel::CHECKED;
-use crate::report::words::parts::{definitions, titled};
-use crate::report::words::sheet::Sheet;
 
 /// The most digits of a decimal.
 const DIGITS: u32 = 12;
-
-/// The section on theorems. All are shown, since an open theorem is not known to be right either.
-pub(crate) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
-    if audit.theorems.is_empty() {
-        return;
-    }
-    sheet.heading(2, "Theorems");
-    let fact = |finding: &TheoremFinding<'_>| {
-        let name = format!("{} {}", finding.verdict.word().mark(), finding.theorem.locus);
-        let title = titled(&[&finding.theorem.title, &finding.theorem.id]);
-        (name, format!("{title}\n{}", outcome(finding)))
-    };
-    sheet.facts(audit.theorems.iter().map(fact).collect());
-}
 
 /// The verdict, its reason, the corrections that would save a false theorem, and the premises that
 /// fail.
@@ -164,29 +148,6 @@ pub(crate) fn statement(statement: &Statement) -> String {
         Statement::Depth(by) => format!("‖P^∞ − P^k‖ ≤ epsilon for k ≥ {}", by.text),
         Statement::Other(says) => says.clone(),
     }
-}
-
-/// What there is to say of a theorem in full.
-pub(crate) fn in_full(
-    audit: &PaperAudit<'_>,
-    finding: &TheoremFinding<'_>,
-    hand: Option<&ByHand>,
-) -> Vec<(String, String)> {
-    let theorem = finding.theorem;
-    let mut facts = Vec::new();
-    facts.extend(theorem.scheme.as_ref().map(|s| ("scheme".to_owned(), s.reference.to_string())));
-    facts.push(("states".to_owned(), statement(&theorem.statement)));
-    if let Statement::Bound { by, .. } | Statement::Depth(by) = &theorem.statement {
-        facts.extend(definitions(audit, by));
-    }
-    if !theorem.rests.is_empty() {
-        facts.push(("rests on".to_owned(), theorem.rests.join(", ")));
-    }
-    let verdict = format!("{} {}", finding.verdict.word().mark(), outcome(finding));
-    facts.push(("verdict".to_owned(), verdict));
-    facts.extend(details(finding, hand));
-    facts.extend(theorem.note.clone().map(|note| ("note".to_owned(), note)));
-    facts
 }
 
 /// The data that refute it, what was corrected, and what it was tried on.

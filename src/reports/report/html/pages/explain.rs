@@ -1,11 +1,9 @@
 //! One finding as a page of its own.
 
-use crate::audit::{Finding, PaperAudit, SmoothnessVerdict, TableFinding, Verdict};
+use crate::audit::{Finding, PaperAudit, SmoothnessVerdict, TableFinding};
 use crate::claim::Target;
 use crate::diagnostic::Diagnostic;
 use crate::exact::format::short;
-use crate::report::formulas::equation;
-use crate::report::formulas::function;
 use crate::report::html::broken::of_cell as broken_promise;
 use crate::report::html::certified::of_cell as certified_cell;
 use crate::report::html::claims;
@@ -15,12 +13,10 @@ use crate::report::html::document::document;
 use crate::report::html::picture::digits;
 use crate::report::html::regularity as regularity_table;
 use crate::report::html::sheet::blocks;
-use crate::report::html::table;
-use crate::report::papers::explain::{Background, cell_place, explain_sheet};
+use crate::report::papers::explain::{cell_place, explain_sheet};
 use crate::report::smooth::regularity;
 use crate::report::smooth::regularity::Regularity;
-use crate::report::smooth::smoothness;
-use crate::report::theorems::theorem;
+use crate::report::told::{Background, told};
 use crate::report::words::sheet::{Block, Sheet};
 use maud::{Markup, html};
 
@@ -110,18 +106,17 @@ fn shown(context: &Context<'_, '_>, id: &str) -> Result<Option<FindingSection>, 
     let Some(finding) = audit.find(target) else {
         return Ok(regularity::table_of(audit, target).map(|found| of_regularity(&found)));
     };
-    let outcome = match finding {
-        Finding::Table(finding) if target.part.is_none() => return of_table(context, finding),
-        Finding::Table(finding) => return of_cell(context, finding, target),
-        Finding::Equation(finding) => equation::outcome(finding),
-        Finding::Function(finding) => function::function_outcome(finding).join("\n"),
-        Finding::Range(finding) => function::range_outcome(finding).join("\n"),
-        Finding::Smoothness(finding) => smoothness::outcome(finding).join("\n"),
-        Finding::Theorem(finding) => theorem::outcome(finding),
-    };
+    if let (Finding::Table(finding), Some(_)) = (finding, target.part) {
+        return of_cell(context, finding, target);
+    }
+    let contents = claims::section(context, finding)?;
+    let outcome = told(finding).outcome();
+    if matches!(finding, Finding::Table(_)) {
+        return Ok(Some(FindingSection { sentence: outcome, contents, grid: true }));
+    }
     let first = outcome.lines().next().unwrap_or_default();
     let sentence = format!("{}: {first}", finding.claim().locus());
-    Ok(Some(FindingSection { sentence, contents: claims::section(context, finding)?, grid: false }))
+    Ok(Some(FindingSection { sentence, contents, grid: false }))
 }
 
 fn of_regularity(found: &Regularity<'_, '_>) -> FindingSection {
@@ -133,22 +128,6 @@ fn of_regularity(found: &Regularity<'_, '_>) -> FindingSection {
         found.table.locus
     );
     FindingSection { sentence, contents: regularity_table::section(found), grid: true }
-}
-
-fn of_table(
-    context: &Context<'_, '_>,
-    finding: &TableFinding<'_>,
-) -> Result<Option<FindingSection>, Diagnostic> {
-    let cells = || finding.cells.iter().flatten();
-    let good =
-        cells().filter(|cell| matches!(cell.verdict, Verdict::Confirmed | Verdict::Reproduced));
-    let sentence = format!(
-        "{} of the {} numbers of {} are as the printed definition gives them.",
-        good.count(),
-        cells().filter(|cell| cell.printed.is_some()).count(),
-        finding.table.locus
-    );
-    Ok(Some(FindingSection { sentence, contents: table::section(context, finding)?, grid: true }))
 }
 
 fn of_cell(

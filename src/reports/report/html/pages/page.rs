@@ -15,6 +15,7 @@ use crate::report::papers::headline::headline;
 use crate::report::papers::overview::overview_sheet;
 use crate::report::papers::summary;
 use crate::report::smooth::regularity;
+use crate::report::told::told;
 use crate::report::words::sheet::{Block, Sheet};
 use maud::{Markup, html};
 use std::collections::BTreeMap;
@@ -43,7 +44,8 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
     let mut sections = BTreeMap::new();
     for finding in audit.findings() {
         let section = claims::section(&context, finding)?;
-        sections.entry(finding.claim().kind()).or_insert_with(Vec::new).push(section);
+        let kind = finding.claim().kind();
+        sections.entry(kind).or_insert((told(finding).heading(), Vec::new())).1.push(section);
     }
     let paper = audit.paper;
     let bibliography = &paper.bibliography;
@@ -67,8 +69,7 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
                     @let tables: Vec<Markup> = regularity::tables(audit).iter().map(regularity_table::section).collect();
                     (list("Tables of smoothness", "regularity", &tables))
                 }
-                @let (heading, id) = heading(*kind);
-                (list(heading, id, sections.get(kind).map_or(&[], |list| list)))
+                @if let Some(([heading, id], sections)) = sections.get(kind) { (list(heading, id, sections)) }
             }
             section.overview { (blocks(&rest(audit), 0)) h2 { "Counts" } (tallies(audit)) }
             (legend())
@@ -84,18 +85,6 @@ fn tallies(audit: &PaperAudit<'_>) -> Markup {
         @for block in &sheet.blocks {
             @if let Block::Grid(grid) = block { (counts(grid)) }
         }
-    }
-}
-
-/// The heading of the claims of a kind, and its anchor.
-fn heading(kind: Kind) -> (&'static str, &'static str) {
-    match kind {
-        Kind::Table => ("Tables", "tables"),
-        Kind::Equation => ("Equations", "equations"),
-        Kind::Function => ("Functions of a parameter", "functions"),
-        Kind::Range => ("Parameter ranges", "ranges"),
-        Kind::Smoothness => ("Smoothness", "smoothness"),
-        Kind::Theorem => ("Theorems", "theorems"),
     }
 }
 

@@ -1,5 +1,4 @@
 //! Claims about smoothness as JSON.
 
-pub(super) mod claim;
-pub(super) mod smoothness;
+pub(crate) mod smoothness;
 pub(super) mod vertex;

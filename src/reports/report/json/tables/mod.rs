@@ -1,6 +1,6 @@
 //! Cells and readings of tables as JSON.
 
-pub(super) mod cell;
+pub(crate) mod cell;
 pub(super) mod promise;
 pub(super) mod reading;
 pub(super) mod recovered;

@@ -1,6 +1,5 @@
 //! How much harm a wrong claim does to those who rely on it.
 
-use super::{Erratum, Subject};
 use crate::verdict::Word;
 
 /// What may happen to those who rely on a claim that is not what it should be, the worst first.
@@ -36,22 +35,6 @@ impl Harm {
             Harm::Formula => "formula",
             Harm::Number => "number",
             Harm::NotSharp => "not-sharp",
-        }
-    }
-}
-
-impl Erratum<'_, '_> {
-    /// The harm that it does.
-    #[must_use]
-    pub fn harm(&self) -> Harm {
-        match &self.subject {
-            Subject::Theorem(_) | Subject::Smoothness(_) => Harm::Refuted,
-            Subject::Cells(_) if self.consequences.broken > 0 => Harm::Broken,
-            Subject::Cells(_) if self.consequences.open > 0 => Harm::Unshown,
-            Subject::Cells(_) => Harm::Number,
-            Subject::Range(_, found) if found.kept => Harm::NotSharp,
-            Subject::Range(..) => Harm::Broken,
-            Subject::Equation(_) | Subject::Function(_) => Harm::Formula,
         }
     }
 }

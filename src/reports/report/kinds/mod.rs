@@ -1,0 +1,8 @@
+//! What reports say of each kind of claim: one file for each.
+
+mod equation;
+mod function;
+mod range;
+mod smoothness;
+pub(super) mod table;
+mod theorem;
