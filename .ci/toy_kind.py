@@ -248,7 +248,7 @@ INSERTED = [
     (f"{CLAIMS}/claim/mod.rs", "mod theorem;\n", "mod total;\n"),
     (f"{CLAIMS}/claim/mod.rs", "pub use theorem::", "pub use total::Total;\n"),
     (f"{CLAIMS}/claim/read/mod.rs", "mod trial;\n", "mod total;\n"),
-    (f"{CLAIMS}/claim/read/file.rs", "    /// Bounds, depths, and statements", "    /// Sums of coefficients.\n    total: super::total::TotalTable,\n"),
+    (f"{CLAIMS}/claim/read/file.rs", "    ..\n", "    /// Sums of coefficients.\n    total: super::total::TotalTable,\n"),
     (f"{CLAIMS}/finding/mod.rs", "mod witness;\n", "mod total;\n"),
     (f"{CLAIMS}/finding/mod.rs", "pub use witness::", "pub use total::TotalFinding;\n"),
     (f"{CLAIMS}/judge/mod.rs", "\npub use equation::MAX_CASES;", "mod total;\n"),

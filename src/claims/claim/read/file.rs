@@ -9,7 +9,7 @@ use crate::scheme::{SchemeTable, Spanned};
 use serde::Deserialize;
 
 macro_rules! claim_file {
-    ($($(#[$doc:meta])* $field:ident: $table:ty,)*) => {
+    ($($(#[$doc:meta])* $field:ident: $table:ty,)* .. $($(#[$last_doc:meta])* $last:ident: $last_table:ty,)*) => {
         /// A claim file.
         #[derive(Debug, Deserialize)]
         #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -35,6 +35,7 @@ macro_rules! claim_file {
             /// Tables of orders of smoothness and of Hölder exponents.
             #[serde(default)]
             pub(super) regularity: Vec<RegularityFile>,
+            $($(#[$last_doc])* #[serde(default)] pub(super) $last: Vec<$last_table>,)*
             /// What asserts nothing that could be checked.
             #[serde(default)]
             pub(super) unclaimed: Vec<UnclaimedTable>,
@@ -44,13 +45,14 @@ macro_rules! claim_file {
             /// The claims, with the common fields of each.
             pub(super) fn claims(&self) -> impl Iterator<Item = (CommonFields<'_>, &dyn ClaimTable)> {
                 let none = std::iter::empty();
-                none$(.chain(self.$field.iter().map(|table| (table.common(), table as &dyn ClaimTable))))*
+                let all = none$(.chain(self.$field.iter().map(|table| (table.common(), table as &dyn ClaimTable))))*;
+                all$(.chain(self.$last.iter().map(|table| (table.common(), table as &dyn ClaimTable))))*
             }
         }
     };
 }
 
-// The tables that state claims.
+// The tables that state claims. `regularity` stands in the file before the last.
 claim_file! {
     /// Tables of numbers.
     table: super::table::TableTable,
@@ -64,6 +66,7 @@ claim_file! {
     smoothness: super::smoothness::SmoothnessTable,
     /// Hölder exponents.
     exponent: super::smoothness::ExponentTable,
+    ..
     /// Bounds, depths, and statements of other kinds.
     theorem: super::theorem::TheoremTable,
 }

@@ -4,5 +4,5 @@ mod equation;
 mod function;
 mod range;
 mod smoothness;
-pub(super) mod table;
+mod table;
 mod theorem;

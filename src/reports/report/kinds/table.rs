@@ -10,7 +10,7 @@ use crate::report::json::{Claim, Details, Sound, joined, names};
 use crate::report::papers::audit::{remarks, table_values};
 use crate::report::tables::{headers, reading, tried};
 use crate::report::told::{Background, Counted, Facts, Told};
-use crate::report::words::parts::definitions;
+use crate::report::words::parts::definition;
 use crate::report::words::sheet::Sheet;
 use maud::Markup;
 use std::borrow::Cow;
@@ -100,16 +100,4 @@ fn cell(cell: &CellFinding) -> Claim<'_> {
         },
         certificate: None,
     }
-}
-
-/// The schemes, the definition, and the definitions that it uses.
-pub(crate) fn definition(
-    audit: &PaperAudit<'_>,
-    finding: &TableFinding<'_>,
-    scheme: Option<(String, String)>,
-) -> Facts {
-    let mut facts = Vec::from_iter(scheme);
-    facts.push(("said to equal".to_owned(), finding.table.value.text.clone()));
-    facts.extend(definitions(audit, &finding.table.value));
-    facts
 }

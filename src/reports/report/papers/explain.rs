@@ -4,7 +4,6 @@ use super::audit::assumed;
 use crate::audit::{CellFinding, Finding, PaperAudit, Sound, TableFinding, Verdict};
 use crate::claim::{Table, Target};
 use crate::exact::format::short;
-use crate::report::kinds::table::definition;
 use crate::report::smooth::smoothness;
 use crate::report::tables::eye;
 use crate::report::tables::headers;
@@ -13,6 +12,7 @@ use crate::report::tables::tried;
 use crate::report::tables::working;
 use crate::report::told::{Background, told};
 use crate::report::words::kernel;
+use crate::report::words::parts::definition;
 use crate::report::words::sheet::Sheet;
 
 /// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`, `key:eq-3.8`,

@@ -1,6 +1,6 @@
 //! Texts that several parts of a report share.
 
-use crate::audit::{PaperAudit, Word};
+use crate::audit::{PaperAudit, TableFinding, Word};
 use crate::formula::LocatedFormula;
 
 /// Whether a word is the mark of a verdict.
@@ -22,4 +22,15 @@ pub(crate) fn definitions(
 ) -> impl Iterator<Item = (String, String)> {
     let used = audit.paper.definitions_in(formula).into_iter();
     used.map(|(name, formula)| (format!("where {name}"), formula.text.clone()))
+}
+
+/// The scheme of a table or a cell, the definition of its value, and the definitions that it uses.
+pub(crate) fn definition(
+    audit: &PaperAudit<'_>,
+    finding: &TableFinding<'_>,
+    scheme: Option<(String, String)>,
+) -> Vec<(String, String)> {
+    let value = &finding.table.value;
+    let own = scheme.into_iter().chain([("said to equal".to_owned(), value.text.clone())]);
+    own.chain(definitions(audit, value)).collect()
 }
