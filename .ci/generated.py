@@ -92,9 +92,8 @@ def literature() -> str:
     def link(match: re.Match) -> str:
         key, name = match["key"], match["id"]
         path = f"proofs/certificates/{folders[key]}{key}.cert"
-        kind = "|".join(("table", "equation", "function", "range", "smoothness", "exponent", "theorem"))
         plain = re.escape(name.replace("\\", ""))
-        has = re.search(rf"^(?:{kind}) {plain}$", (ROOT / path).read_text(), re.MULTILINE)
+        has = re.search(rf"^(?!end )\w+ {plain}$", (ROOT / path).read_text(), re.MULTILINE)
         return f"| [{key}:{name}](../{path}) |" if has else f"| {key}:{name}, without a certificate |"
 
     title, count, rest = text.split("\n\n", 2)

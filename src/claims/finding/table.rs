@@ -79,6 +79,7 @@ impl TableFinding<'_> {
 }
 
 impl TableFinding<'_> {
+    #[expect(clippy::unused_self, reason = "every kind has one")]
     pub(crate) fn judgement(&self) -> Judgement<'_> {
         Judgement { word: None, cap: None, harm: Harm::Number }
     }
