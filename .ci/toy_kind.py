@@ -86,8 +86,7 @@ impl Formulas for Total {
     f"{CLAIMS}/finding/total.rs": """\
 //! The finding about a sum of coefficients.
 
-use super::harm::Harm;
-use super::judgement::Judgement;
+use super::judgement::{Harm, Judgement};
 use crate::claim::Total;
 use crate::exact::Rational;
 use crate::verdict::Word;

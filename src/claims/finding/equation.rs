@@ -1,7 +1,6 @@
 //! The finding about an equation.
 
-use super::harm::Harm;
-use super::judgement::Judgement;
+use super::judgement::{Harm, Judgement};
 use crate::cap::Cap;
 use crate::claim::Equation;
 use crate::exact::{Polynomial, Rational};

@@ -1,7 +1,6 @@
 //! The finding about a closed form in a free parameter.
 
-use super::harm::Harm;
-use super::judgement::Judgement;
+use super::judgement::{Harm, Judgement};
 use crate::cap::Cap;
 use crate::claim::FunctionClaim;
 use crate::exact::{IntervalSet, Rational};

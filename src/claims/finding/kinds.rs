@@ -1,7 +1,6 @@
 //! Findings of any kind.
 
-use super::harm::Harm;
-use super::judgement::Judgement;
+use super::judgement::{Harm, Judgement};
 use crate::cap::Cap;
 use crate::claim::{Claim, with_kinds};
 use crate::verdict::{Tally, Word};

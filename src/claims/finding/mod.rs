@@ -5,7 +5,6 @@ mod cell;
 mod consistency;
 mod equation;
 mod function;
-mod harm;
 mod judgement;
 mod kernel;
 mod kinds;
@@ -27,7 +26,7 @@ pub use cell::{AsRead, Assumed, CellFinding, CellKind, Direction, Missing, Slip,
 pub use consistency::{Contradiction, Needed, Side, TablePart};
 pub use equation::{EquationFinding, EquationVerdict, Failure};
 pub use function::{Example, FunctionFinding, FunctionVerdict};
-pub use harm::Harm;
+pub use judgement::Harm;
 pub use kernel::{Excess, KernelFinding, KernelProof, KernelStatement, RingExcess};
 pub use kinds::Finding;
 pub use levels::{Later, LevelEvidence, Levels};

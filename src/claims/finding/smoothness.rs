@@ -1,7 +1,6 @@
 //! The finding about a claim of smoothness.
 
-use super::harm::Harm;
-use super::judgement::Judgement;
+use super::judgement::{Harm, Judgement};
 use crate::cap::Cap;
 use crate::characteristic::{Family, Vertex, VertexRange};
 use crate::claim::SmoothnessClaim;

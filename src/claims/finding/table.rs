@@ -1,7 +1,6 @@
 //! The finding about a table.
 
-use super::harm::Harm;
-use super::judgement::Judgement;
+use super::judgement::{Harm, Judgement};
 use crate::claim::Table;
 use crate::exact::Rational;
 use crate::finding::cell::{CellFinding, CellKind};

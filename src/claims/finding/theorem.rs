@@ -1,7 +1,6 @@
 //! The finding about a theorem.
 
-use super::harm::Harm;
-use super::judgement::Judgement;
+use super::judgement::{Harm, Judgement};
 use crate::claim::Theorem;
 use crate::evaluation::{Choice, Way};
 use crate::exact::{Rational, RealCyclotomic};
