@@ -2,6 +2,7 @@
 
 use super::{subcert, written};
 use crate::common::papers::AUDITS;
+use serde_json::Value;
 use subcert::report::coverage_sheet;
 
 /// Commands whose answers are wide: exact numbers, tables of many columns, long titles.
@@ -137,28 +138,12 @@ fn quiet_leaves_errors_files_and_the_exit_code() {
     assert!(!written(["new", "k", "-o", "-", "--quiet"]).is_empty());
 }
 
-const COMMANDS: [&str; 20] = [
-    "audit",
-    "explain",
-    "errata",
-    "coverage",
-    "constants",
-    "depth",
-    "range",
-    "smoothness",
-    "spectrum",
-    "table",
-    "jsr",
-    "certify",
-    "prove",
-    "new",
-    "oracle",
-    "refine",
-    "limit",
-    "schemes",
-    "completions",
-    "man",
-];
+/// The names of all commands.
+fn commands() -> Vec<String> {
+    let found: Value = serde_json::from_str(&written(["flags", "--format", "json"])).expect("JSON");
+    let name = |command: &Value| command["name"].as_str().expect("a name").to_owned();
+    found["commands"].as_array().expect("a list").iter().map(name).collect()
+}
 
 /// The help text of the program has every command in a group, with what it does and an example that parses.
 #[test]
@@ -166,7 +151,7 @@ fn commands_stand_in_groups() {
     let help = written(["--help"]);
     let (_, groups) = help.split_once("\n\nAudit a paper").expect("the first group");
     let (groups, _) = groups.split_once("\nOptions:\n").expect("the options");
-    for command in COMMANDS {
+    for command in commands() {
         let lines = groups.lines().filter(|line| line.starts_with(&format!("  {command} ")));
         let lines: Vec<&str> = lines.collect();
         assert!(!lines.is_empty(), "{command} is in no group:\n{groups}");
@@ -178,8 +163,8 @@ fn commands_stand_in_groups() {
 /// The examples of every help text run, those that write files apart.
 #[test]
 fn examples_of_the_help_run() {
-    for command in COMMANDS {
-        let help = written([command, "--help"]);
+    for command in commands() {
+        let help = written([&command, "--help"]);
         let (_, examples) = help.split_once("Examples:\n").unwrap_or_else(|| panic!("{help}"));
         let examples: Vec<&str> = examples.lines().map(str::trim).collect();
         assert!((2..=4).contains(&examples.len()), "{help}");
@@ -189,7 +174,7 @@ fn examples_of_the_help_run() {
             // What the tests of the output run.
             let elsewhere =
                 line.starts_with("audit") || line == "explain mustafa2020-nary:table-2:4:7";
-            if folder || ["man", "new"].contains(&command) || elsewhere {
+            if folder || ["man", "new"].contains(&&*command) || elsewhere {
                 continue;
             }
             // Only schemes with ` x ` are in quotes.
@@ -211,9 +196,9 @@ fn man_pages_of_every_command() {
     written(["man", folder.to_str().expect("a UTF-8 path")]);
     let page = |name: &str| std::fs::read_to_string(folder.join(name));
     let whole = page("subcert.1").expect("a page");
-    assert!(COMMANDS.iter().all(|command| whole.contains(command)), "{whole}");
-    for command in COMMANDS {
-        let page = page(&format!("subcert-{command}.1")).expect(command);
+    for command in commands() {
+        assert!(whole.contains(&command), "{whole}");
+        let page = page(&format!("subcert-{command}.1")).expect(&command);
         assert!(page.contains("Examples:"), "{page}");
     }
     std::fs::remove_dir_all(&folder).expect("the folder is still there");

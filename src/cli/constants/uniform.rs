@@ -215,30 +215,41 @@ impl Direction {
     }
 
     fn write(&self, sheet: &mut Sheet) {
+        // Without `..`, so that the compiler names this place for a new value.
+        let Direction {
+            arity,
+            width: _,
+            offset: _,
+            mask,
+            difference,
+            delta,
+            displacement,
+            keeps_lines,
+            shifts,
+            forward,
+            levels,
+        } = self;
         let mut facts = vec![
-            ("arity n".to_owned(), self.arity.to_string()),
-            ("mask".to_owned(), rules_text(&self.mask)),
-            ("difference mask".to_owned(), rules_text(&self.difference)),
-            ("δ = T_1".to_owned(), self.delta.words()),
+            ("arity n".to_owned(), arity.to_string()),
+            ("mask".to_owned(), rules_text(mask)),
+            ("difference mask".to_owned(), rules_text(difference)),
+            ("δ = T_1".to_owned(), delta.words()),
         ];
-        facts.extend(self.displacement.iter().map(|one| (one.name.clone(), one.value.words())));
+        facts.extend(displacement.iter().map(|one| (one.name.clone(), one.value.words())));
         sheet.facts(facts);
-        let rows: Vec<Vec<Option<&Number>>> = self
-            .levels
-            .iter()
-            .map(|level| level.values().map(|(_, value)| value).collect())
-            .collect();
-        let width = if self.forward { 4 } else { 2 };
+        let rows: Vec<Vec<Option<&Number>>> =
+            levels.iter().map(|level| level.values().map(|(_, value)| value).collect()).collect();
+        let width = if *forward { 4 } else { 2 };
         let names = ["c", "T_c", "Λ_c", "T_c forward", "Λ_c forward"];
         let header = names[..=width].iter().map(|&name| name.to_owned());
-        let cells = self.levels.iter().zip(&rows).map(|(level, row)| {
+        let cells = levels.iter().zip(&rows).map(|(level, row)| {
             let cell =
                 |value: Option<&Number>| value.map_or("–".to_owned(), |value| value.short(10));
             std::iter::once(level.c.to_string()).chain(row.iter().copied().map(cell)).collect()
         });
         sheet.grid(Grid::of(header, cells, 0));
         let mut meaning = "T_c bounds the differences after c levels".to_owned();
-        if self.forward {
+        if *forward {
             meaning += "; the forward columns are what papers that read the masks forwards \
                         compute, and bound nothing";
         }
@@ -249,8 +260,8 @@ impl Direction {
                  visit of all rows.",
             );
         }
-        if !self.keeps_lines {
-            let shifts = self.shifts.iter().map(|shift| short(shift, 6));
+        if !*keeps_lines {
+            let shifts = shifts.iter().map(|shift| short(shift, 6));
             sheet.text(format!(
                 "Lines are not kept: from points at equal distances on a line, the rules make \
                  points at unequal distances, for the shift of the parameter differs from rule to \

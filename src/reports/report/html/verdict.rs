@@ -34,7 +34,21 @@ pub(super) const BROKEN: &str = Word::Broken.name();
 impl Look {
     /// The look of a verdict.
     pub(super) fn of(verdict: Word) -> &'static Look {
-        LOOKS.iter().find(|look| look.sign() == verdict.mark()).expect("a look for each mark")
+        let [right, reproduced, rounding, misprint, reading, wrong, open] = &LOOKS;
+        match verdict {
+            Word::Confirmed
+            | Word::Holds
+            | Word::Exact
+            | Word::Proved
+            | Word::Kept
+            | Word::Nearest => right,
+            Word::Reproduced => reproduced,
+            Word::Rounding | Word::Cut | Word::Ulps => rounding,
+            Word::Misprint => misprint,
+            Word::OtherReading | Word::Otherwise => reading,
+            Word::Refuted | Word::Fails | Word::Inexact | Word::Broken => wrong,
+            Word::NotCheckable | Word::Open => open,
+        }
     }
 
     /// The sign.

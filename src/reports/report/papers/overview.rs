@@ -87,11 +87,17 @@ fn promises(audit: &PaperAudit<'_>) -> Tally {
 
 /// `55 ✓, 164 ✗, 1 ?`.
 fn tally(counts: &Tally) -> String {
-    let parts = ["✓", "≈", "✗", "?"].map(|sign| {
-        let of_sign = counts.iter().filter(|(word, _)| word.mark() == sign);
-        let count: usize = of_sign.map(|(_, count)| count).sum();
-        (count > 0).then(|| format!("{count} {sign}"))
-    });
-    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    let mut marks: Vec<&str> = Vec::new();
+    for mark in Word::ALL.iter().map(|word| word.mark()) {
+        if !marks.contains(&mark) {
+            marks.push(mark);
+        }
+    }
+    let part = |mark: &str| {
+        let of_mark = counts.iter().filter(|(word, _)| word.mark() == mark);
+        let count: usize = of_mark.map(|(_, count)| count).sum();
+        (count > 0).then(|| format!("{count} {mark}"))
+    };
+    let parts: Vec<String> = marks.into_iter().filter_map(part).collect();
     if parts.is_empty() { NONE.to_owned() } else { parts.join(", ") }
 }
