@@ -2,7 +2,7 @@
 
 use super::face_depths::Search;
 use super::faces::FacesFormat;
-use super::kind::Kind;
+use super::kind::{Kind, near};
 use super::promise::{APriori, Formula};
 use super::subject::Subject;
 use crate::cli::arguments::{DepthArguments, DistanceArgument, FacesArgument};
@@ -157,15 +157,13 @@ impl Place {
             (None, Some([i, j])) => format!(" (cell {i}, {j})"),
             (None, None) => String::new(),
         };
-        let corner = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
-        let of_level = level_face.as_ref().map(|face| format!(", face {face} of the level"));
+        let near = near(*vertex, level_face.as_ref());
         let (from, other) = match self.set {
             SetKind::Mesh => (kind.name(), "limit"),
             SetKind::Limit => ("limit", kind.name()),
         };
         format!(
-            "face {face}{cell}{corner}{}: {} of the {from} is at least {distance} from the {other}",
-            of_level.unwrap_or_default(),
+            "face {face}{cell}{near}: {} of the {from} is at least {distance} from the {other}",
             point(&self.point)
         )
     }

@@ -1,5 +1,7 @@
 //! Meshes, nets and solids, in words.
 
+use crate::cli::console::quantity::Text;
+
 /// What the depth is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -64,4 +66,11 @@ impl Kind {
             }
         }
     }
+}
+
+/// The vertex that a place is near, and the face of the level: ` near vertex 3, face 4 of the level`.
+pub(super) fn near(vertex: Option<usize>, level_face: Option<&Text<u128>>) -> String {
+    let vertex = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
+    let face = level_face.map(|face| format!(", face {face} of the level")).unwrap_or_default();
+    format!("{vertex}{face}")
 }

@@ -4,11 +4,11 @@ use super::as_sets::{SetDepth, measure, no_fan};
 use super::face_depths::Search;
 use super::faces::{FacesFormat, plain_rows};
 use super::kind::Kind;
-use super::parametric::ParametricDepth;
+use super::parametric::{ParametricDepth, search};
 use super::pictures::{Drawn, Pieces};
 use super::promise::Formula;
 use super::refined::Refined;
-use super::subject::{Subject, searched};
+use super::subject::Subject;
 use crate::cli::arguments::{DepthArguments, DepthBoundary};
 use crate::cli::console::answer::deliver;
 use crate::cli::console::destination::Destination;
@@ -50,29 +50,26 @@ pub(in crate::cli::depth) fn mesh_depth(
     let per_face =
         per_face.map(|path| FacesFormat::of(path).map(|format| (path, format))).transpose()?;
     if geometric && !arguments.a_priori {
-        let search = Search::of(mesh, scheme, &subject.tolerance, arguments, refused)?;
-        return deliver(to, &SetDepth::of(subject, asked, mesh, None, search)?);
+        let found = Search::of(mesh, scheme, &subject.tolerance, arguments, refused)?;
+        return deliver(to, &SetDepth::of(subject, asked, mesh, None, found)?);
     }
     no_fan(arguments)?;
     if arguments.a_priori {
         return deliver(to, &ParametricDepth::of(subject, None, Vec::new()));
     }
     let distances = MeshDistances::new(mesh.clone(), scheme).map_err(refused)?;
-    let ((depth, pictures), is_stopped) = searched(&distances.work(), arguments, || {
+    let find = |subject: &Subject<'_>| {
         let depth = distances.depth(&subject.tolerance).map_err(refused)?;
         if let Some((path, format)) = per_face {
             let rows = plain_rows(depth.level, distances.faces(depth.level));
             format.write(path, mesh, &rows)?;
         }
-        let pictures = if arguments.output.is_page() {
-            let pieces = Pieces::of_mesh(mesh, distances.faces(depth.level));
-            let refined = Refined::of_mesh(mesh, scheme, depth.level);
-            let drawn = Drawn { subject: &subject, depth: &depth, refined };
-            drawn.pictures(&pieces, |level| distances.distance(level))
-        } else {
-            Vec::new()
-        };
-        Ok((depth, pictures))
-    })?;
-    deliver(to, &ParametricDepth::of(subject, Some((depth, is_stopped)), pictures))
+        Ok(depth)
+    };
+    search(subject, &distances.work(), to, find, |subject, depth| {
+        let pieces = Pieces::of_mesh(mesh, distances.faces(depth.level));
+        let refined = Refined::of_mesh(mesh, scheme, depth.level);
+        let drawn = Drawn { subject, depth, refined };
+        drawn.pictures(&pieces, |level| distances.distance(level))
+    })
 }

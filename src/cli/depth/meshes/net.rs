@@ -4,7 +4,7 @@ use super::as_sets::{SetDepth, measure};
 use super::face_depths::{Faces, Growth, Search, asks_for_faces};
 use super::faces::{FacesFormat, plain_rows};
 use super::kind::Kind;
-use super::parametric::ParametricDepth;
+use super::parametric::{ParametricDepth, search};
 use super::pictures::{Drawn, Pieces};
 use super::promise::Formula;
 use super::refined::Refined;
@@ -55,7 +55,7 @@ pub(in crate::cli::depth) fn net_depth(
     let distances = || NetDistances::new(net.clone(), &scheme).map_err(failure);
     if geometric && !arguments.a_priori {
         let (mesh, distances) = (mesh()?, distances()?);
-        let (search, _) = searched(&distances.work(), arguments, || {
+        let (found, _) = searched(&distances.work(), arguments, || {
             let found = distances.geometric_depth(tolerance).map_err(failure)?;
             if let Some(path) = &arguments.certificate {
                 certified::of_net(path, &net, &scheme, &distances, &found, tolerance)?;
@@ -72,7 +72,7 @@ pub(in crate::cli::depth) fn net_depth(
             let growth = Growth::Arities(scheme.masks().iter().map(Mask::arity).product());
             Ok(Search { surface: FaceSurface::Bilinear, growth, found, faces })
         })?;
-        return deliver(to, &SetDepth::of(subject, given, &mesh, None, search)?);
+        return deliver(to, &SetDepth::of(subject, given, &mesh, None, found)?);
     }
     if arguments.certificate.is_some() {
         return Err(certified::none("leave out --distance parametric"));
@@ -81,20 +81,17 @@ pub(in crate::cli::depth) fn net_depth(
         return deliver(to, &ParametricDepth::of(subject, None, Vec::new()));
     }
     let (mesh, distances) = (mesh()?, distances()?);
-    let ((depth, pictures), is_stopped) = searched(&distances.work(), arguments, || {
-        let depth = distances.depth(tolerance).map_err(failure)?;
+    let find = |subject: &Subject<'_>| {
+        let depth = distances.depth(&subject.tolerance).map_err(failure)?;
         if let Some((path, format)) = per_face {
             format.write(path, &mesh, &plain_rows(depth.level, distances.faces(depth.level)))?;
         }
-        let pictures = if arguments.output.is_page() {
-            let refined = Refined::of_net(&net, &scheme, depth.level);
-            let pieces = Pieces::of_mesh(&mesh, distances.faces(depth.level));
-            let drawn = Drawn { subject: &subject, depth: &depth, refined };
-            drawn.pictures(&pieces, |level| distances.distance(level))
-        } else {
-            Vec::new()
-        };
-        Ok((depth, pictures))
-    })?;
-    deliver(to, &ParametricDepth::of(subject, Some((depth, is_stopped)), pictures))
+        Ok(depth)
+    };
+    search(subject, &distances.work(), to, find, |subject, depth| {
+        let refined = Refined::of_net(&net, &scheme, depth.level);
+        let pieces = Pieces::of_mesh(&mesh, distances.faces(depth.level));
+        let drawn = Drawn { subject, depth, refined };
+        drawn.pictures(&pieces, |level| distances.distance(level))
+    })
 }

@@ -1,14 +1,17 @@
 //! The depth of one mesh, net or solid by its distance from the limit at equal parameters.
 
-use super::kind::Kind;
+use super::kind::{Kind, near};
 use super::promise::{APriori, Formula};
-use super::subject::Subject;
-use crate::cli::console::answer::{Answer, SCHEMA};
+use super::subject::{Subject, searched};
+use crate::cli::console::answer::{Answer, SCHEMA, deliver};
+use crate::cli::console::destination::Destination;
+use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::quantity::{Float, Text};
 use crate::cli::depth::numbers::{few_text, levels, point};
 use serde::Serialize;
+use std::sync::Arc;
 use subcert::exact::{Rational, format::short};
-use subcert::patch::{FarPlace, MeshDepth};
+use subcert::patch::{FarPlace, MeshDepth, MeshWork};
 use subcert::report::Sheet;
 use subcert::report::html::Picture;
 
@@ -108,17 +111,34 @@ impl Place {
     fn words(&self, kind: Kind) -> String {
         let Place { face, cell, vertex, level_face, on_mesh, on_limit } = self;
         let cell = cell.map(|[i, j]| format!(" (cell {i}, {j})")).unwrap_or_default();
-        let corner = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
-        let of_level = level_face.as_ref().map(|face| format!(", face {face} of the level"));
+        let near = near(*vertex, level_face.as_ref());
         format!(
-            "{} {face}{cell}{corner}{}: {} of the {}, {} of the limit",
+            "{} {face}{cell}{near}: {} of the {}, {} of the limit",
             kind.piece(),
-            of_level.unwrap_or_default(),
             point(on_mesh),
             kind.name(),
             point(on_limit)
         )
     }
+}
+
+/// Searches, and writes the answer. `find` gives the depth, when the file of `--per-face` is written, and `draw` the
+/// pictures of a page.
+pub(super) fn search(
+    subject: Subject<'_>,
+    work: &Arc<MeshWork>,
+    to: &Destination,
+    find: impl FnOnce(&Subject<'_>) -> Result<MeshDepth, Failure>,
+    draw: impl FnOnce(&Subject<'_>, &MeshDepth) -> Vec<Picture>,
+) -> Outcome {
+    let arguments = subject.arguments;
+    let ((depth, pictures), is_stopped) = searched(work, arguments, || {
+        let depth = find(&subject)?;
+        let is_page = arguments.output.is_page();
+        let pictures = if is_page { draw(&subject, &depth) } else { Vec::new() };
+        Ok((depth, pictures))
+    })?;
+    deliver(to, &ParametricDepth::of(subject, Some((depth, is_stopped)), pictures))
 }
 
 /// Why a search ended early.

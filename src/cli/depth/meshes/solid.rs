@@ -4,11 +4,11 @@ use super::as_sets::{SetDepth, measure, no_fan};
 use super::face_depths::Search;
 use super::faces::FacesFormat;
 use super::kind::Kind;
-use super::parametric::ParametricDepth;
+use super::parametric::{ParametricDepth, search};
 use super::pictures::{Drawn, Pieces};
 use super::promise::{APriori, Formula};
 use super::refined::Refined;
-use super::subject::{Subject, searched};
+use super::subject::Subject;
 use crate::cli::arguments::DepthArguments;
 use crate::cli::console::answer::deliver;
 use crate::cli::console::destination::Destination;
@@ -53,10 +53,10 @@ pub(in crate::cli::depth) fn solid_depth(
     };
     if let Some(boundary) = boundary.filter(|_| geometric && !arguments.a_priori) {
         arguments.per_face.as_deref().map(FacesFormat::of).transpose()?;
-        let search = Search::of(&boundary.mesh, SCHEME, &tolerance, arguments, refused)?;
+        let found = Search::of(&boundary.mesh, SCHEME, &tolerance, arguments, refused)?;
         let guaranteed = a_priori(&boundary.mesh, SCHEME, &tolerance).map_err(refused)?;
         let subject = subject(Kind::Boundary, tolerance, guaranteed.into());
-        let depth = SetDepth::of(subject, asked, &boundary.mesh, Some(&boundary), search)?;
+        let depth = SetDepth::of(subject, asked, &boundary.mesh, Some(&boundary), found)?;
         return deliver(to, &depth);
     }
     no_fan(arguments)?;
@@ -70,22 +70,19 @@ pub(in crate::cli::depth) fn solid_depth(
     if arguments.a_priori {
         return deliver(to, &ParametricDepth::of(subject, None, Vec::new()));
     }
-    let ((depth, pictures), is_stopped) = searched(&distances.work(), arguments, || {
+    let find = |subject: &Subject<'_>| {
         let depth = distances.depth(&subject.tolerance).map_err(refused)?;
         if let Some((path, format)) = per_face {
             format.write(path, mesh, depth.level, &distances.faces(depth.level))?;
         }
-        let pictures = if arguments.output.is_page() {
-            let pieces = Pieces::of_solid(mesh, &distances.faces(depth.level));
-            let refined = Refined::of_solid(mesh, depth.level);
-            let drawn = Drawn { subject: &subject, depth: &depth, refined };
-            drawn.pictures(&pieces, |level| distances.distance(level))
-        } else {
-            Vec::new()
-        };
-        Ok((depth, pictures))
-    })?;
-    deliver(to, &ParametricDepth::of(subject, Some((depth, is_stopped)), pictures))
+        Ok(depth)
+    };
+    search(subject, &distances.work(), to, find, |subject, depth| {
+        let pieces = Pieces::of_solid(mesh, &distances.faces(depth.level));
+        let refined = Refined::of_solid(mesh, depth.level);
+        let drawn = Drawn { subject, depth, refined };
+        drawn.pictures(&pieces, |level| distances.distance(level))
+    })
 }
 
 /// The rules of the boundary.

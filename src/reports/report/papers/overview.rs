@@ -28,15 +28,13 @@ pub(crate) fn overview(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
     }
     let promises: Vec<Tally> = audits.iter().map(promises).collect();
     let mut columns = vec![("promises\n✓ kept ✗ broken ? open", promises)];
+    let own: Vec<_> = audits.iter().map(|audit| counts(std::slice::from_ref(audit))).collect();
     columns.extend(counts(audits).into_iter().map(|(kind, _)| {
-        let of = |audit: &PaperAudit<'_>| {
-            let all = counts(std::slice::from_ref(audit)).into_iter();
-            all.filter(|(other, _)| *other == kind)
-                .map(|(_, tally)| tally)
-                .next()
-                .unwrap_or_default()
-        };
-        (kind.column, audits.iter().map(of).collect())
+        let tallies = own.iter().map(|counts| {
+            let known = counts.iter().find(|(other, _)| *other == kind);
+            known.map(|(_, tally)| tally.clone()).unwrap_or_default()
+        });
+        (kind.column, tallies.collect())
     }));
     columns.retain(|(_, tallies)| tallies.iter().any(|tally| tally.total() > 0));
     if !columns.is_empty() {
@@ -87,17 +85,14 @@ fn promises(audit: &PaperAudit<'_>) -> Tally {
 
 /// `55 ✓, 164 ✗, 1 ?`.
 fn tally(counts: &Tally) -> String {
-    let mut marks: Vec<&str> = Vec::new();
-    for mark in Word::ALL.iter().map(|word| word.mark()) {
-        if !marks.contains(&mark) {
-            marks.push(mark);
+    let mut of_marks: Vec<(&str, usize)> = Vec::new();
+    for word in Word::ALL {
+        match of_marks.iter_mut().find(|(mark, _)| *mark == word.mark()) {
+            Some((_, count)) => *count += counts.of(*word),
+            None => of_marks.push((word.mark(), counts.of(*word))),
         }
     }
-    let part = |mark: &str| {
-        let of_mark = counts.iter().filter(|(word, _)| word.mark() == mark);
-        let count: usize = of_mark.map(|(_, count)| count).sum();
-        (count > 0).then(|| format!("{count} {mark}"))
-    };
-    let parts: Vec<String> = marks.into_iter().filter_map(part).collect();
+    let parts = of_marks.iter().filter(|(_, count)| *count > 0);
+    let parts: Vec<String> = parts.map(|(mark, count)| format!("{count} {mark}")).collect();
     if parts.is_empty() { NONE.to_owned() } else { parts.join(", ") }
 }
