@@ -109,7 +109,7 @@ fn ranges() {
         ("newton:j=1", "n", &["the arity is n", "integer"]),
         ("newton:n=3", "w", &["no parameter `w` open", "known: j"]),
         ("six-point:w=1/w", "w", &["w"]),
-        ("six-point:w=cos(2*pi/7)*v", "v", &["no polynomial in `v` with rational coefficients"]),
+        ("six-point:w=cos(2*pi/7)*v", "v", &["not a polynomial in `v` with rational coefficients"]),
         ("six-point:w=v^60", "v", &["degree 240", "smaller number of levels"]),
     ];
     for (scheme, parameter, parts) in cases {
@@ -148,8 +148,8 @@ fn control_polygons() {
         ("same.csv", "3\n3\n3\n", &["all points are the same"]),
         ("many.csv", &many, &["there are 10002"]),
         ("long.csv", &long, &["long.csv:2:1", "4096 binary digits", "round"]),
-        ("word.json", "[1, 2, true]", &["word.json:1:8", "this is no number"]),
-        ("object.json", "[1, {\"x\": 2}]", &["object.json:1:5", "this is no number"]),
+        ("word.json", "[1, 2, true]", &["word.json:1:8", "this is neither a number"]),
+        ("object.json", "[1, {\"x\": 2}]", &["object.json:1:5", "this is neither a number"]),
         ("text.json", "[1, \"two\"]", &["text.json:1:5", "unexpected `t`"]),
         ("syntax.json", "[1,\n 2,, 3]", &["syntax.json:2:4", "expected value"]),
         (

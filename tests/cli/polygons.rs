@@ -53,8 +53,8 @@ fn what_depth_refuses_oracle_refuses() {
     let cases: [(&str, &str, &[&str]); 4] = [
         ("line.csv", "0, 4, 4, 0\n", &["there are 1", "one point on a line"]),
         ("points.csv", "0, 0\n1\n", &["points.csv:2:1", "1 coordinates here, and 2"]),
-        ("word.json", "[1, true]", &["word.json:1:5", "this is no number"]),
-        ("header.csv", "x\n", &["header.csv:1:1", "`#` before what is no number"]),
+        ("word.json", "[1, true]", &["word.json:1:5", "this is neither a number"]),
+        ("header.csv", "x\n", &["header.csv:1:1", "`#` before what is not a number"]),
     ];
     for (name, text, parts) in cases {
         let file = TemporaryFile::new(name, text);

@@ -109,7 +109,7 @@ fn bad_input_of_these() {
     assert_eq!(written(["range", "four-point", "w", "-c", "1"]), named);
     let range = |m| refused(["range", "four-point", "--param", "w", "--smoothness", m]);
     assert_parts(&range("2"), &["sum rules of order 3", "order 2"]);
-    assert_parts(&range("-1"), &["no whole number"]);
+    assert_parts(&range("-1"), &["not a whole number"]);
 }
 
 #[test]
@@ -241,7 +241,7 @@ fn rules_at_a_vertex() {
             "--valences",
             "3..4",
         ]),
-        &["no ring of points"],
+        &["not a ring of points"],
     );
 }
 

@@ -87,7 +87,7 @@ fn what_is_no_solid_is_refused() {
     let cases: [(Vec<&str>, &[&str]); 9] = [
         (
             with(&["refine", "bajaj"], ["--mesh", "examples/cube.obj"]),
-            &["is no solid", "catmull-clark"],
+            &["is not a solid", "catmull-clark"],
         ),
         (with(&["refine", "catmull-clark"], STAR), &["is a hexahedral mesh", "take bajaj"]),
         (with(&["depth", "loop", "--tolerance", "1"], STAR), &["is a hexahedral mesh"]),

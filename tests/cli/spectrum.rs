@@ -166,7 +166,7 @@ fn bad_input() {
     assert_parts(&spectrum("loop", "x"), &["a valence is a whole number"]);
     assert_parts(&spectrum("loop", "600"), &["601 points", "from 2 to 600"]);
     assert_parts(&spectrum("loop:N=5", "5"), &["leaves no parameter `N` or `n` open"]);
-    assert_parts(&spectrum("chaikin", "5"), &["is no ring of points"]);
+    assert_parts(&spectrum("chaikin", "5"), &["is not a ring of points"]);
     assert_parts(&spectrum("lop", "5"), &["did you mean `loop`?"]);
     assert_parts(&refused(["spectrum", "loop"]), &["needs its parameter `N`", "`--valence 5`"]);
     assert_parts(&refused(["smoothness", "loop"]), &["parameter `N`", "`--valences 5`"]);

@@ -24,7 +24,7 @@ fn lists_and_ranges() {
         assert_eq!(texts(Label::list(list)), expected, "{list}");
     }
     let refused: [(&str, &str); 14] = [
-        ("", "`` is no numbered item"),
+        ("", "`` is neither a numbered item"),
         ("3", "`3` is no"),
         ("(3", "`(3` is no"),
         ("(3))", "`(3))` is no"),
@@ -32,11 +32,11 @@ fn lists_and_ranges() {
         ("Theorm 1", "`Theorm 1` is no"),
         ("Theorem 1st", "`Theorem 1st` is no"),
         ("(3) and (4)", "`(3) and (4)` is no"),
-        ("(4)-(3)", "(4) to (3) is no range"),
-        ("(2.1)-(3.2)", "(2.1) to (3.2) is no range"),
-        ("(3.4a)-(3.5c)", "(3.4a) to (3.5c) is no range"),
-        ("(3.4a)-(3.4)", "(3.4a) to (3.4) is no range"),
-        ("Table 1-Theorem 2", "Table 1 to Theorem 2 is no range"),
+        ("(4)-(3)", "(4) to (3) is not a range"),
+        ("(2.1)-(3.2)", "(2.1) to (3.2) is not a range"),
+        ("(3.4a)-(3.5c)", "(3.4a) to (3.5c) is not a range"),
+        ("(3.4a)-(3.4)", "(3.4a) to (3.4) is not a range"),
+        ("Table 1-Theorem 2", "Table 1 to Theorem 2 is not a range"),
         ("(1)-(4000000000)", "more than 1000"),
     ];
     for (list, expected) in refused {
@@ -133,12 +133,12 @@ fn contents_that_do_not_fit_are_errors() {
     let numbered = "numbered = ['(1)-(3)']\n";
     let cases = [
         ("numbered = ['(1)-(3)', '(2)']\n".to_owned(), "(2) is listed twice", "'(2)'"),
-        ("numbered = ['(1)-']\n".to_owned(), "no numbered item", "'(1)-'"),
+        ("numbered = ['(1)-']\n".to_owned(), "neither a numbered item", "'(1)-'"),
         (numbered.to_owned() + &equation("e", "(4)"), "(4) is not among", "'(4)'"),
-        (numbered.to_owned() + &equation("e", "(3)-(1)"), "is no range", "'(3)-(1)'"),
+        (numbered.to_owned() + &equation("e", "(3)-(1)"), "is not a range", "'(3)-(1)'"),
         (numbered.to_owned() + &unclaimed("(4)"), "(4) is not among", "'(4)'"),
         (unclaimed("(4)"), "(4) is not among", "'(4)'"),
-        (numbered.to_owned() + &unclaimed("nothing"), "no numbered item", "'nothing'"),
+        (numbered.to_owned() + &unclaimed("nothing"), "neither a numbered item", "'nothing'"),
         (
             numbered.to_owned() + &equation("e", "(1), (2)") + &unclaimed("(2)-(3)"),
             "(2) is claimed, by `e`",

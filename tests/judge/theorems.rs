@@ -81,7 +81,7 @@ fn malformed_theorems() {
         (&format!("{bound}says = 'x'\n"), "needs `bounds` and `by`, or `says`", "'t'"),
         (&bound.replace("distance", "distanse"), "`distanse` is nothing to bound", "'distanse'"),
         (&bound.replace("from = '0'\n", ""), "needs the first level", "'distance'"),
-        (&bound.replace("'0'", "'-1'"), "`-1` is no level", "'-1'"),
+        (&bound.replace("'0'", "'-1'"), "`-1` is not a level", "'-1'"),
         (&bound.replace("distance", "depth"), "a depth has no first level", "'0'"),
         (&bound.replace("2^k", "2^"), "expected a number", ""),
         ("says = 'x'\nrests = ['e']\n", "`e` is no other claim", "'e'"),

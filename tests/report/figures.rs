@@ -52,7 +52,7 @@ fn lines_are_headers() {
         error.to_string()
     };
     let wrong = message("[{ locus = 'Figure 1', lines = ['1', '5'] }]");
-    assert!(wrong.contains("is no header of a row"), "{wrong}");
+    assert!(wrong.contains("is not a header of a row"), "{wrong}");
     let unknown = message("[{ locus = 'Figure 1', rows = ['1'] }]");
     assert!(unknown.contains("rows"), "{unknown}");
     let many = format!("[{}]", "{ locus = 'F' },".repeat(17));

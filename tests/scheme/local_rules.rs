@@ -76,7 +76,7 @@ fn masks_and_rings_are_told_apart() {
     assert!(matches!(parse_any_scheme("doo-sabin:n=3"), Ok(AnyScheme::LocalRules(_))));
     assert!(matches!(parse_any_scheme("chaikin x chaikin"), Ok(AnyScheme::Uniform(_))));
     let error = parse_local_rules("chaikin").unwrap_err().to_string();
-    assert!(error.contains("`chaikin` is no ring"), "{error}");
+    assert!(error.contains("`chaikin` is not a ring"), "{error}");
     for scheme in ["doo-sabin:n=5", "chaikin x doo-sabin:n=5", "bajaj:N=5"] {
         let error = parse_scheme(scheme).unwrap_err();
         assert!(matches!(&error, SchemeError::LocalRules { .. }), "{error}");

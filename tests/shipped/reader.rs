@@ -17,9 +17,13 @@ fn bad_files() {
     for (from, to, parts) in [
         ("key = 'k'", "key = 'a b'", &["cannot be the key of a project", "use letters"][..]),
         ("id = 't'", "id = 't/'", &["cannot be the id of a table"]),
-        ("0123456789012345678901234567890123456789", "012345", &["is no commit", "git rev-parse"]),
-        ("'f32'", "'f16'", &["`f16` is no type", "decimal:6"]),
-        ("'f32'", "'decimal:0'", &["is no type"]),
+        (
+            "0123456789012345678901234567890123456789",
+            "012345",
+            &["is not a commit", "git rev-parse"],
+        ),
+        ("'f32'", "'f16'", &["`f16` is not a type", "decimal:6"]),
+        ("'f32'", "'decimal:0'", &["is not a type"]),
         ("k = 1..2", "k = 2..1", &["k = 2..1"]),
         ("k = 1..2", "k", &["`k`"]),
         ("k = 1..2", "k = 1..99999", &["20000"]),
@@ -33,7 +37,11 @@ fn bad_files() {
         ("cells = ", "numbers = ", &["numbers"]),
         ("equals = ", "value = ", &["value"]),
         ("title = 'a table'\n", "title = 'a table'\ntolerance = '-1'\n", &["greater than 0"]),
-        ("title = 'a table'\n", "title = 'a table'\nlanguage = 'fortran'\n", &["is no language"]),
+        (
+            "title = 'a table'\n",
+            "title = 'a table'\nlanguage = 'fortran'\n",
+            &["is not a language"],
+        ),
         (
             "cells = ['0.5f', '1']",
             "cells_from = { file = 'no.c', after = 't' }",
@@ -73,7 +81,7 @@ fn ends_of_indices_have_a_cap() {
     for range in ends {
         let said =
             refused(&format!("{HEAD}{}", table("f32", &format!("'n = {range}'"), "n", &["0"])));
-        assert!(said.contains("is no index with its range"), "{range}: {said}");
+        assert!(said.contains("is not an index with its range"), "{range}: {said}");
     }
 }
 

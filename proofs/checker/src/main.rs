@@ -15,7 +15,8 @@ const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… [--accept WHAT]
        subcert-check --coq CLAIMS [CERTIFICATE…] THEOREMS.v…
 
 Checks certificates against their claim file. It checks all claims, or with --only the claims of
-a kind (table, equation, function, range, theorem) or with an id (theorem-1 or KEY:theorem-1).
+a kind (table, equation, function, range, smoothness, exponent, theorem, shipped) or with an id
+(theorem-1 or KEY:theorem-1).
 Certified claims pass: their verdict is shown, which may be that they are wrong. With --accept
 cited, claims pass that a statement of THEOREMS.md decides; with --accept open, theorems pass
 that a certificate calls open. They are listed as such.
@@ -23,7 +24,7 @@ With --radius, the files are certificates of joint spectral radii and of smoothn
 claim file; a line says what each proves.
 With --depth, the files are certificates of how many levels a control polygon or a net needs as a set of
 points; they need no claim file either.
-With --coq, files of theorems of Coq, whose names end in .v, are compared with the claim file: masks,
+With --coq, files of theorems in Coq, whose names end in .v, are compared with the claim file: masks,
 numbers, levels and places. The certificates give the values of parameters that the paper does not
 state. Whether the theorems are true, Coq checks.
 The exit code is 0 if all these claims pass, 1 if one does not, and 2 if the arguments are wrong or

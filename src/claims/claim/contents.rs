@@ -64,7 +64,11 @@ impl Label {
         for entry in text.split(',').map(str::trim) {
             match range(entry)? {
                 Some((found, "")) => extend(&mut labels, found)?,
-                _ => return Err(format!("`{entry}` is no numbered item, nor a range of them")),
+                _ => {
+                    return Err(format!(
+                        "`{entry}` is neither a numbered item nor a range of them"
+                    ));
+                }
             }
         }
         Ok(labels)
@@ -139,7 +143,7 @@ fn range(text: &str) -> Result<Option<(Vec<Label>, &str)>, String> {
     // The end of a range need not repeat the kind: `Theorem 1-2`.
     let last = dash.and_then(|rest| label(rest).or_else(|| bare(first.kind?, rest)));
     let Some((last, after)) = last else { return Ok(Some((vec![first], after))) };
-    let backwards = || format!("{first} to {last} is no range");
+    let backwards = || format!("{first} to {last} is not a range");
     let (from, to) = (first.number.split_last(), last.number.split_last());
     let (Some((from, section)), Some((to, last_section))) = (from, to) else { return Ok(None) };
     if first.kind != last.kind || section != last_section {

@@ -36,7 +36,7 @@ const GROUPS: [Group; 4] = [
     ),
     (
         "For programs",
-        "subcert oracle four-point --format rust",
+        "subcert oracle four-point --format csv",
         &["oracle", "table", "certify", "completions", "man", "help"],
     ),
 ];

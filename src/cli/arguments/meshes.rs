@@ -82,10 +82,10 @@ pub(in crate::cli) struct RefineArguments {
     /// The rules at the boundary of a polygon mesh [default: those in the file, or else edge]
     #[arg(long, value_enum)]
     pub(in crate::cli) boundary: Option<MeshBoundary>,
-    /// Points of a polygon mesh that no face has [default: drop]
+    /// What becomes of the points of a polygon mesh that belong to no face [default: drop]
     #[arg(long, value_enum)]
     pub(in crate::cli) isolated: Option<IsolatedArgument>,
-    /// How many times it is refined
+    /// How many times the mesh is refined
     #[arg(long, value_name = "K", default_value_t = 1, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
     #[command(flatten)]
@@ -108,10 +108,10 @@ pub(in crate::cli) struct LimitArguments {
     /// The rules at the boundary of a polygon mesh [default: those in the file, or else edge]
     #[arg(long, value_enum)]
     pub(in crate::cli) boundary: Option<MeshBoundary>,
-    /// Points of a polygon mesh that no face has [default: drop]
+    /// What becomes of the points of a polygon mesh that belong to no face [default: drop]
     #[arg(long, value_enum)]
     pub(in crate::cli) isolated: Option<IsolatedArgument>,
-    /// How many times it is refined before
+    /// How many times the mesh is refined before its limit points are computed
     #[arg(long, value_name = "K", default_value_t = 0, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
     #[command(flatten)]

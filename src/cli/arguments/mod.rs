@@ -30,14 +30,13 @@ pub(super) use spectrum::{SpectrumArguments, TableArguments};
 use std::path::PathBuf;
 
 const AFTER_HELP: &str = "\
-SCHEME is a catalogue name with parameters (`six-point:w=3/256`, `newton:j=1,n=3`,
-`doo-sabin:n=5`), a mask (`'[1, 3, 3, 1]/4'`), the path of a TOML file (`mine.toml:w=1/16`), or
-two of these with ` x ` between them for their tensor product. `subcert schemes` lists the catalogue;
-`range` and `smoothness` need a mask, the other commands also take the rings around an extraordinary
-vertex or face.
+SCHEME is a name from the catalogue with parameters (`six-point:w=3/256`, `newton:j=1,n=3`), a
+mask (`'[1, 3, 3, 1]/4'`), the path of a TOML file (`mine.toml:w=1/16`), or two of these with
+` x ` between them for their tensor product. Names such as `doo-sabin:n=5` stand for the rules
+around an extraordinary vertex or on a face. `subcert schemes` lists the catalogue.
 
-Exit codes: 0 done (findings are no failures), 1 a stated expectation failed,
-2 bad usage or input, 3 an internal fault.";
+Exit codes: 0 done, whatever was found; 1 a verdict or a state that --deny names; 2 bad usage or
+input; 3 an internal fault.";
 
 /// Exact constants of subdivision schemes, and audits of the papers that publish them.
 #[derive(Debug, Parser)]
@@ -45,7 +44,7 @@ Exit codes: 0 done (findings are no failures), 1 a stated expectation failed,
 pub(super) struct Arguments {
     #[command(subcommand)]
     pub(super) command: Command,
-    /// When to write colours; `auto` is to terminals
+    /// When to write colours; `auto` writes them to terminals only
     #[arg(long, global = true, value_enum, default_value_t = Colour::Auto, value_name = "WHEN")]
     pub(super) color: Colour,
     /// Write no results to the standard output and show no progress: only errors, files and the exit
@@ -102,10 +101,10 @@ pub(super) enum Command {
     /// Reference values for other programs' tests
     #[command(after_help = examples::ORACLE)]
     Oracle(OracleArguments),
-    /// Refine a polygon mesh exactly
+    /// Refine a polygon mesh, a net or a solid exactly
     #[command(after_help = examples::REFINE)]
     Refine(RefineArguments),
-    /// Where the vertices of a polygon mesh go, and the normals of the limit surface there
+    /// The limit points of the vertices of a mesh, a net or a solid, and the normals of a limit surface
     #[command(after_help = examples::LIMIT)]
     Limit(LimitArguments),
     /// List the schemes of the catalogue
@@ -117,8 +116,8 @@ pub(super) enum Command {
     /// The facts of all schemes of the catalogue at once
     #[command(after_help = examples::ATLAS)]
     Atlas(AtlasArguments),
-    /// The pictures of one scheme as SVG: basic limit function and derivatives, a refined polygon, for which
-    /// parameters it is smooth, characteristic rings
+    /// The pictures of one scheme as SVG: basic limit function and derivatives, a refined polygon, the
+    /// parameters for which it is smooth, characteristic rings
     #[command(after_help = examples::PLOT)]
     Plot(PlotArguments),
     /// Write a completion script for a shell

@@ -15,7 +15,7 @@ fn seed(text: &str) -> Result<u64, String> {
 
 /// How many there are of something.
 fn count(text: &str) -> Result<usize, String> {
-    text.parse().map_err(|_| "this is no whole number from 0 on".to_owned())
+    text.parse().map_err(|_| "this is not a whole number from 0 on".to_owned())
 }
 
 /// How many boxes of two parameters are examined unless another number is asked for.
@@ -95,7 +95,7 @@ pub(in crate::cli) struct DepthArguments {
     /// The directions in which a net is closed [default: those in the file, or else none]
     #[arg(long, value_enum, requires = "mesh")]
     pub(in crate::cli) closed: Option<ClosedArgument>,
-    /// Only what the longest edge and the valences of the mesh guarantee
+    /// Compute only what the longest edge and the valences of the mesh guarantee
     #[arg(long, requires = "mesh")]
     pub(in crate::cli) a_priori: bool,
     /// Write the distance of every face of the mesh at the level found, and its own least level where the
@@ -106,20 +106,20 @@ pub(in crate::cli) struct DepthArguments {
     /// printed, and the rest is open
     #[arg(long, value_name = "N", requires = "mesh", value_parser = clap::value_parser!(u32).range(1..))]
     pub(in crate::cli) seconds: Option<u32>,
-    /// How far a mesh, a net or a control polygon is from its limit: as sets of points, or at equal parameters. For solids
-    /// only the second is available [default: a mesh or a net as sets, a polygon of points both]
+    /// How the distance from the limit is measured: as sets of points, which for a solid is that of its boundary, or at equal
+    /// parameters, which for a solid is that of all its cells [default: as sets of points, and for a polygon of points both]
     #[arg(long, value_enum)]
     pub(in crate::cli) distance: Option<DistanceArgument>,
-    /// What a face of a polygon mesh is whose vertices are not in one plane; triangles are flat
+    /// What a face of a polygon mesh is between its vertices; triangles are flat
     #[arg(long, value_enum, default_value_t = FacesArgument::Bilinear, requires = "mesh")]
     pub(in crate::cli) faces: FacesArgument,
     /// Write a certificate of the depth of a control polygon or a net as a set of points, for subcert-check --depth
     #[arg(long, value_name = "FILE", conflicts_with = "a_priori")]
     pub(in crate::cli) certificate: Option<PathBuf>,
-    /// The tolerance is that part of the diagonal of the box around the polygon mesh, the net or the control polygon
+    /// The tolerance is a share of the diagonal of the box around the mesh, the net, the solid or the control polygon
     #[arg(long)]
     pub(in crate::cli) relative: bool,
-    /// How narrow the intervals around exact distances are [default: ε/1000]
+    /// The greatest width of the intervals around exact distances [default: ε/1000]
     #[arg(long, value_name = "W", allow_hyphen_values = true)]
     pub(in crate::cli) width: Option<String>,
     #[command(flatten)]
@@ -292,7 +292,7 @@ pub(in crate::cli) struct SchemesArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct SchemeArguments {
-    /// The scheme: a mask, or rules around a vertex or on a face, these without a valence for all from 3 to 12
+    /// The scheme: a mask, or rules around a vertex or on a face; rules without a valence are examined at 3 to 12
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
     #[command(flatten)]
@@ -301,8 +301,8 @@ pub(in crate::cli) struct SchemeArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct PlotArguments {
-    /// The scheme: a mask, also one with one or two parameters without a value; or rules around a vertex or on a face, these
-    /// without a valence for 3, 5 and 7
+    /// The scheme: a mask, also one with one or two parameters without a value; or rules around a vertex or on a face; rules
+    /// without a valence are drawn at 3, 5 and 7
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
     /// The region of two parameters without a value, such as a=-1..1,b=0..1/2 [default: from -1 to 1]

@@ -103,7 +103,7 @@ fn number(source: &Arc<SourceText>, text: &str, span: Range<usize>) -> Result<Pl
     match parse_rational(text) {
         Ok(value) => Ok((value, span)),
         Err(error) => Err(Diagnostic::new(source, span, error.to_string()).with_help(
-            "write one point on a line, such as `1/3, 0.25`, and `#` before what is no number",
+            "write one point on a line, such as `1/3, 0.25`, and `#` before what is not a number",
         )),
     }
 }
@@ -134,7 +134,7 @@ fn json_number(source: &Arc<SourceText>, raw: &RawValue) -> Result<Placed, Diagn
             parse_rational(&text)
         }
         Some('-' | '0'..='9') => parse_rational(text),
-        _ => return Err(wrong("this is no number, nor a string that holds one".to_owned())),
+        _ => return Err(wrong("this is neither a number nor a string that holds one".to_owned())),
     };
     let value = parsed.map_err(|error| wrong(error.to_string()))?;
     Ok((value, span))

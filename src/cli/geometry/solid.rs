@@ -48,7 +48,7 @@ pub(crate) fn read(path: &Path) -> Result<(String, SolidFile), Failure> {
     let (name, text) = text_of(path)?;
     let Some(format) = SolidFormat::of(path, &text) else {
         return Err(Failure::Input(format!(
-            "`{name}` is no solid: `{SOLID_SCHEME}` refines hexahedra in a VTK or MEDIT file \
+            "`{name}` is not a solid: `{SOLID_SCHEME}` refines hexahedra in a VTK or MEDIT file \
              (.vtk, .mesh); for polygon meshes take another scheme, such as catmull-clark"
         )));
     };

@@ -34,7 +34,7 @@ pub(crate) fn smooth_map(arguments: &RangeArguments, parameters: [&String; 2]) -
     let polynomial = |entry: &Polynomial| entry.in_variables([first, second]);
     if let Some(entry) = mask.rules().rows().iter().flatten().find(|c| polynomial(c).is_none()) {
         return refuse(format!(
-            "the coefficient {entry} is no rational polynomial in `{first}` and `{second}`"
+            "the coefficient {entry} is not a rational polynomial in `{first}` and `{second}`"
         ));
     }
     let rules = mask.rules().map(|entry| polynomial(entry).expect("a polynomial"));

@@ -19,7 +19,7 @@ pub const MAX_RANGE_WORK: u64 = 1 << 19;
 pub enum RangeError {
     /// A coefficient that is not a rational polynomial in the parameter.
     #[error(
-        "the coefficient {coefficient} of rule {rule} is no polynomial in `{parameter}` with \
+        "the coefficient {coefficient} of rule {rule} is not a polynomial in `{parameter}` with \
          rational coefficients; only such masks have their ranges computed"
     )]
     NotPolynomial {

@@ -48,7 +48,7 @@ pub enum VertexRangeError {
     )]
     Rules(Reason),
     /// A weight is not a polynomial of degree 1 in the parameter.
-    #[error("a weight is no polynomial of degree 1 in `{0}`")]
+    #[error("a weight is not a polynomial of degree 1 in `{0}`")]
     Degree(String),
     /// An end of the range is a number of a field that is too large.
     #[error("an end of the range is beyond reach")]

@@ -133,7 +133,7 @@ pub enum SchemeError {
         cap: usize,
     },
     /// A mask, where a ring is needed.
-    #[error("`{scheme}` is no ring of points; `doo-sabin:n=5` and `catmull-clark:N=5` are")]
+    #[error("`{scheme}` is not a ring of points; `doo-sabin:n=5` and `catmull-clark:N=5` are")]
     NotRing {
         /// The scheme.
         scheme: String,

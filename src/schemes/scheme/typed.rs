@@ -40,7 +40,7 @@ pub(super) fn typed(text: &str) -> Result<SchemeDefinition, Diagnostic> {
     let (list, factor) = (&text[1..end], &text[end + 1..]);
     let is_factor = factor.is_empty() || factor.starts_with(['/', '*']);
     if list.contains('[') || list.contains(';') || !is_factor {
-        let message = "this is no list of coefficients, with a factor behind it".to_owned();
+        let message = "this is not a list of coefficients with a factor behind it".to_owned();
         return Err(wrong(0..text.len(), message));
     }
     let mut coefficients = Vec::new();

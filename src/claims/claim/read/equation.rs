@@ -149,7 +149,7 @@ impl Reader<'_> {
 
     fn hypothesis(&self, text: &Spanned<String>) -> Result<Hypothesis, Diagnostic> {
         let help = "write a member of a family and its value: 'a[0, m] = 1 - a[0, 0]'";
-        let refuse = || self.error(text.span(), "this is no hypothesis").with_help(help);
+        let refuse = || self.error(text.span(), "this is not a hypothesis").with_help(help);
         let (member, value) = text.get_ref().split_once('=').ok_or_else(refuse)?;
         let read = |part: &str| LocatedFormula::read(self.source, text.span(), part.trim());
         let (member, value) = (read(member)?, read(value)?);

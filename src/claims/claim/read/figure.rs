@@ -47,7 +47,7 @@ impl Reader<'_> {
         if let Some(line) = wrong.and_then(|wrong| wrong.into_iter().next()) {
             let known = axes.iter().flatten().map(String::as_str);
             let message = format!(
-                "`{}` is no header of a row{}",
+                "`{}` is not a header of a row{}",
                 line.get_ref(),
                 did_you_mean(line.get_ref(), known)
             );

@@ -212,7 +212,7 @@ impl Reader<'_> {
                 .map(|(first, last)| (first, Some(last))),
         };
         let (first, last) = ends.ok_or_else(|| {
-            self.error(text.span(), format!("`{printed}` are no valences")).with_help(format!(
+            self.error(text.span(), format!("`{printed}` does not name valences")).with_help(format!(
                 "write '5', '3..50', or 'all' for all from 3 on; others are at most {MAX_VALENCE}"
             ))
         })?;
@@ -224,7 +224,7 @@ impl Reader<'_> {
         let order = text.get_ref().parse().ok();
         let order = order.filter(|m: &usize| *m <= MAX_ORDER && m.to_string() == *text.get_ref());
         order.ok_or_else(|| {
-            let message = format!("`{}` is no order of smoothness", text.get_ref());
+            let message = format!("`{}` is not an order of smoothness", text.get_ref());
             self.error(text.span(), message)
                 .with_help(format!("write '2' for C^2; m is at most {MAX_ORDER}"))
         })

@@ -182,7 +182,7 @@ impl Reader<'_> {
 
     fn first_level(&self, text: &Spanned<String>) -> Result<u32, Diagnostic> {
         text.get_ref().parse().map_err(|_| {
-            self.error(text.span(), format!("`{}` is no level", text.get_ref()))
+            self.error(text.span(), format!("`{}` is not a level", text.get_ref()))
                 .with_help("a level is an integer, 0 or more")
         })
     }

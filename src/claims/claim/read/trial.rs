@@ -108,7 +108,7 @@ impl Reader<'_> {
     fn offset(&self, text: &Spanned<String>) -> Result<i64, Diagnostic> {
         let offset = text.get_ref().parse().ok().and_then(|offset| within(offset, MAX_OFFSET));
         offset.ok_or_else(|| {
-            self.error(text.span(), format!("`{}` is no offset", text.get_ref())).with_help(
+            self.error(text.span(), format!("`{}` is not an offset", text.get_ref())).with_help(
                 "the index offset o of x_{ni+α} = Σ a x_{i+o+j} is an integer, 0 where a paper \
                  writes its masks from index i",
             )

@@ -26,7 +26,7 @@ impl Reader<'_> {
 
     fn index(&self, text: &Spanned<String>) -> Result<TableIndex, Diagnostic> {
         let refuse = || {
-            let message = format!("`{}` is no index with its range", text.get_ref());
+            let message = format!("`{}` is not an index with its range", text.get_ref());
             let help = format!(
                 "write 'n = 3..9': n runs from 3 to 9, both included, and within ±{MAX_INDEX}"
             );

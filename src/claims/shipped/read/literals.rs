@@ -52,7 +52,7 @@ impl Reader<'_> {
             )
         };
         if comment || !text.get_ref().chars().all(plain) {
-            return Err(refuse(format!("`{}` is no number", text.get_ref())));
+            return Err(refuse(format!("`{}` is not a number", text.get_ref())));
         }
         let source = SourceText::new(NAME, format!("{NAME} = {}\n", text.get_ref()));
         let table = read_literals(&source, language, NAME, &[])
@@ -145,7 +145,7 @@ impl Reader<'_> {
     fn count(&self, text: &Spanned<String>) -> Result<usize, Diagnostic> {
         let count: Option<usize> = text.get_ref().parse().ok();
         count.filter(|count| *count <= MAX_DESCRIBED).ok_or_else(|| {
-            let message = format!("`{}` is no count up to {MAX_DESCRIBED}", text.get_ref());
+            let message = format!("`{}` is not a count up to {MAX_DESCRIBED}", text.get_ref());
             self.error(text.span(), message)
         })
     }

@@ -101,13 +101,13 @@ impl Reader<'_> {
             return Ok(());
         }
         Err(self
-            .error(located.span(), format!("`{commit}` is no commit"))
+            .error(located.span(), format!("`{commit}` is not a commit"))
             .with_help("write its 40 hexadecimal digits, in lower case: `git rev-parse HEAD`"))
     }
 
     fn shipped(&self, table: &ShippedTable) -> Result<ShippedClaim, Diagnostic> {
         let kind = NumberType::parse(table.kind.get_ref()).ok_or_else(|| {
-            self.error(table.kind.span(), format!("`{}` is no type", table.kind.get_ref()))
+            self.error(table.kind.span(), format!("`{}` is not a type", table.kind.get_ref()))
                 .with_help("write f32, f64, or decimal:6 for six digits after the point")
         })?;
         let indices = self.indices(&table.indices)?;
@@ -161,7 +161,7 @@ impl Reader<'_> {
 
     fn language(&self, text: &Spanned<String>) -> Result<Language, Diagnostic> {
         Language::parse(text.get_ref()).ok_or_else(|| {
-            self.error(text.span(), format!("`{}` is no language", text.get_ref()))
+            self.error(text.span(), format!("`{}` is not a language", text.get_ref()))
                 .with_help("c, which is also C++ and CUDA, shader, javascript, python or rust")
         })
     }

@@ -79,7 +79,7 @@ fn number(parts: &Parts<'_>, raw: &RawValue) -> Result<Rational, Diagnostic> {
         }
         Some('-' | '0'..='9') => parts.number(text, place, HELP),
         _ => Err(parts
-            .wrong(place, "this is no number, nor a string that holds one")
+            .wrong(place, "this is neither a number nor a string that holds one")
             .with_help(HELP)),
     }
 }

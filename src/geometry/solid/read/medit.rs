@@ -41,7 +41,7 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
             let message = format!("there is no `{name}`");
             return Err(words
                 .wrong(end..end, message)
-                .with_help("the file is cut off, or its cells are no hexahedra"));
+                .with_help("the file is cut off, or its cells are not hexahedra"));
         }
     }
     Ok(parts)
