@@ -69,7 +69,7 @@ fn rings() {
         (&["constants", "doo-sabin:n=5", "--forward"], &["--forward", "a ring", "leave it out"]),
         (&["constants", "doo-sabin:n=7/2"], &["points of `face` is 7/2", "from 1 to 600"]),
         (&["constants", "doo-sabin:n=2"], &["needs n >= 3, and n is 2", "vertices of the face"]),
-        (&["constants", "catmull-clark:N=2"], &["needs N >= 3, and N is 2: it is valence"]),
+        (&["constants", "catmull-clark:N=2"], &["needs N >= 3, and N is 2; its meaning: valence"]),
         (&["constants", "doo-sabin:n=601"], &["from 1 to 600"]),
         (&["constants", "catmull-clark:N=300"], &["a ring of 601 points"]),
         (&["constants", "bajaj:N=cos(pi/5)"], &["points of `edge`", "must be an integer"]),

@@ -26,7 +26,7 @@ fn write(path: &Path, text: &str) -> Outcome {
 /// Refuses a certificate where there is none.
 pub(super) fn none(of: &str) -> Failure {
     Failure::Input(format!(
-        "--certificate is of the depth of a control polygon or a net as a set of points; {of}"
+        "--certificate is for the depth of a control polygon or a net as a set of points; {of}"
     ))
 }
 

@@ -91,7 +91,7 @@ fn only_parametric(arguments: &DepthArguments, of: &str) -> Outcome {
         None => Ok(()),
         Some((_, option)) => {
             let message = format!(
-                "{option} is for polygon meshes, nets and control polygons; {of} are compared with their limits at \
+                "{option} is for meshes, nets, solids and control polygons; {of} are compared with their limits at \
                  equal parameters"
             );
             Err(Failure::Input(message))

@@ -116,7 +116,7 @@ pub enum SchemeError {
     /// A ring, where a mask is needed.
     #[error(
         "`{scheme}` is a ring of points around an extraordinary vertex or face, and this needs a \
-         mask; by itself, `subcert constants`, `depth`, `certify` and `oracle` take it"
+         mask; commands such as `subcert constants`, `depth` and `smoothness` take it alone"
     )]
     LocalRules {
         /// The scheme.
@@ -226,5 +226,5 @@ fn parameters(known: &[String]) -> String {
 }
 
 fn which_is(text: &str) -> String {
-    if text.is_empty() { String::new() } else { format!(": it is {text}") }
+    if text.is_empty() { String::new() } else { format!("; its meaning: {text}") }
 }

@@ -55,8 +55,8 @@ pub enum SpectrumError {
     },
     /// A scheme without rules at sharp edges.
     #[error(
-        "sectors between sharp edges are those of `catmull-clark`, `loop` and `loop-warren`, by these names without a \
-         valence, not of `{scheme}`"
+        "sectors between sharp edges exist for `catmull-clark`, `loop` and `loop-warren`, by these names without a \
+         valence, and not for `{scheme}`"
     )]
     NoSectors {
         /// The scheme.
