@@ -50,8 +50,8 @@ for claims in PROJECTS:
 GALLERY = """\
 # What public programs ship
 
-Tables of constants in public source code, compared with their exact values. Each was read at the commit that is named;
-facts and figures stand here, and no code. The claim files are in [`proofs/projects`](../proofs/projects), with
+This page compares tables of constants in public source code with their exact values. Each was read at the commit that is named;
+the page has facts and figures, and no code. The claim files are in [`proofs/projects`](../proofs/projects), with
 [certificates](../proofs/certificates/projects) and a [text for each project](../proofs/errata/projects).
 [Constants in programs](programs.md) says what the words mean. To judge all of them again:
 
@@ -71,10 +71,10 @@ def gallery() -> str:
 # The first cell of a line of docs/literature.md.
 CLAIM = re.compile(r"^\| (?P<key>[\w-]+):(?P<id>\S+) \|", re.MULTILINE)
 LITERATURE = """
-From the claim files in [`proofs/claims`](../proofs/claims): those of papers whose text was read, and those of
+The tables come from the claim files in [`proofs/claims`](../proofs/claims), for papers whose text was read, and from those with
 [claims about smoothness](../proofs/claims/smoothness), each with a note on what was seen of its source. Theorems,
 tables and formulas were judged as printed. Each claim leads to the certificate that has it, which
-`subcert-check` verifies. Of what is true, but not sharp, it proves what is printed; what is true beyond it, `subcert` alone has shown. The [texts for each paper](../proofs/errata) have all cells. To judge all of them again:
+`subcert-check` verifies. Of a claim that is true but not sharp, it proves what is printed; the sharper statement was shown by `subcert` alone. The [texts for each paper](../proofs/errata) have all cells. To judge all of them again:
 
 ```sh
 subcert errata --together proofs/claims/*.toml proofs/claims/smoothness/*.toml
