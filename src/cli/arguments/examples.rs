@@ -45,11 +45,11 @@ Examples:
   subcert range four-point --param w --smoothness 1";
 
 pub(super) const SMOOTHNESS: &str = "\
-Of rules around a vertex or on a face it says whether the surface is C^1 there in Reif's sense: for
-generic data, where the regular part is smooth. The orbits declare the regular part: vertex, edge
-and face: bicubic; vertex and edge: the quartic box spline; face: biquadratic. With the points around
-declared too, edge and face points may have weights of their own: outer, left, right and corner of
-bicubic rules, outer and corner of the box spline.
+For rules around a vertex or on a face it says whether the surface is C^1 there in Reif's sense,
+for generic data. The names of the orbits declare the regular part: vertex, edge and face are
+bicubic; vertex and edge the quartic box spline; face is biquadratic. Edge and face points may
+have weights of their own if the points around them are declared too: outer, left, right and
+corner for bicubic rules, outer and corner for the box spline.
 
 Examples:
   subcert smoothness four-point:w=1/16
@@ -61,8 +61,8 @@ pub(super) const SPECTRUM: &str = "\
 The conditions on eigenvalues are necessary only: C^1 also needs a regular and injective
 characteristic map, which `subcert smoothness` decides.
 
-A sector is what lies between two infinitely sharp edges at a vertex, or at a boundary vertex. There
-the schemes are catmull-clark, loop and loop-warren.
+A sector is the part of the surface between two infinitely sharp edges at a vertex, or at a
+boundary vertex. Sectors are analysed for catmull-clark, loop and loop-warren.
 
 Examples:
   subcert spectrum catmull-clark --valence 5

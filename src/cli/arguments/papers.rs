@@ -71,7 +71,7 @@ pub(in crate::cli) struct ErrataArguments {
     /// Only the paper of this key
     #[arg(long, value_name = "KEY")]
     pub(in crate::cli) paper: Option<String>,
-    /// All papers together: where they and the exact values differ, the worst first
+    /// One table for all papers: where they and the exact values differ, the worst first
     #[arg(long, conflicts_with = "output_folder")]
     pub(in crate::cli) together: bool,
     /// Write one file for each paper into this folder, named by its key
@@ -113,8 +113,8 @@ pub(in crate::cli) struct CoverageArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ProveArguments {
-    /// Keys of embedded papers, and claim files, `-` for the standard input; without any, every
-    /// embedded paper
+    /// Keys of embedded papers, and claim files, `-` for the standard input; without any, all
+    /// embedded papers
     #[arg(value_name = "KEY|FILE")]
     pub(in crate::cli) what: Vec<String>,
     /// The folder for the certificates KEY.cert; `-` for one paper to the standard output
