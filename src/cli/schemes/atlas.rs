@@ -95,10 +95,11 @@ impl Answer for Atlas<'_> {
         let rows = curves.map(|(entry, curve)| curve_row(&entry.facts.scheme, curve));
         sheet.grid(Grid::of(header, rows, 1));
         sheet.text(format!(
-            "Points: of a rule, from the first to the last. Support: its length. Reproduces: the degree, at the \
-             natural shift. Depths: levels that polygons with differences up to 1 need for the tolerance {}, \
-             with x^k_i at i/n^k and at natural parameters. What is not decided is open; `subcert scheme NAME` \
-             gives the reasons, and all constants.",
+            "n is the arity. Points counts those of a rule, from the first to the last. Support is its length. \
+             Reproduces has the degree of polynomials that are reproduced, at the natural shift. Depths has the \
+             levels that polygons with differences up to 1 need for the tolerance {}, with x^k_i at i/n^k and \
+             at natural parameters. What is not decided is open; `subcert scheme NAME` gives the reasons, and all \
+             constants.",
             Depths::tolerance()
         ));
         sheet.heading(2, "Rules around a vertex or on a face");
