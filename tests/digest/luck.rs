@@ -127,7 +127,7 @@ fn together(numbers: &[(u64, usize)], m: usize) -> Rational {
         for (place, (digits, size)) in numbers.iter().enumerate() {
             let p = Rational::new(1, Integer::from(2 * digits));
             let given = choice >> place & 1 == 1;
-            product = product * if given { p } else { Rational::one() - p };
+            product *= if given { p } else { Rational::one() - p };
             cells += if given { *size } else { 0 };
         }
         if cells >= m { product } else { Rational::zero() }

@@ -16,6 +16,7 @@ mod format;
 mod linear;
 mod matrix;
 mod number_field;
+mod other_numbers;
 mod piecewise;
 mod polynomial;
 mod reading;

@@ -1,5 +1,7 @@
 //! Checks and assertions: what passes, what does not, and what is said.
 
+use num_bigint::BigInt;
+use num_rational::{BigRational, Ratio};
 use proptest::prelude::*;
 use subcert::exact::Rational;
 use subcert::float::{nearest, ulp, ulps_between};
@@ -85,6 +87,19 @@ fn assertions_take_what_users_have() {
     assert_slice_within_ulps!(values, exact, 0.5);
     assert_slice_within_ulps!(&values[..], &exact, 0.5, "all of {}", "them");
     assert_within!(values[0], third(), &Rational::power_of_ten(-15));
+}
+
+#[test]
+fn assertions_take_numbers_of_other_crates() {
+    let exact = [BigRational::new(1.into(), 3.into()), BigRational::from(BigInt::from(1))];
+    let values = [1.0 / 3.0, 1.0];
+    assert_within_ulps!(values[0], &exact[0], 0.5);
+    assert_within_ulps!(values[1], BigInt::from(1), 0.0);
+    assert_within_ulps!(0.5, Ratio::new(1_i64, 2), 0.0, "a half");
+    assert_slice_within_ulps!(values, exact, 0.5);
+    assert_within!(values[0], exact[0], Ratio::new(1, 1_000_000_000_000_000_i64));
+    assert!(check_within_ulps(0.3, &exact[0], 1.0).is_err());
+    assert!(check_within(0.3, &exact[0], &Ratio::new(1_i64, 31)).is_err());
 }
 
 #[test]

@@ -1,11 +1,13 @@
 //! Exact refinement, against naive versions and laws.
 
+use num_rational::{BigRational, Ratio};
 use proptest::prelude::*;
 use subcert::exact::Rational;
 use subcert::oracle::{
     Boundary, Control, MAX_REFINED_LEVEL, OracleError, SplitMix64, refine_grid, refine_polygon,
+    refine_ring,
 };
-use subcert::scheme::{Rules, parse_scheme};
+use subcert::scheme::{Rules, parse_local_rules, parse_scheme};
 
 const NAMES: [&str; 6] = [
     "chaikin",
@@ -128,6 +130,23 @@ fn split_mix_64() {
         16_408_922_859_458_223_821,
     ];
     assert_eq!(SplitMix64::new(1_234_567).take(5).collect::<Vec<u64>>(), expected);
+}
+
+#[test]
+fn points_of_other_crates_are_refined() {
+    let rules = rules("four-point:w=1/17");
+    let ours = [(1, 3), (-2, 7), (5, 1), (4, 9)].map(|(p, q)| Rational::new(p, q));
+    let big = ours.clone().map(BigRational::from);
+    let small = ours.clone().map(|x| Ratio::<i64>::try_from(x).expect("small"));
+    let wanted = refine_polygon(&rules, &ours, 2, Boundary::Closed);
+    assert_eq!(refine_polygon(&rules, &big, 2, Boundary::Closed), wanted);
+    assert_eq!(refine_polygon(&rules, &small, 2, Boundary::Closed), wanted);
+    let net = refine_grid([&rules, &rules], &ours, 2, 2, Boundary::Closed);
+    assert_eq!(refine_grid([&rules, &rules], &big, 2, 2, Boundary::Closed), net);
+    assert_eq!(Control::polygon(big.to_vec()), Control::polygon(ours.to_vec()));
+    assert_eq!(Control::grid(small.to_vec(), 2), Control::grid(ours.to_vec(), 2));
+    let ring = parse_local_rules("doo-sabin:n=4").expect("in the catalogue");
+    assert_eq!(refine_ring(&ring, &big, 3), refine_ring(&ring, &ours, 3));
 }
 
 #[test]

@@ -113,7 +113,7 @@ fn weights(ring: &LocalRules) -> Option<Vec<Vec<Rational>>> {
 fn far((mask, shift): (&Mask, &Rational), place: &Rational, gap: &Rational) -> Option<Excess> {
     let mut tail = Rational::one();
     while &tail + &tail + &tail > *gap {
-        tail = tail / Rational::from(2);
+        tail /= Rational::from(2);
     }
     let constants = Constants::new(mask.clone());
     let most = (1..=8).take_while(|c| (mask.arity() as u64).pow(*c) <= 1 << 11).last()?;

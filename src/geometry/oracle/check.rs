@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 /// Checks that `value` is at most `ulps` units in the last place from `exact`, in the
 /// sense of [`ulps_between`]. The comparison is exact. 0.5 requires a correctly rounded
 /// value, and 0 an exact one. NaN and the infinities always fail. The exact value is a
-/// [`Rational`] or a [`RealCyclotomic`].
+/// [`Rational`], a [`RealCyclotomic`], or a number of num-rational, num-bigint or rug.
 ///
 /// # Errors
 /// When the distance is greater.
@@ -89,8 +89,9 @@ pub fn check_slice_within_ulps<E: Clone + Into<RealCyclotomic>>(
 pub fn check_within<E: Clone + Into<RealCyclotomic>>(
     value: f64,
     exact: &E,
-    tolerance: &Rational,
+    tolerance: &(impl Clone + Into<Rational>),
 ) -> Result<(), Mismatch> {
+    let tolerance: Rational = tolerance.clone().into();
     assert!(tolerance.sign() >= 0, "a tolerance must not be negative, and is {tolerance}");
     let exact: RealCyclotomic = exact.clone().into();
     let distance = |found| (&RealCyclotomic::from(found) - &exact).abs();
@@ -99,7 +100,7 @@ pub fn check_within<E: Clone + Into<RealCyclotomic>>(
         return Ok(());
     }
     let deviation = Box::new(Deviation { index: None, value, exact });
-    Err(Mismatch::Value { tolerance: Tolerance::Absolute(tolerance.clone()), deviation })
+    Err(Mismatch::Value { tolerance: Tolerance::Absolute(tolerance), deviation })
 }
 
 fn check_ulps(ulps: f64) {

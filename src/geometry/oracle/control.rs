@@ -25,9 +25,9 @@ pub struct Control {
 }
 
 impl Control {
-    /// The polygon with these values.
+    /// The polygon with these values: numbers of any type that converts into a [`Rational`].
     #[must_use]
-    pub fn polygon(values: Vec<Rational>) -> Control {
+    pub fn polygon(values: Vec<impl Into<Rational>>) -> Control {
         Control::points(vec![values])
     }
 
@@ -40,12 +40,12 @@ impl Control {
     /// ```
     /// use subcert::oracle::Control;
     ///
-    /// let [x, y] = [[0, 4, 4], [0, 0, 5]].map(|row| row.map(Into::into).to_vec());
-    /// let control = Control::points(vec![x, y]);
+    /// let control = Control::points(vec![vec![0, 4, 4], vec![0, 0, 5]]);
     /// assert_eq!((control.rows(), control.coordinates().count()), (3, 2));
     /// ```
     #[must_use]
-    pub fn points(mut coordinates: Vec<Vec<Rational>>) -> Control {
+    pub fn points(coordinates: Vec<Vec<impl Into<Rational>>>) -> Control {
+        let mut coordinates: Vec<Vec<Rational>> = coordinates.into_iter().map(converted).collect();
         let others = coordinates.split_off(coordinates.len().min(1));
         let values = coordinates.pop().unwrap_or_default();
         let same = others.iter().all(|other| other.len() == values.len());
@@ -56,7 +56,8 @@ impl Control {
     /// The grid with these values, row by row, of `columns` each; `None` when the last
     /// row would be incomplete, or `columns` is 0.
     #[must_use]
-    pub fn grid(values: Vec<Rational>, columns: usize) -> Option<Control> {
+    pub fn grid(values: Vec<impl Into<Rational>>, columns: usize) -> Option<Control> {
+        let values = converted(values);
         let whole = columns > 0 && values.len().is_multiple_of(columns);
         let others = Vec::new();
         whole.then_some(Control { values, others, columns, seed: None, grid: true })
@@ -120,6 +121,10 @@ impl Control {
     pub fn is_grid(&self) -> bool {
         self.grid
     }
+}
+
+fn converted(values: Vec<impl Into<Rational>>) -> Vec<Rational> {
+    values.into_iter().map(Into::into).collect()
 }
 
 /// The generator SplitMix64, all arithmetic mod 2^64: the state grows by

@@ -51,7 +51,7 @@ const SIGMA: &str = "sigma: the largest distance of a new point x'[a] from the o
 /// ```
 pub fn refine_ring(
     ring: &LocalRules,
-    points: &[RealCyclotomic],
+    points: &[impl Clone + Into<RealCyclotomic>],
     level: u32,
 ) -> Result<Vec<RealCyclotomic>, OracleError> {
     if level > MAX_REFINED_LEVEL {
@@ -67,7 +67,8 @@ pub fn refine_ring(
     }
     // As many products as for the powers of one row.
     LocalWork::check(ring, 1, level.saturating_add(1))?;
-    Ok((0..level).fold(points.to_vec(), |points, _| ring.refine(&points)))
+    let points: Vec<RealCyclotomic> = points.iter().cloned().map(Into::into).collect();
+    Ok((0..level).fold(points, |points, _| ring.refine(&points)))
 }
 
 /// The reference values of a ring: its weights, T_c and Λ_c, σ, the control points and
@@ -97,8 +98,7 @@ pub fn ring_reference_values(
 ) -> Result<OracleValues, OracleError> {
     let refine = |(number, control)| {
         let control: &[Rational] = control;
-        let points: Vec<RealCyclotomic> = control.iter().map(RealCyclotomic::from).collect();
-        Ok((number, control, refine_ring(ring, &points, request.level)?))
+        Ok((number, control, refine_ring(ring, control, request.level)?))
     };
     let refined: Vec<(String, &[Rational], Vec<RealCyclotomic>)> =
         request.control.named_coordinates().map(refine).collect::<Result<_, OracleError>>()?;

@@ -2,7 +2,8 @@
 
 /// Asserts that an f64 is at most a given number of units in the last place from an exact
 /// value; see [`check_within_ulps`](crate::oracle::check_within_ulps). The exact value is
-/// a `Rational` or a `RealCyclotomic`, or a reference to one; a message may follow.
+/// a `Rational`, a `RealCyclotomic`, a number of num-rational, num-bigint or rug, or a reference to one; a message may
+/// follow.
 ///
 /// ```
 /// use subcert::assert_within_ulps;

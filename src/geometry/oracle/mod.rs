@@ -5,6 +5,9 @@
 //! refined control polygons of a scheme exactly. It gives each value as p/q, as a
 //! correctly rounded decimal, and as the nearest f64.
 //!
+//! Exact values go in as numbers of any type that converts into a
+//! [`Rational`](crate::exact::Rational), and come out as one, which converts back.
+//!
 //! | item | what it is |
 //! |---|---|
 //! | [`reference_values`], [`OracleRequest`], [`OracleValues`] | all values of a scheme, as plain data |

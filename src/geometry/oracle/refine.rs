@@ -84,7 +84,8 @@ pub enum OracleError {
 
 /// The polygon of level `level`, from the polygon `points` of level 0. A closed polygon
 /// of m points gives n^level·m values. An open polygon is refined by
-/// [`Rules::refine_open`] `level` times.
+/// [`Rules::refine_open`] `level` times. The points are numbers of any type that converts into a
+/// [`Rational`], such as `BigRational` of num-rational.
 ///
 /// # Errors
 /// When there are no points, there would be too many, none would be left, or the level is
@@ -105,7 +106,7 @@ pub enum OracleError {
 /// ```
 pub fn refine_polygon(
     rules: &Rules,
-    points: &[Rational],
+    points: &[impl Clone + Into<Rational>],
     level: u32,
     boundary: Boundary,
 ) -> Result<Vec<Rational>, OracleError> {
@@ -126,7 +127,7 @@ pub fn refine_polygon(
 /// As [`refine_polygon`], and when the last row of the grid is incomplete.
 pub fn refine_grid(
     rules: [&Rules; 2],
-    grid: &[Rational],
+    grid: &[impl Clone + Into<Rational>],
     columns: usize,
     level: u32,
     boundary: Boundary,
@@ -242,8 +243,9 @@ fn whole(rules: &Rules) -> (Rules<Whole>, Integer) {
     (rules.map(|value| Whole((value * &scale).numerator())), common.denominator)
 }
 
-fn whole_values(values: &[Rational]) -> (Vec<Whole>, Integer) {
-    let denominator = common_denominator(values);
+fn whole_values(values: &[impl Clone + Into<Rational>]) -> (Vec<Whole>, Integer) {
+    let values: Vec<Rational> = values.iter().cloned().map(Into::into).collect();
+    let denominator = common_denominator(&values);
     let scale = Rational::from(denominator.clone());
     (values.iter().map(|value| Whole((value * &scale).numerator())).collect(), denominator)
 }

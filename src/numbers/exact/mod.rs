@@ -3,6 +3,7 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Integer`], [`Rational`] | numbers of any size |
+//! | [`crates`], [`ConversionError`] | numbers of other crates, and which do not fit |
 //! | [`Decimal`] | a decimal as printed, with its rounding interval |
 //! | [`mod@format`] | correctly rounded decimals of exact values |
 //! | [`Polynomial`] | polynomials in named variables, the normal form of an identity |
@@ -26,6 +27,7 @@
 
 mod backend;
 mod common;
+mod conversion;
 mod enclosures;
 mod integer;
 mod matrices;
@@ -37,9 +39,12 @@ mod rational;
 mod real;
 mod scalar;
 mod symbolic;
+mod text;
+mod traits;
 mod word;
 
 pub use common::{CommonDenominator, common_denominator};
+pub use conversion::ConversionError;
 pub use enclosures::enclosure::{Enclosed, Enclosure};
 pub use enclosures::format;
 pub use enclosures::log_sum::{LogSum, LogTerm};
@@ -77,6 +82,13 @@ pub use scalar::{Real, Scalar};
 pub use symbolic::bivariate::BivariatePolynomial;
 pub use symbolic::polynomial::Polynomial;
 pub use word::within;
+
+/// The crates whose numbers convert from and to those here, in the versions that do.
+pub mod crates {
+    #[cfg(feature = "gmp")]
+    pub use rug;
+    pub use {num_bigint, num_rational, num_traits};
+}
 
 /// Items for the tests of this crate; not part of its interface.
 #[doc(hidden)]

@@ -43,10 +43,29 @@ macro_rules! binary_operator {
                 $in_place(self, other);
             }
         }
+        impl std::ops::$assign<$type> for $type {
+            #[inline]
+            fn $assign_method(&mut self, other: $type) {
+                $in_place(self, &other);
+            }
+        }
     };
 }
 
-/// Implements negation by value, `Sum`, `Debug` by `Display`, and `PartialOrd` by `Ord`.
+/// Implements an operator by `$compute`, and its assigning form by `$in_place`, which calls
+/// `$compute`.
+macro_rules! computed_operator {
+    ($type:ident, $compute:ident, $in_place:ident, $trait:ident::$method:ident,
+     $assign:ident::$assign_method:ident) => {
+        fn $in_place(a: &mut $type, b: &$type) {
+            *a = $compute(a, b);
+        }
+
+        binary_operator!($type, $trait::$method, $assign::$assign_method, $compute, $in_place);
+    };
+}
+
+/// Implements negation by value, `Sum`, `Product`, `Debug` by `Display`, and `PartialOrd` by `Ord`.
 macro_rules! ring_basics {
     ($type:ident) => {
         impl std::ops::Neg for $type {
@@ -70,6 +89,16 @@ macro_rules! ring_basics {
                 terms.fold($type::zero(), |sum, term| sum + term)
             }
         }
+        impl std::iter::Product for $type {
+            fn product<I: Iterator<Item = $type>>(factors: I) -> $type {
+                factors.fold($type::one(), |product, factor| product * factor)
+            }
+        }
+        impl<'a> std::iter::Product<&'a $type> for $type {
+            fn product<I: Iterator<Item = &'a $type>>(factors: I) -> $type {
+                factors.fold($type::one(), |product, factor| product * factor)
+            }
+        }
         impl std::fmt::Debug for $type {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                 std::fmt::Display::fmt(self, f)
@@ -79,4 +108,5 @@ macro_rules! ring_basics {
 }
 
 pub(super) use binary_operator;
+pub(super) use computed_operator;
 pub(super) use ring_basics;

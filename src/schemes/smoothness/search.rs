@@ -232,7 +232,7 @@ fn rounded((a, b): (Rational, Rational)) -> (Rational, Rational) {
     let length = &b - &a;
     let mut unit = Rational::one();
     while &unit * Rational::from(2 * PART) > length {
-        unit = unit / Rational::from(2);
+        unit /= Rational::from(2);
     }
     let low = Rational::from((a / &unit).floor()) * &unit;
     (low, Rational::from((b / &unit).ceil()) * unit)

@@ -1,19 +1,35 @@
 //! GMP, through rug.
 
+use num_bigint::{BigInt, BigUint, Sign};
 use rug::Complete as _;
+use rug::integer::Order;
 use rug::ops::{DivRounding as _, Pow as _, RemRounding as _};
 
 pub(crate) use rug::Integer as Int;
 
 pub(crate) const NAME: &str = "GMP";
 
-pub(crate) fn parse_digits(digits: &str) -> Option<Int> {
-    Int::parse(digits).ok().map(Int::from)
+pub(crate) fn parse_digits(digits: &str, radix: u32) -> Option<Int> {
+    Int::parse_radix(digits, i32::try_from(radix).ok()?).ok().map(Int::from)
+}
+
+/// The same number of num-bigint.
+pub(crate) fn to_big(a: &Int) -> BigInt {
+    let mut digits = vec![0_u32; a.significant_digits::<u32>()];
+    a.write_digits(&mut digits, Order::Lsf);
+    let magnitude = BigInt::from(BigUint::new(digits));
+    if a.is_negative() { -magnitude } else { magnitude }
+}
+
+pub(crate) fn from_big(a: BigInt) -> Int {
+    let (sign, digits) = a.to_u32_digits();
+    let magnitude = Int::from_digits(&digits, Order::Lsf);
+    if sign == Sign::Minus { -magnitude } else { magnitude }
 }
 
 /// Σ 2^{64i}·words[i].
 pub(crate) fn from_words(words: &[u64]) -> Int {
-    Int::from_digits(words, rug::integer::Order::Lsf)
+    Int::from_digits(words, Order::Lsf)
 }
 
 pub(crate) fn div_floor(a: &Int, b: &Int) -> Int {

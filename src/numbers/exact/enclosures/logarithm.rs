@@ -28,14 +28,14 @@ pub fn natural_logarithm(x: &Rational, bits: u32) -> Enclosure {
     let (mut m, mut k) = (x.clone(), 0_i64);
     let size = |integer: &Integer| i64::try_from(integer.bits()).expect("it fits in memory");
     let guess = size(&x.numerator()) - size(&x.denominator());
-    m = m * power_of_two(-guess);
+    m *= power_of_two(-guess);
     k += guess;
     while m > Rational::new(4, 3) {
-        m = m / Rational::from(2);
+        m /= Rational::from(2);
         k += 1;
     }
     while m < Rational::new(2, 3) {
-        m = m * Rational::from(2);
+        m *= Rational::from(2);
         k -= 1;
     }
     let two = Rational::from(2);

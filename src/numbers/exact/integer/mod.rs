@@ -1,6 +1,7 @@
 //! Integers of any size.
 
 mod operators;
+mod others;
 
 use super::backend::{self, Int};
 use super::word::{self, gcd};
@@ -20,6 +21,22 @@ use std::fmt;
 /// let a = Integer::from(2).pow(100) - Integer::from(1);
 /// assert_eq!(a.to_string(), "1267650600228229401496703205375");
 /// assert_eq!(Integer::from(-7).div_floor(&Integer::from(2)), Integer::from(-4));
+/// ```
+///
+/// `/` and `%` are those of machine integers: `/` drops the fractional part, `%` leaves a remainder of the sign of the
+/// dividend, and both panic where the divisor is 0. The traits of [num-traits](super::crates::num_traits) that make
+/// sense hold, and integers of num-bigint and rug convert from and to this one. As text it has decimal digits, also in
+/// files (serde).
+///
+/// ```
+/// use subcert::exact::Integer;
+/// use subcert::exact::crates::num_bigint::BigInt;
+///
+/// let theirs: BigInt = "-1267650600228229401496703205376".parse()?;
+/// assert_eq!(Integer::from(theirs), -Integer::from(2).pow(100));
+/// assert_eq!(Integer::from(-7) / Integer::from(2), Integer::from(-3));
+/// assert_eq!(u8::try_from(Integer::from(256)).unwrap_err().to_string(), "256 does not fit into u8");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Integer(Form);
@@ -53,8 +70,13 @@ impl Integer {
     /// `digits` is one or more of `0`…`9`.
     #[must_use]
     pub fn from_digits(digits: &str) -> Option<Integer> {
-        let valid = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
-        valid.then(|| backend::parse_digits(digits).map(Integer::normal)).flatten()
+        Integer::from_digits_in(digits, 10)
+    }
+
+    /// The same in base `radix`, from 2 to 36.
+    pub(super) fn from_digits_in(digits: &str, radix: u32) -> Option<Integer> {
+        let valid = !digits.is_empty() && digits.chars().all(|digit| digit.is_digit(radix));
+        valid.then(|| backend::parse_digits(digits, radix).map(Integer::normal)).flatten()
     }
 
     /// Σ 2^{64i}·words\[i\].

@@ -3,7 +3,7 @@
 use super::Form::{Large, Word};
 use super::{Int, Integer};
 use crate::exact::backend;
-use crate::exact::ops::{binary_operator, ring_basics};
+use crate::exact::ops::{binary_operator, computed_operator, ring_basics};
 use std::cmp::Ordering;
 use std::ops::Neg;
 
@@ -81,7 +81,24 @@ operation!(
     Mul::mul,
     MulAssign::mul_assign
 );
+computed_operator!(Integer, div, div_in_place, Div::div, DivAssign::div_assign);
+computed_operator!(Integer, rem, rem_in_place, Rem::rem, RemAssign::rem_assign);
 ring_basics!(Integer);
+
+/// a/b without its fractional part, as machine integers divide.
+fn div(a: &Integer, b: &Integer) -> Integer {
+    if let (Word(x), Word(y)) = (&a.0, &b.0)
+        && let Some(quotient) = x.checked_div(*y)
+    {
+        return Integer(Word(quotient));
+    }
+    let magnitude = a.abs().div_floor(&b.abs());
+    if (a.sign() < 0) == (b.sign() < 0) { magnitude } else { -magnitude }
+}
+
+fn rem(a: &Integer, b: &Integer) -> Integer {
+    a - div(a, b) * b
+}
 
 impl Neg for &Integer {
     type Output = Integer;
@@ -115,7 +132,7 @@ macro_rules! from_machine {
         }
     )*};
 }
-from_machine!(u64, i128, usize);
+from_machine!(u64, i128, u128, isize, usize);
 
 macro_rules! from_word {
     ($($type:ty),*) => {$(
@@ -126,4 +143,4 @@ macro_rules! from_word {
         }
     )*};
 }
-from_word!(i32, u32, i64);
+from_word!(i8, u8, i16, u16, i32, u32, i64);

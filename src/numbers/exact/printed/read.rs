@@ -46,6 +46,32 @@ pub enum NumberError {
         /// The length of the text in bytes.
         digits: usize,
     },
+    /// A text that is not an integer in this base.
+    #[error(
+        "`{text}` is not an integer in base {radix}: write its digits, with - before them if it is negative"
+    )]
+    NotAnInteger {
+        /// The text as given.
+        text: String,
+        /// The base.
+        radix: u32,
+    },
+    /// A text that is neither an integer nor a fraction in this base.
+    #[error(
+        "`{text}` is not a fraction in base {radix}: write p or p/q in digits, with - before them if it is negative"
+    )]
+    NotAFraction {
+        /// The text as given.
+        text: String,
+        /// The base.
+        radix: u32,
+    },
+    /// A base that has no digits.
+    #[error("base {radix} is out of range; bases from 2 to 36 are read")]
+    Base {
+        /// The base.
+        radix: u32,
+    },
     /// A decimal exponent beyond [`MAX_EXPONENT`] in absolute value.
     #[error("the exponent of `{text}` is out of range; at most ±{MAX_EXPONENT} is read")]
     ExponentTooLarge {
@@ -75,16 +101,30 @@ pub fn parse_rational(text: &str) -> Result<Rational, NumberError> {
     if !text.contains('/') {
         return parse_decimal(text).map(|decimal| decimal.value());
     }
-    let mut reader = Reader::new(text)?;
-    let negative = reader.sign();
-    let numerator = reader.digits()?;
-    reader.expect('/')?;
-    let denominator = reader.digits()?;
-    reader.end()?;
-    if denominator.is_zero() {
-        return Err(NumberError::ZeroDenominator { text: text.to_owned() });
-    }
-    Ok(Rational::new(if negative { -numerator } else { numerator }, denominator))
+    Reader::new(text)?.fraction()
+}
+
+/// Reads the digits of an integer in base `radix`, with a minus sign before them if it is negative.
+pub(in crate::exact) fn integer_in(text: &str, radix: u32) -> Result<Integer, NumberError> {
+    Reader::in_base(text, radix)?.integer().map_err(|error| match error {
+        NumberError::Unexpected { .. } | NumberError::Unfinished { .. } => {
+            NumberError::NotAnInteger { text: text.to_owned(), radix }
+        }
+        other => other,
+    })
+}
+
+/// Reads p or p/q, both in base `radix`.
+pub(in crate::exact) fn rational_in(text: &str, radix: u32) -> Result<Rational, NumberError> {
+    let mut reader = Reader::in_base(text, radix)?;
+    let read =
+        if text.contains('/') { reader.fraction() } else { reader.integer().map(Rational::from) };
+    read.map_err(|error| match error {
+        NumberError::Unexpected { .. } | NumberError::Unfinished { .. } => {
+            NumberError::NotAFraction { text: text.to_owned(), radix }
+        }
+        other => other,
+    })
 }
 
 /// Reads a decimal as printed: `7`, `-0.0266`, `4.35e-5`, `4.35E-5`,
@@ -125,6 +165,8 @@ pub fn parse_decimal(text: &str) -> Result<Decimal, NumberError> {
 struct Reader<'a> {
     text: &'a str,
     rest: &'a str,
+    /// The base of its digits.
+    radix: u32,
 }
 
 impl<'a> Reader<'a> {
@@ -135,7 +177,35 @@ impl<'a> Reader<'a> {
         if text.len() > MAX_DIGITS {
             return Err(NumberError::TooLong { digits: text.len() });
         }
-        Ok(Reader { text, rest: text })
+        Ok(Reader { text, rest: text, radix: 10 })
+    }
+
+    fn in_base(text: &'a str, radix: u32) -> Result<Reader<'a>, NumberError> {
+        if !(2..=36).contains(&radix) {
+            return Err(NumberError::Base { radix });
+        }
+        Ok(Reader { radix, ..Reader::new(text)? })
+    }
+
+    /// An integer, and nothing after it.
+    fn integer(&mut self) -> Result<Integer, NumberError> {
+        let negative = self.sign();
+        let magnitude = self.digits()?;
+        self.end()?;
+        Ok(if negative { -magnitude } else { magnitude })
+    }
+
+    /// p/q, and nothing after it.
+    fn fraction(&mut self) -> Result<Rational, NumberError> {
+        let negative = self.sign();
+        let numerator = self.digits()?;
+        self.expect('/')?;
+        let denominator = self.digits()?;
+        self.end()?;
+        if denominator.is_zero() {
+            return Err(NumberError::ZeroDenominator { text: self.text.to_owned() });
+        }
+        Ok(Rational::new(if negative { -numerator } else { numerator }, denominator))
     }
 
     fn eat(&mut self, prefix: &str) -> bool {
@@ -170,7 +240,8 @@ impl<'a> Reader<'a> {
     }
 
     fn digit_run(&mut self) -> Result<&'a str, NumberError> {
-        let end = self.rest.bytes().take_while(u8::is_ascii_digit).count();
+        let end =
+            self.rest.bytes().take_while(|byte| char::from(*byte).is_digit(self.radix)).count();
         if end == 0 {
             return Err(self.unexpected());
         }
@@ -180,7 +251,8 @@ impl<'a> Reader<'a> {
     }
 
     fn digits(&mut self) -> Result<Integer, NumberError> {
-        Ok(Integer::from_digits(self.digit_run()?).unwrap_or_else(Integer::zero))
+        let radix = self.radix;
+        Ok(Integer::from_digits_in(self.digit_run()?, radix).unwrap_or_else(Integer::zero))
     }
 
     fn exponent(&mut self) -> Result<i32, NumberError> {

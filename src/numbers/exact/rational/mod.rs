@@ -1,6 +1,7 @@
 //! Rational numbers of any size.
 
 mod operators;
+mod others;
 
 use super::integer::Integer;
 use super::word;
@@ -16,6 +17,22 @@ use std::fmt;
 /// let a = Rational::new(-35, 1296) + Rational::new(1, 2);
 /// assert_eq!(a.to_string(), "613/1296");
 /// assert_eq!(Rational::new(2, -4), Rational::new(-1, 2));
+/// ```
+///
+/// `/` and `%` panic where the divisor is 0. `%` leaves a remainder of the sign of the dividend. The traits of
+/// [num-traits](super::crates::num_traits) that make sense hold, and numbers of num-rational, num-bigint and rug
+/// convert from and to this one. As text it is p/q, or p where q = 1, also in files (serde); from text,
+/// [`parse_rational`](super::parse_rational) reads it.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::exact::crates::num_rational::{BigRational, Ratio};
+///
+/// let theirs: BigRational = Rational::new(1, 3).into();
+/// assert_eq!(Rational::from(&theirs + &theirs), "2/3".parse()?);
+/// assert_eq!(Ratio::<i64>::try_from(Rational::new(2, 6))?, Ratio::new(1, 3));
+/// assert_eq!(Rational::new(-7, 2) % Rational::from(2), Rational::new(-3, 2));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Form);
@@ -172,6 +189,12 @@ impl Rational {
     #[must_use]
     pub fn ceil(&self) -> Integer {
         -(-self).floor()
+    }
+
+    /// The integer part: the nearest integer on the way to 0.
+    #[must_use]
+    pub fn trunc(&self) -> Integer {
+        if self.sign() < 0 { self.ceil() } else { self.floor() }
     }
 
     /// The nearest integer; of two equally near ones, the even one.

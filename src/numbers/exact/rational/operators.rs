@@ -3,27 +3,16 @@
 use super::Form::{Large, Words};
 use super::{Fraction, Rational};
 use crate::exact::Integer;
-use crate::exact::ops::{binary_operator, ring_basics};
+use crate::exact::ops::{binary_operator, computed_operator, ring_basics};
 use crate::exact::word;
 use std::cmp::Ordering;
 use std::ops::Neg;
 
-/// Implements an operator by `$compute`, and its assigning form by `$in_place`, which
-/// calls `$compute`.
-macro_rules! operation {
-    ($compute:ident, $in_place:ident, $trait:ident::$method:ident,
-     $assign:ident::$assign_method:ident) => {
-        fn $in_place(a: &mut Rational, b: &Rational) {
-            *a = $compute(a, b);
-        }
-
-        binary_operator!(Rational, $trait::$method, $assign::$assign_method, $compute, $in_place);
-    };
-}
-operation!(add, add_in_place, Add::add, AddAssign::add_assign);
-operation!(sub, sub_in_place, Sub::sub, SubAssign::sub_assign);
-operation!(mul, mul_in_place, Mul::mul, MulAssign::mul_assign);
-operation!(div, div_in_place, Div::div, DivAssign::div_assign);
+computed_operator!(Rational, add, add_in_place, Add::add, AddAssign::add_assign);
+computed_operator!(Rational, sub, sub_in_place, Sub::sub, SubAssign::sub_assign);
+computed_operator!(Rational, mul, mul_in_place, Mul::mul, MulAssign::mul_assign);
+computed_operator!(Rational, div, div_in_place, Div::div, DivAssign::div_assign);
+computed_operator!(Rational, rem, rem_in_place, Rem::rem, RemAssign::rem_assign);
 ring_basics!(Rational);
 
 fn add(a: &Rational, b: &Rational) -> Rational {
@@ -58,6 +47,11 @@ fn div(a: &Rational, b: &Rational) -> Rational {
     mul(a, &b.recip())
 }
 
+/// a − b·n, where n is a/b without its fractional part: of the sign of a, and below b in absolute value.
+fn rem(a: &Rational, b: &Rational) -> Rational {
+    a - b * Rational::from(div(a, b).trunc())
+}
+
 /// p/q + r/s. Every common factor of the numerator and the least common denominator
 /// divides gcd(q, s) (Knuth 1997, 4.5.1).
 fn sum(Fraction { p, q }: &Fraction, r: &Integer, s: &Integer) -> Rational {
@@ -90,6 +84,12 @@ impl Ord for Rational {
     }
 }
 
+impl From<&Integer> for Rational {
+    fn from(value: &Integer) -> Rational {
+        Rational::from(value.clone())
+    }
+}
+
 impl From<Integer> for Rational {
     fn from(value: Integer) -> Rational {
         Rational::of(value, Integer::one())
@@ -112,4 +112,4 @@ macro_rules! from_machine {
         }
     )*};
 }
-from_machine!(i32, u32, i64, u64, i128, usize);
+from_machine!(i8, u8, i16, u16, i32, u32, i64, u64, i128, u128, isize, usize);

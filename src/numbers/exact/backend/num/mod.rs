@@ -10,8 +10,17 @@ pub(crate) use num_bigint::BigInt as Int;
 
 pub(crate) const NAME: &str = "num-bigint";
 
-pub(crate) fn parse_digits(digits: &str) -> Option<Int> {
-    Int::parse_bytes(digits.as_bytes(), 10)
+pub(crate) fn parse_digits(digits: &str, radix: u32) -> Option<Int> {
+    Int::parse_bytes(digits.as_bytes(), radix)
+}
+
+/// The same number of num-bigint.
+pub(crate) fn to_big(a: &Int) -> Int {
+    a.clone()
+}
+
+pub(crate) fn from_big(a: Int) -> Int {
+    a
 }
 
 /// Σ 2^{64i}·words[i].

@@ -35,7 +35,7 @@ pub(super) fn cofactor(field: &Field, f: &[Integer]) -> (Vec<Integer>, Integer) 
                 if &step + &step > Integer::from(p) { step - Integer::from(p) } else { step };
             *value += &(&modulus * step);
         }
-        modulus = modulus * Integer::from(p);
+        modulus *= Integer::from(p);
         if stable {
             let (norm, a) = lifted.split_last().expect("N is there");
             let product = field.multiply(f, a);
