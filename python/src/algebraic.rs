@@ -1,11 +1,11 @@
 //! Real algebraic numbers.
 
 use crate::error::plain;
-use crate::number::{Fraction, Whole, fraction, rational, whole};
+use crate::number::{Fraction, Whole, fraction, integer, quotient, rational, whole};
 use crate::run::at_once;
 use pyo3::prelude::*;
 use std::cmp::Ordering;
-use subcert::exact::{Enclosed, Rational, RealAlgebraic};
+use subcert::exact::{Enclosed, Integer, IntegerPolynomial, Rational, RealAlgebraic};
 use subcert::float::nearest;
 
 /// The most decimal digits of an interval.
@@ -41,6 +41,39 @@ impl Algebraic {
             let narrow = enclosures.find(|enclosure| enclosure.width() <= width);
             let enclosure = narrow.ok_or_else(|| plain("no such interval"))?;
             Ok((fraction(enclosure.lower()), fraction(enclosure.upper())))
+        })
+    }
+
+    /// A polynomial with this root, and two fractions that no other of its roots is between.
+    fn parts(&self) -> (Vec<Whole>, Fraction, Fraction) {
+        let (low, high) = self.0.bounds();
+        let polynomial = self.0.polynomial();
+        let coefficients = polynomial.coefficients().iter().map(whole).collect();
+        (coefficients, fraction(&low), fraction(&high))
+    }
+
+    /// The number with these parts.
+    #[staticmethod]
+    fn of_parts(
+        coefficients: Vec<Bound<'_, PyAny>>,
+        low: (Bound<'_, PyAny>, Bound<'_, PyAny>),
+        high: (Bound<'_, PyAny>, Bound<'_, PyAny>),
+    ) -> PyResult<Algebraic> {
+        let coefficients = coefficients.iter().map(integer).collect::<PyResult<Vec<_>>>()?;
+        let (low, high) = (quotient(&low)?, quotient(&high)?);
+        if coefficients.iter().all(Integer::is_zero) {
+            return Err(plain("every number is a root of 0"));
+        }
+        at_once(|| {
+            let inside = |root: &RealAlgebraic| {
+                root.cmp_rational(&low).is_ge() && root.cmp_rational(&high).is_le()
+            };
+            let roots = RealAlgebraic::roots_of(&IntegerPolynomial::new(coefficients));
+            let mut roots = roots.into_iter().filter(inside);
+            match (roots.next(), roots.next()) {
+                (Some(root), None) => Ok(Algebraic(root)),
+                _ => Err(plain("the polynomial has not one root in the interval")),
+            }
         })
     }
 

@@ -9,7 +9,7 @@ use crate::number::rational;
 use crate::run::aside;
 use pyo3::prelude::*;
 use subcert::mesh::Point;
-use subcert::net::{Closed, Net, NetScheme, net_limits, refine_net};
+use subcert::net::{Closed, Net, NetError, NetScheme, net_limits, refine_net};
 use subcert::patch::NetDistances;
 
 /// A net as Python has it: its points row by row, the number of columns, and the directions in which
@@ -24,6 +24,17 @@ fn net(scheme: &str, (given, columns, closed): Given<'_>) -> PyResult<(NetScheme
     Ok((scheme, Net::new(points(&given)?, columns, closed).map_err(plain)?))
 }
 
+/// The error, with the argument that would mend it.
+fn refused(error: NetError) -> PyErr {
+    match error {
+        NetError::TooFew { direction, .. } => {
+            let closed = if direction == 0 { "u" } else { "v" };
+            with_remedy(&error.to_string(), &format!("closed=\"{closed}\" does so"))
+        }
+        error => plain(error),
+    }
+}
+
 /// How many levels a net needs for a tolerance.
 #[pyfunction]
 pub fn net_depth(
@@ -35,7 +46,7 @@ pub fn net_depth(
     let (scheme, net) = net(scheme, given)?;
     let tolerance = rational(tolerance)?;
     depth_aside(py, move |work| {
-        let distances = NetDistances::new(net, &scheme).map_err(plain)?.with_work(work);
+        let distances = NetDistances::new(net, &scheme).map_err(refused)?.with_work(work);
         distances.depth(&tolerance).map_err(plain)
     })
 }
@@ -51,7 +62,7 @@ pub fn net_geometric_depth(
     let (scheme, net) = net(scheme, given)?;
     let tolerance = rational(tolerance)?;
     surface_depth_aside(py, move |work| {
-        let distances = NetDistances::new(net, &scheme).map_err(plain)?.with_work(work);
+        let distances = NetDistances::new(net, &scheme).map_err(refused)?.with_work(work);
         distances.geometric_depth(&tolerance).map_err(plain)
     })
 }
@@ -69,7 +80,7 @@ pub fn net_refine(
         py,
         || (),
         move || {
-            let refined = refine_net(&net, &scheme, levels).map_err(plain)?;
+            let refined = refine_net(&net, &scheme, levels).map_err(refused)?;
             Ok((rounded(refined.points()), refined.columns()))
         },
     )
@@ -83,7 +94,7 @@ pub fn net_limit(py: Python<'_>, scheme: &str, given: Given<'_>) -> PyResult<Vec
         py,
         || (),
         move || {
-            let limits = net_limits(&net, &scheme).map_err(plain)?;
+            let limits = net_limits(&net, &scheme).map_err(refused)?;
             Ok(limits.iter().map(|limit| limit.as_ref().map(rational_limit)).collect())
         },
     )

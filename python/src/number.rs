@@ -19,7 +19,7 @@ pub(crate) enum Whole {
 /// The most binary digits of a number that is read.
 const MAX_BITS: u64 = 1 << 20;
 
-fn integer(value: &Bound<'_, PyAny>) -> PyResult<Integer> {
+pub(crate) fn integer(value: &Bound<'_, PyAny>) -> PyResult<Integer> {
     if let Ok(word) = value.extract::<i64>() {
         return Ok(Integer::from(word));
     }
@@ -27,16 +27,13 @@ fn integer(value: &Bound<'_, PyAny>) -> PyResult<Integer> {
     if value.bits() > MAX_BITS {
         return Err(plain(format!("a number of more than {MAX_BITS} binary digits")));
     }
-    let digits = value.magnitude().to_str_radix(10);
-    let size = Integer::from_digits(&digits).ok_or_else(|| plain("no integer"))?;
-    Ok(if value.sign() == num_bigint::Sign::Minus { -size } else { size })
+    Ok(Integer::from(value))
 }
 
 pub(crate) fn whole(value: &Integer) -> Whole {
     match value.to_i64() {
         Some(word) => Whole::Word(word),
-        // An integer is printed as its decimal digits.
-        None => Whole::Big(value.to_string().parse().unwrap_or_default()),
+        None => Whole::Big(BigInt::from(value)),
     }
 }
 
@@ -71,8 +68,13 @@ pub(crate) fn rational(value: &Bound<'_, PyAny>) -> PyResult<Rational> {
         let message = format!("a {kind} is no number");
         return Err(with_remedy(&message, "give an int, a Fraction or a decimal as text"));
     };
-    let read = |part: Bound<'_, PyAny>| integer(&part.call_method0("__index__")?);
-    let (p, q) = (read(parts.0)?, read(parts.1)?);
+    quotient(&parts)
+}
+
+/// The quotient of two integers.
+pub(crate) fn quotient((p, q): &(Bound<'_, PyAny>, Bound<'_, PyAny>)) -> PyResult<Rational> {
+    let read = |part: &Bound<'_, PyAny>| integer(&part.call_method0("__index__")?);
+    let (p, q) = (read(p)?, read(q)?);
     if q.is_zero() {
         return Err(plain("a fraction with denominator 0"));
     }

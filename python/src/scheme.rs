@@ -3,7 +3,7 @@
 use crate::algebraic::Algebraic;
 use crate::error::{plain, with_remedy};
 use crate::geometry::known_level;
-use crate::number::{Fraction, fraction, rational, rationals};
+use crate::number::{Fraction, fraction, quotient, rational, rationals};
 use crate::run::{aside, at_once};
 use pyo3::prelude::*;
 use std::ops::Bound as End;
@@ -43,6 +43,9 @@ pub struct Native {
     /// For each direction.
     constants: Arc<Mutex<Vec<Constants>>>,
 }
+
+/// A mask as `masks` gives it: its coefficients as pairs of integers, and its offset.
+type Given<'py> = (Vec<Vec<(Bound<'py, PyAny>, Bound<'py, PyAny>)>>, i64);
 
 /// A distance: its interval, and a parameter at which the lower end is the value.
 type Distance = (Fraction, Fraction, Option<Fraction>);
@@ -108,7 +111,7 @@ impl Native {
             AnyScheme::Uniform(scheme) => Ok(Native::of(scheme)),
             AnyScheme::LocalRules(_) => Err(with_remedy(
                 &format!("`{text}` is a scheme around a vertex or on a face"),
-                "meshes take its name in mesh_depth; its constants are in `subcert constants`",
+                "spectrum, smoothness and sector are for it, and meshes take its name, as in mesh_depth",
             )),
         }
     }
@@ -119,6 +122,21 @@ impl Native {
         let rows: Vec<Vec<Rational>> =
             rows.iter().map(|row| rationals(row)).collect::<PyResult<_>>()?;
         Ok(Native::of(Scheme::Curve(Mask::new(rows, offset).map_err(plain)?)))
+    }
+
+    /// The scheme of the masks that `masks` gives.
+    #[staticmethod]
+    fn of_masks(masks: Vec<Given<'_>>) -> PyResult<Native> {
+        let mask = |(rows, offset): &Given<'_>| {
+            let rows = rows.iter().map(|row| row.iter().map(quotient).collect());
+            Mask::new(rows.collect::<PyResult<_>>()?, *offset).map_err(plain)
+        };
+        let mut masks = masks.iter().map(mask).collect::<PyResult<Vec<Mask>>>()?;
+        match (masks.pop(), masks.pop(), masks.is_empty()) {
+            (Some(mask), None, _) => Ok(Native::of(Scheme::Curve(mask))),
+            (Some(second), Some(first), true) => Ok(Native::of(Scheme::Tensor(first, second))),
+            _ => Err(plain("a scheme has one mask or two")),
+        }
     }
 
     /// The masks: rows of coefficients, and the offset.

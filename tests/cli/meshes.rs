@@ -171,7 +171,7 @@ fn the_depth_as_the_eye_sees_it() {
     assert_eq!(level(&json(&written(of_cube(&relative)))), level(&form));
     let tiny = [&depth[..3], &["1e-60", "--distance", "geometric", "--mesh", "examples/cube.obj"]]
         .concat();
-    assert_parts(&refused(tiny), &["2^-20 of the diagonal", "--distance parametric"]);
+    assert_parts(&refused(tiny), &["2^-20 of the diagonal", "compare at equal parameters"]);
     // Without a flag such a tolerance is answered by equal parameters.
     let small = [&depth[..3], &["1e-9", "--format", "json"]].concat();
     assert_eq!(json(&written(of_cube(&small)))["measure"], "parametric");

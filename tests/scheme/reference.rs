@@ -62,7 +62,7 @@ fn what_is_not_a_scheme() {
         ("seven-point", "unknown scheme `seven-point`; known: six-point, four-point"),
         (
             "seven-point",
-            "more; the command line also takes the path of a .toml file, or a mask such as `[1, 3, 3, 1]/4`",
+            "more; a scheme may also be the path of a .toml file, or a mask such as `[1, 3, 3, 1]/4`",
         ),
         ("newton:j=1,n=1", "the arity is 1; it must be an integer from 2 to 64"),
         ("newton:j=1/3,n=2", "the offset is -1/3; it must be an integer from -10000 to 10000"),

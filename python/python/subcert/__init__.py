@@ -29,7 +29,19 @@ from ._geometry import LimitPoint, MeshDepth, SurfaceDepth
 from ._mesh import RefinedMesh, limit_points, mesh_depth, mesh_geometric_depth, refine_mesh
 from ._net import limit_net, net_depth, net_geometric_depth, refine_net
 from ._numbers import Algebraic, exact
-from ._scheme import Constants, Depth, GeometricDepth, Interval, Quantity, Refined, Scheme, SmoothRange, schemes
+from ._scheme import (
+    Constants,
+    Depth,
+    GeometricDepth,
+    Interval,
+    Intervals,
+    Quantities,
+    Quantity,
+    Refined,
+    Scheme,
+    SmoothRange,
+    schemes,
+)
 from ._solid import (
     RefinedSolid,
     refine_solid,
@@ -54,10 +66,12 @@ __all__ = [
     "Finding",
     "GeometricDepth",
     "Interval",
+    "Intervals",
     "JointRadius",
     "LimitPoint",
     "MeshDepth",
     "Plot",
+    "Quantities",
     "Quantity",
     "Real",
     "Refined",

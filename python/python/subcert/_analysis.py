@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, List, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 from . import _native
-from ._html import facts, table
+from ._answer import Answer, Table
+from ._html import facts
 from ._numbers import Algebraic, Number, coprime, pair
 
 
@@ -63,7 +64,7 @@ class Exponent:
 
 
 @dataclass(frozen=True)
-class Smoothness:
+class Smoothness(Answer):
     """How smooth the limits of a scheme for curves are; None stands for what is not shown.
 
     >>> from subcert import Scheme
@@ -105,7 +106,7 @@ class Smoothness:
 
 
 @dataclass(frozen=True)
-class VertexSmoothness:
+class VertexSmoothness(Answer):
     """Whether surfaces are C¹ at a vertex or on a face, of generic data.
 
     >>> from subcert import Scheme
@@ -141,7 +142,7 @@ class Eigenvalue:
 
 
 @dataclass(frozen=True)
-class Spectrum:
+class Spectrum(Table):
     """The eigenvalues of rules around a vertex or on a face, and stencils: pairs of a point and a weight.
 
     >>> from subcert import Scheme
@@ -167,13 +168,17 @@ class Spectrum:
     #: Two stencils of tangents, whose cross product is a normal.
     tangents: Optional[List[List[Tuple[str, Real]]]]
 
-    def _repr_html_(self) -> str:
-        rows = [
-            [x.real.value, x.imaginary and x.imaginary.value, str(x.real), x.multiplicity, x.blocks]
-            for x in self.eigenvalues
-        ]
-        heads = ["value", "imaginary", "exact", "multiplicity", "blocks"]
-        return table(f"Eigenvalues, valence {self.valence}", heads, rows)
+    def rows(self) -> List[Dict[str, Any]]:
+        """A row for each eigenvalue.
+
+        >>> from subcert import Scheme
+        >>> Scheme("loop").spectrum(6).rows()[0]["multiplicity"]
+        1
+        """
+        return _rows(self.eigenvalues)
+
+    def _caption(self) -> str:
+        return f"Eigenvalues, valence {self.valence}"
 
 
 @dataclass(frozen=True)
@@ -196,7 +201,7 @@ class Across:
 
 
 @dataclass(frozen=True)
-class Sector:
+class Sector(Table):
     """The eigenvalues and stencils at a vertex on a crease, at a corner or at the boundary, between two sharp edges.
 
     >>> from subcert import Scheme
@@ -215,15 +220,21 @@ class Sector:
     #: None for one face at a corner.
     across: Optional[Across]
 
-    def _repr_html_(self) -> str:
-        rows = [[x.real.value, str(x.real), x.multiplicity, x.blocks] for x in self.eigenvalues]
-        place = "at a corner" if self.corner else "on a crease"
-        heads = ["value", "exact", "multiplicity", "blocks"]
-        return table(f"Eigenvalues, {self.faces} faces {place}", heads, rows)
+    def rows(self) -> List[Dict[str, Any]]:
+        """A row for each eigenvalue.
+
+        >>> from subcert import Scheme
+        >>> Scheme("loop").sector(4).rows()[0]["value"]
+        1.0
+        """
+        return _rows(self.eigenvalues)
+
+    def _caption(self) -> str:
+        return f"Eigenvalues, {self.faces} faces {'at a corner' if self.corner else 'on a crease'}"
 
 
 @dataclass(frozen=True)
-class JointRadius:
+class JointRadius(Answer):
     """A joint spectral radius: at least ``root`` to the power 1/``degree``, which is that of a product.
 
     >>> found = jsr([[[1, 1], [0, 1]], [[1, 0], [1, 1]]])
@@ -312,6 +323,19 @@ def sector(text: str, faces: int, corner: bool) -> Sector:
         found = Across(_real(value), comparison, second, stencil)
     tangents = [_stencil(one) for one in along]
     return Sector(faces, corner, _eigenvalues(eigenvalues), _stencil(limit), tangents, found)
+
+
+def _rows(eigenvalues: List[Eigenvalue]) -> List[Dict[str, Any]]:
+    return [
+        {
+            "value": x.real.value,
+            "imaginary": x.imaginary and x.imaginary.value,
+            "exact": str(x.real),
+            "multiplicity": x.multiplicity,
+            "blocks": x.blocks,
+        }
+        for x in eigenvalues
+    ]
 
 
 def _eigenvalues(found: Any) -> List[Eigenvalue]:

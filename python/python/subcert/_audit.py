@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, Dict, Iterator, List, Optional, Union
 
 from . import _native
+from ._answer import frame
 
 
 @dataclass(frozen=True)
@@ -89,10 +90,15 @@ class Audit:
         >>> audit("khan2019-newton").to_pandas().verdict.iloc[0]
         'confirmed'
         """
-        import pandas
+        return frame(self.rows()).set_index("id")
 
-        rows = [{k: v for k, v in asdict(x).items() if k != "data"} for x in self.findings]
-        return pandas.DataFrame(rows).set_index("id")
+    def rows(self) -> List[Dict[str, Any]]:
+        """A row for each claim.
+
+        >>> audit("khan2019-newton").rows()[0]["verdict"]
+        'confirmed'
+        """
+        return [{k: v for k, v in asdict(x).items() if k != "data"} for x in self.findings]
 
     def _repr_html_(self) -> str:
         def cell(value: Any) -> str:

@@ -16,7 +16,7 @@ class SubcertError(ValueError):
     ...     Scheme("chaikin").contraction(0)
     ... except SubcertError as error:
     ...     print(error.message)
-    c counts levels from 1 on
+    c is 0
     """
 
     def __init__(

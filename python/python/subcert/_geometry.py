@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, List, Optional, Sequence, Tuple
 
+from ._answer import Answer
 from ._errors import SubcertError
 from ._numbers import coprime, exact
 
@@ -14,7 +15,7 @@ Point = Tuple[float, float, float]
 
 
 @dataclass(frozen=True)
-class MeshDepth:
+class MeshDepth(Answer):
     """How many levels a mesh needs; see ``Depth``. Distances are between mesh and limit surface at
     the same parameters.
 
@@ -36,7 +37,7 @@ class MeshDepth:
 
 
 @dataclass(frozen=True)
-class SurfaceDepth:
+class SurfaceDepth(Answer):
     """How many levels a tolerance needs by the Hausdorff distance of a mesh or a net and its limit surface.
 
     ``level`` is enough, ``too_few`` is not: ``point``, of the set ``of`` ("mesh" or "limit"), on ``face`` of the control mesh,
@@ -57,7 +58,7 @@ class SurfaceDepth:
 
 
 @dataclass(frozen=True)
-class LimitPoint:
+class LimitPoint(Answer):
     """Where the limit surface has a vertex; ``exact`` is None where it is irrational.
 
     >>> from subcert import limit_points

@@ -19,7 +19,7 @@ from ._geometry import (
     rows_of,
     surface_depth_of,
 )
-from ._numbers import Number
+from ._numbers import Number, count
 from ._tags import Tags
 from ._tags import found as tags_of
 from ._tags import given as given_tags
@@ -100,7 +100,7 @@ def refine_mesh(
     (26, 24)
     """
     mesh = _mesh(vertices, faces, tags)
-    points, refined, sharp = _native.mesh_refine(scheme, *mesh, levels)
+    points, refined, sharp = _native.mesh_refine(scheme, *mesh, count(levels, "levels"))
     return RefinedMesh(as_given(points, vertices, (len(points),)), refined, tags_of(sharp))
 
 

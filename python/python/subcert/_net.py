@@ -17,7 +17,7 @@ from ._geometry import (
     rows_of,
     surface_depth_of,
 )
-from ._numbers import Number
+from ._numbers import Number, count
 
 
 def net_depth(
@@ -56,7 +56,9 @@ def refine_net(scheme: str, points: Any, levels: int = 1, *, closed: str = "none
     >>> refine_net("chaikin x chaikin", plane)[0]
     [(1.0, 1.0, 0.0), (1.0, 3.0, 0.0), (1.0, 5.0, 0.0), (1.0, 7.0, 0.0)]
     """
-    refined, columns = _native.net_refine(scheme, _given(points, closed), levels)
+    refined, columns = _native.net_refine(
+        scheme, _given(points, closed), count(levels, "levels")
+    )
     rows = len(refined) // columns if columns else 0
     return as_given(refined, points, (rows, columns))
 

@@ -6,6 +6,7 @@ import math
 from decimal import Decimal
 from fractions import Fraction
 from functools import total_ordering
+from operator import index
 from typing import Any, List, Optional, Tuple, Union
 
 from . import _native
@@ -33,6 +34,24 @@ def exact(value: Any) -> Fraction:
     raise SubcertError(f"{value!r} is no number", remedy="give a finite number")
 
 
+#: The greatest count that the native part takes.
+_MOST = 2**32 - 1
+
+
+def count(value: Any, name: str, least: int = 0) -> int:
+    """A count that is given as the argument of this name.
+
+    >>> count(3, "levels")
+    3
+    """
+    number = index(value)
+    if number < least:
+        raise SubcertError(f"{name} is {number}", remedy=f"give an int from {least} on")
+    if number > _MOST:
+        raise SubcertError(f"{name} is {number}", remedy=f"give an int up to {_MOST}")
+    return number
+
+
 if hasattr(Fraction, "_from_coprime_ints"):  # from Python 3.12 on
     coprime = Fraction._from_coprime_ints
 else:
@@ -48,7 +67,8 @@ def pair(value: Optional[Tuple[int, int]]) -> Optional[Fraction]:
 
 @total_ordering
 class Algebraic:
-    """A real algebraic number, exactly. Numbers compare with each other and with fractions.
+    """A real algebraic number, exactly. Numbers compare with each other and with fractions. They are
+    equal where their values are, and can be copied and pickled.
 
     >>> from subcert import Scheme
     >>> end = Scheme("four-point").range("w", levels=2)[-1].high
@@ -76,7 +96,7 @@ class Algebraic:
         >>> high - low <= Fraction(1, 10**6)
         True
         """
-        low, high = self._number.interval(digits)
+        low, high = self._number.interval(count(digits, "digits"))
         return coprime(*low), coprime(*high)
 
     def as_fraction(self) -> Optional[Fraction]:
@@ -97,13 +117,19 @@ class Algebraic:
             return self._number.compare(other._number)
         return self._number.compare(exact(other))
 
+    # A text is no number here: it would have another hash.
+
     def __eq__(self, other: object) -> bool:
+        if isinstance(other, str):
+            return NotImplemented
         try:
             return self._compare(other) == 0
         except SubcertError:
             return NotImplemented
 
     def __lt__(self, other: Any) -> bool:
+        if isinstance(other, str):
+            return NotImplemented
         return self._compare(other) < 0
 
     def __hash__(self) -> int:
@@ -113,5 +139,24 @@ class Algebraic:
     def __repr__(self) -> str:
         rational = self.as_fraction()
         if rational is not None:
-            return f"Algebraic({rational})"
-        return f"Algebraic(minpoly={self.minpoly}, near {float(self)!r})"
+            text = str(rational) if rational.denominator.bit_length() < 200 else f"near {float(rational)!r}"
+            return f"Algebraic({text})"
+        try:
+            text = str(self.minpoly)
+        except (SubcertError, ValueError):
+            # It is too large to factor, or to print.
+            text = ""
+        near = f"near {float(self)!r}"
+        return f"Algebraic(minpoly={text}, {near})" if 0 < len(text) <= 60 else f"Algebraic({near})"
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _algebraic, self._number.parts()
+
+
+def _algebraic(coefficients: List[int], low: Tuple[int, int], high: Tuple[int, int]) -> Algebraic:
+    """The root of a polynomial that is between two fractions.
+
+    >>> float(_algebraic([-2, 0, 1], (1, 1), (2, 1)))
+    1.4142135623730951
+    """
+    return Algebraic(_native._Algebraic.of_parts(coefficients, low, high))

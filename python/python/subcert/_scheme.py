@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from os import PathLike
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union, overload
 
 from . import _native
 from ._analysis import Sector, Smoothness, Spectrum, VertexSmoothness, of_curve, of_vertex, sector, spectrum
+from ._answer import Answer, Table, shown
 from ._errors import SubcertError
 from ._html import facts, table
-from ._numbers import Algebraic, Number, coprime, exact, pair
+from ._numbers import Algebraic, Number, coprime, count, exact, pair
 
 
 @dataclass(frozen=True)
-class Constants:
+class Constants(Table):
     """The constants of a scheme; ``contraction[c - 1]`` is T_c, and ``norm[c - 1]`` is Λ_c.
 
     >>> Scheme("chaikin").constants(2).contraction
@@ -29,16 +30,24 @@ class Constants:
     #: not kept.
     natural_shifts: List[Optional[Fraction]]
 
-    def _repr_html_(self) -> str:
-        rows = [
-            (c, f"{t} = {float(t):.6g}", f"{norm} = {float(norm):.6g}")
-            for c, (t, norm) in enumerate(zip(self.contraction, self.norm), 1)
-        ]
-        return table(f"Constants; σ = {self.displacement}", ["c", "T_c", "Λ_c"], rows)
+    def rows(self) -> List[Dict[str, Any]]:
+        """A row for each c.
+
+        >>> Scheme("chaikin").constants(1).rows()
+        [{'c': 1, 'contraction': Fraction(1, 2), 'norm': Fraction(1, 1)}]
+        """
+        pairs = enumerate(zip(self.contraction, self.norm), 1)
+        return [{"c": c, "contraction": t, "norm": norm} for c, (t, norm) in pairs]
+
+    def _caption(self) -> str:
+        return f"Constants; σ = {shown(self.displacement)}"
+
+    def _heads(self) -> List[str]:
+        return ["c", "T_c", "Λ_c"]
 
 
 @dataclass(frozen=True)
-class Depth:
+class Depth(Answer):
     """How many levels a tolerance needs.
 
     ``level`` is enough, ``too_few`` is not (None where even level 0 may be enough), and the distance
@@ -70,7 +79,7 @@ class Depth:
 
 
 @dataclass(frozen=True)
-class GeometricDepth:
+class GeometricDepth(Answer):
     """How many levels a tolerance needs by the Hausdorff distance of a polygon and its limit curve.
 
     ``level`` is enough, ``too_few`` is not: ``point``, of the set ``of`` ("polygon" or "limit"), at the natural ``parameter``,
@@ -104,7 +113,7 @@ class GeometricDepth:
 
 
 @dataclass(frozen=True)
-class Interval:
+class Interval(Answer):
     """An interval; None stands for an end at infinity. The ends do not belong to it, unless it says so.
 
     >>> [interval] = Scheme("four-point").range("w", levels=1)
@@ -118,13 +127,53 @@ class Interval:
     high_included: bool = False
 
     def __contains__(self, value: Any) -> bool:
-        above = self.low is None or self.low < value or self.low_included and self.low == exact(value)
-        below = self.high is None or self.high > value or self.high_included and self.high == exact(value)
+        value = value if isinstance(value, Algebraic) else exact(value)
+        above = self.low is None or self.low < value or self.low_included and self.low == value
+        below = self.high is None or self.high > value or self.high_included and self.high == value
         return above and below
+
+    def __str__(self) -> str:
+        """As text, with ends that are rounded where they are irrational or long."""
+        low, high = self._ends(lambda end: shown(end).partition(" = ")[0])
+        return f"{'[' if self.low_included else '('}{low}, {high}{']' if self.high_included else ')'}"
+
+    def _ends(self, text: Any) -> Tuple[str, str]:
+        low = "-∞" if self.low is None else text(self.low)
+        return low, "∞" if self.high is None else text(self.high)
+
+    def _cells(self) -> List[str]:
+        return [str(self), *self._ends(lambda end: shown(float(end)))]
+
+
+class Intervals(List[Interval], Table):
+    """Intervals, as a list that is a table too.
+
+    >>> found = Scheme("four-point").range("w", levels=1)
+    >>> print(found)
+    Intervals
+    interval     from   to
+    (-1/4, 1/4)  -0.25  0.25
+    >>> 0.125 in found[0]
+    True
+    """
+
+    def rows(self) -> List[Dict[str, Any]]:
+        """A row for each interval.
+
+        >>> Scheme("four-point").range("w", levels=1).rows()[0]["high"]
+        Algebraic(1/4)
+        """
+        return [row for interval in self for row in interval.rows()]
+
+    def _heads(self) -> List[str]:
+        return ["interval", "from", "to"]
+
+    def _cells(self) -> List[List[str]]:
+        return [interval._cells() for interval in self]
 
 
 @dataclass(frozen=True)
-class SmoothRange:
+class SmoothRange(Table):
     """Where in a parameter all limits are C^m, and where not.
 
     >>> found = Scheme("four-point").range("w", smoothness=1)
@@ -145,14 +194,29 @@ class SmoothRange:
         """Whether it is proven that all limits are C^m at this value."""
         return any(value in interval for interval in self.inside)
 
-    def _repr_html_(self) -> str:
-        rows = [("inside", x) for x in self.inside] + [("outside", x) for x in self.outside]
-        ends = [(name, x.low and float(x.low), x.high and float(x.high)) for name, x in rows]
-        return table("Where the limits are smooth", ["", "from", "to"], ends)
+    def rows(self) -> List[Dict[str, Any]]:
+        """A row for each interval; ``limits`` says whether it is inside or outside.
+
+        >>> Scheme("four-point").range("w", smoothness=1).rows()[0]["limits"]
+        'inside'
+        """
+        return [{"limits": name, **row} for name, one in self._sets() for row in one.rows()]
+
+    def _sets(self) -> List[Tuple[str, Interval]]:
+        return [("inside", x) for x in self.inside] + [("outside", x) for x in self.outside]
+
+    def _caption(self) -> str:
+        return "Where the limits are smooth"
+
+    def _heads(self) -> List[str]:
+        return ["limits", "interval", "from", "to"]
+
+    def _cells(self) -> List[List[str]]:
+        return [[name, *interval._cells()] for name, interval in self._sets()]
 
 
 @dataclass(frozen=True)
-class Quantity:
+class Quantity(Answer):
     """A constant in floating point beside its exact value.
 
     ``bound`` is a proven bound of the error, None where none is computed in advance.
@@ -173,8 +237,27 @@ class Quantity:
         return abs(Fraction(self.value) - self.exact)
 
 
+class Quantities(List[Quantity], Table):
+    """Constants in floating point, as a list that is a table too.
+
+    >>> Scheme("chaikin").certify(1).rows()[0]["name"]
+    'b[0][0]'
+    """
+
+    def rows(self) -> List[Dict[str, Any]]:
+        """A row for each constant, with the error of the float.
+
+        >>> Scheme("chaikin").certify(1).rows()[0]["error"]
+        Fraction(0, 1)
+        """
+        return [{**row, "error": one.error} for one in self for row in one.rows()]
+
+    def _heads(self) -> List[str]:
+        return ["name", "value", "exact", "bound", "error"]
+
+
 @dataclass(frozen=True)
-class Refined:
+class Refined(Answer):
     """Points of a refined polygon.
 
     ``exact`` has the points as fractions (tuples of them where points have several coordinates),
@@ -186,9 +269,24 @@ class Refined:
     ([1.0, 3.0, 3.0, 1.0], 0.0)
     """
 
-    points: Any
+    #: They are not compared: ``exact`` has them too.
+    points: Any = field(compare=False)
     exact: List[Any]
     error: float
+
+    def rows(self) -> List[Dict[str, Any]]:
+        """A row for each point.
+
+        >>> Scheme("chaikin").refine([0, 4]).rows()[0]
+        {'point': 1.0, 'exact': Fraction(1, 1)}
+        """
+        return [{"point": point, "exact": exact} for point, exact in zip(self.points, self.exact)]
+
+    def _repr_html_(self) -> str:
+        return facts("Refined", [("points", len(self.exact)), ("error at most", self.error)])
+
+    def __repr__(self) -> str:
+        return f"Refined({len(self.exact)} points, error={self.error!r})"
 
 
 class Scheme:
@@ -197,6 +295,10 @@ class Scheme:
     A mask has one row of coefficients for each rule; ``offset`` is the index of the first point that
     a rule takes. Numbers are ints, Fractions, Decimals, text such as "3/256", or floats, which are the
     numbers that they are: 0.375 is 3/8, but 0.1 is not 1/10. numpy arrays are taken too.
+
+    Schemes are equal where they are named alike, or have a mask each, and their masks are the same. They can be copied and
+    pickled: a copy has its masks with it, and asks for a file only where a parameter is open, or for
+    rules around a vertex.
 
     >>> Scheme("six-point", w=Fraction(3, 256)).contraction(1)
     Fraction(89, 128)
@@ -220,6 +322,7 @@ class Scheme:
             )
         self._text: Optional[str] = None
         self._known: Any = None
+        self._key: Any = None
         if mask is not None:
             if parameters:
                 raise SubcertError("a mask has no parameters")
@@ -243,6 +346,32 @@ class Scheme:
             self._known = _native._Native.named(self._text or "")
         return self._known
 
+    def _given(self) -> Any:
+        """The masks as pairs of ints; None where the name has none."""
+        try:
+            return self._native.masks
+        except SubcertError:
+            return None
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _rebuilt, (type(self), self._text, self._given())
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Scheme):
+            return NotImplemented
+        return self._identity() == other._identity()
+
+    def __hash__(self) -> int:
+        return hash(self._identity())
+
+    def _identity(self) -> Any:
+        if self._key is None:
+            masks = [
+                (tuple(map(tuple, rows)), offset) for rows, offset in self._given() or ()
+            ]
+            self._key = self._text, tuple(masks)
+        return self._key
+
     @property
     def masks(self) -> List[List[List[Fraction]]]:
         """The coefficients for each direction, rule by rule."""
@@ -260,7 +389,7 @@ class Scheme:
         >>> Scheme("four-point", w="1/16").contraction(2)
         Fraction(21, 64)
         """
-        return coprime(*self._native.contraction(c))
+        return coprime(*self._native.contraction(count(c, "c", 1)))
 
     def norm(self, c: int = 1) -> Fraction:
         """Λ_c: by how much c levels can enlarge the greatest value.
@@ -268,7 +397,7 @@ class Scheme:
         >>> Scheme("four-point", w="1/16").norm(1)
         Fraction(5, 4)
         """
-        return coprime(*self._native.norm(c))
+        return coprime(*self._native.norm(count(c, "c", 1)))
 
     def constants(self, levels: int = 4) -> Constants:
         """The constants for c = 1, …, levels.
@@ -276,7 +405,7 @@ class Scheme:
         >>> Scheme("chaikin").constants(1).displacement
         Fraction(1, 4)
         """
-        each = range(1, levels + 1)
+        each = range(1, count(levels, "levels") + 1)
         return Constants(
             [self.contraction(c) for c in each],
             [self.norm(c) for c in each],
@@ -340,7 +469,7 @@ class Scheme:
         True
         """
         if self._text is not None and (valence is not None or _native.is_ring(self._text)):
-            return of_vertex(self._text, valence)
+            return of_vertex(self._text, _valence(valence))
         if valence is not None:
             raise SubcertError(
                 "a mask has no valence", remedy="leave it out: valences are those of vertices and faces"
@@ -358,7 +487,7 @@ class Scheme:
                 "a mask has no spectrum of a vertex",
                 remedy='name rules around a vertex or on a face, such as "loop"',
             )
-        return spectrum(self._text, valence)
+        return spectrum(self._text, _valence(valence))
 
     def sector(self, faces: int, corner: bool = False) -> Sector:
         """The eigenvalues and stencils at a vertex with this many faces between two sharp edges, or at the boundary.
@@ -368,10 +497,10 @@ class Scheme:
         """
         if self._text is None:
             raise SubcertError("a mask has no sectors", remedy='name "catmull-clark" or "loop"')
-        return sector(self._text, faces, corner)
+        return sector(self._text, count(faces, "faces", 1), corner)
 
     @overload
-    def range(self, parameter: Optional[str] = None, levels: int = 4) -> List[Interval]: ...
+    def range(self, parameter: Optional[str] = None, levels: int = 4) -> Intervals: ...
 
     @overload
     def range(
@@ -384,7 +513,7 @@ class Scheme:
         levels: int = 4,
         *,
         smoothness: Optional[int] = None,
-    ) -> Union[List[Interval], SmoothRange]:
+    ) -> Union[Intervals, SmoothRange]:
         """Where in a parameter, which is left open, T_c < 1 for some c up to levels: differences
         shrink there, and the scheme converges. With ``smoothness``, where all limits are C^m.
 
@@ -401,9 +530,10 @@ class Scheme:
                 remedy="write the mask with its parameter in a scheme file",
             )
         parameter = parameter or self._parameter()
+        levels = count(levels, "levels", 1)
         if smoothness is not None:
             inside, outside, exceptions, gap = _native.smooth_range(
-                self._text, parameter, smoothness, levels
+                self._text, parameter, count(smoothness, "smoothness"), levels
             )
             return SmoothRange(
                 [_interval(one) for one in inside],
@@ -412,7 +542,7 @@ class Scheme:
                 pair(gap),
             )
         _, union = _native.parameter_range(self._text, parameter, levels)
-        return [_interval((ends, False, False)) for ends in union]
+        return Intervals(_interval((ends, False, False)) for ends in union)
 
     def _parameter(self) -> str:
         names = _native.open_names(self._text or "")
@@ -423,14 +553,14 @@ class Scheme:
             remedy='name one, as in Scheme("four-point").range("w")',
         )
 
-    def certify(self, levels: int = 4) -> List[Quantity]:
+    def certify(self, levels: int = 4) -> Quantities:
         """All constants in floating point, beside their exact values and proven bounds.
 
         >>> all(x.bound is None or x.error <= x.bound for x in Scheme("chaikin").certify(2))
         True
         """
-        quantities = self._native.certify(levels)
-        return [Quantity(name, value, coprime(*p), bound) for name, value, p, bound in quantities]
+        quantities = self._native.certify(count(levels, "levels"))
+        return Quantities(Quantity(name, value, coprime(*p), bound) for name, value, p, bound in quantities)
 
     def refine(self, points: Any, levels: int = 1, *, closed: bool = True) -> Refined:
         """The polygon after some levels: numbers, points as tuples, or a numpy array of either.
@@ -441,7 +571,7 @@ class Scheme:
         [Fraction(1, 1), Fraction(3, 1), Fraction(4, 1), Fraction(4, 1), Fraction(3, 1), Fraction(1, 1), Fraction(0, 1), Fraction(0, 1)]
         """
         coordinates, tuples, array = _coordinates(points)
-        native = self._native.refine(coordinates, levels, closed)
+        native = self._native.refine(coordinates, count(levels, "levels"), closed)
         columns = [[coprime(*x) for x in column] for column in native]
         floats = [[_native.nearest(x) for x in column] for column in columns]
         pairs = (p for column, other in zip(columns, floats) for p in zip(column, other))
@@ -460,8 +590,23 @@ class Scheme:
     def __repr__(self) -> str:
         if self._text is not None:
             return f"Scheme({self._text!r})"
+        [(given, offset)] = self._native.masks
+        if sum(x.bit_length() for row in given for pair in row for x in pair) > 400:
+            return f"Scheme(mask of {len(given)} rules with {max(map(len, given))} coefficients, offset={offset})"
         rows = [[str(x) for x in row] for row in self.masks[0]]
-        return f"Scheme(mask={rows}, offset={self.offsets[0]})"
+        return f"Scheme(mask={rows}, offset={offset})"
+
+
+def _rebuilt(kind: Any, text: Optional[str], masks: Any) -> Scheme:
+    """A scheme from what ``__reduce__`` gives."""
+    scheme = kind.__new__(kind)
+    scheme._text, scheme._key = text, None
+    scheme._known = None if masks is None else _native._Native.of_masks(masks)
+    return scheme
+
+
+def _valence(valence: Optional[int]) -> Optional[int]:
+    return None if valence is None else count(valence, "valence", 1)
 
 
 def schemes() -> List[str]:

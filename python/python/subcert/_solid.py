@@ -19,7 +19,7 @@ from ._geometry import (
     rows_of,
     surface_depth_of,
 )
-from ._numbers import Number
+from ._numbers import Number, count
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,9 @@ def refine_solid(points: Any, cells: Sequence[Sequence[int]], levels: int = 1) -
     >>> len(refine_solid(cube, [[0, 1, 3, 2, 4, 5, 7, 6]], 2).cells)
     64
     """
-    refined, hexahedra = _native.solid_refine(_points(points), _cells(cells), levels)
+    refined, hexahedra = _native.solid_refine(
+        _points(points), _cells(cells), count(levels, "levels")
+    )
     return RefinedSolid(as_given(refined, points, (len(refined),)), [list(cell) for cell in hexahedra])
 
 

@@ -62,6 +62,10 @@ impl NetInput<'_> {
 pub(crate) fn failure(error: NetError) -> Failure {
     match error {
         NetError::Scheme(error) => error.into(),
+        NetError::TooFew { direction, .. } => {
+            let closed = if direction == 0 { "u" } else { "v" };
+            Failure::Input(format!("{error} with --closed {closed}"))
+        }
         error => Failure::Input(error.to_string()),
     }
 }

@@ -39,8 +39,8 @@ pub enum NetError {
     /// An open net that determines no piece of the surface.
     #[error(
         "the net has {found} {}, and one piece of the surface of this scheme depends on {needed}: \
-         add {0}, or close the net in this direction with --closed {1}",
-        things(*.direction), if *.direction == 0 { "u" } else { "v" }
+         add {0}, or close the net in this direction",
+        things(*.direction)
     )]
     TooFew {
         /// 0: from row to row; 1: along the rows.

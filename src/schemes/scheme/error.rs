@@ -59,7 +59,7 @@ pub enum SchemeError {
     Reference(#[from] ReferenceError),
     /// There is no scheme of this name.
     #[error(
-        "unknown scheme `{name}`{}; the command line also takes the path of a .toml file, or a mask such as `[1, 3, 3, 1]/4`",
+        "unknown scheme `{name}`{}; a scheme may also be the path of a .toml file, or a mask such as `[1, 3, 3, 1]/4`",
         names(.name, .known.iter().map(String::as_str))
     )]
     Unknown {

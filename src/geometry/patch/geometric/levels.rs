@@ -30,7 +30,7 @@ pub(crate) fn check<E: TooMuch>(
     }
     Err(E::too_much(format!(
         "as a distance of sets, a tolerance is at least 2^-{LEAST_SHARE} of the diagonal of the box around the \
-         {what}; take a greater one, or --distance parametric"
+         {what}; take a greater one, or compare at equal parameters"
     )))
 }
 
@@ -176,7 +176,7 @@ pub(crate) trait Levels {
 fn too_many() -> String {
     format!(
         "the tolerance needs more than {MAX_LEVEL} levels as a distance of sets, or is too near to call; take a \
-         greater one, or --distance parametric"
+         greater one, or compare at equal parameters"
     )
 }
 
