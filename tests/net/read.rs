@@ -51,7 +51,7 @@ fn errors_have_a_place_and_a_remedy() {
         ("[[[0,0,0],[1,0,0]],[[0,1,0]]]", 1, 20, "1 points, and the first row has 2"),
         ("[[0,0,0],[1,0,0]]", 1, 3, "invalid type"),
         ("{\"points\": [], \"close\": \"u\"}", 1, 25, "no field `close`"),
-        ("{\"points\": [[[0,0,null]]]}", 1, 19, "no number"),
+        ("{\"points\": [[[0,0,null]]]}", 1, 19, "neither a number nor a string"),
         ("{\"closed\": \"u\", \"closed\": \"v\"}", 1, 27, "`closed` stands twice"),
     ];
     for (text, line, column, part) in cases {
