@@ -196,6 +196,8 @@ impl Axis {
 pub enum Cell {
     /// The source at hand has lost it.
     Lost,
+    /// Nothing is printed there.
+    Blank,
     /// It is printed.
     Printed(Printed),
 }
@@ -206,7 +208,7 @@ impl Cell {
     pub fn printed(&self) -> Option<&Printed> {
         match self {
             Cell::Printed(printed) => Some(printed),
-            Cell::Lost => None,
+            Cell::Lost | Cell::Blank => None,
         }
     }
 }
@@ -216,7 +218,7 @@ impl Cell {
 pub struct Printed {
     /// The text as transcribed.
     pub text: String,
-    /// The number that is read from it.
+    /// The number that is read from it; a fraction is exact.
     pub decimal: Decimal,
     /// Why that number is not the text, where they differ.
     pub note: Option<String>,

@@ -124,7 +124,8 @@ impl CellFinding {
             }
             Verdict::NotCheckable(missing) => {
                 // A lost cell has no other cause.
-                let missing = self.printed.as_ref().map_or(&Missing::Cell, |_| missing);
+                let is_lost = self.printed.is_none() && *missing != Missing::Number;
+                let missing = if is_lost { &Missing::Cell } else { missing };
                 (CellStanding::NotCheckable, Some(Cause::Missing(missing.clone())))
             }
         };

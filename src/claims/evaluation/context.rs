@@ -158,10 +158,10 @@ impl<'a> TableContext<'a> {
         self.table.axes().any(|axis| self.tolerance(axis))
     }
 
-    /// The printed number of a cell; `None` where it is lost.
+    /// The printed number of a cell; `None` where there is none.
     pub(crate) fn printed(&self, at: CellReading<'_>) -> Option<Rational> {
         match &self.table.cells[at.row][at.column] {
-            Cell::Lost => None,
+            Cell::Lost | Cell::Blank => None,
             Cell::Printed(printed) => Some(printed.decimal.value()),
         }
     }

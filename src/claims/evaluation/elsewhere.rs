@@ -135,7 +135,7 @@ impl Evaluator<'_> {
         let row = other.rows.as_ref().map_or(Some(0), place)?;
         match other.cells.get(row)?.get(place(&other.columns)?)? {
             Cell::Printed(printed) => Some(printed.decimal.value()),
-            Cell::Lost => None,
+            Cell::Lost | Cell::Blank => None,
         }
     }
 

@@ -132,6 +132,8 @@ impl fmt::Display for Slip {
 pub enum Missing {
     /// The source at hand has lost the cell.
     Cell,
+    /// Nothing is printed in the cell.
+    Number,
     /// The paper does not state these parameters.
     Parameters(Vec<String>),
     /// The value is beyond a cap of this program.
@@ -144,6 +146,7 @@ impl fmt::Display for Missing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Missing::Cell => f.write_str("the cell is lost"),
+            Missing::Number => f.write_str("nothing is printed there"),
             Missing::Parameters(names) => {
                 write!(f, "the paper does not state {}", names.join(", "))
             }
@@ -247,6 +250,18 @@ pub struct CellFinding {
 }
 
 impl CellFinding {
+    /// Whether nothing is printed in the cell.
+    #[must_use]
+    pub fn is_blank(&self) -> bool {
+        self.verdict == Verdict::NotCheckable(Missing::Number)
+    }
+
+    /// What is printed; `lost`, or a dash where nothing is.
+    #[must_use]
+    pub fn shown(&self) -> &str {
+        self.printed.as_deref().unwrap_or(if self.is_blank() { "—" } else { "lost" })
+    }
+
     /// Whether the printed number keeps its promise, by the exact distances or by the
     /// sound bound; `None` where there is none, or neither shows it.
     #[must_use]

@@ -85,7 +85,7 @@ impl Evaluator<'_> {
     ) -> Result<(), Diagnostic> {
         let Some(promise) = &self.table.promise else { return Ok(()) };
         let printed = match cell {
-            Cell::Lost => None,
+            Cell::Lost | Cell::Blank => None,
             Cell::Printed(printed) => Some(printed.decimal.value()),
         };
         if let (Some(printed), Some(exact)) = (&printed, &finding.exact) {

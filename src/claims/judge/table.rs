@@ -199,7 +199,7 @@ impl Evaluator<'_> {
     fn cell(&self, row: usize, column: usize) -> Result<CellFinding, Diagnostic> {
         let cell = &self.table.cells[row][column];
         let (printed, note) = match cell {
-            Cell::Lost => (None, None),
+            Cell::Lost | Cell::Blank => (None, None),
             Cell::Printed(printed) => (Some(printed.text.clone()), printed.note.clone()),
         };
         let mut finding = CellFinding {
@@ -207,7 +207,10 @@ impl Evaluator<'_> {
             locus: self.locus(row, column),
             printed,
             note,
-            verdict: Verdict::NotCheckable(Missing::Cell),
+            verdict: Verdict::NotCheckable(match cell {
+                Cell::Blank => Missing::Number,
+                _ => Missing::Cell,
+            }),
             exact: None,
             undefined: None,
             as_read: None,
@@ -235,7 +238,7 @@ impl Evaluator<'_> {
             }
             Outcome::Unstated(name) => finding.unknown = Some(name),
         }
-        if !needed.is_empty() {
+        if !needed.is_empty() && *cell != Cell::Blank {
             let names = needed.iter().cloned().collect();
             finding.verdict = Verdict::NotCheckable(Missing::Parameters(names));
         }

@@ -12,6 +12,9 @@ impl Reader<'_> {
     pub(super) fn sum(&mut self, depth: usize) -> Result<Expression, Diagnostic> {
         let mut left = self.product(depth)?;
         while let Some(Kind::Sign(sign @ ('+' | '-'))) = self.peek() {
+            if self.is_next_in_row() {
+                break;
+            }
             self.at += 1;
             left = self.operation(sign, left, |reader| reader.product(depth))?;
         }
@@ -87,7 +90,10 @@ impl Reader<'_> {
 
     fn bracket(&mut self, depth: usize) -> Result<Expression, Diagnostic> {
         self.at += 1;
+        // Blanks part nothing within round brackets.
+        let in_row = std::mem::take(&mut self.in_row);
         let inner = self.sum(depth + 1)?;
+        self.in_row = in_row;
         if self.peek() != Some(Kind::Sign(')')) {
             return Err(self.wrong("`)` is missing".to_owned()));
         }
@@ -100,8 +106,12 @@ impl Reader<'_> {
             _ if !self.language.converts()[1] => None,
             // In Python, float is a double.
             "float" if self.language == Language::Python => Some(Precision::Double),
-            "float" => Some(Precision::Single),
-            "double" if self.language != Language::Python => Some(Precision::Double),
+            "single" if self.language == Language::Matlab => Some(Precision::Single),
+            "f32" if self.language == Language::Wgsl => Some(Precision::Single),
+            "float" if self.language.is_native() => Some(Precision::Single),
+            "double" if self.language.is_native() || self.language == Language::Matlab => {
+                Some(Precision::Double)
+            }
             _ => None,
         }
     }

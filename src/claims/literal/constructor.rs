@@ -46,11 +46,15 @@ impl Reader<'_> {
         }
         open += usize::from(self.language == Language::Rust && self.text(open) == "!");
         let name: String = (name_begins..open).map(|at| self.text(at)).collect();
+        let (open, of_template) = self.template(open);
         let after_size = self.size(open);
         let sized = after_size.is_some();
         let open = after_size.unwrap_or(open);
         let calls = match self.text(open) {
-            "(" => !(self.cast(self.at).is_some() && open == self.at + 1),
+            "(" => {
+                let converts = self.cast(self.at).is_some() && open == self.at + 1;
+                !converts || self.language == Language::Matlab && self.text(open + 1) == "["
+            }
             "{" => true,
             "[" => name.ends_with('!'),
             _ => false,
@@ -60,11 +64,34 @@ impl Reader<'_> {
         }
         let braces = self.text(open) == "{";
         match known(self.language, &name, new == 1, sized, braces) {
-            Some((holds, element)) => Ok(Some(Constructor { holds, element, open })),
+            Some((holds, element)) => {
+                Ok(Some(Constructor { holds, element: element.or(of_template), open }))
+            }
             None => Err(self.wrong(format!(
                 "a call of `{name}`: what it makes of the numbers in it is not computed"
             ))),
         }
+    }
+
+    /// The bracket behind `<…>` of WGSL, and the type of numbers that it names.
+    fn template(&self, open: usize) -> (usize, Option<Element>) {
+        if self.language != Language::Wgsl || self.text(open) != "<" {
+            return (open, None);
+        }
+        let (mut at, mut depth, mut found) = (open, 0_usize, None);
+        while let Some(kind) = self.kind(at) {
+            match kind {
+                Kind::Sign('<') => depth += 1,
+                Kind::Sign('>') => depth -= 1,
+                Kind::Name => found = element(self.text(at), self.language).map(|(one, _)| one).or(found),
+                _ => {}
+            }
+            at += 1;
+            if depth == 0 {
+                break;
+            }
+        }
+        (at, found)
     }
 
     /// The bracket behind the size, as in `float[7](…)`.
@@ -92,14 +119,18 @@ impl Reader<'_> {
         if constructor.holds == Holds::List {
             let number = !matches!(self.text(self.at + 1), "[" | "(" | "{")
                 && self.kind(self.at + 1) != Some(Kind::Name);
-            let several = self.commas(self.at);
-            if number || several > 0 {
+            let several = self.commas(self.at) > 0 && self.language != Language::Python;
+            if number || several {
                 let name: String = name.map(|at| self.text(at)).collect();
                 return Err(self.wrong(format!("`{name}` is read with one list in it only")));
             }
         }
         let before = entries.len();
-        self.group(entries, depth)?;
+        if constructor.holds == Holds::List && self.language == Language::Python {
+            self.list_and_type(entries, depth)?;
+        } else {
+            self.group(entries, depth)?;
+        }
         let found = entries.len() - before;
         match constructor.holds {
             Holds::Exactly(wanted) if found != wanted => {
@@ -109,6 +140,59 @@ impl Reader<'_> {
             }
             _ => Ok(()),
         }
+    }
+}
+
+impl Reader<'_> {
+    /// `([…])`, and the type behind the list of numpy: `([…], dtype=np.float64)`, also without `dtype=`.
+    fn list_and_type(&mut self, entries: &mut Vec<Entry>, depth: usize) -> Result<(), Diagnostic> {
+        self.at += 1;
+        self.group(entries, depth + 1)?;
+        if self.text(self.at) == "," && self.text(self.at + 1) != ")" {
+            self.at += 1;
+            if self.text(self.at) == "dtype" && self.text(self.at + 1) == "=" {
+                self.at += 2;
+            }
+            let begins = self.at;
+            while self.kind(self.at) == Some(Kind::Name) && self.text(self.at + 1) == "." {
+                self.at += 2;
+            }
+            // `'float32'` and `"<f4"` too.
+            let word = self.text(self.at).trim_matches(['"', '\'', '<', '>', '=']);
+            let known = match word {
+                "f4" => Some(Element::Float(Precision::Single)),
+                "f8" | "d" => Some(Element::Float(Precision::Double)),
+                _ => numpy(word).or_else(|| element(word, self.language).map(|(one, _)| one)),
+            };
+            let Some(known) = known else {
+                self.at = begins;
+                return Err(self.wrong(format!(
+                    "`{}` is no type of numbers that is read: write one such as dtype=np.float64",
+                    self.text(begins)
+                )));
+            };
+            let span = self.span();
+            self.types.push((known, span));
+            self.at += 1;
+        }
+        self.at += usize::from(self.text(self.at) == ",");
+        if self.text(self.at) != ")" {
+            return Err(self.wrong(format!(
+                "`{}`: behind the list, only its type is read, as dtype=np.float64",
+                self.text(self.at)
+            )));
+        }
+        self.at += 1;
+        Ok(())
+    }
+}
+
+/// The floats of numpy that only it calls so.
+fn numpy(word: &str) -> Option<Element> {
+    match word {
+        "single" => Some(Element::Float(Precision::Single)),
+        "double" | "float_" => Some(Element::Float(Precision::Double)),
+        _ => None,
     }
 }
 
@@ -124,7 +208,7 @@ fn known(
     let single = Some(Element::Float(Precision::Single));
     let last = name.rsplit(':').next().unwrap_or_default();
     match language {
-        Language::C | Language::Shader => {
+        Language::C | Language::Shader | Language::Hlsl => {
             if let "std::array" | "std::vector" | "std::initializer_list" = name {
                 return braces.then_some((Holds::Numbers, None));
             }
@@ -165,6 +249,22 @@ fn known(
                 _ => None,
             }
         }
+        Language::Wgsl => {
+            if name == "array" {
+                return Some((Holds::Numbers, None));
+            }
+            if let Some((element, count)) = element(name, language).filter(|(_, count)| *count > 1) {
+                return Some((Holds::Exactly(count), Some(element)));
+            }
+            let size = name.strip_prefix("vec").or_else(|| name.strip_prefix("mat"))?;
+            let count = count(size, false).filter(|_| !size.is_empty())?;
+            Some((Holds::Exactly(count), None))
+        }
+        Language::Matlab => match name {
+            "single" => Some((Holds::List, single)),
+            "double" => Some((Holds::List, double)),
+            _ => None,
+        },
         Language::Rust => match name {
             "vec!" => Some((Holds::Numbers, None)),
             "Vec::from" | "Box::new" => Some((Holds::List, None)),

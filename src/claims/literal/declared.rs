@@ -37,7 +37,7 @@ pub(super) fn element(word: &str, language: Language) -> Option<(Element, usize)
     let bits = |rest: &str| rest.strip_suffix("_t").unwrap_or(rest).parse().ok();
     match (typed.unwrap_or(word), language) {
         ("Float32", Language::JavaScript)
-        | ("f32", Language::Rust)
+        | ("f32", Language::Rust | Language::Wgsl)
         | ("float32" | "float32_t" | "GLfloat" | "single", _) => return Some((single, 1)),
         ("Float64", Language::JavaScript)
         | ("f64", Language::Rust)
@@ -45,7 +45,7 @@ pub(super) fn element(word: &str, language: Language) -> Option<(Element, usize)
         | ("float64" | "float64_t" | "GLdouble", _) => return Some((double, 1)),
         ("auto", Language::C) => return Some((Deduced, 1)),
         (
-            "lowp" | "mediump" | "bool" | "_Bool" | "fixed" | "f16" | "bf16" | "Float16"
+            "lowp" | "mediump" | "min16float" | "min10float" | "bool" | "_Bool" | "fixed" | "f16" | "bf16" | "Float16"
             | "_Float16" | "__half" | "__fp16" | "float16" | "float16_t" | "__float128"
             | "_Float128" | "_Complex" | "Uint8Clamped",
             _,
@@ -58,7 +58,7 @@ pub(super) fn element(word: &str, language: Language) -> Option<(Element, usize)
             let begins = ["uint", "Uint", "BigUint", "u", "int", "Int", "BigInt", "i"];
             let found = begins.iter().find_map(|begin| {
                 let bits: u32 = bits(word.strip_prefix(begin)?)?;
-                if begin.len() == 1 && language != Language::Rust {
+                if begin.len() == 1 && !matches!(language, Language::Rust | Language::Wgsl) {
                     return None;
                 }
                 Some((bits, begin.to_ascii_lowercase().contains('u')))
@@ -74,10 +74,23 @@ pub(super) fn element(word: &str, language: Language) -> Option<(Element, usize)
 /// Numbers, vectors and matrices of C and of shaders.
 fn vector(word: &str, language: Language) -> Option<(Element, usize)> {
     use Element::{Float, Other, Whole};
-    if !matches!(language, Language::C | Language::Shader) {
+    let [single, double] = [Float(Precision::Single), Float(Precision::Double)];
+    if language == Language::Wgsl {
+        // `vec3f`, `mat2x2h`
+        let last = word.chars().next_back()?;
+        let element = match last {
+            'f' => single,
+            'h' => Other,
+            'i' | 'u' => Whole { bits: 32, signed: last == 'i' },
+            _ => return None,
+        };
+        let size = word.strip_suffix(last)?;
+        let size = size.strip_prefix("vec").or_else(|| size.strip_prefix("mat"))?;
+        return count(size, false).filter(|_| !size.is_empty()).map(|n| (element, n));
+    }
+    if !language.is_native() {
         return None;
     }
-    let [single, double] = [Float(Precision::Single), Float(Precision::Double)];
     let integers = |signed| Whole { bits: 32, signed };
     let shader = language == Language::Shader;
     let begins = [
@@ -128,12 +141,12 @@ pub(super) fn declared(
     begin: usize,
 ) -> Vec<Typed> {
     let range = match language {
-        Language::C | Language::Shader => statement(tokens, at)..at,
-        Language::Rust | Language::JavaScript => at + 1..begin,
-        // An annotation converts nothing.
-        Language::Python => return Vec::new(),
+        _ if language.is_native() => statement(tokens, at)..at,
+        // An annotation of Python converts nothing.
+        Language::Python | Language::Matlab => return Vec::new(),
+        _ => at + 1..begin,
     };
-    let native = matches!(language, Language::C | Language::Shader);
+    let native = language.is_native();
     let mut found = Vec::new();
     // Neither sizes nor other names' values count.
     let (mut inside, mut size, mut value) = (0_usize, false, false);

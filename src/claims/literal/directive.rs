@@ -1,8 +1,10 @@
 //! Lines for the preprocessor.
 
-use super::token::{Kind, Token};
-use crate::diagnostic::SourceText;
+use super::language::Language;
+use super::token::{Kind, Token, Tokens};
+use crate::diagnostic::{Diagnostic, SourceText};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// The words of a line for the preprocessor: `#ifndef A` gives `ifndef` and `A`.
 pub(super) fn words<'a>(source: &'a SourceText, token: &Token) -> Vec<&'a str> {
@@ -53,4 +55,79 @@ pub(super) fn conditional(
         }
     }
     open.into_iter().rev().find(|(_, guard)| !guard).map(|(span, _)| span)
+}
+
+/// A macro with a value.
+pub(super) struct Macro {
+    /// Its line among the words of the file.
+    pub(super) at: usize,
+    /// Its name.
+    pub(super) name: Range<usize>,
+    /// The words of its value.
+    pub(super) tokens: Vec<Token>,
+}
+
+/// The macros of this name that have a value: `#define W0 0.0625`.
+///
+/// # Errors
+/// When a macro of this name has arguments, or is removed, or a sum or product in it is in no brackets: what it is
+/// depends on what stands beside it where it is used.
+pub(super) fn macros(
+    source: &Arc<SourceText>,
+    language: Language,
+    tokens: &[Token],
+    name: &str,
+) -> Result<Vec<Macro>, Diagnostic> {
+    let mut macros = Vec::new();
+    for (at, token) in tokens.iter().enumerate().filter(|(_, token)| token.kind == Kind::Directive) {
+        let kind = match words(source, token)[..] {
+            [kind @ ("define" | "undef"), first, ..] if first == name => kind,
+            _ => continue,
+        };
+        let line = &source.text[token.span.clone()];
+        let begin = line.find(kind).unwrap_or(0) + kind.len();
+        let begin = token.span.start + begin + line[begin..].find(name).unwrap_or(0);
+        let span = begin..begin + name.len();
+        let wrong = |message: String| {
+            Err(Diagnostic::new(source, span.clone(), message).with_help(
+                "type the numbers that the program holds into the claim file, as `cells`",
+            ))
+        };
+        if kind == "undef" {
+            return wrong(format!("the macro `{name}` is removed here"));
+        }
+        if source.text[span.end..token.span.end].starts_with('(') {
+            return wrong(format!("the macro `{name}` has arguments"));
+        }
+        let mut inner = Tokens::of_macro(source, language, span.end..token.span.end);
+        let mut value = Vec::new();
+        while let Some(token) = inner.next()? {
+            value.push(token);
+        }
+        if is_open(&value) {
+            return wrong(format!(
+                "the value of `{name}` is in no brackets, so that what stands beside it where it is used comes first"
+            ));
+        }
+        if !value.is_empty() {
+            macros.push(Macro { at, name: span, tokens: value });
+        }
+    }
+    Ok(macros)
+}
+
+/// Whether a sign of arithmetic stands between two values outside all brackets.
+fn is_open(tokens: &[Token]) -> bool {
+    let mut depth = 0_usize;
+    tokens.iter().enumerate().any(|(at, token)| {
+        match token.kind {
+            Kind::Sign('(' | '[' | '{') => depth += 1,
+            Kind::Sign(')' | ']' | '}') => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        let sign = matches!(token.kind, Kind::Sign('+' | '-' | '*' | '/'));
+        let before = at.checked_sub(1).map(|before| tokens[before].kind);
+        let value = matches!(before, Some(Kind::Number | Kind::Name | Kind::Sign(')')));
+        depth == 0 && sign && value
+    })
 }

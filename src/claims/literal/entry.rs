@@ -60,6 +60,13 @@ impl Entry {
         }
     }
 
+    /// Whether a table of this precision gets another number where the compiler rounds literals to doubles first, as those of HLSL and
+    /// WGSL may.
+    #[must_use]
+    pub fn depends_on_compiler(&self, precision: Precision) -> bool {
+        self.expression.depends_on_compiler(precision)
+    }
+
     /// Whether it has a `long double` that is no double: what a table of floating-point numbers gets depends on the machine.
     #[must_use]
     pub fn depends_on_machine(&self) -> bool {

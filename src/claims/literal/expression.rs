@@ -30,6 +30,8 @@ enum Held {
     Single(f32),
     Double(f64),
     Long(Rational),
+    /// A literal without a type, which is that of the numbers beside it.
+    Literal(f64),
 }
 
 impl Expression {
@@ -87,6 +89,12 @@ impl Expression {
         }
     }
 
+    /// Whether a table of this precision gets another number where the compiler rounds literals to doubles first.
+    pub(super) fn depends_on_compiler(&self, precision: Precision) -> bool {
+        let [narrow, wide] = [false, true].map(|wide| self.evaluate(precision, wide).to(precision));
+        narrow.to_bits() != wide.to_bits()
+    }
+
     /// Whether the number that a table of floating-point numbers gets depends on the machine: a `long double` is rounded to
     /// 53, 64 or 113 binary digits before.
     pub(super) fn depends_on_machine(&self) -> bool {
@@ -126,30 +134,35 @@ impl Expression {
 
     /// The value that a table of this precision gets.
     pub(super) fn held(&self, precision: Precision) -> f64 {
-        self.evaluate(precision).to(precision)
+        self.evaluate(precision, false).to(precision)
     }
 
-    fn evaluate(&self, table: Precision) -> Held {
+    /// The value; `wide` where the compiler rounds literals that may be either to doubles.
+    fn evaluate(&self, table: Precision, wide: bool) -> Held {
         match self {
             Expression::Number(number) => match number.kind {
                 Type::Integer(_) => Held::Integer(number.value.clone()),
                 Type::Long => Held::Long(number.value.clone()),
                 Type::Float(precision) => Held::new(&number.value, precision),
                 Type::Table => Held::new(&number.value, table),
+                Type::Either { .. } if !wide => Held::new(&number.value, Precision::Single),
+                Type::Either { typed: true } => Held::Single(single(nearest(&number.value))),
+                Type::Either { typed: false } => Held::Literal(nearest(&number.value)),
             },
             Expression::Whole(whole) => Held::Integer(whole.value.clone().into()),
-            Expression::Minus(inner) => match inner.evaluate(table) {
+            Expression::Minus(inner) => match inner.evaluate(table, wide) {
                 Held::Integer(value) => Held::Integer(-value),
                 Held::Single(value) => Held::Single(-value),
                 Held::Double(value) => Held::Double(-value),
                 Held::Long(value) => Held::Long(-value),
+                Held::Literal(value) => Held::Literal(-value),
             },
             Expression::Cast(precision, inner) => {
-                let value = inner.evaluate(table).to(*precision);
+                let value = inner.evaluate(table, wide).to(*precision);
                 Held::rounded(value, *precision)
             }
             Expression::Operation { sign, sides } => {
-                compute(*sign, &sides[0].evaluate(table), &sides[1].evaluate(table))
+                compute(*sign, &sides[0].evaluate(table, wide), &sides[1].evaluate(table, wide))
             }
         }
     }
@@ -158,7 +171,7 @@ impl Expression {
 impl Language {
     /// Whether a quotient of integers is an integer.
     fn truncates(self) -> bool {
-        matches!(self, Language::C | Language::Shader)
+        self.is_native() || self == Language::Wgsl
     }
 }
 
@@ -184,8 +197,10 @@ impl Held {
             }
             (Held::Integer(value) | Held::Long(value), Precision::Double) => nearest(value),
             (Held::Single(value), _) => f64::from(*value),
-            (Held::Double(value), Precision::Single) => f64::from(single(*value)),
-            (Held::Double(value), Precision::Double) => *value,
+            (Held::Double(value) | Held::Literal(value), Precision::Single) => {
+                f64::from(single(*value))
+            }
+            (Held::Double(value) | Held::Literal(value), Precision::Double) => *value,
         }
     }
 }
@@ -202,14 +217,16 @@ fn compute(sign: char, left: &Held, right: &Held) -> Held {
         (Held::Integer(x), Held::Integer(y)) => {
             Held::Double(operate(sign, x.clone(), y.clone()).as_ref().map_or(f64::NAN, nearest))
         }
-        (Held::Single(_), Held::Single(_) | Held::Integer(_))
-        | (Held::Integer(_), Held::Single(_)) => {
+        (Held::Single(_), Held::Single(_) | Held::Integer(_) | Held::Literal(_))
+        | (Held::Integer(_) | Held::Literal(_), Held::Single(_)) => {
             // With 24 bits of 53, one operation in f64 and one rounding give the right f32.
             let [x, y] = [left.to(Precision::Single), right.to(Precision::Single)];
             Held::Single(single(arithmetic(sign, x, y)))
         }
         _ => {
-            Held::Double(arithmetic(sign, left.to(Precision::Double), right.to(Precision::Double)))
+            let value = arithmetic(sign, left.to(Precision::Double), right.to(Precision::Double));
+            let typed = [left, right].iter().any(|side| matches!(side, Held::Double(_)));
+            if typed { Held::Double(value) } else { Held::Literal(value) }
         }
     }
 }

@@ -9,12 +9,19 @@ pub enum Language {
     C,
     /// GLSL: a literal without a suffix is a float.
     Shader,
+    /// HLSL, Metal and OpenCL: it depends on the compiler whether a literal without a suffix is rounded to a double before it
+    /// becomes a float.
+    Hlsl,
+    /// WGSL: all numbers are floats, but a compiler may round a literal to a double first.
+    Wgsl,
     /// JavaScript and TypeScript: every number is a double.
     JavaScript,
     /// Python 3: `1/6` is a double.
     Python,
     /// Rust: a literal has the type of the table.
     Rust,
+    /// MATLAB and Octave: every literal is a double.
+    Matlab,
 }
 
 /// The type of the numbers in a table.
@@ -49,23 +56,9 @@ impl Language {
             "js" | "mjs" | "cjs" | "ts" | "jsx" | "tsx" => Language::JavaScript,
             "py" | "pyi" => Language::Python,
             "rs" => Language::Rust,
-            "m" => {
-                return Err(
-                    "it is MATLAB, which is not read, or Objective-C, which is read as `c`",
-                );
-            }
-            "metal" | "hlsl" | "fx" => {
-                return Err(
-                    "it has no literals of doubles, and whether one without a suffix is rounded to a double \
-                            first depends on the compiler; `shader` rounds once",
-                );
-            }
-            "cl" => {
-                return Err(
-                    "whether a literal without a suffix is a double depends on the device; `c` says that it \
-                            is, `shader` that it is none",
-                );
-            }
+            "hlsl" | "hlsli" | "fx" | "fxh" | "metal" | "cl" => Language::Hlsl,
+            "wgsl" => Language::Wgsl,
+            "m" => return Err("it is MATLAB, `matlab`, or Objective-C, which is read as `c`"),
             "pyx" => {
                 return Err(
                     "whether a quotient of integers is cut depends on directives; `python` says that it is not",
@@ -79,7 +72,7 @@ impl Language {
     pub(super) fn separator(self) -> Option<char> {
         match self {
             Language::C => Some('\''),
-            Language::Shader => None,
+            Language::Shader | Language::Hlsl | Language::Wgsl | Language::Matlab => None,
             Language::JavaScript | Language::Python | Language::Rust => Some('_'),
         }
     }
@@ -87,18 +80,21 @@ impl Language {
     /// Whether `float` before a number, or its bracket, is a conversion: `(float)x` and `float(x)`.
     pub(super) fn converts(self) -> [bool; 2] {
         match self {
-            Language::C | Language::Shader => [true, true],
-            Language::Python => [false, true],
+            Language::C | Language::Shader | Language::Hlsl => [true, true],
+            Language::Python | Language::Wgsl | Language::Matlab => [false, true],
             Language::JavaScript | Language::Rust => [false, false],
         }
     }
 
-    /// The language of a name in a claim file: `c`, `shader`, `javascript`, `python` or `rust`.
+    /// The language of a name in a claim file: `c`, `shader`, `hlsl`, `wgsl`, `javascript`, `python`, `rust` or `matlab`.
     #[must_use]
     pub fn parse(name: &str) -> Option<Language> {
         Some(match name {
             "c" => Language::C,
             "shader" => Language::Shader,
+            "hlsl" => Language::Hlsl,
+            "wgsl" => Language::Wgsl,
+            "matlab" => Language::Matlab,
             "javascript" => Language::JavaScript,
             "python" => Language::Python,
             "rust" => Language::Rust,
@@ -106,18 +102,27 @@ impl Language {
         })
     }
 
-    /// Whether `#` begins a comment.
-    pub(super) fn has_hash_comments(self) -> bool {
-        self == Language::Python
+    /// The signs that begin a comment up to the end of its line. Octave has `#` too.
+    pub(super) fn line_comments(self) -> &'static [&'static str] {
+        match self {
+            Language::Python => &["#"],
+            Language::Matlab => &["%", "#"],
+            _ => &["//"],
+        }
     }
 
-    /// Whether `//` and `/*` begin comments.
-    pub(super) fn has_slash_comments(self) -> bool {
-        self != Language::Python
+    /// Whether `/*` begins a comment.
+    pub(super) fn has_block_comments(self) -> bool {
+        !matches!(self, Language::Python | Language::Matlab)
+    }
+
+    /// Whether a type stands before a name, and a list in braces.
+    pub(super) fn is_native(self) -> bool {
+        matches!(self, Language::C | Language::Shader | Language::Hlsl)
     }
 
     /// Whether a line that begins with `#` is for a preprocessor.
     pub(super) fn has_preprocessor(self) -> bool {
-        matches!(self, Language::C | Language::Shader)
+        self.is_native()
     }
 }

@@ -1,7 +1,7 @@
 //! Where the numbers of a table stand in a file.
 
 use super::declared::{Typed, declared, statement};
-use super::directive::{conditional, words};
+use super::directive::{Macro, conditional, macros, words};
 use super::language::Language;
 use super::place::{Place, Use};
 use super::token::{Kind, Token, Tokens};
@@ -33,10 +33,11 @@ pub(super) fn initialiser(
         all.push(token);
     }
     let text = |token: &Token| &source.text[token.span.clone()];
+    let macros = macros(source, language, &all, after)?;
     let named = |token: &Token| token.kind == Kind::Name && text(token) == after;
     let enclosed = enclosed(&all);
     let mut found: Vec<(usize, Range<usize>)> = Vec::new();
-    let mut uses = 0;
+    let mut uses = macros.len();
     for (at, token) in all.iter().enumerate().filter(|(_, token)| named(token)) {
         uses += 1;
         let place = Place { source, language, tokens: &all, name: at, enclosed: enclosed[at] };
@@ -52,7 +53,15 @@ pub(super) fn initialiser(
             None => {}
         }
     }
-    match found.len() {
+    let directives = |all: Vec<Token>| -> Vec<Token> {
+        all.into_iter().filter(|token| token.kind == Kind::Directive).collect()
+    };
+    match found.len() + macros.len() {
+        1 if found.is_empty() => {
+            let Macro { at, name, tokens } = macros.into_iter().next().expect("one");
+            not_conditional(source, &all, at, None)?;
+            Ok(Initialiser { tokens, name, types: Vec::new(), directives: directives(all) })
+        }
         1 => {
             let (at, range) = found.remove(0);
             is_compiled(source, language, &all, at)?;
@@ -60,7 +69,7 @@ pub(super) fn initialiser(
                 name: all[at].span.clone(),
                 types: declared(source, language, &all, at, range.start),
                 tokens: all[range].to_vec(),
-                directives: all.into_iter().filter(|token| token.kind == Kind::Directive).collect(),
+                directives: directives(all),
             })
         }
         0 if uses == 0 => {
@@ -77,9 +86,13 @@ pub(super) fn initialiser(
             Err(Diagnostic::new(source, first, message).with_help(help))
         }
         _ => {
-            let message = format!("`{after}` gets a value in {} places", found.len());
+            let places = found.iter().map(|(at, _)| all[*at].span.clone());
+            let mut places: Vec<Range<usize>> =
+                places.chain(macros.into_iter().map(|one| one.name)).collect();
+            places.sort_by_key(|place| place.start);
+            let message = format!("`{after}` gets a value in {} places", places.len());
             let help = "an audit needs one place: cut the file, or rename one of them";
-            let [first, second] = [0, 1].map(|place: usize| all[found[place].0].span.clone());
+            let [first, second] = [0, 1].map(|place: usize| places[place].clone());
             Err(Diagnostic::new(source, first, message)
                 .with_label("the first")
                 .with_place(second, "the second")
@@ -109,10 +122,17 @@ fn is_compiled(
             && matches!(words(source, before).first(), Some(&("endif" | "else" | "elif")))
             && tokens[start..at].iter().all(qualifies)
     });
-    let Some(span) = conditional(source, tokens, at).or(split.map(|token| token.span.clone()))
-    else {
-        return Ok(());
-    };
+    not_conditional(source, tokens, at, split.map(|token| token.span.clone()))
+}
+
+/// Refuses what a conditional of the preprocessor, open before a word or `other`, may leave out.
+fn not_conditional(
+    source: &Arc<SourceText>,
+    tokens: &[Token],
+    at: usize,
+    other: Option<Range<usize>>,
+) -> Result<(), Diagnostic> {
+    let Some(span) = conditional(source, tokens, at).or(other) else { return Ok(()) };
     let message = "whether this is compiled depends on a conditional of the preprocessor";
     Err(Diagnostic::new(source, tokens[at].span.clone(), message)
         .with_place(span.start..span.start + 1, "this one")

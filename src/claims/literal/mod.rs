@@ -1,7 +1,7 @@
 //! Tables of numbers in the source files of programs.
 //!
 //! Programs ship limit stencils, filter taps and weights as arrays of literals. [`read_literals`] finds such an
-//! array in a file of C, C++, CUDA, GLSL, HLSL, JavaScript, Python or Rust, and reads every number twice: exactly
+//! array in a file of C, C++, CUDA, GLSL, HLSL, WGSL, JavaScript, Python, Rust or MATLAB, or a macro, and reads every number twice: exactly
 //! as it is written, and as the program holds it ([`Entry::held`]), with the language's rules for suffixes and
 //! for sums and quotients of literals. What is no number, such as a macro, is refused with its line.
 //!

@@ -15,6 +15,8 @@ pub(super) enum Type {
     Table,
     /// A `long double`.
     Long,
+    /// A number that a compiler may round to a double first: a float then, or a literal that becomes what is needed.
+    Either { typed: bool },
 }
 
 /// A literal.
@@ -41,12 +43,19 @@ pub(super) fn number(text: &str, language: Language) -> Result<Number, String> {
         return Err("a separator of digits stands where the language has none".to_owned());
     }
     let plain: String = text.chars().filter(|&c| Some(c) != language.separator()).collect();
-    let lower = plain.to_ascii_lowercase();
+    let mut lower = plain.to_ascii_lowercase();
+    if language == Language::Matlab {
+        // `1d-3`
+        lower = lower.replace('d', "e");
+    }
     let (body, base) = match lower.strip_prefix("0x") {
         Some(body) => (body, 16),
         None => (lower.as_str(), 10),
     };
     let parts = Parts::read(body, base).ok_or_else(|| "this is no number".to_owned())?;
+    if base == 16 && language == Language::Matlab {
+        return Err("a number in hexadecimal has a type of integers here".to_owned());
+    }
     if base == 16 && language != Language::C && (parts.has_point || parts.has_exponent) {
         return Err("in hexadecimal, the language has integers only".to_owned());
     }
@@ -54,6 +63,7 @@ pub(super) fn number(text: &str, language: Language) -> Result<Number, String> {
     let mixed = match language {
         Language::C => suffix.contains("lL") || suffix.contains("Ll"),
         Language::Shader => suffix == "lF" || suffix == "Lf",
+        Language::Hlsl | Language::Matlab => false,
         // The prefix of hexadecimal too.
         _ => suffix != parts.suffix || language == Language::Rust && plain.starts_with("0X"),
     };
@@ -106,18 +116,20 @@ fn separators_are_right(text: &str, language: Language) -> bool {
 
 /// The type that a suffix gives; `None` of an integer. In JavaScript, all numbers are doubles.
 fn kind(suffix: &str, whole: bool, language: Language) -> Result<Option<Type>, String> {
-    use Language::{C, JavaScript, Python, Rust, Shader};
+    use Language::{C, Hlsl, JavaScript, Matlab, Python, Rust, Shader, Wgsl};
     let single = Ok(Some(Type::Float(Precision::Single)));
     let double = Ok(Some(Type::Float(Precision::Double)));
     match (suffix, language) {
         ("", Rust) => Ok(Some(Type::Table)),
-        ("", JavaScript) => double,
+        ("", JavaScript | Matlab) => double,
         ("", _) if whole => Ok(None),
         ("", Shader) | ("f32", Rust) => single,
-        ("f", C | Shader) if !whole || language == Shader => single,
+        ("f", C | Shader | Hlsl) if !whole || language != C => single,
         ("", C | Python) | ("lf", Shader) | ("f64", Rust) => double,
+        ("l", Hlsl) if !whole => double,
+        ("" | "f", Hlsl | Wgsl) => Ok(Some(Type::Either { typed: suffix == "f" })),
         ("l", C) if !whole => Ok(Some(Type::Long)),
-        ("u" | "l" | "ul" | "lu" | "ll" | "ull" | "llu", C) | ("u", Shader) if whole => Ok(None),
+        ("u" | "l" | "ul" | "lu" | "ll" | "ull" | "llu", C) | ("u", Shader | Hlsl) if whole => Ok(None),
         _ => Err(format!("the suffix `{suffix}` is not one of numbers here")),
     }
 }

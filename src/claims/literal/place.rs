@@ -62,7 +62,11 @@ impl Place<'_> {
     /// Whether a line ends before this word, but for `\` in Python.
     fn on_next_line(&self, at: usize) -> bool {
         let between = &self.source.text[self.tokens[at - 1].span.end..self.tokens[at].span.start];
-        let continued = self.language == Language::Python && between.trim_start().starts_with('\\');
+        let continued = match self.language {
+            Language::Python => between.trim_start().starts_with('\\'),
+            Language::Matlab => between.contains("..."),
+            _ => false,
+        };
         between.contains('\n') && !continued
     }
 
@@ -90,7 +94,7 @@ impl Place<'_> {
     fn ends(&self, at: usize) -> bool {
         self.on_next_line(at)
             && match self.language {
-                Language::Python => !self.enclosed,
+                Language::Python | Language::Matlab => !self.enclosed,
                 Language::JavaScript => !self.goes_on(at),
                 _ => false,
             }
@@ -121,6 +125,7 @@ impl Place<'_> {
             (Language::Python, ":" | ";") => true,
             (Language::Python, "=") => !compares,
             (Language::Python, _) => self.on_next_line(first),
+            (Language::Matlab, "for" | "parfor") => false,
             (_, before) => !matches!(before, "case" | "?"),
         }
     }
@@ -132,13 +137,44 @@ impl Place<'_> {
         self.joined(equal) && self.sign(equal) == Some('=')
     }
 
+    /// As [`used`](Self::used): `w = …` gives a value, and `w(2) = …`, `w += …` and `[w, v] = …` change it.
+    fn used_in_matlab(&self) -> Option<Use> {
+        let is_assigned = |at: usize| {
+            self.sign(at) == Some('=') && !(self.joined(at + 1) && self.sign(at + 1) == Some('='))
+        };
+        let next = self.name + 1;
+        if !self.enclosed && is_assigned(next) {
+            return Some(Use::Value(next + 1));
+        }
+        let mut depth = 0_usize;
+        for at in next..self.tokens.len() {
+            match self.tokens[at].kind {
+                _ if depth == 0 && !self.enclosed && self.on_next_line(at) => return None,
+                Kind::Sign('(' | '{' | '[') => depth += 1,
+                Kind::Sign(')' | '}' | ']') if depth > 1 => depth -= 1,
+                Kind::Sign(')' | '}' | ']') if depth == 1 && self.enclosed => depth = 0,
+                Kind::Sign(')' | '}' | ']') => return is_assigned(at + 1).then_some(Use::Change),
+                Kind::Sign('+' | '-' | '*' | '/' | '^') if at == next && self.assigns(at) => {
+                    return Some(Use::Change);
+                }
+                Kind::Sign(';' | '=') if depth == 0 => return None,
+                _ if depth == 0 && !self.enclosed => return None,
+                _ => {}
+            }
+        }
+        None
+    }
+
     /// What happens to the name: it gets a value after `=`, or at a brace that follows it and its brackets at once.
     pub(super) fn used(&self) -> Option<Use> {
-        let native = matches!(self.language, Language::C | Language::Shader);
+        let native = self.language.is_native();
         let mut depth = 0_usize;
         let mut annotated = false;
         if !self.may_get_value() {
             return None;
+        }
+        if self.language == Language::Matlab {
+            return self.used_in_matlab();
         }
         if self.text(self.name + 1) == "."
             && CHANGING.contains(&self.text(self.name + 2))

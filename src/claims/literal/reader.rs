@@ -43,6 +43,8 @@ pub(super) struct Reader<'a> {
     lines: Lines<'a>,
     /// The types that constructors give to the numbers.
     pub(super) types: Vec<Typed>,
+    /// Whether blanks part the numbers, as in a row of MATLAB.
+    pub(super) in_row: bool,
 }
 
 impl<'a> Reader<'a> {
@@ -51,8 +53,8 @@ impl<'a> Reader<'a> {
         language: Language,
         tokens: &'a [Token],
     ) -> Reader<'a> {
-        let types = Vec::new();
-        Reader { source, language, tokens, at: 0, lines: Lines::new(source), types }
+        let (types, lines) = (Vec::new(), Lines::new(source));
+        Reader { source, language, tokens, at: 0, lines, types, in_row: false }
     }
 
     pub(super) fn peek(&self) -> Option<Kind> {
@@ -113,6 +115,8 @@ impl<'a> Reader<'a> {
             match self.peek() {
                 None | Some(Kind::Sign(')' | ']' | '}')) => {}
                 Some(Kind::Sign(',')) => self.at += 1,
+                Some(Kind::Sign(';')) if self.in_row => self.at += 1,
+                _ if self.in_row && self.is_apart(self.at) => {}
                 _ => {
                     let found = self.text(self.at).to_owned();
                     return Err(self.wrong(format!("`{found}` stands where a comma is expected")));
@@ -123,12 +127,13 @@ impl<'a> Reader<'a> {
 
     /// Refuses brackets that are no list of the language.
     fn is_list_of_language(&self, sign: char) -> Result<(), Diagnostic> {
-        use Language::{C, JavaScript, Python, Shader};
+        use Language::{C, Hlsl, JavaScript, Matlab, Python, Shader};
         let message = match (sign, self.language) {
             ('{', Python | JavaScript) => {
                 "braces are a set or an object here, in which numbers have no order"
             }
-            ('(', C | Shader | JavaScript) if self.commas(self.at) > 0 => {
+            ('(', Matlab) => "round brackets hold one number here",
+            ('(', C | Shader | Hlsl | JavaScript) if self.commas(self.at) > 0 => {
                 "of numbers in round brackets the last one alone is the value here"
             }
             _ => return Ok(()),
@@ -147,9 +152,15 @@ impl<'a> Reader<'a> {
             _ => '}',
         };
         let open = self.span();
+        if self.in_row && self.has_rows() {
+            return Err(self.wrong("a matrix of several rows within a matrix".to_owned()));
+        }
+        let in_row = self.language == Language::Matlab && close != ')';
+        let in_row = std::mem::replace(&mut self.in_row, in_row);
         self.at += 1;
         let before = entries.len();
         self.items(entries, depth + 1)?;
+        self.in_row = in_row;
         if self.peek() != Some(Kind::Sign(close)) {
             let message = format!("a bracket is not closed by `{close}`");
             return Err(Diagnostic::new(self.source, open, message));
@@ -159,6 +170,41 @@ impl<'a> Reader<'a> {
         }
         self.at += 1;
         Ok(())
+    }
+
+    /// The text between a word and the one before.
+    fn between(&self, at: usize) -> &str {
+        match (at.checked_sub(1).and_then(|before| self.tokens.get(before)), self.tokens.get(at)) {
+            (Some(before), Some(token)) => &self.source.text[before.span.end..token.span.start],
+            _ => "",
+        }
+    }
+
+    /// Whether blanks stand before a word.
+    fn is_apart(&self, at: usize) -> bool {
+        !self.between(at).is_empty()
+    }
+
+    /// Whether a sign here belongs to the next number of a row, as in `[1 -2]`, and not in `[1 - 2]`.
+    pub(super) fn is_next_in_row(&self) -> bool {
+        self.in_row && self.is_apart(self.at) && !self.is_apart(self.at + 1)
+    }
+
+    /// Whether the bracket that opens here has several rows.
+    fn has_rows(&self) -> bool {
+        let mut depth = 0_usize;
+        for at in self.at..self.tokens.len() {
+            let between = self.between(at);
+            match self.tokens[at].kind {
+                Kind::Sign(']' | '}') if depth <= 1 => return false,
+                _ if at > self.at + 1 && between.contains('\n') && !between.contains("...") => return true,
+                Kind::Sign(';') => return true,
+                Kind::Sign('[' | '{') => depth += 1,
+                Kind::Sign(']' | '}') => depth -= 1,
+                _ => {}
+            }
+        }
+        false
     }
 
     /// Whether the bracket holds a comma or another bracket for lists.

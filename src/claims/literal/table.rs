@@ -1,6 +1,6 @@
 //! A table of numbers in a file.
 
-use super::declared::decide;
+use super::declared::{Element, decide};
 use super::entry::Entry;
 use super::language::{Language, Precision};
 use super::locate::{Initialiser, initialiser};
@@ -24,7 +24,7 @@ pub struct LiteralTable {
 }
 
 /// Reads the numbers that the name `after` gets in a source file, such as `gregoryToLoopMatrix`. Nested
-/// brackets are taken as they come, as are constructors that keep their numbers, such as `vec3(…)` or `np.array(…)`; the numbers
+/// brackets are taken as they come, as are constructors that keep their numbers, such as `vec3(…)` or `np.array(…, dtype=np.float64)`; the numbers
 /// have to fill `shape`, in the order in which they stand. A table of one number has the shape `[]`.
 ///
 /// # Errors
@@ -59,6 +59,10 @@ pub fn read_literals(
     let mut entries = Vec::new();
     reader.items(&mut entries, 0)?;
     types.append(&mut reader.types);
+    if language == Language::Wgsl && types.is_empty() {
+        // There are no others.
+        types.push((Element::Float(Precision::Single), name.clone()));
+    }
     let declared = decide(source, &types, &entries, &directives)?;
     if entries.len() != wanted {
         let count = entries.len();

@@ -35,15 +35,29 @@ pub(super) struct Tokens<'a> {
     at: usize,
     /// Whether the last word ends a value, so that `/` divides it.
     value: bool,
+    /// Where the words end.
+    end: usize,
+    /// Whether these are the words of a macro, in which `\` joins lines.
+    in_macro: bool,
 }
 
 impl<'a> Tokens<'a> {
     pub(super) fn new(source: &'a Arc<SourceText>, language: Language) -> Tokens<'a> {
-        Tokens { source, language, at: 0, value: false }
+        let end = source.text.len();
+        Tokens { source, language, at: 0, value: false, end, in_macro: false }
+    }
+
+    /// The words of a macro, which stand at these bytes.
+    pub(super) fn of_macro(
+        source: &'a Arc<SourceText>,
+        language: Language,
+        bytes: Range<usize>,
+    ) -> Tokens<'a> {
+        Tokens { source, language, at: bytes.start, value: false, end: bytes.end, in_macro: true }
     }
 
     fn rest(&self) -> &'a str {
-        &self.source.text[self.at..]
+        &self.source.text[self.at..self.end]
     }
 
     /// The next word; `None` at the end of the file.
@@ -103,15 +117,18 @@ impl<'a> Tokens<'a> {
             let rest = self.rest();
             let white = length(rest, char::is_whitespace);
             let comment = &rest[white..];
-            let slashes = self.language.has_slash_comments();
-            let length = if self.language == Language::Python
+            let mut marks = self.language.line_comments().iter();
+            let continues = self.language == Language::Python || self.in_macro;
+            let length = if continues
                 && (comment.starts_with("\\\n") || comment.starts_with("\\\r\n"))
             {
                 1
-            } else if slashes && comment.starts_with("/*") {
+            } else if self.language.has_block_comments() && comment.starts_with("/*") {
                 self.comment_length(self.at + white, comment)?
-            } else if slashes && comment.starts_with("//")
-                || self.language.has_hash_comments() && comment.starts_with('#')
+            } else if self.language == Language::Matlab && comment.starts_with("%{") {
+                block_length(comment)
+            } else if marks.any(|mark| comment.starts_with(mark))
+                || self.language == Language::Matlab && comment.starts_with("...")
             {
                 let length = comment.find('\n').unwrap_or(comment.len());
                 self.ends_with_its_line(self.at + white, comment, length)?;
@@ -147,7 +164,7 @@ impl<'a> Tokens<'a> {
         ))
     }
 
-    /// The length of a comment `/* … */`; Rust's may have others within.
+    /// The length of a comment `/* … */`; those of Rust and WGSL may have others within.
     fn comment_length(&self, start: usize, comment: &str) -> Result<usize, Diagnostic> {
         let (mut depth, mut at) = (0_usize, 0);
         while at < comment.len() {
@@ -158,7 +175,7 @@ impl<'a> Tokens<'a> {
                 if depth == 0 {
                     return Ok(at);
                 }
-            } else if rest.starts_with(b"/*") && (depth == 0 || self.language == Language::Rust) {
+            } else if rest.starts_with(b"/*") && (depth == 0 || matches!(self.language, Language::Rust | Language::Wgsl)) {
                 depth += 1;
                 at += 2;
             } else {
@@ -182,6 +199,10 @@ impl<'a> Tokens<'a> {
                 let mut after = rest.chars().skip(1);
                 let (one, two) = (after.next(), after.next());
                 one == Some('\\') || two == Some('\'')
+            }
+            // Behind a value it transposes.
+            '\'' if self.language == Language::Matlab => {
+                !self.value || self.source.text[..self.at].ends_with(char::is_whitespace)
             }
             '"' | '\'' => true,
             _ => false,
@@ -213,7 +234,7 @@ impl<'a> Tokens<'a> {
             at += first;
             if after.starts_with("\\\r\n") {
                 at += 2;
-            } else if after.starts_with('\\') {
+            } else if after.starts_with('\\') && self.language != Language::Matlab {
                 at += characters.next().map_or(0, char::len_utf8);
             }
         }
@@ -228,6 +249,23 @@ impl<'a> Tokens<'a> {
     }
 }
 
+/// The length of a comment of MATLAB between lines `%{` and `%}`, or of the line.
+fn block_length(comment: &str) -> usize {
+    let (mut depth, mut length) = (0_usize, 0);
+    for line in comment.split_inclusive('\n') {
+        length += line.len();
+        match line.trim() {
+            "%{" => depth += 1,
+            "%}" => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        if depth == 0 {
+            break;
+        }
+    }
+    length
+}
+
 /// How many bytes of a text have this property.
 fn length(text: &str, has: impl Fn(char) -> bool) -> usize {
     text.find(|c| !has(c)).unwrap_or(text.len())
@@ -238,7 +276,11 @@ fn length(text: &str, has: impl Fn(char) -> bool) -> usize {
 fn number_length(rest: &str, language: Language) -> usize {
     let bytes = rest.as_bytes();
     let hexadecimal = rest.len() > 1 && bytes[0] == b'0' && bytes[1].eq_ignore_ascii_case(&b'x');
-    let exponents: &[u8] = if hexadecimal { b"pP" } else { b"eE" };
+    let exponents: &[u8] = match language {
+        _ if hexadecimal => b"pP",
+        Language::Matlab => b"eEdD",
+        _ => b"eE",
+    };
     let mut at = 0;
     while at < bytes.len() {
         let (byte, next) = (bytes[at], bytes.get(at + 1).copied());

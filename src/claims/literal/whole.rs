@@ -3,7 +3,7 @@
 use super::language::Language;
 use crate::exact::Integer;
 
-/// The type of an integer: how many bits it has, `None` in Python, and whether it has a sign.
+/// The type of an integer: how many bits it has, `None` in Python and of literals of WGSL, and whether it has a sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Width {
     bits: Option<u32>,
@@ -72,7 +72,7 @@ impl Whole {
             .filter(|width| possible(width))
             .map(|&(bits, signed)| Width { bits: Some(bits), signed })
             .collect();
-        if language == Language::Python {
+        if matches!(language, Language::Python | Language::Wgsl) {
             widths = vec![Width { bits: None, signed: true }];
         }
         match widths.into_iter().find(|width| width.holds(&value)) {

@@ -187,3 +187,17 @@ impl Orbit {
         orbits.collect::<Vec<String>>().join(", ")
     }
 }
+
+/// Which rows of a mask belong so many places further, and what holds then; `None` where there are none.
+pub(crate) fn misplaced_rows(rows: &[(usize, i64)]) -> Option<String> {
+    let one = |&(row, places): &(usize, i64)| {
+        let far = match places.unsigned_abs() {
+            1 => "one place".to_owned(),
+            far => format!("{far} places"),
+        };
+        format!("row {row} belongs {far} {}", if places > 0 { "further" } else { "back" })
+    };
+    let all: Vec<String> = rows.iter().map(one).collect();
+    let then = "then the sum rules hold up to order 2 at least";
+    (!all.is_empty()).then(|| format!("{}: {then}", all.join(", and ")))
+}

@@ -7,7 +7,7 @@ use super::ring::local_constants;
 use crate::cli::arguments::{ConstantsArguments, Format};
 use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::output::{Failure, Outcome};
-use crate::cli::console::quantity::{Number, Text};
+use crate::cli::console::quantity::{Number, Text, misplaced_rows};
 use serde::Serialize;
 use subcert::bound::{
     self, ClassCap, DeltaCondition, Terms, best_offset, displacement, surface_factor,
@@ -78,6 +78,9 @@ struct Direction {
     /// The shifts of the parameter, rule by rule.
     #[serde(skip)]
     shifts: Vec<Rational>,
+    /// The rows that belong so many places further.
+    #[serde(skip)]
+    misplaced: Vec<(usize, i64)>,
     /// Whether the forward order was asked for.
     #[serde(skip)]
     forward: bool,
@@ -208,6 +211,7 @@ impl Direction {
                 ),
             ],
             keeps_lines: shift.keeps_lines,
+            misplaced: shift.misplaced(),
             shifts: shift.of_rules,
             forward: wanted.forward,
             levels: (0..longest).map(level).collect(),
@@ -226,6 +230,7 @@ impl Direction {
             displacement,
             keeps_lines,
             shifts,
+            misplaced,
             forward,
             levels,
         } = self;
@@ -266,8 +271,10 @@ impl Direction {
                 "Lines are not kept: from points at equal distances on a line, the rules make \
                  points at unequal distances, for the shift of the parameter differs from rule to \
                  rule: {}. As a rule, schemes with smooth (C1) limits keep lines. If this one is \
-                 meant to have such limits, one of its coefficients is wrong.",
-                shifts.collect::<Vec<String>>().join(", ")
+                 meant to have such limits, {}.",
+                shifts.collect::<Vec<String>>().join(", "),
+                misplaced_rows(misplaced)
+                    .unwrap_or_else(|| "one of its coefficients is wrong".to_owned())
             ));
         }
     }

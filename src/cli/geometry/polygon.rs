@@ -28,7 +28,7 @@ type Placed = (Rational, Range<usize>);
 ///
 /// A file that begins with `[` is a JSON array of numbers or of arrays of them, each a
 /// JSON number, which is read from its text, or a string such as "1/3". Any other has one
-/// point on a line, its coordinates separated by commas or white space; `#` begins a
+/// point on a line, its coordinates separated by commas, semicolons or white space; `#` begins a
 /// comment.
 pub(crate) fn read_polygon(path: &Path, caps: &Caps) -> Result<Vec<Vec<Rational>>, Failure> {
     let source = source(path, caps)?;
@@ -79,11 +79,19 @@ fn extent(source: &Arc<SourceText>, numbers: &[Placed]) -> Range<usize> {
 fn lines(source: &Arc<SourceText>) -> Result<Vec<Vec<Placed>>, Diagnostic> {
     let mut points = Vec::new();
     let mut start = 0;
-    for line in source.text.split_inclusive('\n') {
+    // Old Macintosh files end their lines with \r alone.
+    for line in source.text.split_inclusive(['\n', '\r']) {
         let numbers = line.split('#').next().unwrap_or_default();
         let mut point = Vec::new();
         let mut at = start;
-        for piece in numbers.split(|c: char| c == ',' || c.is_whitespace()) {
+        if let (Some(_), Some(comma)) = (numbers.find(';'), numbers.find(',')) {
+            let comma = start + comma..start + comma + 1;
+            let message = "this comma beside semicolons may be a decimal comma or a separator";
+            return Err(Diagnostic::new(source, comma, message).with_help(
+                "write decimals with a point, such as 0.25; or separate by commas alone",
+            ));
+        }
+        for piece in numbers.split(|c: char| matches!(c, ',' | ';') || c.is_whitespace()) {
             if !piece.is_empty() {
                 point.push(number(source, piece, at..at + piece.len())?);
             }

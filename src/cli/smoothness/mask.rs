@@ -8,7 +8,7 @@ use crate::cli::console::answer::{Answer, SCHEMA, deliver};
 use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
-use crate::cli::console::quantity::{Number, exponent};
+use crate::cli::console::quantity::{Number, exponent, misplaced_rows};
 use serde::Serialize;
 use subcert::certificate::smoothness_certificate;
 use subcert::exact::{Integer, Rational, RationalPolynomial, format::short};
@@ -67,6 +67,9 @@ pub(crate) struct Smoothness<'a> {
     reproduction: usize,
     /// The natural shift s: the point x^k_i belongs to (i + s)/n^k. Null where lines are not kept.
     natural_shift: Option<Exact>,
+    /// The rows that belong so many places further.
+    #[serde(skip)]
+    misplaced: Vec<(usize, i64)>,
     /// The order of approximation of smooth functions by limits of their values.
     approximation_order: usize,
     /// Whether the shifts of the basic limit function are linearly independent; null where the scheme is
@@ -130,6 +133,7 @@ impl<'a> Smoothness<'a> {
             sum_rules: *sum_rules,
             generation: sum_rules - 1,
             reproduction: *reproduction,
+            misplaced: shift.misplaced(),
             natural_shift: shift.keeps_lines.then(|| Exact::of(&shift.shift)),
             approximation_order: reproduction + 1,
             independent: continuity.map(|_| found.reduced.is_none()),
@@ -148,7 +152,10 @@ impl<'a> Smoothness<'a> {
             Some(shift) => {
                 format!("up to degree {}, at the natural shift {}", self.reproduction, shift.exact)
             }
-            None => "only constants: lines are not kept".to_owned(),
+            None => match misplaced_rows(&self.misplaced) {
+                Some(rows) => format!("only constants: lines are not kept, unless {rows}"),
+                None => "only constants: lines are not kept".to_owned(),
+            },
         };
         let field = self.field.as_ref().map(|Field { minimal_polynomial, decimal }| {
             let text = format!("polynomials in t, t = {decimal} a root of {minimal_polynomial}");

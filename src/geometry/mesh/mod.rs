@@ -40,7 +40,6 @@ pub use limit::{LimitPoint, Normal, Sector, Tangents, limit_points};
 pub use point::Point;
 pub(crate) use point::combination;
 pub use polygon::PolygonMesh;
-pub(crate) use read::parse_coordinate;
 pub(crate) use read::{About, Cell, Denominator, Parts, Places, Word, Words};
 pub use read::{
     MAX_FILE_BYTES, MeshFile, MeshFormat, is_polygonal_vtk, read_binary_mesh, read_mesh,

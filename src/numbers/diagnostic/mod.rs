@@ -175,7 +175,7 @@ impl fmt::Display for Diagnostic {
 
 impl std::error::Error for Diagnostic {}
 
-/// The text of a file of at most `max_bytes`.
+/// The text of a file of at most `max_bytes`, without a byte order mark.
 ///
 /// # Errors
 /// When it cannot be read, is larger, or is not UTF-8; the message says which.
@@ -184,13 +184,17 @@ pub fn read_text(path: &std::path::Path, max_bytes: u64) -> Result<String, Strin
     read_text_from(file, max_bytes)
 }
 
-/// The text that a reader gives, of at most `max_bytes`.
+/// The text that a reader gives, of at most `max_bytes`, without a byte order mark.
 ///
 /// # Errors
 /// As [`read_text`].
 pub fn read_text_from(reader: impl std::io::Read, max_bytes: u64) -> Result<String, String> {
     let bytes = read_bytes_from(reader, max_bytes)?;
-    String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_owned())
+    let mut text = String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_owned())?;
+    if text.starts_with('\u{feff}') {
+        text.remove(0);
+    }
+    Ok(text)
 }
 
 /// The bytes that a reader gives, at most `max_bytes`.

@@ -67,7 +67,10 @@ pub use polynomials::rational_polynomial::RationalPolynomial;
 pub use polynomials::sturm::SturmSequence;
 pub use polynomials::univariate::IntegerPolynomial;
 pub use printed::decimal::{Decimal, Rounding};
-pub use printed::read::{MAX_DIGITS, MAX_EXPONENT, NumberError, parse_decimal, parse_rational};
+pub use printed::read::{
+    MAX_DIGITS, MAX_EXPONENT, NumberError, is_blank, is_vulgar, parse_decimal, parse_printed,
+    parse_rational,
+};
 pub use rational::Rational;
 pub use real::algebraic::RealAlgebraic;
 pub use real::comparable::comparable;

@@ -1,7 +1,7 @@
 //! The expression language in which masks and claims are written.
 //!
 //! ```text
-//! 3/4   0.0266   4.35e-5        exact numbers
+//! 3/4   0.0266   .5   4.35e-5   ½    exact numbers
 //! w   tau   μ                   named parameters
 //! q[2*i - 1]   a[0, j]          members of families
 //! a + b   a - b   a*b   a/b     exact arithmetic; -x^2 is -(x^2)
@@ -78,5 +78,5 @@ pub use located::LocatedFormula;
 pub use parse::parse;
 pub use root_error::RootError;
 pub use scope::{Functions, Scope};
-pub use token::is_identifier;
+pub use token::{continues_name, is_identifier, starts_name};
 pub use value::Value;

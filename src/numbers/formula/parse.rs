@@ -5,7 +5,7 @@ use super::error::{FormulaError, FormulaErrorKind, MAX_FORMULA_LENGTH};
 use super::root::ROOT;
 use super::token::{
     Failure, Input, Parsed, continues_name, identifier, located, nested, number, required,
-    skip_space, space, starts_name, symbol, token_at,
+    skip_space, space, starts_name, starts_number, symbol, token_at,
 };
 use winnow::Parser;
 use winnow::combinator::{cut_err, delimited, opt, peek, preceded, repeat};
@@ -59,8 +59,11 @@ fn additive(input: &mut Input<'_>) -> Parsed<Operator> {
 }
 
 fn multiplicative(input: &mut Input<'_>) -> Parsed<Operator> {
-    let sign = one_of(['*', '/', '·']);
-    let operator = sign.map(|c| if c == '/' { Operator::Divide } else { Operator::Multiply });
+    // The fraction slash and the division slash divide too.
+    let sign = one_of(['*', '/', '·', '×', '\u{2044}', '\u{2215}']);
+    let times = |c| matches!(c, '*' | '·' | '×');
+    let operator =
+        sign.map(move |c| if times(c) { Operator::Multiply } else { Operator::Divide });
     (operator, space).map(|(operator, ())| operator).parse_next(input)
 }
 
@@ -78,8 +81,12 @@ fn chain<'a>(
 
 /// `-x^2` is `-(x^2)`; `x^-2` is `x^(-2)`.
 fn factor(input: &mut Input<'_>) -> Parsed<Expr> {
-    let minus = (one_of(['-', '\u{2212}']), space);
+    // A sign may be an en dash, which between two numbers could be a range.
+    let minus = (one_of(['-', '\u{2212}', '\u{2013}']), space);
     let start = input.current_token_start();
+    if opt(symbol('+')).parse_next(input)?.is_some() {
+        return nested(factor).parse_next(input);
+    }
     if opt(minus).parse_next(input)?.is_some() {
         let operand = nested(factor).parse_next(input)?;
         let span = start..operand.span.end;
@@ -104,7 +111,7 @@ fn primary(input: &mut Input<'_>) -> Parsed<Expr> {
         space(input)?;
         return Ok(Expr { node: inner.node, span });
     }
-    if next.is_ascii_digit() {
+    if starts_number(next) {
         return located(number).parse_next(input).and_then(|expr| skip_space(input, expr));
     }
     if starts_name(next) {

@@ -2,9 +2,9 @@
 
 use super::ast::{Expr, Node, Span};
 use super::error::{FormulaErrorKind, MAX_NESTING};
-use crate::exact::parse_decimal;
+use crate::exact::{is_vulgar, parse_rational};
 use winnow::Parser;
-use winnow::combinator::{not, opt};
+use winnow::combinator::{alt, not, opt};
 use winnow::error::{ErrMode, ParserError};
 use winnow::stream::{LocatingSlice, Location, Stateful};
 use winnow::token::{one_of, take_while};
@@ -23,13 +23,15 @@ pub fn is_identifier(text: &str) -> bool {
 }
 
 /// Whether a name can start with `c`.
-pub(super) fn starts_name(c: char) -> bool {
+#[must_use]
+pub fn starts_name(c: char) -> bool {
     c.is_alphabetic() || c == '_'
 }
 
 /// Whether `c` can stand in a name after its first character.
-pub(super) fn continues_name(c: char) -> bool {
-    c.is_alphanumeric() || c == '_'
+#[must_use]
+pub fn continues_name(c: char) -> bool {
+    (c.is_alphanumeric() || c == '_') && !is_vulgar(c)
 }
 
 /// The token that starts at byte `at`, which error messages underline; empty at the end
@@ -127,14 +129,27 @@ fn digits<'a>(input: &mut Input<'a>) -> Parsed<&'a str> {
     take_while(1.., '0'..='9').parse_next(input)
 }
 
-/// A decimal number.
+/// Whether a number can start with `c`.
+pub(super) fn starts_number(c: char) -> bool {
+    c.is_ascii_digit() || c == '.' || is_vulgar(c)
+}
+
+/// The exponent of a decimal.
+fn power(input: &mut Input<'_>) -> Parsed<()> {
+    let exponent = (one_of(['e', 'E']), opt(one_of(['+', '-'])), required("a digit", digits));
+    exponent.void().parse_next(input)
+}
+
+/// A decimal number, or a fraction of one character such as `½`, perhaps with a whole number before it.
 pub(super) fn number(input: &mut Input<'_>) -> Parsed<Node> {
     let start = input.current_token_start();
     // `1..3` is a range; it does not start with the number `1.`.
-    let fraction = opt((('.', not('.')), required("a digit", digits)));
-    let power = opt((one_of(['e', 'E']), opt(one_of(['+', '-'])), required("a digit", digits)));
-    let text = (digits, fraction, power).take().parse_next(input)?;
-    parse_decimal(text).map(|decimal| Node::Number(decimal.value())).map_err(|error| {
+    let after = opt(('.', not('.'), opt(digits)));
+    let decimal = (digits, after, opt(power)).void();
+    let point = ('.', required("a digit", digits), opt(power)).void();
+    let fraction = (opt(digits), one_of(is_vulgar)).void();
+    let text = alt((fraction, decimal, point)).take().parse_next(input)?;
+    parse_rational(text).map(Node::Number).map_err(|error| {
         let span = Some(start..start + text.len());
         let kind = Some(FormulaErrorKind::Number(error));
         ErrMode::Cut(Failure { at: start, kind, span })

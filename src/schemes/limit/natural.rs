@@ -43,6 +43,45 @@ pub struct NaturalShift<F = Rational> {
     pub of_rules: Vec<F>,
 }
 
+impl<F: Real + PartialEq + Enclosed> NaturalShift<F> {
+    /// The rows of the mask that stand in wrong places, if this is all that is wrong: each with the number of places by which it
+    /// belongs further, so that the mask takes lines to lines, and the order of the sum rules is 2 at least.
+    ///
+    /// Moving a row by k places takes kn/(n − 1) from its s_α. The rows that most others agree with stay where they are.
+    ///
+    /// # Panics
+    /// Never: a mask has rules.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::limit::natural_shift;
+    /// use subcert::scheme::Mask;
+    ///
+    /// let eighths = |row: [i64; 3]| row.map(|p| Rational::new(p, 8)).to_vec();
+    /// let moved = Mask::new(vec![eighths([1, 6, 1]), eighths([4, 4, 0])], 0)?;
+    /// assert_eq!(natural_shift(&moved).misplaced(), [(1, 1)]);
+    /// let right = Mask::new(vec![eighths([1, 6, 1]), eighths([0, 4, 4])], 0)?;
+    /// assert!(natural_shift(&right).misplaced().is_empty());
+    /// # Ok::<(), subcert::scheme::MaskError>(())
+    /// ```
+    #[must_use]
+    pub fn misplaced(&self) -> Vec<(usize, i64)> {
+        let n = Rational::from(self.of_rules.len());
+        let alike = |shift: &F| self.of_rules.iter().filter(|other| *other == shift).count();
+        let most = self.of_rules.iter().rev().max_by_key(|shift| alike(shift));
+        let own = most.expect("a mask has rules");
+        let scale = F::from_rational(&((&n - Rational::one()) / n));
+        let places = |shift: &F| {
+            let places = shift.minus(own).times(&scale).enclosure(0);
+            let whole = places.lower() == places.upper() && places.lower().is_integer();
+            places.lower().numerator().to_i64().filter(|_| whole)
+        };
+        let places: Option<Vec<i64>> = self.of_rules.iter().map(places).collect();
+        let moved = places.unwrap_or_default().into_iter().enumerate();
+        moved.filter(|(_, places)| *places != 0).collect()
+    }
+}
+
 /// Where s is rounded, it is a multiple of 1/((n − 1)n^m) for the least n^m above this number. Then
 /// its n-adic digits repeat soon.
 const PARTS: usize = 1 << 10;

@@ -40,7 +40,7 @@ impl From<LocalRules> for AnyScheme {
 }
 
 /// The exact scheme that SCHEME names: a catalogue entry such as `six-point:w=3/256`, a file such as
-/// `my.toml:w=1/16`, a mask such as `[1, 3, 3, 1]/4` or `[w, 1/2, 1 - 2*w, 1/2, w]:w=1/8`, or two with ` x ` between them.
+/// `my.toml:w=1/16`, a mask such as `[1, 3, 3, 1]/4`, `1/4*{1, 3, 3, 1}` or `[w, 1/2, 1 - 2*w, 1/2, w]:w=1/8`, or two with ` x ` between them.
 ///
 /// A mask `[a_0, …, a_L]` has the arity n = Σ_s a_s, and refines x'_m = Σ_j a_{m − nj + ⌊L/2⌋} x_j.
 ///
@@ -210,12 +210,12 @@ impl Named<'_> {
         let reference = Reference::parse(text)?;
         let mut defined = BTreeMap::new();
         for name in reference.names() {
-            if is_typed(name) {
-                let definition = typed(name).map_err(|error| SchemeError::File(Box::new(error)))?;
-                defined.insert(name.to_owned(), definition);
-            } else if is_file(name) {
+            if is_file(name) {
                 // An error calls the scheme by what is typed: the name in the file is unknown outside of it.
                 let definition = SchemeDefinition { name: name.to_owned(), ..read_file(name)? };
+                defined.insert(name.to_owned(), definition);
+            } else if is_typed(name) {
+                let definition = typed(name).map_err(|error| SchemeError::File(Box::new(error)))?;
                 defined.insert(name.to_owned(), definition);
             }
         }

@@ -155,14 +155,14 @@ pub fn split_name(part: &str) -> (&str, &str) {
     }
 }
 
-/// Splits `text` at the commas outside all parentheses.
-pub(super) fn split_top_level(text: &str) -> Vec<&str> {
+/// Splits `text` at the commas outside all brackets.
+fn split_top_level(text: &str) -> Vec<&str> {
     let mut pieces = Vec::new();
     let (mut depth, mut start) = (0_usize, 0);
     for (at, c) in text.char_indices() {
         match c {
-            '(' => depth += 1,
-            ')' => depth = depth.saturating_sub(1),
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth = depth.saturating_sub(1),
             ',' if depth == 0 => {
                 pieces.push(&text[start..at]);
                 start = at + 1;

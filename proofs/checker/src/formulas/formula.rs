@@ -1,6 +1,6 @@
 //! The parser of formulas.
 
-use crate::numbers::{Decimal, Value};
+use crate::numbers::{Decimal, Value, is_fraction, read_rational};
 use crate::text::{Cursor, Parsed};
 
 /// The longest formula of a claim file, in characters.
@@ -72,7 +72,7 @@ fn starts_name(c: char) -> bool {
 }
 
 fn continues_name(c: char) -> bool {
-    c.is_alphanumeric() || c == '_'
+    (c.is_alphanumeric() || c == '_') && !is_fraction(c)
 }
 
 /// Whether this can be the name of a parameter.
@@ -97,7 +97,7 @@ impl Parser {
 
     fn chain(
         &mut self,
-        operators: [(&str, char); 3],
+        operators: &[(&str, char)],
         operand: impl Fn(&mut Self) -> Parsed<Expr>,
     ) -> Parsed<Expr> {
         let (mut found, mut operands) = (Vec::new(), vec![operand(self)?]);
@@ -115,14 +115,24 @@ impl Parser {
     }
 
     fn sum(&mut self) -> Parsed<Expr> {
-        self.chain([("+", '+'), ("-", '-'), ("\u{2212}", '-')], |parser| {
-            parser.chain([("*", '*'), ("/", '/'), ("·", '*')], Self::factor)
-        })
+        const SUM: [(&str, char); 3] = [("+", '+'), ("-", '-'), ("\u{2212}", '-')];
+        const PRODUCT: [(&str, char); 6] = [
+            ("*", '*'),
+            ("/", '/'),
+            ("·", '*'),
+            ("×", '*'),
+            ("\u{2044}", '/'),
+            ("\u{2215}", '/'),
+        ];
+        self.chain(&SUM, |parser| parser.chain(&PRODUCT, Self::factor))
     }
 
     /// `-x^2` is `-(x^2)`, and `x^-2` is `x^(-2)`.
     fn factor(&mut self) -> Parsed<Expr> {
-        if self.text.token("-") || self.text.token("\u{2212}") {
+        if self.text.token("+") {
+            return self.nested(Self::factor);
+        }
+        if ["-", "\u{2212}", "\u{2013}"].iter().any(|minus| self.text.token(minus)) {
             return Ok(Expr::Of(Head::Minus, vec![self.nested(Self::factor)?]));
         }
         let base = self.primary()?;
@@ -139,7 +149,7 @@ impl Parser {
             return Ok(inner);
         }
         match self.text.peek() {
-            Some(c) if c.is_ascii_digit() => self.number(),
+            Some(c) if c.is_ascii_digit() || c == '.' || is_fraction(c) => self.number(),
             Some(c) if starts_name(c) => self.name_or_call(),
             _ => Err("a number, a name or `(`"),
         }
@@ -148,6 +158,12 @@ impl Parser {
     fn number(&mut self) -> Parsed<Expr> {
         let digits = |c: char| c.is_ascii_digit();
         let mut text = self.text.take(digits);
+        if self.text.peek().is_some_and(is_fraction) {
+            text.extend(self.text.next());
+            let value = read_rational(&text).ok_or("a number")?;
+            self.text.space();
+            return Ok(Expr::Number(value.into()));
+        }
         // `1..3` is a range.
         if !self.text.is_at("..") && self.text.eat(".") {
             text = format!("{text}.{}", self.text.take(digits));

@@ -7,6 +7,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Pow, Zero};
+use std::ops::Neg;
 
 /// A rational number.
 pub type Q = BigRational;
@@ -40,45 +41,111 @@ pub fn bits(value: &Q) -> u64 {
     [value.numer(), value.denom()].into_iter().map(BigInt::bits).sum()
 }
 
-/// A decimal as printed.
+/// A decimal or a fraction as printed.
 #[derive(Clone, Debug)]
 pub struct Decimal {
-    /// The digits as one integer.
+    /// The digits as one integer; the numerator of a fraction.
     pub digits: BigInt,
-    /// One unit of the last digit.
+    /// One unit of the last digit; 0 of a fraction, to which nothing is rounded.
     pub unit: Q,
     /// The value.
     pub value: Q,
 }
 
-/// Reads digits. A sign may precede them if `signed`.
-fn digits(text: &str, signed: bool) -> Option<BigInt> {
-    let digits = text.strip_prefix('-').filter(|_| signed).unwrap_or(text);
-    let proper = !digits.is_empty() && digits.len() <= MAX_DIGITS;
-    (proper && digits.bytes().all(|b| b.is_ascii_digit())).then(|| text.parse().ok())?
+/// Reads digits.
+fn digits(text: &str) -> Option<BigInt> {
+    let proper = !text.is_empty() && text.len() <= MAX_DIGITS;
+    (proper && text.bytes().all(|b| b.is_ascii_digit())).then(|| text.parse().ok())?
+}
+
+/// The characters that are fractions, with numerator and denominator.
+const FRACTIONS: &str = "½12 ⅓13 ⅔23 ¼14 ¾34 ⅕15 ⅖25 ⅗35 ⅘45 ⅙16 ⅚56 ⅐17 ⅛18 ⅜38 ⅝58 ⅞78 ⅑19 ↉03";
+
+/// The fraction that this character is.
+fn one_character(c: char) -> Option<(BigInt, BigInt)> {
+    if c == '⅒' {
+        return Some((1.into(), 10.into()));
+    }
+    let found = FRACTIONS.split(' ').find_map(|entry| entry.strip_prefix(c))?;
+    Some((digits(found.get(..1)?)?, digits(found.get(1..)?)?))
+}
+
+/// Whether this character is a fraction.
+pub fn is_fraction(c: char) -> bool {
+    c == '⅒' || !c.is_ascii() && FRACTIONS.contains(c)
+}
+
+/// Whether nothing is printed: up to three dashes of one kind, or none.
+pub fn is_blank(text: &str) -> bool {
+    let dashes: Vec<char> = text.trim().chars().collect();
+    let dash = dashes.first().is_none_or(|c| "-\u{2212}\u{2013}\u{2014}".contains(*c));
+    dash && dashes.len() <= 3 && dashes.iter().all(|c| dashes.first() == Some(c))
+}
+
+/// Whether a minus stands before a number, and the number without a sign.
+fn sign(text: &str) -> (bool, &str) {
+    match text.strip_prefix(['-', '\u{2212}', '\u{2013}']) {
+        Some(rest) => (true, rest.trim_start()),
+        None => (false, text.strip_prefix('+').map_or(text, str::trim_start)),
+    }
+}
+
+/// The number, or its negative.
+fn signed<T: Neg<Output = T>>(negative: bool, value: T) -> T {
+    if negative { value.neg() } else { value }
 }
 
 impl Decimal {
-    /// Reads a decimal such as `-0.0266`, `4.35e-5` or `1.99×10^-10`.
+    /// Reads a decimal such as `-0.0266`, `+.5`, `4.35e-5` or `1.99×10^-10`. Blanks may stand around it, behind its sign and
+    /// around `×`.
     pub fn read(text: &str) -> Option<Decimal> {
         // Most decimals are short integers.
-        if let Some(digits) = digits(text, false) {
+        if let Some(digits) = digits(text) {
             let value = Q::from_integer(digits.clone());
             return Some(Decimal { digits, unit: int(1), value });
         }
-        let text = text.replace('\u{2212}', "-").replace("×10^", "e").replace("x10^", "e");
-        let text = text.replace("*10^", "e").replace('E', "e");
-        let (number, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-        let unsigned = exponent.strip_prefix('+');
-        let exponent = digits(unsigned.unwrap_or(exponent), unsigned.is_none())?;
-        let exponent = capped(exponent, MAX_EXPONENT)?;
+        let (negative, text) = sign(text.trim());
+        let times = |mark: &'static str| {
+            let (number, power) = text.split_once(mark)?;
+            Some((number.trim_end(), power.trim_start().strip_prefix("10^")?))
+        };
+        let power = ["×", "x", "*", "·"].into_iter().find_map(times);
+        let power = power.or_else(|| text.split_once(['e', 'E']));
+        let (number, exponent) = power.unwrap_or((text, "0"));
+        let (down, exponent) = sign(exponent);
+        let exponent = capped(signed(down, digits(exponent)?), MAX_EXPONENT)?;
         let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
-        // Digits stand on both sides of the point.
-        digits(whole, true).filter(|_| !number.ends_with('.'))?;
         let place = exponent.checked_sub(i64::try_from(fraction.len()).ok()?)?;
         let unit = int(10).pow(i32::try_from(place).ok()?);
-        let digits = digits(&format!("{whole}{fraction}"), true)?;
+        // Digits stand on one side of the point at least.
+        let digits = signed(negative, digits(&format!("{whole}{fraction}"))?);
         Some(Decimal { value: &unit * &digits, digits, unit })
+    }
+
+    /// Reads a decimal, or a fraction such as `-35/1296`, `½` or `1½`.
+    pub fn printed(text: &str) -> Option<Decimal> {
+        Decimal::fraction(text).or_else(|| Decimal::read(text))
+    }
+
+    fn fraction(text: &str) -> Option<Decimal> {
+        let (negative, text) = sign(text.trim());
+        let last = text.chars().next_back()?;
+        let (top, bottom) = match one_character(last) {
+            Some((top, bottom)) => {
+                let whole = text.strip_suffix(last)?;
+                let whole = if whole.is_empty() { BigInt::zero() } else { digits(whole)? };
+                #[expect(clippy::arithmetic_side_effects, reason = "of integers of any size")]
+                let top = whole * &bottom + top;
+                (top, bottom)
+            }
+            None => {
+                let (top, bottom) = text.split_once(['/', '\u{2044}', '\u{2215}'])?;
+                (digits(top.trim_end())?, digits(bottom.trim_start())?)
+            }
+        };
+        let value = (!bottom.is_zero()).then(|| Q::new(top.clone(), bottom))?;
+        let (digits, value) = (signed(negative, top), signed(negative, value));
+        Some(Decimal { digits, unit: int(0), value })
     }
 }
 
@@ -100,10 +167,5 @@ pub fn over_one_denominator(rows: &[Vec<Q>]) -> Result<(Vec<Vec<BigInt>>, BigInt
 
 /// Reads a fraction such as `-35/1296`, or a decimal.
 pub fn read_rational(text: &str) -> Option<Q> {
-    let Some((top, bottom)) = text.split_once('/') else {
-        return Decimal::read(text).map(|decimal| decimal.value);
-    };
-    let top = digits(&top.replace('\u{2212}', "-"), true)?;
-    let bottom = digits(bottom, false).filter(|bottom| !bottom.is_zero())?;
-    Some(Q::new(top, bottom))
+    Decimal::printed(text).map(|decimal| decimal.value)
 }

@@ -15,7 +15,8 @@ mod show;
 mod value;
 
 pub use decimal::{
-    Decimal, Q, bits, capped, common_multiple, count, int, over_one_denominator, read_rational,
+    Decimal, Q, bits, capped, common_multiple, count, int, is_blank, is_fraction,
+    over_one_denominator, read_rational,
 };
 pub use field::field;
 pub use linear::{solve, unit};

@@ -49,14 +49,14 @@ pub fn gives(decimal: &Decimal, value: &Value, decimals: &str) -> Result<bool, S
     })
 }
 
-/// Whether a decimal is one unit of its last digit, or its negative.
+/// Whether a decimal is one unit of its last digit, or its negative. A fraction has none.
 pub fn is_one_unit(decimal: &Decimal) -> bool {
-    decimal.digits.abs().is_one()
+    decimal.digits.abs().is_one() && !decimal.unit.is_zero()
 }
 
-/// Whether the end of a range may be rounded: with two digits, counted from the first that is not 0.
+/// Whether the end of a range may be rounded: a decimal with two digits, counted from the first that is not 0.
 pub fn is_rounded(end: &Decimal) -> bool {
-    !end.digits.is_zero() && end.digits.abs().to_string().len() >= 2
+    !end.unit.is_zero() && !end.digits.is_zero() && end.digits.abs().to_string().len() >= 2
 }
 
 /// The digits of a decimal without leading and trailing zeros.
@@ -99,6 +99,10 @@ pub fn slips(decimal: &Decimal, value: &Value) -> Result<Vec<String>, Stop> {
     }
     if rounding(decimal, &value.negated()?)? != "neither" {
         slips.push("sign".to_owned());
+    }
+    // A fraction has no point to move, and no value was rounded to its digits.
+    if decimal.unit.is_zero() {
+        return Ok(slips);
     }
     for places in [-3, -2, -1, 1, 2, 3] {
         let moved = value.times(&Value::from(int(10).pow(places)))?;

@@ -3,7 +3,7 @@
 use super::fields::{CommonFields, NumberField};
 use crate::claim::{LocatedReference, Printed};
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::exact::{NumberError, parse_decimal};
+use crate::exact::{NumberError, parse_printed};
 use crate::formula::LocatedFormula;
 use crate::scheme::{Reference, Spanned, formula};
 use std::collections::BTreeSet;
@@ -80,11 +80,11 @@ impl Reader<'_> {
         )
     }
 
-    /// A printed decimal.
+    /// A printed number: a decimal or a fraction.
     pub(super) fn printed(&self, field: &Spanned<NumberField>) -> Result<Printed, Diagnostic> {
         let NumberField { printed, read, note } = field.get_ref();
         let text = read.as_ref().unwrap_or(printed);
-        let decimal = parse_decimal(text).map_err(|error| self.damaged(field, &error))?;
+        let decimal = parse_printed(text).map_err(|error| self.damaged(field, &error))?;
         let (text, note) = (printed.clone(), note.clone());
         Ok(Printed { text, decimal, note, span: field.span() })
     }

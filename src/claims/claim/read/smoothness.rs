@@ -133,6 +133,11 @@ impl Reader<'_> {
             }
             (None, Some(field), None, None) => {
                 let printed = self.printed(field)?;
+                if printed.decimal.is_fraction() {
+                    let message = "a fraction is no rounded decimal";
+                    let help = format!("it is an exact value: value = '{}'", printed.text);
+                    return Err(self.error(field.span(), message).with_help(help));
+                }
                 Ok(ExponentStatement::Decimal { text: printed.text, decimal: printed.decimal })
             }
             (None, None, Some(_), None) => Ok(ExponentStatement::Bounds {

@@ -7,6 +7,7 @@ use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
 use crate::claim::{Cell, Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
+use crate::exact::is_blank;
 use crate::formula::LocatedFormula;
 use crate::scheme::{Spanned, definitions, formula, identifier};
 use serde::Deserialize;
@@ -23,7 +24,7 @@ claim_table!(TableTable {
     pub(super) rows: Option<Spanned<AxisTable>>,
     /// The headers of the columns.
     pub(super) columns: Spanned<AxisTable>,
-    /// Rows of numbers as printed, or `"lost"`.
+    /// Rows of numbers as printed, or `"lost"`. Nothing is printed in a cell that is empty or a dash.
     cells: Spanned<CellsField>,
     /// Values that the paper states for this table.
     #[serde(default)]
@@ -204,7 +205,13 @@ impl Reader<'_> {
                 "give one row of cells for each header in `rows`, or one row without `rows`",
             ));
         }
-        let cell = |field: &Spanned<NumberField>| self.printed(field).map(Cell::Printed);
+        let cell = |field: &Spanned<NumberField>| {
+            let NumberField { printed, read, .. } = field.get_ref();
+            if is_blank(read.as_ref().unwrap_or(printed)) {
+                return Ok(Cell::Blank);
+            }
+            self.printed(field).map(Cell::Printed)
+        };
         let row = |row: &Spanned<Vec<Spanned<NumberField>>>| {
             if row.get_ref().len() != column_count {
                 let found = row.get_ref().len();

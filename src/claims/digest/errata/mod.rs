@@ -205,6 +205,9 @@ fn has_digits(cell: &CellFinding, printed: Option<&Printed>) -> bool {
 fn unchecked<'e, 'a>(finding: &'e TableFinding<'a>) -> Vec<Unchecked<'e, 'a>> {
     let groups = grouped(finding, |cell, _| {
         let outcome = cell.outcome();
+        if cell.is_blank() {
+            return None;
+        }
         (outcome.standing == CellStanding::NotCheckable).then_some(outcome.cause)
     });
     groups.into_iter().map(|(cause, cells)| Unchecked { finding, cause, cells }).collect()

@@ -251,6 +251,8 @@ fn consistent(
     let (shown, half) = (value.abs(), &unit / Rational::from(2));
     let away = towards.scaled(&-Rational::one());
     let (below, above) = match rounding {
+        // Nothing was rounded to a fraction.
+        _ if printed.decimal.is_fraction() => (towards.at_most(&shown), away.at_most(&-shown)),
         DecimalRounding::Nearest => {
             (towards.at_most(&(&shown + &half)), away.at_most(&(half - shown)))
         }

@@ -77,7 +77,9 @@ impl Consistent {
         for (printed, value) in cells {
             let Some((low, high)) = interval(printed, value, rounding) else { continue };
             let (low, high) = (low * base, high * base);
-            let is_open = rounding == DecimalRounding::Away && !printed.decimal.is_one_unit();
+            let decimal = &printed.decimal;
+            let is_closed = decimal.is_one_unit() || decimal.is_fraction();
+            let is_open = rounding == DecimalRounding::Away && !is_closed;
             lows.push((low.clone(), is_open));
             highs.push(high.clone());
             intervals.push(((low, high), is_open));

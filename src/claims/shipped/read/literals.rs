@@ -75,7 +75,7 @@ impl Reader<'_> {
         let language = language.map_err(|why| {
             let message = format!("the language of `{}` is not known: {why}", file.get_ref());
             self.error(file.span(), message)
-                .with_help("language = \"c\", or shader, javascript, python, rust")
+                .with_help("language = \"c\", or shader, hlsl, wgsl, javascript, python, rust, matlab")
         })?;
         let skipped = skip.as_ref().map_or(Ok(0), |skip| self.count(skip))?;
         let wanted: usize = sizes.iter().product();
@@ -174,6 +174,12 @@ fn number(
         return Err(
             "has a long double, which is rounded to a format of the machine first: the number that the \
                     program holds is not known",
+        );
+    }
+    if precision.is_some_and(|precision| entry.depends_on_compiler(precision)) {
+        return Err(
+            "is another number where the compiler rounds to a double first: write it with the digits of the \
+                    float, such as 0.33333334f",
         );
     }
     let held = precision.map_or(value, |precision| exact(entry.held(precision)));

@@ -162,7 +162,7 @@ impl Reader<'_> {
     fn language(&self, text: &Spanned<String>) -> Result<Language, Diagnostic> {
         Language::parse(text.get_ref()).ok_or_else(|| {
             self.error(text.span(), format!("`{}` is not a language", text.get_ref()))
-                .with_help("c, which is also C++ and CUDA, shader, javascript, python or rust")
+                .with_help("c, which is also C++ and CUDA, shader, hlsl, wgsl, javascript, python, rust or matlab")
         })
     }
 

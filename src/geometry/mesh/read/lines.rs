@@ -2,8 +2,7 @@
 
 use super::super::point::Point;
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::exact::{NumberError, Rational, parse_rational};
-use std::borrow::Cow;
+use crate::exact::{Rational, parse_rational};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -66,7 +65,7 @@ impl<'a> Lines<'a> {
 
     /// A coordinate.
     pub(crate) fn number(&self, word: Word<'_>) -> Result<Rational, Diagnostic> {
-        parse_coordinate(word.text).map_err(|error| {
+        parse_rational(word.text).map_err(|error| {
             let help = "write a decimal such as -0.25 or 2.5e-3, or a fraction such as 1/3";
             self.wrong(word.place(), error.to_string()).with_help(help)
         })
@@ -117,30 +116,4 @@ impl<'a> Iterator for Lines<'a> {
 fn words(text: &str, start: usize) -> Vec<Word<'_>> {
     let place = |word: &str| word.as_ptr().addr() - text.as_ptr().addr() + start;
     text.split_whitespace().map(|text| Word { text, at: place(text) }).collect()
-}
-
-/// A coordinate: a decimal or a fraction, exactly.
-pub(crate) fn parse_coordinate(text: &str) -> Result<Rational, NumberError> {
-    parse_rational(&usual_form(text))
-}
-
-/// Brings `+1`, `.5` and `5.`, which some programs write, into the usual form.
-fn usual_form(text: &str) -> Cow<'_, str> {
-    let (sign, rest) = match text.strip_prefix('+') {
-        Some(rest) if !rest.starts_with('-') => ("", rest),
-        Some(_) => return Cow::Borrowed(text),
-        None => text.split_at(usize::from(text.starts_with('-'))),
-    };
-    let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
-    let (whole, fraction) = rest.split_at(digits);
-    let Some(after) = fraction.strip_prefix('.') else {
-        return Cow::Owned(format!("{sign}{rest}"));
-    };
-    let decimals = after.bytes().take_while(u8::is_ascii_digit).count();
-    match (digits, decimals) {
-        (0, 0) => Cow::Borrowed(text),
-        (0, _) => Cow::Owned(format!("{sign}0{rest}")),
-        (_, 0) => Cow::Owned(format!("{sign}{whole}{after}")),
-        _ => Cow::Owned(format!("{sign}{rest}")),
-    }
 }

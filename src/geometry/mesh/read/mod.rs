@@ -17,7 +17,7 @@ pub use file::MeshFile;
 
 pub(crate) use assemble::{Denominator, Parts};
 pub(crate) use file::{About, Places};
-pub(crate) use lines::{Word, parse_coordinate};
+pub(crate) use lines::Word;
 pub(crate) use vtk::{Cell, vtk_header, vtk_lists, vtk_points};
 pub(crate) use words::Words;
 

@@ -3,8 +3,8 @@
 use super::super::error::NetError;
 use super::super::grid::{Closed, Net};
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::exact::Rational;
-use crate::mesh::{Denominator, MAX_POINTS, Point, parse_coordinate};
+use crate::exact::{Rational, parse_rational};
+use crate::mesh::{Denominator, MAX_POINTS, Point};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -35,7 +35,7 @@ impl<'a> Parts<'a> {
         place: Range<usize>,
         help: &str,
     ) -> Result<Rational, Diagnostic> {
-        parse_coordinate(text).map_err(|error| self.wrong(place, error.to_string()).with_help(help))
+        parse_rational(text).map_err(|error| self.wrong(place, error.to_string()).with_help(help))
     }
 
     /// Adds a point to the current row.

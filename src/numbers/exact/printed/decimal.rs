@@ -1,10 +1,11 @@
-//! A decimal as printed, and how it relates to an exact value.
+//! A decimal or a fraction as printed, and how it relates to an exact value.
 
 use crate::exact::{Enclosed, Integer, Rational, Real, RealAlgebraic};
 
 /// A printed decimal: `mantissa` · 10^`exponent`, where `exponent` is the place of its
 /// last printed digit. `0.0310` and `0.031` are equal in value but differ as decimals:
-/// the first is printed to one digit more.
+/// the first is printed to one digit more. A printed fraction `mantissa`/q is one too: nobody rounds to it, so that one
+/// unit of its last place is 0.
 ///
 /// ```
 /// use subcert::exact::{Rational, Rounding, parse_decimal};
@@ -20,6 +21,8 @@ use crate::exact::{Enclosed, Integer, Rational, Real, RealAlgebraic};
 pub struct Decimal {
     mantissa: Integer,
     exponent: i32,
+    /// The denominator of a fraction.
+    over: Option<Integer>,
 }
 
 /// How a printed decimal came from an exact value.
@@ -41,16 +44,29 @@ impl Decimal {
     /// `mantissa` · 10^`exponent`, printed to the place 10^`exponent`.
     #[must_use]
     pub fn new(mantissa: Integer, exponent: i32) -> Decimal {
-        Decimal { mantissa, exponent }
+        Decimal { mantissa, exponent, over: None }
     }
 
-    /// All printed digits, read as one integer.
+    /// The fraction `numerator`/`denominator`; `None` where the denominator is 0.
+    #[must_use]
+    pub fn fraction(numerator: Integer, denominator: Integer) -> Option<Decimal> {
+        let over = Some(denominator).filter(|denominator| !denominator.is_zero());
+        over.map(|over| Decimal { mantissa: numerator, exponent: 0, over: Some(over) })
+    }
+
+    /// Whether it is a fraction, which is exact.
+    #[must_use]
+    pub fn is_fraction(&self) -> bool {
+        self.over.is_some()
+    }
+
+    /// All printed digits, read as one integer; those of a fraction's numerator.
     #[must_use]
     pub fn mantissa(&self) -> &Integer {
         &self.mantissa
     }
 
-    /// The place of the last printed digit, as an exponent of ten.
+    /// The place of the last printed digit, as an exponent of ten; 0 of a fraction.
     #[must_use]
     pub fn exponent(&self) -> i32 {
         self.exponent
@@ -59,19 +75,22 @@ impl Decimal {
     /// The exact value of the printed digits.
     #[must_use]
     pub fn value(&self) -> Rational {
-        Rational::from(self.mantissa.clone()) * Rational::power_of_ten(self.exponent)
+        match &self.over {
+            Some(over) => Rational::new(self.mantissa.clone(), over.clone()),
+            None => Rational::from(self.mantissa.clone()) * self.unit(),
+        }
     }
 
-    /// One unit in the last printed place.
+    /// One unit in the last printed place; 0 of a fraction.
     #[must_use]
     pub fn unit(&self) -> Rational {
-        Rational::power_of_ten(self.exponent)
+        if self.is_fraction() { Rational::zero() } else { Rational::power_of_ten(self.exponent) }
     }
 
     /// Whether it is one unit of its last place, or its negative.
     #[must_use]
     pub fn is_one_unit(&self) -> bool {
-        self.mantissa.abs() == Integer::one()
+        !self.is_fraction() && self.mantissa.abs() == Integer::one()
     }
 
     /// The number of digits from the first that is not 0 to the last printed
@@ -99,8 +118,12 @@ impl Decimal {
     /// How this decimal came from the value `exact`, in exact arithmetic.
     #[must_use]
     pub fn rounding_of<R: Real + PartialOrd>(&self, exact: &R) -> Rounding {
-        // Most decimals are far from `exact`, and comparing is quicker than subtracting.
         let (shown, place) = (self.value(), self.unit());
+        if self.is_fraction() {
+            let equal = R::from_rational(&shown) == *exact;
+            return if equal { Rounding::Exact } else { Rounding::Neither };
+        }
+        // Most decimals are far from `exact`, and comparing is quicker than subtracting.
         let above = |bound: Rational| *exact >= R::from_rational(&bound);
         if above(&shown + &place) || !above(&shown - &place) {
             return Rounding::Neither;
@@ -129,6 +152,9 @@ impl Decimal {
     pub fn rounding_of_algebraic(&self, exact: &RealAlgebraic) -> Rounding {
         if let Some(exact) = exact.as_rational() {
             return self.rounding_of(exact);
+        }
+        if self.is_fraction() {
+            return Rounding::Neither;
         }
         // The answer depends only on where the irrational number lies among these
         // rational marks.

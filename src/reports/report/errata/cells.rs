@@ -100,6 +100,9 @@ pub(crate) fn correct(exact: Option<&RealCyclotomic>, printed: &Printed) -> Stri
     let Some(exact) = exact else { return "no value".to_owned() };
     let digits = u32::try_from(printed.decimal.significant_digits()).unwrap_or(1).clamp(1, 40);
     let places = u32::try_from(-printed.decimal.exponent()).unwrap_or(0);
+    if printed.decimal.is_fraction() {
+        return exact.as_rational().map_or_else(|| short(exact, 10), ToString::to_string);
+    }
     if printed.text.contains(['e', 'E']) {
         return scientific(exact, digits);
     }

@@ -39,7 +39,7 @@ pub(super) fn cell(
                 (command::explain(context, &anchor))
             }
             a.open href=(link) {
-                (cell.printed.as_deref().unwrap_or("lost")) " " (badge(cell.verdict.word()))
+                (cell.shown()) " " (badge(cell.verdict.word()))
                 @if is_broken(cell) {
                     span.flag aria-hidden="true" { "⚑" }
                     span.hidden { ", promise broken" }

@@ -136,7 +136,7 @@ pub fn table_values(finding: &TableFinding<'_>) -> Grid {
 }
 
 fn cell_text(cell: &CellFinding) -> String {
-    let printed = cell.printed.as_deref().unwrap_or("lost");
+    let printed = cell.shown();
     // A cell that another reading reproduces gets a second mark: the value below it is that of the
     // printed definition.
     let otherwise = cell.verdict == Verdict::Reproduced && cell.as_read.is_some();
@@ -265,7 +265,7 @@ fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
             missing.push(format!("{names} not stated"));
         }
         missing.extend(finding.fitting.as_ref().map(|fitting| reading::fitting(fitting, count)));
-        if cells(finding).any(|cell| cell.printed.is_none()) {
+        if cells(finding).any(|cell| cell.printed.is_none() && !cell.is_blank()) {
             missing.push("the cells are lost".to_owned());
         }
         if missing.is_empty() {

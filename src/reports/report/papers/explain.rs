@@ -88,7 +88,7 @@ pub(crate) fn cell_place(table: &Table, target: Target<'_>) -> Option<(usize, us
 pub(crate) fn cell_facts(cell: &CellFinding) -> Vec<(String, String)> {
     let mut facts = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
-    fact("printed", cell.printed.clone().unwrap_or_else(|| "lost".to_owned()));
+    fact("printed", cell.shown().to_owned());
     if let Some(note) = &cell.note {
         fact("note", note.clone());
     }

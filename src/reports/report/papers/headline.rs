@@ -132,7 +132,8 @@ fn listed(parts: &[String]) -> String {
 fn cells(audit: &PaperAudit<'_>) -> Vec<String> {
     let all = || audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
     let printed: Vec<&CellFinding> = all().filter(|cell| cell.printed.is_some()).collect();
-    let lost = all().count() - printed.len();
+    let blank = all().filter(|cell| cell.is_blank()).count();
+    let lost = all().count() - printed.len() - blank;
     let mut sentences = Vec::new();
     if !printed.is_empty() {
         let counts: Tally = printed.iter().map(|cell| cell.verdict.word()).collect();
@@ -182,6 +183,11 @@ fn cells(audit: &PaperAudit<'_>) -> Vec<String> {
         0 => {}
         1 => sentences.push("1 cell is lost.".to_owned()),
         lost => sentences.push(format!("{lost} cells are lost.")),
+    }
+    match blank {
+        0 => {}
+        1 => sentences.push("Nothing is printed in 1 cell.".to_owned()),
+        blank => sentences.push(format!("Nothing is printed in {blank} cells.")),
     }
     sentences
 }

@@ -50,8 +50,9 @@ fn cells(audits: &[PaperAudit<'_>]) -> Grid {
     let rows = audits.iter().map(|audit| {
         let counts = audit.tally(&[Kind::Table]);
         let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
-        let lost = cells.filter(|cell| cell.printed.is_none()).count();
-        let printed = counts.total() - lost;
+        let unprinted = cells.filter(|cell| cell.printed.is_none());
+        let (blank, lost): (Vec<_>, Vec<_>) = unprinted.partition(|cell| cell.is_blank());
+        let (lost, printed) = (lost.len(), counts.total() - lost.len() - blank.len());
         let all = match (printed, lost) {
             (0, 0) => NONE.to_owned(),
             (printed, 0) => printed.to_string(),

@@ -50,7 +50,7 @@ fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Ch
         let (text, read) = printed(field).unwrap_or_default();
         let claimed = format!("{name} \"{text}\"");
         let other = || Reason::Ends(Text(said.to_string()), Text(claimed.clone()));
-        let decimal = Decimal::read(read).ok_or_else(other)?;
+        let decimal = Decimal::printed(read).ok_or_else(other)?;
         let rest = said.strip_prefix(&claimed).and_then(|rest| rest.strip_prefix(' '));
         let rest = rest.and_then(|rest| rest.split_once(' '));
         let (exact, relation) = rest.ok_or_else(other)?;
@@ -83,7 +83,7 @@ fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Ch
     // ends, unless they belong to the range.
     let [from, to] = ["from", "to"].map(|name| {
         let (_, read) = claim.get(name).and_then(printed)?;
-        Some(Decimal::read(read)?.value)
+        Some(Decimal::printed(read)?.value)
     });
     let closed = claim.is_set("closed");
     let reversed = from.zip(to).is_some_and(|(from, to)| from > to || from == to && !closed);

@@ -3,7 +3,7 @@
 use super::copied::Copied;
 use crate::claims::{Headers, Paper, printed};
 use crate::formulas::{Definitions, Expr, Memory, Reading, Scope, formula_of};
-use crate::numbers::{Decimal, Q, Value, interval};
+use crate::numbers::{Decimal, Q, Value, interval, is_blank};
 use crate::schemes::{Scheme, names};
 use crate::text::{Checked, Reason, Stop, Toml};
 use num_traits::Signed;
@@ -143,8 +143,9 @@ impl<'a> Table<'a> {
         if claim.text("cells") == Some("lost") {
             return Ok(table);
         }
-        let printed = even && table.places().all(|place| table.printed(place).is_some());
-        let why = "the numbers of cells and headers differ, or a cell is no decimal";
+        let printed = |place: Place| table.printed(place).is_some() || table.is_blank(place);
+        let printed = even && table.places().all(printed);
+        let why = "the numbers of cells and headers differ, or a cell is no number";
         printed.then_some(table).ok_or_else(|| Stop::Wrong(why.into()))
     }
 
@@ -179,10 +180,19 @@ impl<'a> Table<'a> {
         Ok((place.ok_or(Reason::Cell)?, words.next().unwrap_or_default()))
     }
 
-    /// A cell as printed and as a decimal; `None` if it is lost or no decimal.
-    pub fn printed(&self, (row, column): Place) -> Option<(&'a str, Decimal)> {
-        let (text, read) = printed(self.claim.list("cells").get(row)?.as_list().get(column)?)?;
-        Some((text, Decimal::read(read)?))
+    /// A cell as printed and as a number; `None` if it is lost, blank or no number.
+    pub fn printed(&self, place: Place) -> Option<(&'a str, Decimal)> {
+        let (text, read) = self.text(place)?;
+        Some((text, Decimal::printed(read)?))
+    }
+
+    /// Whether nothing is printed in a cell.
+    fn is_blank(&self, place: Place) -> bool {
+        self.text(place).is_some_and(|(_, read)| is_blank(read))
+    }
+
+    fn text(&self, (row, column): Place) -> Option<(&'a str, &'a str)> {
+        printed(self.claim.list("cells").get(row)?.as_list().get(column)?)
     }
 
     /// The reference to the scheme of a cell: the header of its row or of its column, or the

@@ -105,7 +105,7 @@ impl Table<'_> {
             };
             let row = claim.list("cells").get(place("rows")?)?;
             let (_, read) = printed(row.as_list().get(place("columns")?)?)?;
-            Some(Decimal::read(read)?.value)
+            Some(Decimal::printed(read)?.value)
         });
         number.map(Value::from).ok_or(NONE)
     }

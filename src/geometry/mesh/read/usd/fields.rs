@@ -3,10 +3,9 @@
 use super::prims::{Field, Prim};
 use super::tokens::{Kind, Token};
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::exact::Rational;
+use crate::exact::{Rational, parse_rational};
 use crate::mesh::crease::{Boundary, Sharpness};
 use crate::mesh::read::assemble::{Extras, Parts, Tag};
-use crate::mesh::read::lines::parse_coordinate;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -58,7 +57,7 @@ impl Fields<'_> {
         for token in &field.value {
             match token.kind {
                 Kind::Word => {
-                    let number = parse_coordinate(self.text(token)).map_err(|error| {
+                    let number = parse_rational(self.text(token)).map_err(|error| {
                         self.wrong(token.place.clone(), error.to_string())
                             .with_help("write a decimal such as -0.25 or 2.5e-3")
                     })?;

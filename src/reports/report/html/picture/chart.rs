@@ -106,7 +106,7 @@ pub(super) fn mark<'f>(
     let table = finding.table;
     let printed = match table.cells.get(row)?.get(column)? {
         Cell::Printed(printed) => Some(nearest(&printed.decimal.value())),
-        Cell::Lost => None,
+        Cell::Lost | Cell::Blank => None,
     };
     let sound = match &cell.sound {
         Some(Sound::Depth { level, .. } | Sound::Least(level)) => Some(f64::from(*level)),
