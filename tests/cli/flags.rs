@@ -31,7 +31,7 @@ const OTHERS: [(&str, &[&str]); 4] = [
     ("oracle", &["json", "csv", "table", "matlab"]),
     ("refine", &["obj", "ply", "usda", "vtk", "medit", "json", "csv"]),
     ("limit", &["obj", "ply", "usda", "vtk", "medit", "json", "csv"]),
-    ("table", &["c", "cpp", "rust", "python", "glsl", "json"]),
+    ("table", &["c", "cpp", "rust", "python", "glsl", "hlsl", "wgsl", "json"]),
 ];
 
 /// What only writes files or one kind of text, or what shells read.

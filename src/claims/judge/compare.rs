@@ -103,7 +103,8 @@ fn find_slip(
     if matches(printed, &-exact) {
         return Some(Slip::Sign);
     }
-    let places = (1..=if printed.is_fraction() { 0 } else { MAX_EXPONENT_SLIP }).flat_map(|places| [places, -places]);
+    let places = (1..=if printed.is_fraction() { 0 } else { MAX_EXPONENT_SLIP })
+        .flat_map(|places| [places, -places]);
     let moved = |places: i32| exact * &RealCyclotomic::from(Rational::power_of_ten(places));
     if let Some(places) = places.into_iter().find(|&places| {
         matches!(printed.rounding_of(&moved(places)), Rounding::Exact | Rounding::Nearest)

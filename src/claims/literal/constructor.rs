@@ -83,7 +83,9 @@ impl Reader<'_> {
             match kind {
                 Kind::Sign('<') => depth += 1,
                 Kind::Sign('>') => depth -= 1,
-                Kind::Name => found = element(self.text(at), self.language).map(|(one, _)| one).or(found),
+                Kind::Name => {
+                    found = element(self.text(at), self.language).map(|(one, _)| one).or(found)
+                }
                 _ => {}
             }
             at += 1;
@@ -187,11 +189,12 @@ impl Reader<'_> {
     }
 }
 
-/// The floats of numpy that only it calls so.
+/// The types of numpy that only it calls so; integers have 32 bits on some machines.
 fn numpy(word: &str) -> Option<Element> {
     match word {
         "single" => Some(Element::Float(Precision::Single)),
         "double" | "float_" => Some(Element::Float(Precision::Double)),
+        "int" | "int_" | "intp" => Some(Element::Whole { bits: 32, signed: true }),
         _ => None,
     }
 }
@@ -253,7 +256,8 @@ fn known(
             if name == "array" {
                 return Some((Holds::Numbers, None));
             }
-            if let Some((element, count)) = element(name, language).filter(|(_, count)| *count > 1) {
+            if let Some((element, count)) = element(name, language).filter(|(_, count)| *count > 1)
+            {
                 return Some((Holds::Exactly(count), Some(element)));
             }
             let size = name.strip_prefix("vec").or_else(|| name.strip_prefix("mat"))?;

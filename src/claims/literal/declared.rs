@@ -45,9 +45,9 @@ pub(super) fn element(word: &str, language: Language) -> Option<(Element, usize)
         | ("float64" | "float64_t" | "GLdouble", _) => return Some((double, 1)),
         ("auto", Language::C) => return Some((Deduced, 1)),
         (
-            "lowp" | "mediump" | "min16float" | "min10float" | "bool" | "_Bool" | "fixed" | "f16" | "bf16" | "Float16"
-            | "_Float16" | "__half" | "__fp16" | "float16" | "float16_t" | "__float128"
-            | "_Float128" | "_Complex" | "Uint8Clamped",
+            "lowp" | "mediump" | "min16float" | "min10float" | "bool" | "_Bool" | "fixed" | "f16"
+            | "bf16" | "Float16" | "_Float16" | "__half" | "__fp16" | "float16" | "float16_t"
+            | "__float128" | "_Float128" | "_Complex" | "Uint8Clamped",
             _,
         ) => return Some((Other, 1)),
         ("unsigned" | "usize" | "size_t", _) => return whole(32, false),

@@ -79,7 +79,8 @@ pub(super) fn macros(
     name: &str,
 ) -> Result<Vec<Macro>, Diagnostic> {
     let mut macros = Vec::new();
-    for (at, token) in tokens.iter().enumerate().filter(|(_, token)| token.kind == Kind::Directive) {
+    for (at, token) in tokens.iter().enumerate().filter(|(_, token)| token.kind == Kind::Directive)
+    {
         let kind = match words(source, token)[..] {
             [kind @ ("define" | "undef"), first, ..] if first == name => kind,
             _ => continue,

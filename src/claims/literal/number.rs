@@ -129,7 +129,9 @@ fn kind(suffix: &str, whole: bool, language: Language) -> Result<Option<Type>, S
         ("l", Hlsl) if !whole => double,
         ("" | "f", Hlsl | Wgsl) => Ok(Some(Type::Either { typed: suffix == "f" })),
         ("l", C) if !whole => Ok(Some(Type::Long)),
-        ("u" | "l" | "ul" | "lu" | "ll" | "ull" | "llu", C) | ("u", Shader | Hlsl) if whole => Ok(None),
+        ("u" | "l" | "ul" | "lu" | "ll" | "ull" | "llu", C) | ("u", Shader | Hlsl) if whole => {
+            Ok(None)
+        }
         _ => Err(format!("the suffix `{suffix}` is not one of numbers here")),
     }
 }

@@ -75,7 +75,8 @@ impl Place<'_> {
     pub(super) fn value(&self, begin: usize) -> Option<Range<usize>> {
         let mut depth = 0_usize;
         let mut end = begin;
-        let tuple = self.language == Language::Python && !self.enclosed;
+        // In WGSL, it parts the types of `array<f32, 4>`, and each name has a declaration of its own.
+        let tuple = matches!(self.language, Language::Python | Language::Wgsl) && !self.enclosed;
         while let Some(token) = self.tokens.get(end) {
             match token.kind {
                 _ if depth == 0 && end > begin && self.ends(end) => break,

@@ -197,7 +197,9 @@ impl<'a> Reader<'a> {
             let between = self.between(at);
             match self.tokens[at].kind {
                 Kind::Sign(']' | '}') if depth <= 1 => return false,
-                _ if at > self.at + 1 && between.contains('\n') && !between.contains("...") => return true,
+                _ if at > self.at + 1 && between.contains('\n') && !between.contains("...") => {
+                    return true;
+                }
                 Kind::Sign(';') => return true,
                 Kind::Sign('[' | '{') => depth += 1,
                 Kind::Sign(']' | '}') => depth -= 1,

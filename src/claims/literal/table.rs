@@ -66,9 +66,15 @@ pub fn read_literals(
     let declared = decide(source, &types, &entries, &directives)?;
     if entries.len() != wanted {
         let count = entries.len();
+        let numbers = if count == 1 { "number" } else { "numbers" };
         let message =
-            format!("`{after}` has {count} numbers, and the shape {shape:?} has {wanted}");
-        return Err(Diagnostic::new(source, name, message));
+            format!("`{after}` has {count} {numbers}, and the shape {shape:?} has {wanted}");
+        let error = Diagnostic::new(source, name, message);
+        // `#define W0 0.5`
+        let one = entries.len() == 1 && wanted > 1;
+        let help =
+            "of constants with one number each, give a list of names: after = [\"W0\", \"W1\"]";
+        return Err(if one { error.with_help(help) } else { error });
     }
     Ok(LiteralTable { shape: shape.to_vec(), entries, name, declared })
 }

@@ -119,24 +119,23 @@ impl<'a> Tokens<'a> {
             let comment = &rest[white..];
             let mut marks = self.language.line_comments().iter();
             let continues = self.language == Language::Python || self.in_macro;
-            let length = if continues
-                && (comment.starts_with("\\\n") || comment.starts_with("\\\r\n"))
-            {
-                1
-            } else if self.language.has_block_comments() && comment.starts_with("/*") {
-                self.comment_length(self.at + white, comment)?
-            } else if self.language == Language::Matlab && comment.starts_with("%{") {
-                block_length(comment)
-            } else if marks.any(|mark| comment.starts_with(mark))
-                || self.language == Language::Matlab && comment.starts_with("...")
-            {
-                let length = comment.find('\n').unwrap_or(comment.len());
-                self.ends_with_its_line(self.at + white, comment, length)?;
-                length
-            } else {
-                self.at += white;
-                return Ok(());
-            };
+            let length =
+                if continues && (comment.starts_with("\\\n") || comment.starts_with("\\\r\n")) {
+                    1
+                } else if self.language.has_block_comments() && comment.starts_with("/*") {
+                    self.comment_length(self.at + white, comment)?
+                } else if self.language == Language::Matlab && comment.starts_with("%{") {
+                    block_length(comment)
+                } else if marks.any(|mark| comment.starts_with(mark))
+                    || self.language == Language::Matlab && comment.starts_with("...")
+                {
+                    let length = comment.find('\n').unwrap_or(comment.len());
+                    self.ends_with_its_line(self.at + white, comment, length)?;
+                    length
+                } else {
+                    self.at += white;
+                    return Ok(());
+                };
             self.at += white + length;
         }
     }
@@ -175,7 +174,9 @@ impl<'a> Tokens<'a> {
                 if depth == 0 {
                     return Ok(at);
                 }
-            } else if rest.starts_with(b"/*") && (depth == 0 || matches!(self.language, Language::Rust | Language::Wgsl)) {
+            } else if rest.starts_with(b"/*")
+                && (depth == 0 || matches!(self.language, Language::Rust | Language::Wgsl))
+            {
                 depth += 1;
                 at += 2;
             } else {
@@ -223,8 +224,12 @@ impl<'a> Tokens<'a> {
         let mut at = open.len();
         while at < rest.len() {
             let after = &rest[at..];
-            if after.starts_with(open) {
-                return Ok(at + open.len());
+            if let Some(behind) = after.strip_prefix(open) {
+                // In MATLAB, two quotes are one of the text.
+                if self.language != Language::Matlab || !behind.starts_with(open) {
+                    return Ok(at + open.len());
+                }
+                at += open.len();
             }
             if after.starts_with('\n') && open.len() == 1 && self.language != Language::Rust {
                 break;

@@ -202,7 +202,7 @@ pub enum Origin {
     Source {
         /// The file, as the claim file names it.
         file: String,
-        /// The name that the table has there.
+        /// The name that the table has there, or the names of its numbers with commas between them.
         after: String,
     },
 }

@@ -40,9 +40,9 @@ pub(in crate::cli) struct TableArguments {
     /// The language
     #[arg(long, value_enum)]
     pub(in crate::cli) format: LanguageArgument,
-    /// The type of the numbers
-    #[arg(long = "type", value_enum, default_value_t = TypeArgument::F64, value_name = "TYPE")]
-    pub(in crate::cli) real: TypeArgument,
+    /// The type of the numbers: f64 where it is not given, and f32 of WGSL, which has no other
+    #[arg(long = "type", value_enum, value_name = "TYPE")]
+    pub(in crate::cli) real: Option<TypeArgument>,
     /// Write the table into this file
     #[arg(short, long, value_name = "FILE")]
     pub(in crate::cli) output: Option<PathBuf>,
@@ -61,6 +61,10 @@ pub(in crate::cli) enum LanguageArgument {
     Python,
     /// GLSL 3.30, or 4.00 for f64
     Glsl,
+    /// HLSL, from shader model 5 on for f64
+    Hlsl,
+    /// WGSL, f32 only
+    Wgsl,
     /// JSON
     Json,
 }
@@ -73,6 +77,8 @@ impl From<LanguageArgument> for Language {
             LanguageArgument::Rust => Language::Rust,
             LanguageArgument::Python => Language::Python,
             LanguageArgument::Glsl => Language::Glsl,
+            LanguageArgument::Hlsl => Language::Hlsl,
+            LanguageArgument::Wgsl => Language::Wgsl,
             LanguageArgument::Json => Language::Json,
         }
     }

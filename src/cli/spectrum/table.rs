@@ -21,7 +21,13 @@ const MAX_VALENCES: usize = 256;
 
 pub(crate) fn table(arguments: &TableArguments) -> Outcome {
     let language = Language::from(arguments.format);
-    let real = arguments.real.into();
+    let types = language.types();
+    let real = arguments.real.map_or(types[0], RealType::from);
+    if !types.contains(&real) {
+        let message =
+            format!("{} has no f64: leave out --type, or write --type f32", language.name());
+        return Err(Failure::Input(message));
+    }
     let text = match (arguments.valences, arguments.sectors) {
         (Some(valences), _) => of_valences(arguments, valences, language, real)?,
         (None, Some(sectors)) => of_sectors(arguments, sectors, language, real)?,

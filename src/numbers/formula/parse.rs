@@ -62,8 +62,7 @@ fn multiplicative(input: &mut Input<'_>) -> Parsed<Operator> {
     // The fraction slash and the division slash divide too.
     let sign = one_of(['*', '/', '·', '×', '\u{2044}', '\u{2215}']);
     let times = |c| matches!(c, '*' | '·' | '×');
-    let operator =
-        sign.map(move |c| if times(c) { Operator::Multiply } else { Operator::Divide });
+    let operator = sign.map(move |c| if times(c) { Operator::Multiply } else { Operator::Divide });
     (operator, space).map(|(operator, ())| operator).parse_next(input)
 }
 

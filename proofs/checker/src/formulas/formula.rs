@@ -116,14 +116,8 @@ impl Parser {
 
     fn sum(&mut self) -> Parsed<Expr> {
         const SUM: [(&str, char); 3] = [("+", '+'), ("-", '-'), ("\u{2212}", '-')];
-        const PRODUCT: [(&str, char); 6] = [
-            ("*", '*'),
-            ("/", '/'),
-            ("·", '*'),
-            ("×", '*'),
-            ("\u{2044}", '/'),
-            ("\u{2215}", '/'),
-        ];
+        const PRODUCT: [(&str, char); 6] =
+            [("*", '*'), ("/", '/'), ("·", '*'), ("×", '*'), ("\u{2044}", '/'), ("\u{2215}", '/')];
         self.chain(&SUM, |parser| parser.chain(&PRODUCT, Self::factor))
     }
 

@@ -19,6 +19,8 @@ pub enum Kind {
     Single,
     /// IEEE binary64.
     Double,
+    /// A double without a type, which is that of the numbers beside it.
+    Literal,
     /// A `long double`, whose format depends on the machine.
     Long,
     /// The type of the table.
@@ -39,7 +41,7 @@ impl Kind {
     fn format(self) -> Option<Format> {
         match self {
             Kind::Single => Some(SINGLE),
-            Kind::Double => Some(DOUBLE),
+            Kind::Double | Kind::Literal => Some(DOUBLE),
             _ => None,
         }
     }
@@ -129,6 +131,7 @@ impl Held {
         let kind = match kinds {
             _ if kinds.contains(&Kind::Exact) => Kind::Exact,
             _ if kinds.contains(&Kind::Double) || integers => Kind::Double,
+            _ if kinds.contains(&Kind::Literal) && !kinds.contains(&Kind::Single) => Kind::Literal,
             _ => Kind::Single,
         };
         // An integer becomes a number of the type first, except in a quotient of two.

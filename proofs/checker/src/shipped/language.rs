@@ -13,15 +13,23 @@ pub enum Language {
     Python,
     /// Rust.
     Rust,
+    /// HLSL, Metal and OpenCL. A compiler may round literals to doubles first.
+    Hlsl,
+    /// WGSL. A compiler may round literals to doubles first.
+    Wgsl,
+    /// MATLAB and Octave.
+    Matlab,
 }
 
 /// The endings of file names, by language.
-const ENDINGS: [(Language, &str); 5] = [
+const ENDINGS: [(Language, &str); 7] = [
     (Language::C, "c h cc cpp cxx hh hpp hxx inl ipp cu cuh mm"),
     (Language::Shader, "glsl vert frag geom comp tesc tese"),
     (Language::JavaScript, "js mjs cjs ts jsx tsx"),
     (Language::Python, "py pyi"),
     (Language::Rust, "rs"),
+    (Language::Hlsl, "hlsl hlsli fx fxh metal cl"),
+    (Language::Wgsl, "wgsl"),
 ];
 
 impl Language {
@@ -33,6 +41,9 @@ impl Language {
             "javascript" => Language::JavaScript,
             "python" => Language::Python,
             "rust" => Language::Rust,
+            "hlsl" => Language::Hlsl,
+            "wgsl" => Language::Wgsl,
+            "matlab" => Language::Matlab,
             _ => return None,
         })
     }
@@ -47,14 +58,21 @@ impl Language {
 
     /// Whether a quotient of integers is an integer.
     pub fn truncates(self) -> bool {
-        matches!(self, Language::C | Language::Shader)
+        matches!(self, Language::C | Language::Shader | Language::Hlsl | Language::Wgsl)
+    }
+
+    /// Whether a compiler may round literals to doubles first.
+    pub fn may_widen(self) -> bool {
+        matches!(self, Language::Hlsl | Language::Wgsl)
     }
 
     /// The text of a literal without the separators of its digits; `None` if one stands where the language has none.
     pub fn joined(self, text: &str) -> Option<String> {
         let sign = match self {
             Language::C => '\'',
-            Language::Shader => return Some(text.to_owned()),
+            Language::Shader | Language::Hlsl | Language::Wgsl | Language::Matlab => {
+                return Some(text.to_owned());
+            }
             _ => '_',
         };
         let mut kept = String::new();

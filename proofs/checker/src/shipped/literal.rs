@@ -10,6 +10,9 @@ use crate::text::{Checked, Cursor, Reason, Stop, Text};
 /// The most characters.
 const MAX_LENGTH: usize = 2_000;
 
+/// The languages with `(float)x` and `double(x)`.
+const NATIVE: [Language; 3] = [Language::C, Language::Shader, Language::Hlsl];
+
 /// How deep signs and brackets may be nested.
 const MAX_NESTING: usize = 64;
 
@@ -36,7 +39,21 @@ impl From<&'static str> for Wrong {
 
 /// Reads the text of a number in a table of this type.
 pub fn read(text: &str, language: Language, target: Target) -> Checked<Shipped> {
-    let mut parser = Parser { text: Cursor::new(text), language, target, depth: 0 };
+    let read = |wide: bool| read_as(text, language, wide, target);
+    let shipped = read(false)?;
+    if language.may_widen() && matches!(target, Type::Binary(_)) && read(true)?.held != shipped.held
+    {
+        return Err(Stop::Capped(
+            "a number that depends on whether a compiler rounds literals to doubles",
+        )
+        .into());
+    }
+    Ok(shipped)
+}
+
+/// As [`read`]; `wide` where the compiler rounds literals to doubles first.
+fn read_as(text: &str, language: Language, wide: bool, target: Target) -> Checked<Shipped> {
+    let mut parser = Parser { text: Cursor::new(text), language, wide, target, depth: 0 };
     let read = if text.chars().count() > MAX_LENGTH {
         Err("a text that is not too long".into())
     } else {
@@ -56,6 +73,8 @@ pub fn read(text: &str, language: Language, target: Target) -> Checked<Shipped> 
 struct Parser {
     text: Cursor,
     language: Language,
+    /// Whether literals are rounded to doubles first.
+    wide: bool,
     target: Target,
     depth: usize,
 }
@@ -106,7 +125,7 @@ impl Parser {
         if self.text.token("(") {
             // `(float)x`
             let start = self.text.at();
-            let converts = matches!(self.language, Language::C | Language::Shader);
+            let converts = NATIVE.contains(&self.language);
             let kind = if converts { self.conversion() } else { None };
             if let Some(kind) = kind {
                 if self.text.token(")") {
@@ -141,10 +160,10 @@ impl Parser {
         let start = self.text.at();
         let name = self.text.take(|c| c.is_alphanumeric() || c == '_');
         let kind = match (&name[..], self.language) {
-            ("float", Language::Python) | ("double", Language::C | Language::Shader) => {
-                Some(Kind::Double)
-            }
-            ("float", Language::C | Language::Shader) => Some(Kind::Single),
+            ("float", Language::Python) | ("double", Language::Matlab) => Some(Kind::Double),
+            ("f32", Language::Wgsl) | ("single", Language::Matlab) => Some(Kind::Single),
+            ("double", language) if NATIVE.contains(&language) => Some(Kind::Double),
+            ("float", language) if NATIVE.contains(&language) => Some(Kind::Single),
             _ => None,
         };
         if kind.is_some() {
@@ -161,7 +180,11 @@ impl Parser {
         let mut text = self.text.take(word);
         // The sign of an exponent.
         let hexadecimal = text.starts_with("0x") || text.starts_with("0X");
-        let marks: [char; 2] = if hexadecimal { ['p', 'P'] } else { ['e', 'E'] };
+        let marks: &[char] = match self.language {
+            _ if hexadecimal => &['p', 'P'],
+            Language::Matlab => &['e', 'E', 'd', 'D'],
+            _ => &['e', 'E'],
+        };
         if text.starts_with(|c: char| c.is_ascii_digit() || c == '.')
             && text.ends_with(marks)
             && let Some(sign) = self.text.peek().filter(|c| matches!(c, '+' | '-'))
@@ -169,7 +192,7 @@ impl Parser {
             self.text.next();
             text = format!("{text}{sign}{}", self.text.take(word));
         }
-        let read = literal(&text, self.language, self.target);
+        let read = literal(&text, self.language, self.wide, self.target);
         if read.is_err() {
             self.text.back(start);
         }

@@ -26,7 +26,14 @@ pub struct Written {
 pub type Literal = (Option<Written>, Held);
 
 /// Reads a literal without a sign. The error says what is wrong.
-pub fn literal(text: &str, language: Language, target: Target) -> Result<Literal, &'static str> {
+///
+/// A compiler that rounds literals to doubles first is `wide`.
+pub fn literal(
+    text: &str,
+    language: Language,
+    wide: bool,
+    target: Target,
+) -> Result<Literal, &'static str> {
     let joined =
         language.joined(text).ok_or("a separator of digits where the language has none")?;
     let mixed: &[&str] = match language {
@@ -42,8 +49,13 @@ pub fn literal(text: &str, language: Language, target: Target) -> Result<Literal
     }
     let plain = joined.to_ascii_lowercase();
     match plain.strip_prefix("0x") {
+        Some(_) if language == Language::Matlab => Err("an integer of a type"),
         Some(digits) => hexadecimal(digits, language, target),
-        None => decimal(&plain, language, target),
+        // `1d-3`
+        None if language == Language::Matlab => {
+            decimal(&plain.replace('d', "e"), language, false, target)
+        }
+        None => decimal(&plain, language, wide, target),
     }
 }
 
@@ -77,7 +89,12 @@ fn exponent(text: &str, mark: char) -> Result<(Option<i64>, &str), &'static str>
     Ok((Some(sign * size.ok_or("the exponent is missing or too large")?), rest))
 }
 
-fn decimal(text: &str, language: Language, target: Target) -> Result<Literal, &'static str> {
+fn decimal(
+    text: &str,
+    language: Language,
+    wide: bool,
+    target: Target,
+) -> Result<Literal, &'static str> {
     let (whole, fraction, point, rest) = digits(text, 10)?;
     let (exponent, suffix) = exponent(rest, 'e')?;
     let is_whole = !point && exponent.is_none();
@@ -89,8 +106,14 @@ fn decimal(text: &str, language: Language, target: Target) -> Result<Literal, &'
     let places = places - exponent.unwrap_or(0);
     let mantissa: BigInt = all.parse().map_err(|_| "no digits")?;
     let value = Q::from_integer(mantissa) * ten(-places);
-    let kind = kind(suffix, is_whole.then_some((&value, true)), language)?;
-    let held = Held::new(value.clone(), kind, target);
+    let kind = kind(suffix, is_whole.then_some((&value, true)), language, wide)?;
+    // A float of WGSL may come from a double.
+    let double = Held::new(value.clone(), Kind::Double, target);
+    let held = if wide && language == Language::Wgsl && kind == Kind::Single {
+        double.cast(kind, target)
+    } else {
+        Held::new(value.clone(), kind, target)
+    };
     let digits = all.trim_start_matches('0').len();
     Ok((Some(Written { value, digits, places }), held))
 }
@@ -109,28 +132,35 @@ fn hexadecimal(text: &str, language: Language, target: Target) -> Result<Literal
     let scale = Q::from_integer(BigInt::one() << power.unsigned_abs());
     let value = Q::from_integer(mantissa.unwrap_or_else(BigInt::zero));
     let value = if power < 0 { value / scale } else { value * scale };
-    let kind = kind(suffix, (!is_float).then_some((&value, false)), language)?;
+    let kind = kind(suffix, (!is_float).then_some((&value, false)), language, false)?;
     Ok((None, Held::new(value, kind, target)))
 }
 
 /// What a literal is by its suffix; `whole` is the value of an integer, and whether it is decimal.
 /// In JavaScript, all numbers are doubles.
-fn kind(suffix: &str, whole: Option<(&Q, bool)>, language: Language) -> Result<Kind, &'static str> {
-    use Language::{C, JavaScript, Python, Rust, Shader};
+fn kind(
+    suffix: &str,
+    whole: Option<(&Q, bool)>,
+    language: Language,
+    wide: bool,
+) -> Result<Kind, &'static str> {
+    use Language::{C, Hlsl, JavaScript, Matlab, Python, Rust, Shader, Wgsl};
     let suffixes: &[&str] = match language {
         C => &["", "u", "l", "ul", "lu", "ll", "ull", "llu"],
-        Shader => &["", "u"],
-        Python => &[""],
-        JavaScript | Rust => &[],
+        Shader | Hlsl => &["", "u"],
+        Python | Wgsl => &[""],
+        JavaScript | Rust | Matlab => &[],
     };
     if let Some((value, decimal)) = whole.filter(|_| suffixes.contains(&suffix)) {
         return Ok(Kind::Integer(Whole::of(value, suffix, decimal, language)?));
     }
     Ok(match (language, suffix) {
         (Rust, "") => Kind::Table,
-        (C | JavaScript | Python, "") | (Rust, "f64") | (Shader, "lf") => Kind::Double,
+        (Hlsl | Wgsl, "") if wide => Kind::Literal,
+        (Hlsl, "l") if whole.is_none() => Kind::Double,
+        (C | JavaScript | Python | Matlab, "") | (Rust, "f64") | (Shader, "lf") => Kind::Double,
         (C, "f") if whole.is_some() => return Err("a suffix of floating point after an integer"),
-        (C, "f") | (Rust, "f32") | (Shader, "" | "f") => Kind::Single,
+        (C, "f") | (Rust, "f32") | (Shader | Hlsl | Wgsl, "" | "f") => Kind::Single,
         (C, "l") => Kind::Long,
         _ => return Err("the language has no such suffix"),
     })

@@ -46,7 +46,7 @@ pub enum Exact {
 const FIELDS: &str = "shipped: id=text locus=text title=text type=text indices=*text equals=text \
  equals_cells=nested cells=nested cells_from=source language=text tolerance=text note=text \
  convention=*convention
-source: file=text after=text shape=*text skip=text
+source: file=text after=nested shape=*text skip=text
 convention: label=text equals=text equals_cells=nested";
 
 fn wrong(why: impl Into<String>) -> Stop {

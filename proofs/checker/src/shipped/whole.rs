@@ -33,7 +33,7 @@ impl Whole {
         use Whole::{Int, Long, Unbounded, Unsigned, UnsignedLong};
         let (unsigned, long) = (suffix.contains('u'), suffix.contains('l'));
         let types: &[Whole] = match (language, unsigned, long) {
-            (Language::Python, ..) => &[Unbounded],
+            (Language::Python | Language::Wgsl, ..) => &[Unbounded],
             (Language::C, true, true) => &[UnsignedLong],
             (Language::C, true, false) => &[Unsigned, UnsignedLong],
             (Language::C, false, true) if is_decimal => &[Long],

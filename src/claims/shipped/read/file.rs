@@ -83,8 +83,8 @@ pub(super) struct ShippedTable {
 pub(super) struct CellsFrom {
     /// The file, from the folder of the claim file.
     pub(super) file: Spanned<String>,
-    /// The text behind which the numbers begin.
-    pub(super) after: Spanned<String>,
+    /// The name of the table, or a list of names of which each has one number.
+    pub(super) after: Spanned<Nested>,
     /// How many numbers in each direction.
     pub(super) shape: Option<Spanned<Vec<Spanned<String>>>>,
     /// How many numbers are left out first.

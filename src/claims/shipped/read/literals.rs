@@ -5,7 +5,7 @@ use super::nested::{Nested, flattened};
 use super::reader::{MAX_DESCRIBED, Reader};
 use crate::diagnostic::{Diagnostic, SourceText, read_text};
 use crate::float::exact;
-use crate::literal::{Entry, Language, Precision, Written, read_literals};
+use crate::literal::{Entry, Language, LiteralTable, Precision, Written, read_literals};
 use crate::scheme::Spanned;
 use crate::shipped::claim::{Digits, NumberType, ShippedNumber};
 use std::path::Path;
@@ -13,6 +13,9 @@ use std::sync::Arc;
 
 /// The largest source file that is read, in bytes.
 const MAX_SOURCE_BYTES: u64 = 16 << 20;
+
+/// The most names of numbers that are read one by one.
+const MAX_NAMES: usize = 64;
 
 /// The name that a typed number gets, so that it can be read as a table of one.
 const NAME: &str = "x";
@@ -74,8 +77,9 @@ impl Reader<'_> {
         let language = language.map_or_else(|| Language::of(Path::new(file.get_ref())), Ok);
         let language = language.map_err(|why| {
             let message = format!("the language of `{}` is not known: {why}", file.get_ref());
-            self.error(file.span(), message)
-                .with_help("language = \"c\", or shader, hlsl, wgsl, javascript, python, rust, matlab")
+            self.error(file.span(), message).with_help(
+                "language = \"c\", or shader, hlsl, wgsl, javascript, python, rust, matlab",
+            )
         })?;
         let skipped = skip.as_ref().map_or(Ok(0), |skip| self.count(skip))?;
         let wanted: usize = sizes.iter().product();
@@ -92,29 +96,26 @@ impl Reader<'_> {
                     ));
             }
         };
-        let table = read_literals(&source, language, after.get_ref(), &shape)?;
-        let wanted_type = match kind {
-            NumberType::Single => Some(Precision::Single),
-            NumberType::Double => Some(Precision::Double),
-            NumberType::Decimal(_) => None,
-        };
-        if let (Some(wanted), Some((held, span))) = (wanted_type, &table.declared)
-            && wanted != *held
-        {
-            let name = |precision| if precision == Precision::Single { "f32" } else { "f64" };
-            let [held, wanted] = [name(*held), name(wanted)];
-            let message = format!(
-                "the numbers of `{}` have the type {held} here, and the claim says {wanted}",
-                after.get_ref()
-            );
-            let help = format!(
-                "write type = \"{held}\" in the claim file; where the program converts them later, type the numbers into it, as `cells`"
-            );
-            return Err(Diagnostic::new(&source, span.clone(), message).with_help(help));
+        let names = flattened(std::slice::from_ref(after));
+        let several = matches!(after.get_ref(), Nested::List(_));
+        let has_shape = from.get_ref().shape.is_some() || skip.is_some();
+        if several && (has_shape || names.len() != wanted || names.len() > MAX_NAMES) {
+            let found = names.len();
+            let message = format!("{found} names, and the indices have {wanted} combinations");
+            return Err(self.error(after.span(), message).with_help(format!(
+                "a list has the name of one number for each of up to {MAX_NAMES}, without `shape` and `skip`"
+            )));
         }
-        let entries = table.entries.get(skipped..).and_then(|rest| rest.get(..wanted));
-        let entries = entries.ok_or_else(|| {
-            let found = table.entries.len();
+        let mut entries = Vec::new();
+        for name in names {
+            let shape = if several { &[] } else { &shape[..] };
+            let table = read_literals(&source, language, name.get_ref(), shape)?;
+            has_type(&table, name.get_ref(), kind, &source)?;
+            entries.extend(table.entries);
+        }
+        let described = entries.get(skipped..).and_then(|rest| rest.get(..wanted));
+        let entries = described.ok_or_else(|| {
+            let found = entries.len();
             let message = format!(
                 "the source has {found} numbers, and {wanted} are described after {skipped}"
             );
@@ -151,13 +152,47 @@ impl Reader<'_> {
     }
 }
 
+/// The precision of a type of floating-point numbers.
+fn precision(kind: NumberType) -> Option<Precision> {
+    match kind {
+        NumberType::Single => Some(Precision::Single),
+        NumberType::Double => Some(Precision::Double),
+        NumberType::Decimal(_) => None,
+    }
+}
+
+/// Checks that a source gives no other type to the numbers of a table.
+fn has_type(
+    table: &LiteralTable,
+    name: &str,
+    kind: NumberType,
+    source: &Arc<SourceText>,
+) -> Result<(), Diagnostic> {
+    let (Some(wanted), Some((held, span))) = (precision(kind), &table.declared) else {
+        return Ok(());
+    };
+    if wanted == *held {
+        return Ok(());
+    }
+    let word = |precision| if precision == Precision::Single { "f32" } else { "f64" };
+    let [held, wanted] = [word(*held), word(wanted)];
+    let message =
+        format!("the numbers of `{name}` have the type {held} here, and the claim says {wanted}");
+    let help = format!(
+        "write type = \"{held}\" in the claim file; where the program converts them later, type the numbers into it, as `cells`"
+    );
+    Err(Diagnostic::new(source, span.clone(), message).with_help(help))
+}
+
 /// The number of an entry. The error says why it has none.
 fn number(
     entry: &Entry,
     source: &SourceText,
     kind: NumberType,
 ) -> Result<ShippedNumber, &'static str> {
-    let text = source.text[entry.span()].split_whitespace().collect::<Vec<_>>().join(" ");
+    // `\` joins lines in a macro and in Python.
+    let text = source.text[entry.span()].replace("\\\n", " ").replace("\\\r\n", " ");
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let (value, written) = match entry.written() {
         Written::Literal { value, digits, places } => {
             let count = digits.zip(places);
@@ -165,11 +200,7 @@ fn number(
         }
         Written::Expression { value } => (value, None),
     };
-    let precision = match kind {
-        NumberType::Single => Some(Precision::Single),
-        NumberType::Double => Some(Precision::Double),
-        NumberType::Decimal(_) => None,
-    };
+    let precision = precision(kind);
     if precision.is_some() && entry.depends_on_machine() {
         return Err(
             "has a long double, which is rounded to a format of the machine first: the number that the \

@@ -2,6 +2,7 @@
 
 use super::exact::ExactFields;
 use super::file::{ProjectFile, ProjectTable, ShippedTable};
+use super::nested::flattened;
 use super::reader::{MAX_DESCRIBED, Reader};
 use crate::claim::is_id;
 use crate::diagnostic::{Collected, Diagnostic, Errors, SourceText};
@@ -125,7 +126,9 @@ impl Reader<'_> {
             }
             (None, Some(from)) => {
                 let file = from.get_ref().file.get_ref().clone();
-                let after = from.get_ref().after.get_ref().clone();
+                let after = flattened(std::slice::from_ref(&from.get_ref().after));
+                let after: Vec<&str> = after.into_iter().map(Spanned::into_inner).collect();
+                let after = after.join(", ");
                 let numbers = self.sourced(from, language, kind, &sizes)?;
                 (numbers, Origin::Source { file, after })
             }

@@ -89,10 +89,8 @@ fn arity(
         }
         (Some(arity), ..) => Ok(arity),
         (None, _, words) => {
-            let found = words.map_or_else(
-                || "do not".to_owned(),
-                |words| format!("add up to {words}"),
-            );
+            let found =
+                words.map_or_else(|| "do not".to_owned(), |words| format!("add up to {words}"));
             let message = format!(
                 "the coefficients of a mask of arity n = 2, …, {MAX_ARITY} add up to n, and these {found}"
             );

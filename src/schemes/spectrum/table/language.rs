@@ -15,18 +15,24 @@ pub enum Language {
     Python,
     /// GLSL 3.30, or 4.00 for f64.
     Glsl,
+    /// HLSL, from shader model 5 on for f64.
+    Hlsl,
+    /// WGSL, which has f32 only.
+    Wgsl,
     /// JSON.
     Json,
 }
 
 impl Language {
     /// All languages.
-    pub const ALL: [Language; 6] = [
+    pub const ALL: [Language; 8] = [
         Language::C,
         Language::Cpp,
         Language::Rust,
         Language::Python,
         Language::Glsl,
+        Language::Hlsl,
+        Language::Wgsl,
         Language::Json,
     ];
 
@@ -39,7 +45,18 @@ impl Language {
             Language::Rust => "rust",
             Language::Python => "python",
             Language::Glsl => "glsl",
+            Language::Hlsl => "hlsl",
+            Language::Wgsl => "wgsl",
             Language::Json => "json",
+        }
+    }
+
+    /// The types of numbers that it has, the usual one first.
+    #[must_use]
+    pub fn types(self) -> &'static [RealType] {
+        match self {
+            Language::Wgsl => &[RealType::F32],
+            _ => &[RealType::F64, RealType::F32],
         }
     }
 
@@ -48,8 +65,11 @@ impl Language {
     pub(super) fn literal(self, value: Real) -> String {
         let single = matches!(value, Real::F32(_));
         match self {
-            Language::C | Language::Cpp if single => format!("{}f", value.shortest()),
+            Language::C | Language::Cpp | Language::Hlsl | Language::Wgsl if single => {
+                format!("{}f", value.shortest())
+            }
             Language::Glsl if !single => format!("{}lf", value.shortest()),
+            Language::Hlsl => format!("{}L", value.shortest()),
             Language::Python | Language::Json => value.as_f64(),
             _ => value.shortest(),
         }
@@ -58,7 +78,7 @@ impl Language {
     /// The name of the type.
     pub(super) fn type_name(self, real: RealType) -> &'static str {
         match (self, real) {
-            (Language::Rust, RealType::F32) => "f32",
+            (Language::Rust | Language::Wgsl, RealType::F32) => "f32",
             (Language::Rust, RealType::F64) => "f64",
             (_, RealType::F32) => "float",
             (_, RealType::F64) => "double",

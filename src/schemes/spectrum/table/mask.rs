@@ -22,7 +22,7 @@ use crate::scheme::Mask;
 /// ```
 ///
 /// # Panics
-/// Never: an arity fits in 64 bits.
+/// When the language has no numbers of the type ([`Language::types`]).
 #[must_use]
 pub fn write_mask<F: Scalar + Enclosed>(
     mask: &Mask<F>,

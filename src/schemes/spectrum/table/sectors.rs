@@ -11,7 +11,7 @@ use crate::spectrum::Sector;
 /// the crease and tangent 2 the one across it; at a corner they are those along both sharp edges. The first lines say how to check it.
 ///
 /// # Panics
-/// When there are no sectors.
+/// When there are no sectors, or the language has no numbers of the type ([`Language::types`]).
 ///
 /// ```
 /// use subcert::spectrum::{Sector, table::{Language, Origin, RealType, write_sectors}};

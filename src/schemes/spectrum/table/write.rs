@@ -21,7 +21,7 @@ pub struct Origin<'a> {
 /// When the rows have different orbits, or too many weights.
 ///
 /// # Panics
-/// When there are no rows.
+/// When there are no rows, or the language has no numbers of the type ([`Language::types`]).
 ///
 /// ```
 /// use subcert::spectrum::{surroundings, table::{Language, Origin, RealType, Row, write}};
@@ -102,7 +102,10 @@ pub(super) struct Writer {
 }
 
 impl Writer {
+    /// # Panics
+    /// When the language has no numbers of the type.
     pub(super) fn written(&self, header: &[String], arrays: &[Array]) -> String {
+        assert!(self.language.types().contains(&self.real), "a language without this type");
         match self.language {
             Language::Json => self.json(header, arrays),
             _ => self.source(header, arrays),
@@ -120,6 +123,8 @@ impl Writer {
                 format!("pub const {}: {kind} = {value};", name.to_uppercase())
             }
             Language::Glsl => format!("const int {}_{name} = {value};", self.name),
+            Language::Hlsl => format!("static const int {}_{name} = {value};", self.name),
+            Language::Wgsl => format!("const {}_{name}: i32 = {value};", self.name),
             Language::Cpp | Language::Python | Language::Json => format!("{name} = {value}"),
         }
     }
@@ -178,7 +183,11 @@ impl Writer {
         let kind = self.language.type_name(self.real);
         match entries {
             Entries::Integers(values) => {
-                let kind = if self.language == Language::Rust { "usize" } else { "int" };
+                let kind = match self.language {
+                    Language::Rust => "usize",
+                    Language::Wgsl => "i32",
+                    _ => "int",
+                };
                 let values = vec![values.iter().map(ToString::to_string).collect()];
                 self.list(name, kind, &values)
             }
@@ -208,8 +217,12 @@ impl Writer {
             format!("{}\n", &body[..cut])
         };
         match self.language {
-            Language::C => {
+            Language::C | Language::Hlsl => {
                 format!("static const {kind} {}_{name}[{length}] = {{{body}}};", self.name)
+            }
+            Language::Wgsl => {
+                let list = format!("array<{kind}, {length}>");
+                format!("const {}_{name}: {list} = {list}({body});", self.name)
             }
             Language::Cpp => format!("constexpr {kind} {name}[{length}] = {{{body}}};"),
             Language::Rust => {
@@ -225,15 +238,21 @@ impl Writer {
     /// A list of lists.
     fn table(&self, name: &str, kind: &str, rows: &[Vec<String>]) -> String {
         let (count, width) = (rows.len(), rows.first().map_or(0, Vec::len));
+        let of_row = format!("array<{kind}, {width}>(");
         let [open, close] = match self.language {
-            Language::C | Language::Cpp => ["{", "}"],
+            Language::C | Language::Cpp | Language::Hlsl => ["{", "}"],
+            Language::Wgsl => [of_row.as_str(), ")"],
             _ => ["[", "]"],
         };
         let lines = rows.iter().map(|row| format!("\n    {open}{}{close},", row.join(", ")));
         let body = lines.collect::<String>() + "\n";
         match self.language {
-            Language::C => {
+            Language::C | Language::Hlsl => {
                 format!("static const {kind} {}_{name}[{count}][{width}] = {{{body}}};", self.name)
+            }
+            Language::Wgsl => {
+                let rows = format!("array<array<{kind}, {width}>, {count}>");
+                format!("const {}_{name}: {rows} = {rows}({body});", self.name)
             }
             Language::Cpp => format!("constexpr {kind} {name}[{count}][{width}] = {{{body}}};"),
             Language::Rust => {
