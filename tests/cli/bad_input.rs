@@ -245,7 +245,7 @@ fn claim_files() {
             "damaged",
             "[[table]]\nid = 't'\nlocus = 'l'\nvalue = '1'\n\
              columns = { name = 'c', values = ['6.02 - 7'] }\ncells = [['1']]\n",
-            &["unexpected ` `", "printed = \"6.02 - 7\""],
+            &["unexpected `-`", "printed = \"6.02 - 7\""],
         ),
         (
             "twice",

@@ -14,6 +14,7 @@ mod pages;
 mod plot;
 mod polygons;
 mod projects;
+mod readings;
 mod smoothness;
 mod solids;
 mod spectrum;

@@ -63,3 +63,39 @@ fn what_depth_refuses_oracle_refuses() {
         assert_parts(&refused(depth), parts);
     }
 }
+
+/// A file of a spreadsheet: with a byte order mark, line ends of Windows or of old Macintoshes, semicolons.
+#[test]
+fn files_of_spreadsheets() {
+    let plain = TemporaryFile::new("sheet-plain.csv", "0,0\n4,0\n4,.5\n0,1/2\n");
+    let expected = oracle("chaikin", plain.path());
+    for (name, text) in [
+        ("sheet-mark.csv", "\u{feff}0,0\r\n4,0\r\n4,+0.5\r\n0,½\r\n"),
+        ("sheet-old.csv", "0,0\r4,0 # a comment\r4,5e-1\r0,1/2\r"),
+        ("sheet-semicolons.csv", "0;0\n4;0\n4;0.50\n0;.5\n"),
+        ("sheet-text.json", "\u{feff}[[0, 0], [4, 0], [4, \" .5\"], [0, \"½\"]]"),
+    ] {
+        let file = TemporaryFile::new(name, text);
+        for quantity in ["control-1", "control-2", "refined-2"] {
+            let found = values(&oracle("chaikin", file.path()), quantity);
+            assert_eq!(found, values(&expected, quantity), "{name}");
+        }
+    }
+    let commas = TemporaryFile::new("sheet-commas.csv", "0;0\n4,5;0\n");
+    let message = refused(["oracle", "chaikin", "--polygon", commas.path()]);
+    assert_parts(&message, &["sheet-commas.csv:2:2", "a decimal comma or a separator"]);
+}
+
+/// Numbers on the command line are read as in files.
+#[test]
+fn numbers_of_flags() {
+    let file = "examples/polygon.csv";
+    let depth = |tolerance: &str| {
+        let text = written(["depth", "chaikin", "--polygon", file, "--tolerance", tolerance]);
+        text.lines().skip(2).map(str::to_owned).collect::<Vec<String>>()
+    };
+    let expected = depth("1/20");
+    for tolerance in [".05", "0.05", "+5e-2", " 1 / 20 ", "5 × 10^−2"] {
+        assert_eq!(depth(tolerance), expected, "{tolerance}");
+    }
+}

@@ -5,7 +5,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;
 use subcert::exact::{
-    MAX_DIGITS, MAX_EXPONENT, NumberError, Rational, parse_decimal, parse_rational,
+    IntegerPolynomial, MAX_DIGITS, MAX_EXPONENT, NumberError, Rational, RealAlgebraic, Rounding,
+    parse_decimal, parse_printed, parse_rational,
 };
 
 fn unsigned(text: &str) -> Option<BigInt> {
@@ -13,30 +14,29 @@ fn unsigned(text: &str) -> Option<BigInt> {
     digits.then(|| text.parse().expect("digits"))
 }
 
+/// Whether a minus stands first, and what follows the sign.
 fn signed(text: &str) -> (bool, &str) {
-    match text.strip_prefix('-').or_else(|| text.strip_prefix('−')) {
-        Some(rest) => (true, rest),
-        None => (false, text),
-    }
+    let first = text.chars().next().filter(|c| "+-−–".contains(*c));
+    let rest = first.map_or(text, |c| text[c.len_utf8()..].trim_start());
+    (first.is_some_and(|c| c != '+'), rest)
 }
 
 /// What a decimal means, by splitting the text.
 fn naive_decimal(text: &str) -> Option<BigRational> {
-    let (negative, text) = signed(text);
-    let marks = ["e", "E", "×10^", "x10^", "*10^"];
-    let split = marks.iter().find_map(|mark| text.split_once(mark));
-    let (mantissa, exponent) = split.map_or((text, None), |(m, e)| (m, Some(e)));
-    let (whole, fraction) =
-        mantissa.split_once('.').map_or((mantissa, None), |(w, f)| (w, Some(f)));
-    let mut value = BigRational::from(unsigned(whole)?);
+    let (negative, text) = signed(text.trim());
+    let times = |mark: &str| {
+        let (mantissa, power) = text.split_once(mark)?;
+        Some((mantissa.trim_end(), power.trim_start().strip_prefix("10^")?))
+    };
+    let power = ["×", "x", "*", "·"].into_iter().find_map(times);
+    let power = power.or_else(|| text.split_once(['e', 'E']));
+    let (mantissa, exponent) = power.map_or((text, None), |(m, e)| (m, Some(e)));
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let ten = BigRational::from(BigInt::from(10));
-    if let Some(fraction) = fraction {
-        let places = i32::try_from(fraction.len()).ok()?;
-        value += BigRational::from(unsigned(fraction)?) / ten.pow(places);
-    }
+    let digits = BigRational::from(unsigned(&format!("{whole}{fraction}"))?);
+    let mut value = digits / ten.pow(i32::try_from(fraction.len()).ok()?);
     if let Some(exponent) = exponent {
         let (down, digits) = signed(exponent);
-        let digits = if down { digits } else { digits.strip_prefix('+').unwrap_or(digits) };
         let exponent = i32::try_from(unsigned(digits)?).ok()?;
         value *= ten.pow(if down { -exponent } else { exponent });
     }
@@ -44,16 +44,24 @@ fn naive_decimal(text: &str) -> Option<BigRational> {
 }
 
 fn naive_rational(text: &str) -> Option<BigRational> {
-    let Some((numerator, denominator)) = text.split_once('/') else { return naive_decimal(text) };
-    let (negative, numerator) = signed(numerator);
-    let (p, q) = (unsigned(numerator)?, unsigned(denominator)?);
-    (q != BigInt::ZERO).then(|| BigRational::new(if negative { -p } else { p }, q))
+    // ½ is a fraction with a whole number before it, which may be missing.
+    let (negative, rest) = signed(text.trim());
+    let value = if let Some(whole) = rest.strip_suffix('½') {
+        let whole = if whole.is_empty() { BigInt::ZERO } else { unsigned(whole)? };
+        BigRational::new(whole * 2 + 1, BigInt::from(2))
+    } else if let Some((numerator, denominator)) = rest.split_once(['/', '⁄']) {
+        let (p, q) = (unsigned(numerator.trim_end())?, unsigned(denominator.trim_start())?);
+        (q != BigInt::ZERO).then(|| BigRational::new(p, q))?
+    } else {
+        return naive_decimal(text);
+    };
+    Some(if negative { -value } else { value })
 }
 
 /// Texts of which a good part are numbers.
 fn near_number() -> impl Strategy<Value = String> {
-    let form = "[-−+]?[0-9]{0,3}(\\.[0-9]{0,3})?((e|E|×10\\^|x10\\^|\\*10\\^| - )[-−+]?[0-9]{0,2})?(/[-+]?[0-9]{0,2})?";
-    prop_oneof![form, "[-−+0-9./eE×x*^ _]{0,10}", ".{0,6}"]
+    let form = "[-−–+]? ?[0-9]{0,3}(\\.[0-9]{0,3})?((e|E| ?× ?10\\^|x10\\^|·10\\^| - )[-−+]?[0-9]{0,2})?( ?[/⁄] ?[-+]?[0-9]{0,2}|½)?";
+    prop_oneof![form, "[-−+0-9./eE×x*^½ _]{0,10}", ".{0,6}"]
 }
 
 proptest! {
@@ -83,6 +91,16 @@ fn accepted() {
         ("1.99×10^-10", 199, 1_000_000_000_000),
         ("1.99x10^−10", 199, 1_000_000_000_000),
         ("1.99*10^2", 199, 1),
+        ("1.99 × 10^2", 199, 1),
+        ("+1/2", 1, 2),
+        ("1 / 8", 1, 8),
+        ("1⁄8", 1, 8),
+        (" .5 ", 1, 2),
+        ("–5.", -5, 1),
+        ("- 5", -5, 1),
+        ("½", 1, 2),
+        ("−⅛", -1, 8),
+        ("2⅒", 21, 10),
     ] {
         assert_eq!(parse_rational(text), Ok(Rational::new(p, q)), "{text}");
     }
@@ -97,17 +115,19 @@ fn accepted() {
 fn refused_at_the_character_that_does_not_fit() {
     for (text, found, position) in [
         ("1/-2", '-', 3),
-        ("+1/2", '+', 1),
-        ("+1", '+', 1),
+        ("+-1", '-', 2),
+        ("1½/2", '/', 3),
+        ("1 ½", '½', 3),
+        ("½½", '½', 2),
+        ("0,625", ',', 2),
         ("1_0/2", '_', 2),
-        ("6.02 - 7", ' ', 5),
+        ("6.02 - 7", '-', 6),
         ("h1.69e-4", 'h', 1),
-        (".5", '.', 1),
-        (" 5", ' ', 1),
-        ("5 ", ' ', 2),
+        ("1 5", '5', 3),
+        ("1.99×10−10", '×', 5),
         ("--5", '-', 2),
         ("1/2/3", '/', 4),
-        ("1.5/2", '.', 2),
+        ("1.5/2", '/', 4),
         ("1e2.5", '.', 4),
         ("−5×2", '×', 3),
         ("1,5", ',', 2),
@@ -116,11 +136,12 @@ fn refused_at_the_character_that_does_not_fit() {
         let error = parse_rational(text).unwrap_err();
         assert_eq!(error, NumberError::Unexpected { text: text.to_owned(), found, position });
     }
-    for text in ["5.", "-", "−", "1e", "1e-", "1/", "1.5×10^"] {
+    for text in [".", "-", "−", "+ ", "1e", "1e-", "1/", "1.5×10^"] {
         let error = parse_rational(text).unwrap_err();
         assert_eq!(error, NumberError::Unfinished { text: text.to_owned() });
     }
     assert_eq!(parse_rational(""), Err(NumberError::Empty));
+    assert_eq!(parse_rational(" "), Err(NumberError::Empty));
     assert_eq!(parse_rational("3/0"), Err(NumberError::ZeroDenominator { text: "3/0".to_owned() }));
 }
 
@@ -142,4 +163,19 @@ fn caps() {
         let error = parse_decimal(&text).unwrap_err();
         assert_eq!(error, NumberError::ExponentTooLarge { text });
     }
+}
+
+/// A fraction is exact: no value is rounded to it, and it has no last place.
+#[test]
+fn fractions_as_printed() {
+    let third = parse_printed("-2/6").expect("a fraction");
+    assert!(third.is_fraction() && third.unit().is_zero() && !third.is_one_unit());
+    assert_eq!(third.interval(), (Rational::new(-1, 3), Rational::new(-1, 3)));
+    assert_eq!(third.rounding_of(&Rational::new(-1, 3)), Rounding::Exact);
+    assert_eq!(third.rounding_of(&Rational::new(-333, 1000)), Rounding::Neither);
+    // √2 is near 7/5.
+    let root = RealAlgebraic::roots_of(&IntegerPolynomial::from([-2, 0, 1]));
+    let near = parse_printed("7/5").expect("a fraction");
+    assert_eq!(near.rounding_of_algebraic(&root[1]), Rounding::Neither);
+    assert!(parse_decimal("1/2").is_err() && parse_decimal("½").is_err());
 }

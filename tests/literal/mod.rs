@@ -28,7 +28,7 @@ fn every_language() {
     for (language, text) in [
         (
             Language::C,
-            "// table = {9};\n#define table 7\nstatic float const table[2][3] = {\n  { 1.0f, -.25F, 5e-1f, }, // \
+            "// table = {9};\n#define tables 7\nstatic float const table[2][3] = {\n  { 1.0f, -.25F, 5e-1f, }, // \
              table = 3\n  { +1.E2f, 0x0, /* } */ 3 },\n};\nfloat after = table[0];",
         ),
         (Language::C, "double table[2][3]{{1.,-0.25,0.5},{1'00.,0.,3u}};"),
@@ -49,6 +49,21 @@ fn every_language() {
             Language::Python,
             "\"\"\"table = [1]\"\"\"\ntable: list = np.array([[1, -0.25, .5],  # table = 1\n [1e2, 0., 3]])\nx = table[0]",
         ),
+        (Language::Python, "table = np.array([[1, -0.25, .5], [1e2, 0., 3]])"),
+        (Language::Hlsl, "static const float2x3 table = float2x3(1, -0.25, .5f, 100.0, 0, 3u);"),
+        (
+            Language::Wgsl,
+            "/* a /* table = 1; */ b */ const table = array(vec3(1, -0.25, .5), vec3(1e2f, 0., 3),);",
+        ),
+        (
+            Language::Wgsl,
+            "var<private> table: array<vec3<f32>, 2> = array<vec3<f32>, 2>(vec3<f32>(1, -0.25, .5), vec3f(1e2, 0., 3));",
+        ),
+        (
+            Language::Matlab,
+            "%{\ntable = 1\n%}\ns = 'it''s % '; table = [1 -0.25, .5 % table = 2\n 1d2 3-3 ... (\n +3]; x = table(2)\n",
+        ),
+        (Language::Matlab, "if x, table = {1 -0.25 .5; 100, 0, (4 -1)}, end"),
         (
             Language::Rust,
             "/* a /* table = [1]; */ b */ pub static table: &'static [[f32; 3]; 2] = \
@@ -71,6 +86,69 @@ fn one_number() {
         table.entries[0].written(),
         Written::Literal { value: number("1/10"), digits, places }
     );
+}
+
+/// The value of a macro, where it does not depend on the place at which it is used.
+#[test]
+fn macros() {
+    for (text, value) in [
+        ("#define other 2\n#define table 0.5\n", 0.5),
+        (
+            "#ifndef H\n#define H\n  # define table (1.0 / \\\n 4) // half\nx = table * 2;\n#endif",
+            0.25,
+        ),
+        ("#define table -0.5f", -0.5),
+        ("#define table (float)0.1", f64::from(0.1_f32)),
+    ] {
+        assert_eq!(held(Language::C, text, &[], Precision::Double), [value], "{text}");
+    }
+    let list = "#define table {0.5,\\\n 0.25}\n";
+    assert_eq!(held(Language::Hlsl, list, &[2], Precision::Single), [0.5, 0.25]);
+    for (text, words) in [
+        ("#define table 1.0/4", "in no brackets"),
+        ("#define table(x) 1.0", "has arguments"),
+        ("#define table 1.0\n#undef table", "is removed"),
+        ("#define table 1.0\n#define table 2.0", "in 2 places"),
+        ("#define table 1.0\ndouble table = 2;", "in 2 places"),
+        ("#ifdef A\n#define table 1.0\n#endif", "depends on a conditional"),
+        ("#define table other", "`other` is no number"),
+        ("#define table\n", "does not occur"),
+        ("#define tables 1.0", "does not occur"),
+    ] {
+        let error = read(Language::C, text, &[]).expect_err(text);
+        assert!(error.message.contains(words), "{text}: {}", error.message);
+    }
+}
+
+/// A literal of HLSL and WGSL may be rounded to a double first: where that gives another float, it depends on the compiler.
+#[test]
+fn what_a_compiler_rounds_twice() {
+    use Language::{Hlsl, Wgsl};
+    // Beside the middle of two floats, which is the nearest double.
+    let tie = "1.00000005960464478";
+    for (language, text, single) in [
+        (Hlsl, "static const float table = 0.1;", Some(f64::from(0.1_f32))),
+        (Hlsl, "static const float table = 1.0/3.0;", Some(f64::from(1.0_f32 / 3.0))),
+        (Hlsl, "static const float table = 1/3;", Some(0.0)),
+        (Hlsl, &format!("static const float table = {tie};"), None),
+        (Hlsl, &format!("static const float table = {tie}f;"), Some(1.0 + f64::from(f32::EPSILON))),
+        (Hlsl, &format!("static const float table = {tie} - 1.0f;"), None),
+        (Wgsl, "const table = 0.1f;", Some(f64::from(0.1_f32))),
+        (Wgsl, &format!("const table : f32 = f32({tie});"), None),
+        (Wgsl, &format!("const table = {tie}f;"), None),
+    ] {
+        let table = read(language, text, &[]).expect(text);
+        let depends = table.entries[0].depends_on_compiler(Precision::Single);
+        assert_eq!(depends, single.is_none(), "{text}");
+        if let Some(single) = single {
+            assert_eq!(table.entries[0].held(Precision::Single), single, "{text}");
+        }
+    }
+    let double = read(Hlsl, "static const double table = 0.1;", &[]).expect("a number");
+    assert!(double.entries[0].depends_on_compiler(Precision::Double));
+    assert_eq!(held(Hlsl, "double table = 0.1L;", &[], Precision::Double), [0.1]);
+    let c = read(Language::C, &format!("float table = {tie};"), &[]).expect("a number");
+    assert!(!c.entries[0].depends_on_compiler(Precision::Single));
 }
 
 /// A literal of C without a suffix goes through a double; this one is then half-way between two floats.

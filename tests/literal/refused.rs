@@ -1,7 +1,7 @@
 //! What is no table of numbers, with the place.
 
 use super::read;
-use subcert::literal::Language::{C, JavaScript, Python, Rust, Shader};
+use subcert::literal::Language::{C, Hlsl, JavaScript, Matlab, Python, Rust, Shader, Wgsl};
 
 #[test]
 fn what_is_no_number() {
@@ -17,7 +17,23 @@ fn what_is_no_number() {
         (C, "f table[2] = { 1, 0x1.8 };", 1, "exponent"),
         (C, "f table[2] = { 1, 1e99999 };", 1, "exponent beyond"),
         (C, "f table[2] = { 1, 2, 3 };", 1, "3 numbers"),
-        (C, "f table[2] = { 1 };", 1, "1 numbers"),
+        (C, "f table[2] = { 1 };", 1, "1 number,"),
+        (Matlab, "x = 1;\ntable = [1 2]';", 2, "`'` stands where"),
+        (Matlab, "table = [[1; 2] [3; 4]];", 1, "several rows within a matrix"),
+        (Matlab, "table = [[1\n2] 3];", 1, "within a matrix"),
+        (Matlab, "table = 1:2;", 1, "`:` stands where"),
+        (Matlab, "table = [1 2].*3;", 1, "`.` stands where"),
+        (Matlab, "table = [1 2]; table(2) = 3;", 1, "is changed here"),
+        (Matlab, "table = [1 2];\n[x, table] = f();", 2, "is changed here"),
+        (Matlab, "for table = [1 2]\nend", 1, "no value is assigned"),
+        (Matlab, "table = [1 0x2];", 1, "hexadecimal"),
+        (Matlab, "table = int8([1 2]);", 1, "a call of `int8`"),
+        (Matlab, "table = [1 (2, 3)];", 1, "one number here"),
+        (Wgsl, "const table = vec2f(1);", 1, "1 numbers, where 2"),
+        (Wgsl, "const table = array<f16, 2>(1, 2);", 1, "`f16`"),
+        (Wgsl, "const table = array<f32, 2(1, 2);", 1, "`array` is no number"),
+        (Wgsl, "const table = array<f32, 2>(1i, 2);", 1, "the suffix `i`"),
+        (Hlsl, "min16float table[2] = { 1, 2 };", 1, "`min16float`"),
         (C, "f table[2] = { 1, 1/0 };", 1, "a division by zero"),
         (C, "f table[2] = { 1,\n100000*100000 };", 2, "overflows"),
         (C, "f table[2] = { 1, -2147483647 - 2 };", 1, "overflows"),

@@ -61,6 +61,59 @@ fn names_are_parameters() {
     assert_eq!(parse_algebraic(irrational).expect("a mask").arity(), 2);
 }
 
+/// Cubic B-splines, as people type and copy them.
+#[test]
+fn one_mask_in_many_forms() {
+    let cubic = mask("[1, 4, 6, 4, 1]/8");
+    for text in [
+        "[1,4,6,4,1] /8",
+        " [1,4,6,4,1] / 8 ",
+        "1/8*[1,4,6,4,1]",
+        "1/8 [1,4,6,4,1]",
+        "1/8[1,4,6,4,1]",
+        "2 * [1,4,6,4,1] / 16",
+        "{1,4,6,4,1}/8",
+        "1 /8 · {1,4,6,4,1}",
+        "(1,4,6,4,1)/8",
+        "(1/2 + 1/2) × (1,4,6,4,1)⁄8",
+        "[1 4 6 4 1]/8",
+        "[1; 4; 6; 4; 1]/8",
+        "−1/8*[-1 −4 –6 -4 -1]",
+        "[.125, .5, .75, .5, .125]",
+        "[⅛, ½, ¾, +½, 1./8,]",
+        "[0.125 0.5 0.75 0.5 0.125]",
+        "root([-64, 0, 0, 1], 1)/32 [1, 4, 6, 4, 1]",
+        "[1 - w, 4, 6, 4, 1 + w]/8:w=0",
+    ] {
+        assert_eq!(mask(text), cubic, "{text}");
+    }
+    assert_eq!(mask("[1; 1]"), mask("[1, 1]"));
+}
+
+/// Coefficients that lack a factor, as those of filters of wavelets do: the error says which.
+#[test]
+fn a_factor_that_is_missing_is_named() {
+    for (text, sum, remedy) in [
+        ("[1, 4, 6, 4, 1]/16", "add up to 1;", "2*[1, 4, 6, 4, 1]/16"),
+        ("[1, 4, 6, 4, 1]", "add up to 16;", "1/8*[1, 4, 6, 4, 1]"),
+        (
+            "[1 + sqrt(3), 3 + sqrt(3), 3 - sqrt(3), 1 - sqrt(3)]/(4*sqrt(2))",
+            "add up to sqrt(2);",
+            "sqrt(2)*[1 + sqrt(3), 3 + sqrt(3), 3 - sqrt(3), 1 - sqrt(3)]/(4*sqrt(2))",
+        ),
+        ("[1, 1, 1, 1]/4", "add up to 1;", "2*[1, 1, 1, 1]/4"),
+        ("[1, 1, 1, 1]/4", "add up to 1;", "4*[1, 1, 1, 1]/4"),
+        ("1/2 {1, 2, 3, 2, 1}", "add up to 9/2;", "2/3*1/2 {1, 2, 3, 2, 1}"),
+    ] {
+        let error = parse_algebraic(text).expect_err(text).to_string();
+        assert!(error.contains(sum) && error.contains(remedy), "{text}: {error}");
+        // The remedy is a mask.
+        parse_algebraic(remedy).expect(remedy);
+    }
+    let error = parse_scheme("[1, 4, 7]/16").expect_err("no mask").to_string();
+    assert!(error.contains("add up to 3/4") && !error.contains("*["), "{error}");
+}
+
 #[test]
 fn what_is_no_mask_is_refused() {
     for (text, reason) in [
@@ -71,10 +124,27 @@ fn what_is_no_mask_is_refused() {
         ("[1, 3", "the list has no end"),
         ("[1, 1]x", "not a list of coefficients"),
         ("[[1], [1]]", "not a list of coefficients"),
-        ("[1; 1]", "not a list of coefficients"),
+        ("{{1}, {1}}", "not a list of coefficients"),
+        ("[1, 2; 3, 4]", "commas beside semicolons"),
+        ("[0,125; 0,5]", "commas beside semicolons"),
+        ("[1 - 1 2]", "expected an operator"),
+        ("[1, 2}", "does not close"),
+        ("{1, 2", "the list has no end"),
+        ("(1, 2", "the list has no end"),
+        ("[1, 2, 1]*[1, 1]", "a second list"),
+        ("1/2 + [1, 2, 1]", "expected a number"),
+        ("1 + 1/2*[1, 2, 1]", "a sum before the list"),
+        ("[1, 2, 1]/2 + 0", "a sum behind the list"),
+        ("1/[1, 2, 1]", "a number over a list"),
+        ("w [1, 2, 1]", "a list behind a name"),
+        ("[1, 2, 1] 1/2", "not a list of coefficients"),
+        ("*[1, 2, 1]", "expected a number"),
+        ("[1, 2, 1]/", "expected a number"),
+        ("chaikin(1, 2)", "unknown scheme"),
+        ("[sqrt(2), sqrt(3), sqrt(5), sqrt(7), sqrt(11)]", "a field of degree above 24"),
         ("[]", "add up to n"),
         ("[1 +, 1]", "expected a number"),
-        ("[1, 1]/(1", "expected an operator or `)`"),
+        ("[1, 1]/(1", "this bracket has no end"),
         ("[w/0, 2]:w=1", "division by zero"),
         ("[w, 2 - w]", "needs its parameter `w`"),
         ("[w, 2 - w]:w=1/2", "rule 0"),

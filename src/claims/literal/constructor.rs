@@ -149,7 +149,11 @@ impl Reader<'_> {
     /// `([…])`, and the type behind the list of numpy: `([…], dtype=np.float64)`, also without `dtype=`.
     fn list_and_type(&mut self, entries: &mut Vec<Entry>, depth: usize) -> Result<(), Diagnostic> {
         self.at += 1;
-        self.group(entries, depth + 1)?;
+        let name = self.peek() == Some(Kind::Name);
+        match if name { self.constructor()? } else { None } {
+            Some(inner) => self.construct(&inner, entries, depth + 1)?,
+            None => self.group(entries, depth + 1)?,
+        }
         if self.text(self.at) == "," && self.text(self.at + 1) != ")" {
             self.at += 1;
             if self.text(self.at) == "dtype" && self.text(self.at + 1) == "=" {

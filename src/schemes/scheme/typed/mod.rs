@@ -82,10 +82,8 @@ fn arity(
                 format!("write {factor}*{} for the arity {n}", source.text)
             };
             let write: Vec<String> = factors.iter().map(write).collect();
-            let message = format!(
-                "the coefficients add up to {words}; those of a mask of arity n add up to n"
-            );
-            Err(wrong(message).with_help(write.join(", or ")))
+            let write = write.join(", or ");
+            Err(wrong(format!("the coefficients add up to {words}; {write}")))
         }
         (Some(arity), ..) => Ok(arity),
         (None, _, words) => {

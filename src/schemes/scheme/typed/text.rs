@@ -32,9 +32,8 @@ pub(in crate::scheme) fn is_typed(name: &str) -> bool {
 /// The places of the coefficients, and the formula of each with the factors.
 pub(super) fn coefficients(source: &Arc<SourceText>) -> Result<Vec<LocatedFormula>, Diagnostic> {
     let text = &source.text;
-    let wrong = |span: Range<usize>, message: &str| {
-        Diagnostic::new(source, span, message).with_help(HELP)
-    };
+    let wrong =
+        |span: Range<usize>, message: &str| Diagnostic::new(source, span, message).with_help(HELP);
     let list = list(text).map_err(|(span, message)| wrong(span, message))?;
     let (before, behind) = (&text[..list.span.start], &text[list.span.end..]);
     let before = factor_before(source, before)?;
@@ -47,7 +46,10 @@ pub(super) fn coefficients(source: &Arc<SourceText>) -> Result<Vec<LocatedFormul
             return Err(wrong(span, "a coefficient is missing"));
         }
         if piece.starts_with(['[', '{']) {
-            return Err(wrong(0..text.len(), "this is not a list of coefficients: it is a list of lists"));
+            return Err(wrong(
+                0..text.len(),
+                "this is not a list of coefficients: it is a list of lists",
+            ));
         }
         // A mistake in the coefficient itself is said of the coefficient alone.
         LocatedFormula::read(source, span.clone(), piece)?;
@@ -137,8 +139,10 @@ fn pieces(text: &str, inside: Range<usize>) -> Result<Vec<Range<usize>>, &'stati
     let [commas, semicolons] = [',', ';'].map(|sign| split(list, sign));
     let signs = match (commas.is_empty(), semicolons.is_empty()) {
         (false, false) => {
-            return Err("commas beside semicolons: rows of a matrix, or decimal commas? A mask is one \
-                        list of numbers such as 0.25");
+            return Err(
+                "commas beside semicolons: rows of a matrix, or decimal commas? A mask is one \
+                        list of numbers such as 0.25",
+            );
         }
         (true, true) if list.split_whitespace().count() > 1 => {
             // `1 -2` may be two numbers or a difference; behind a number and a blank, a sign belongs to the next number.
@@ -205,9 +209,8 @@ fn factor_behind(source: &Arc<SourceText>, span: Range<usize>) -> Result<(), Dia
 fn is_sum(formula: &LocatedFormula) -> bool {
     match &formula.expr.node {
         Node::Chain(first, rest) => {
-            let added = |(sign, _): &(Operator, _)| {
-                matches!(sign, Operator::Add | Operator::Subtract)
-            };
+            let added =
+                |(sign, _): &(Operator, _)| matches!(sign, Operator::Add | Operator::Subtract);
             rest.iter().any(added) && formula.expr.span.start == first.span.start
         }
         _ => false,
