@@ -5,6 +5,7 @@ mod coq;
 mod depth;
 mod levels;
 mod papers;
+mod printed;
 mod smoothness;
 mod theorems;
 mod vertex;

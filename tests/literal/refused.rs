@@ -30,7 +30,7 @@ fn what_is_no_number() {
         (Matlab, "table = int8([1 2]);", 1, "a call of `int8`"),
         (Matlab, "table = [1 (2, 3)];", 1, "one number here"),
         (Wgsl, "const table = vec2f(1);", 1, "1 numbers, where 2"),
-        (Wgsl, "const table = array<f16, 2>(1, 2);", 1, "`f16`"),
+        (Wgsl, "const table = array<f16, 2>(1, 2);", 1, "no type of numbers with 32 or 64 bits"),
         (Wgsl, "const table = array<f32, 2(1, 2);", 1, "`array` is no number"),
         (Wgsl, "const table = array<f32, 2>(1i, 2);", 1, "the suffix `i`"),
         (Hlsl, "min16float table[2] = { 1, 2 };", 1, "`min16float`"),

@@ -117,8 +117,8 @@ fn a_factor_that_is_missing_is_named() {
 #[test]
 fn what_is_no_mask_is_refused() {
     for (text, reason) in [
-        ("[1, 3, 3, 2]/4", "add up to n"),
-        ("[1, 0, 0, 1]/2", "add up to n"),
+        ("[1, 3, 3, 2]/4", "add up to 9/4; write 4/3*"),
+        ("[1, 0, 0, 1]/2", "add up to 1; write 2*"),
         ("[1/2, 1, 0, 1/2]", "rule 0"),
         ("[1,, 1]", "a coefficient is missing"),
         ("[1, 3", "the list has no end"),
