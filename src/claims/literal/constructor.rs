@@ -84,7 +84,7 @@ impl Reader<'_> {
                 Kind::Sign('<') => depth += 1,
                 Kind::Sign('>') => depth -= 1,
                 Kind::Name => {
-                    found = element(self.text(at), self.language).map(|(one, _)| one).or(found)
+                    found = element(self.text(at), self.language).map(|(one, _)| one).or(found);
                 }
                 _ => {}
             }

@@ -72,7 +72,7 @@ fn malformed_claims() {
         (range("from = '0'\nto = '1'\n"), "either `below` or `at_most`", "'r'"),
         (range("below = '1'\n"), "needs its printed ends", "'r'"),
         (range("below = '1'\nfrom = '1'\nto = '0'\n"), "0 is not above", "'0'"),
-        (range("below = '1'\nto = '1/2'\n"), "unexpected `/`", "'1/2'"),
+        (range("below = '1'\nto = '1/2/3'\n"), "unexpected `/`", "'1/2/3'"),
         (range("below = 'x'\nto = '1'\n"), "unknown name `x`", "x"),
         (
             range("below = '1'\nto = '1'\n")

@@ -130,18 +130,13 @@ impl Decimal {
     fn fraction(text: &str) -> Option<Decimal> {
         let (negative, text) = sign(text.trim());
         let last = text.chars().next_back()?;
-        let (top, bottom) = match one_character(last) {
-            Some((top, bottom)) => {
-                let whole = text.strip_suffix(last)?;
-                let whole = if whole.is_empty() { BigInt::zero() } else { digits(whole)? };
-                #[expect(clippy::arithmetic_side_effects, reason = "of integers of any size")]
-                let top = whole * &bottom + top;
-                (top, bottom)
-            }
-            None => {
-                let (top, bottom) = text.split_once(['/', '\u{2044}', '\u{2215}'])?;
-                (digits(top.trim_end())?, digits(bottom.trim_start())?)
-            }
+        let (top, bottom) = if let Some((top, bottom)) = one_character(last) {
+            let whole = text.strip_suffix(last)?;
+            let whole = if whole.is_empty() { BigInt::zero() } else { digits(whole)? };
+            (whole * &bottom + top, bottom)
+        } else {
+            let (top, bottom) = text.split_once(['/', '\u{2044}', '\u{2215}'])?;
+            (digits(top.trim_end())?, digits(bottom.trim_start())?)
         };
         let value = (!bottom.is_zero()).then(|| Q::new(top.clone(), bottom))?;
         let (digits, value) = (signed(negative, top), signed(negative, value));

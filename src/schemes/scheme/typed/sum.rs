@@ -40,12 +40,11 @@ impl Sum {
 
     /// The sum in words, where it is plain and short.
     pub(super) fn words(&self) -> Option<String> {
-        let words = match self.sum.as_rational() {
-            Some(sum) => sum.to_string(),
-            None => {
-                let square = self.sum.times(&self.sum).as_rational()?;
-                (self.sum.sign() > 0).then(|| format!("sqrt({square})"))?
-            }
+        let words = if let Some(sum) = self.sum.as_rational() {
+            sum.to_string()
+        } else {
+            let square = self.sum.times(&self.sum).as_rational()?;
+            (self.sum.sign() > 0).then(|| format!("sqrt({square})"))?
         };
         (words.len() <= MAX_WORDS).then_some(words)
     }
@@ -62,13 +61,11 @@ impl Sum {
     /// n over the sum.
     fn over(&self, n: usize) -> Option<String> {
         let n = Rational::from(n);
-        match self.sum.as_rational() {
-            Some(sum) => (!sum.is_zero()).then(|| (n / sum).to_string()),
-            // n/s = √(n²/s²)
-            None => {
-                let square = self.sum.times(&self.sum).as_rational()?;
-                (self.sum.sign() > 0).then(|| format!("sqrt({})", &n * &n / square))
-            }
+        if let Some(sum) = self.sum.as_rational() {
+            return (!sum.is_zero()).then(|| (n / sum).to_string());
         }
+        // n/s = √(n²/s²)
+        let square = self.sum.times(&self.sum).as_rational()?;
+        (self.sum.sign() > 0).then(|| format!("sqrt({})", &n * &n / square))
     }
 }
