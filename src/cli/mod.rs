@@ -13,8 +13,9 @@ mod smoothness;
 mod spectrum;
 
 use arguments::{Arguments, Command, grouped};
+use clap::parser::ValueSource;
 use clap::{CommandFactory as _, FromArgMatches as _};
-use console::{output, terminal};
+use console::{endings, output, terminal};
 use std::process::ExitCode;
 
 /// The exit code of an internal fault.
@@ -29,9 +30,16 @@ pub(crate) fn run() -> ExitCode {
         std::process::exit(FAULT);
     }));
     let command = grouped(Arguments::command()).color(terminal::early_color(std::env::args_os()));
-    let parsed = command.try_get_matches().and_then(|found| Arguments::from_arg_matches(&found));
-    let arguments = match parsed {
-        Ok(arguments) => arguments,
+    let parsed = command.try_get_matches().and_then(|found| {
+        let arguments = Arguments::from_arg_matches(&found)?;
+        let given = found.subcommand().is_some_and(|(_, own)| {
+            let ids = own.ids().any(|id| id == "format");
+            ids && own.value_source("format") == Some(ValueSource::CommandLine)
+        });
+        Ok((arguments, given))
+    });
+    let (mut arguments, given) = match parsed {
+        Ok(parsed) => parsed,
         Err(error) => {
             // Help and version come this way too, with exit code 0.
             let code = if error.use_stderr() { 2 } else { 0 };
@@ -42,6 +50,9 @@ pub(crate) fn run() -> ExitCode {
         }
     };
     terminal::set(arguments.color, arguments.quiet);
+    if let Err(failure) = endings::settle(&mut arguments.command, given) {
+        return failure.report();
+    }
     let result = match arguments.command {
         Command::Audit(command) => papers::audit(&command),
         Command::Explain(command) => papers::explain(&command),

@@ -38,7 +38,7 @@ const OTHERS: [(&str, &[&str]); 4] = [
 const WITHOUT: [&str; 5] = ["prove", "new", "plot", "completions", "man"];
 
 /// The flags that mean one thing wherever they stand, and the commands for which they make sense.
-const SHARED: [(&str, &[&str]); 10] = [
+const SHARED: [(&str, &[&str]); 11] = [
     ("paper", &["audit", "errata", "coverage"]),
     ("deny", &["audit", "coverage"]),
     ("all", &["audit", "explain"]),
@@ -46,6 +46,7 @@ const SHARED: [(&str, &[&str]); 10] = [
     ("spread", &["depth", "certify"]),
     ("levels", &["constants", "depth", "range", "certify", "oracle"]),
     ("mesh", &["depth", "oracle", "refine", "limit"]),
+    ("weld", &["depth", "oracle", "refine", "limit"]),
     ("certificate", &["depth", "smoothness", "jsr"]),
     ("valences", &["range", "smoothness", "table"]),
     ("corner", &["spectrum", "table"]),

@@ -4,6 +4,7 @@ mod bad_input;
 mod errors;
 mod facts;
 mod flags;
+mod mesh_files;
 mod meshes;
 mod names;
 mod nets;

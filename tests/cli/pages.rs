@@ -121,7 +121,7 @@ fn pages_of_depths_have_their_pictures() {
 #[test]
 fn places_of_findings_are_refused_before_anything_is_computed() {
     let depth = ["depth", "chaikin", "--tolerance", "1/10"];
-    let message = refused(depth.into_iter().chain(["-o", "x.html"]));
+    let message = refused(depth.into_iter().chain(["--format", "text", "-o", "x.html"]));
     assert_parts(&message, &["`x.html` is for pages", "add --format html"]);
     let file = TemporaryFile::new("page", "mine");
     let message = refused(depth.into_iter().chain(["--format", "html", "-o", file.path()]));

@@ -89,15 +89,18 @@ fn what_is_no_solid_is_refused() {
             with(&["refine", "bajaj"], ["--mesh", "examples/cube.obj"]),
             &["is not a solid", "catmull-clark"],
         ),
-        (with(&["refine", "catmull-clark"], STAR), &["is a hexahedral mesh", "take bajaj"]),
-        (with(&["depth", "loop", "--tolerance", "1"], STAR), &["is a hexahedral mesh"]),
+        (
+            with(&["refine", "catmull-clark"], STAR),
+            &["a cell of type 12, a hexahedron", "by the scheme bajaj"],
+        ),
+        (with(&["depth", "loop", "--tolerance", "1"], STAR), &["a hexahedron"]),
         (
             with(&["refine", "bajaj", "--format", "obj"], STAR),
             &["solids are written as vtk, medit or json"],
         ),
         (
             with(&["refine", "bajaj", "-o", "solid.ply"], STAR),
-            &["solids are written as vtk, medit or json"],
+            &["name a file that ends in .json, .vtk or .mesh"],
         ),
         (
             with(&["refine", "catmull-clark", "--format", "vtk"], ["--mesh", "examples/cube.obj"]),

@@ -188,3 +188,62 @@ fn bad_input() {
         &["cannot write /proc/none/x.c"],
     );
 }
+
+/// Kobbelt's rules have complex eigenvalues that are not computed; λ, which is above them, and the stencils are.
+#[test]
+fn small_complex_eigenvalues_are_bounded() {
+    let text = written(["spectrum", "kobbelt", "--valence", "5", "--format", "json"]);
+    let json: Value = serde_json::from_str(&text).expect("JSON");
+    let number = |value: &Value| -> f64 {
+        value["decimal"].as_str().expect("a text").parse().expect("a number")
+    };
+    let second = number(&json["conditions"]["subdominant"]);
+    let complex = json["complex"].as_array().expect("a list");
+    assert!(!complex.is_empty());
+    let mut count = json["eigenvalues"].as_array().expect("a list").iter().fold(0, |sum, one| {
+        let each = if one["imaginary"].is_null() { 1 } else { 2 };
+        sum + each * one["multiplicity"].as_u64().expect("a number")
+    });
+    for one in complex {
+        let [lower, upper] = [&one["lower"], &one["upper"]].map(number);
+        assert!(0.0 < lower && lower < upper && upper < second, "{one}");
+        assert!(upper < lower * 1.01, "{one}");
+        count += one["count"].as_u64().expect("a number");
+    }
+    // One vertex, and six orbits of five points.
+    assert_eq!(count, 31);
+    assert!(!json["tangents"].is_null() && !json["limit"].is_null());
+    let text = written(["spectrum", "kobbelt", "--valence", "5"]);
+    assert!(text.contains("complex ones, blocks") && text.contains("not computed"), "{text}");
+    let table = written(["table", "kobbelt", "--valences", "4..6", "--format", "c"]);
+    assert!(table.contains("first_valence = 4") && table.contains("last_valence = 6"), "{table}");
+}
+
+/// A valence without a table is left out, with the reason, and the others are there.
+#[test]
+fn a_table_without_one_valence() {
+    // At valence 5, an eigenvalue of block 0 is above λ.
+    let rules = r#"
+title = "Loop's rules with other weights"
+source = "this test"
+parameters.N = { least = '3', about = "valence" }
+orbits = { vertex = '1', edge = 'N' }
+edges = [['vertex', 'edge[i]'], ['edge[i]', 'edge[i + 1]']]
+[weights.vertex]
+vertex = '1 - N*beta'
+edge = 'beta'
+[weights.edge]
+vertex = '3/8'
+edge = '(3*kronecker(turn, 0) + kronecker(turn, 1) + kronecker(turn, N - 1))/8'
+[let]
+turn = 'mod(j - i, N)'
+beta = '3/(8*N) - kronecker(N, 5)*13/200'
+"#;
+    let file = TemporaryFile::new("rules.toml", &format!("name = \"rules\"\n{rules}"));
+    let alone = refused(["table", file.path(), "--valences", "5..5", "--format", "json"]);
+    assert_parts(&alone, &["valence 5", "no subdominant eigenvalue"]);
+    let text = written(["table", file.path(), "--valences", "3..6", "--format", "python"]);
+    assert!(text.contains("Without valence 5: "), "{text}");
+    assert!(text.contains("valence = [3, 4, 6]") && text.contains("from offset[i] on"), "{text}");
+    assert!(text.contains("Row i of a table is that of valence[i]."));
+}

@@ -31,7 +31,7 @@ impl FindingFormat {
 /// How a finding is written.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct FindingOutput {
-    /// Output format
+    /// Output format; without it, the ending of the file decides
     #[arg(long, value_enum, default_value_t = FindingFormat::Text)]
     pub(in crate::cli) format: FindingFormat,
     /// The file for the results; for `--format html` a file that ends in .html, or a folder for it

@@ -72,7 +72,7 @@ pub(in crate::cli) struct RefineArguments {
     /// between them; bajaj for a solid
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The control mesh as OBJ, OFF, PLY, STL, USD (usda) or VTK polygons, a tensor net as CSV or JSON, or
+    /// The control mesh as OBJ, OFF, PLY, STL, USD (usda), or VTK or MEDIT polygons, a tensor net as CSV or JSON, or
     /// a solid as VTK or MEDIT (ascii); `-` for the standard input
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) mesh: PathBuf,
@@ -85,6 +85,10 @@ pub(in crate::cli) struct RefineArguments {
     /// What becomes of the points of a polygon mesh that belong to no face [default: drop]
     #[arg(long, value_enum)]
     pub(in crate::cli) isolated: Option<IsolatedArgument>,
+    /// Join points of a polygon mesh at most so far apart, and those that a chain of such steps connects; for 0, and without
+    /// a number, only equal ones
+    #[arg(long, value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0", allow_hyphen_values = true)]
+    pub(in crate::cli) weld: Option<String>,
     /// How many times the mesh is refined
     #[arg(long, value_name = "K", default_value_t = 1, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
@@ -98,7 +102,7 @@ pub(in crate::cli) struct LimitArguments {
     /// between them; bajaj for a solid
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The control mesh as OBJ, OFF, PLY, STL, USD (usda) or VTK polygons, a tensor net as CSV or JSON, or
+    /// The control mesh as OBJ, OFF, PLY, STL, USD (usda), or VTK or MEDIT polygons, a tensor net as CSV or JSON, or
     /// a solid as VTK or MEDIT (ascii); `-` for the standard input
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) mesh: PathBuf,
@@ -111,6 +115,10 @@ pub(in crate::cli) struct LimitArguments {
     /// What becomes of the points of a polygon mesh that belong to no face [default: drop]
     #[arg(long, value_enum)]
     pub(in crate::cli) isolated: Option<IsolatedArgument>,
+    /// Join points of a polygon mesh at most so far apart, and those that a chain of such steps connects; for 0, and without
+    /// a number, only equal ones
+    #[arg(long, value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0", allow_hyphen_values = true)]
+    pub(in crate::cli) weld: Option<String>,
     /// How many times the mesh is refined before its limit points are computed
     #[arg(long, value_name = "K", default_value_t = 0, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,

@@ -182,7 +182,7 @@ impl Format {
 /// How results are written. Every command that answers with a report takes these flags.
 #[derive(Clone, Debug, PartialEq, Eq, Args)]
 pub(super) struct Output {
-    /// Output format
+    /// Output format; without it, the ending of the file decides
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
     /// The file for the results [default: the standard output]

@@ -23,7 +23,7 @@ pub(in crate::cli) struct AuditArguments {
     /// Exit with code 1 when a claim has one of these verdicts, or a promise is `broken`
     #[arg(long, value_name = "VERDICT,…", value_delimiter = ',', value_parser = verdicts())]
     pub(in crate::cli) deny: Vec<String>,
-    /// Output format
+    /// Output format; without it, the ending of the file decides
     #[arg(long, value_enum, default_value_t = FindingFormat::Text)]
     pub(in crate::cli) format: FindingFormat,
     /// The file for the results; for `--format html` the folder for a page of each paper, KEY.html, and

@@ -95,6 +95,10 @@ pub(in crate::cli) struct DepthArguments {
     /// The directions in which a net is closed [default: those in the file, or else none]
     #[arg(long, value_enum, requires = "mesh")]
     pub(in crate::cli) closed: Option<ClosedArgument>,
+    /// Join points of a polygon mesh at most so far apart, and those that a chain of such steps connects; for 0, and without
+    /// a number, only equal ones
+    #[arg(long, value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0", allow_hyphen_values = true, requires = "mesh")]
+    pub(in crate::cli) weld: Option<String>,
     /// Compute only what the longest edge and the valences of the mesh guarantee
     #[arg(long, requires = "mesh")]
     pub(in crate::cli) a_priori: bool,
@@ -265,6 +269,10 @@ pub(in crate::cli) struct OracleArguments {
     /// The directions in which a net is closed [default: those in the file, or else none]
     #[arg(long, value_enum, requires = "mesh")]
     pub(in crate::cli) closed: Option<ClosedArgument>,
+    /// Join points of a polygon mesh at most so far apart, and those that a chain of such steps connects; for 0, and without
+    /// a number, only equal ones
+    #[arg(long, value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0", allow_hyphen_values = true, requires = "mesh")]
+    pub(in crate::cli) weld: Option<String>,
     /// The seed of a control polygon of small integers, from 0 to 2^64 − 1
     #[arg(long, value_name = "S", default_value_t = 1, allow_negative_numbers = true,
           value_parser = seed)]
@@ -276,7 +284,7 @@ pub(in crate::cli) struct OracleArguments {
     /// What happens at the ends; not for a ring [default: closed]
     #[arg(long, value_enum)]
     pub(in crate::cli) boundary: Option<BoundaryArgument>,
-    /// Output format
+    /// Output format; without it, the ending of the file decides
     #[arg(long, value_enum, default_value_t = OracleFormat::Json)]
     pub(in crate::cli) format: OracleFormat,
     /// The file for the values [default: the standard output]
@@ -322,7 +330,7 @@ pub(in crate::cli) struct AtlasArguments {
     /// of its audit
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub(in crate::cli) claims: Vec<PathBuf>,
-    /// Output format
+    /// Output format; without it, the ending of the file decides
     #[arg(long, value_enum, default_value_t = FindingFormat::Text)]
     pub(in crate::cli) format: FindingFormat,
     /// The file for the results; for `--format html` the folder for a page of each scheme, NAME.html, and index.html

@@ -5,7 +5,7 @@ use super::destination::{Destination, command};
 use super::output::{self, Failure, Outcome, json_text, write_results};
 use super::terminal;
 use crate::cli::arguments::{Format, Output};
-use crate::cli::papers::pages::write_page;
+use crate::cli::papers::pages::{self, write_page};
 use serde::Serialize;
 use std::fmt::Display;
 use subcert::report::html::{FindingPage, Picture};
@@ -114,6 +114,11 @@ pub(crate) fn deliver(to: &Destination, answer: &impl Answer) -> Outcome {
         Destination::Page => write_results(&answer.page()?),
         Destination::File(path) => {
             write_page(path, &answer.page()?)?;
+            write_results(&format!("{}\n", path.display()))
+        }
+        Destination::Folder(folder, name) => {
+            pages::write(folder, name, &answer.page()?)?;
+            let path = folder.join(format!("{name}.html"));
             write_results(&format!("{}\n", path.display()))
         }
     }

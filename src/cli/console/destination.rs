@@ -14,6 +14,8 @@ pub(crate) enum Destination {
     Page,
     /// A page into this file.
     File(PathBuf),
+    /// A page of this name into a folder, which is made if it is missing.
+    Folder(PathBuf, String),
 }
 
 impl Destination {
@@ -25,9 +27,7 @@ impl Destination {
             (None, None) => Ok(Destination::Page),
             (None, Some(path)) if path.as_os_str() == "-" => Ok(Destination::Page),
             (None, Some(path)) if is_page(path) => Ok(Destination::File(path.to_owned())),
-            (None, path) => {
-                Ok(Destination::File(folder(path)?.join(format!("{}.html", plain(name)))))
-            }
+            (None, path) => Ok(Destination::Folder(folder(path)?.to_owned(), plain(name))),
         }
     }
 }

@@ -3,6 +3,7 @@
 pub(super) mod answer;
 pub(super) mod csv;
 pub(super) mod destination;
+pub(super) mod endings;
 pub(super) mod interrupt;
 pub(super) mod output;
 pub(super) mod progress;

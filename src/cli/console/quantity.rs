@@ -5,6 +5,7 @@ use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 use subcert::exact::{
     Enclosed, Enclosure, Rational, RealCyclotomic, RealExpression, Scalar as _, format::short,
+    parse_rational,
 };
 use subcert::float::{exact, shortest};
 use subcert::report::json::{Exact, HoelderForm};
@@ -38,6 +39,31 @@ impl Float {
     /// It exactly, where it is finite.
     pub(crate) fn number(self) -> Option<Number> {
         exact(self.0).map(Number::Rational)
+    }
+}
+
+/// A number that is above another one, in nine digits, or as many more as the decimal needs to be above it, too.
+pub(crate) fn above(number: &(impl Enclosed + Display), other: &Rational) -> String {
+    decimal(number, |shown| shown > other)
+}
+
+/// Nine digits of a number, or as many more as are needed for the decimal to be `right`; else the number.
+fn decimal(number: &(impl Enclosed + Display), right: impl Fn(&Rational) -> bool) -> String {
+    let mut texts = (9..=MOST_DIGITS).map(|digits| short(number, digits));
+    let found = texts.find(|text| parse_rational(text).is_ok_and(|shown| right(&shown)));
+    found.unwrap_or_else(|| number.to_string())
+}
+
+/// The most digits that are tried.
+const MOST_DIGITS: u32 = 60;
+
+impl Float {
+    /// It as a lower bound that is [`above`] another number: not more than it.
+    pub(crate) fn above(self, other: &Rational) -> String {
+        exact(self.0).map_or_else(
+            || self.to_string(),
+            |bound| decimal(&bound, |shown| shown > other && *shown <= bound),
+        )
     }
 }
 

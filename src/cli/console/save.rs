@@ -4,6 +4,27 @@ use std::fs::{File, create_dir_all, remove_file, rename};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
+/// Writes a file into a folder, which is made if it is missing, as [`save`] does.
+pub(crate) fn save_in(folder: &Path, name: &str, text: &str) -> io::Result<()> {
+    let path = folder.join(name);
+    create_dir_all(path.parent().unwrap_or(folder))?;
+    save(&path, text)
+}
+
+/// The folder that a file is to be written into.
+///
+/// # Errors
+/// When there is none: a file is named in a folder that exists, and only a folder that is named as such is made.
+pub(crate) fn folder_of(path: &Path) -> io::Result<&Path> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = folder.unwrap_or(Path::new("."));
+    if folder.is_dir() {
+        return Ok(folder);
+    }
+    let message = format!("there is no folder `{}`", folder.display());
+    Err(io::Error::new(io::ErrorKind::NotFound, message))
+}
+
 /// Writes a file; if that fails, a file that was there before is unchanged. A link is followed, and what is no regular
 /// file, such as a pipe, is written into.
 pub(crate) fn save(path: &Path, text: &str) -> io::Result<()> {
@@ -11,8 +32,7 @@ pub(crate) fn save(path: &Path, text: &str) -> io::Result<()> {
     if path.metadata().is_ok_and(|data| !data.is_file() && !data.is_dir()) {
         return File::options().write(true).open(path)?.write_all(text.as_bytes());
     }
-    let folder = path.parent().unwrap_or(Path::new("."));
-    create_dir_all(folder)?;
+    let folder = folder_of(path)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let draft = folder.join(format!(".{name}.{}", std::process::id()));
     let mut file = File::create_new(&draft)?;

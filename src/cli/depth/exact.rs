@@ -2,7 +2,7 @@
 
 use super::distance::{Distance, Interval, TwoSided};
 use super::place::Place;
-use crate::cli::console::quantity::{Number, Text};
+use crate::cli::console::quantity::{Number, Text, above};
 use serde::Serialize;
 use subcert::audit::{Attained, Control, Place as AttainedAt};
 use subcert::exact::{Enclosure, Rational};
@@ -95,12 +95,12 @@ impl Witness {
         }
     }
 
-    fn words(&self) -> String {
+    fn words(&self, tolerance: &Rational) -> String {
         match self {
             Witness::Polygon { first, points, parameter, distance, .. } => format!(
                 "β times {}, from index {first}: {} from its limit at t = {parameter}",
                 points_text(points),
-                distance.short(9)
+                above(distance, tolerance)
             ),
             Witness::Net { first: [i, j], net, parameters: [s, t], distance, .. } => {
                 let rows = net.iter().take(MAX_SHOWN_ROWS).map(|row| points_text(row));
@@ -109,7 +109,7 @@ impl Witness {
                 format!(
                     "β times {}{more}, from index ({i}, {j}): {} from its limit at ({s}, {t})",
                     rows.collect::<Vec<String>>().join(" / "),
-                    distance.short(9)
+                    above(distance, tolerance)
                 )
             }
         }
@@ -161,14 +161,14 @@ impl Exactly {
     }
 
     /// All facts about the depth.
-    pub(super) fn facts(&self) -> Vec<(String, String)> {
+    pub(super) fn facts(&self, tolerance: &Rational) -> Vec<(String, String)> {
         let mut facts = vec![
             ("exact depth".to_owned(), self.depth_text()),
             ("points of level k at".to_owned(), self.place.text()),
             (format!("distance C_{}·β", self.distance.level), self.distance.words(&self.caps)),
         ];
         if let Some(witness) = &self.witness {
-            facts.push((format!("too far at level {}", witness.level()), witness.words()));
+            facts.push((format!("too far at level {}", witness.level()), witness.words(tolerance)));
         }
         facts
     }

@@ -7,7 +7,7 @@ use crate::cli::arguments::DepthArguments;
 use crate::cli::console::answer::{Answer, OrNone, SCHEMA, deliver};
 use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Failure, Outcome, positive};
-use crate::cli::console::quantity::{Number, Text};
+use crate::cli::console::quantity::{Number, Text, above};
 use serde::Serialize;
 use subcert::audit::{Attained, Control, Place, Refiner};
 use subcert::exact::{Rational, RealCyclotomic, format::short};
@@ -206,7 +206,7 @@ impl Answer for LocalReport<'_> {
                 "β times {}: {} is {} from the limit",
                 points_text(&below.ring),
                 below.point,
-                below.distance.short(9)
+                above(&below.distance, &self.tolerance.0)
             );
             facts.push((format!("too far at level {}", below.level), text));
         }

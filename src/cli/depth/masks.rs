@@ -16,7 +16,7 @@ use crate::cli::console::output::{Failure, positive};
 use crate::cli::console::progress::Progress;
 use crate::cli::console::quantity::Text;
 use crate::cli::constants::offset::BetterOffset;
-use crate::cli::geometry::polygon::{Caps, read_polygon};
+use crate::cli::geometry::polygon::{Caps, ControlPolygon, read_polygon};
 use serde::Serialize;
 use subcert::bound::{Budget, Constants};
 use subcert::exact::{Rational, format::short};
@@ -130,6 +130,7 @@ impl Depth<'_> {
             points: points.count,
             coordinates: points.coordinates.len(),
             closed: points.closed,
+            notes: points.notes,
             sets,
             natural,
             indexed,
@@ -159,18 +160,21 @@ impl Depth<'_> {
         let mut facts = vec![("control polygon".to_owned(), polygon.words())];
         let mut name = "depth of the polygon";
         if let Some(found) = &polygon.sets {
-            facts.extend(sets::facts(found));
+            facts.extend(sets::facts(found, &self.tolerance.0));
             sheet.facts(std::mem::take(&mut facts));
             name = "at equal parameters";
         }
         match &polygon.natural {
-            OrNone::Found(own) => facts.extend(own.facts(polygon.coordinates, name)),
+            OrNone::Found(own) => {
+                facts.extend(own.facts(polygon.coordinates, name, &self.tolerance.0))
+            }
             OrNone::None { none } => facts.push((name.to_owned(), format!("none: {none}"))),
         }
         if let Some(own) = self.moved(&polygon.indexed) {
             facts.push(("as papers do".to_owned(), own.depth_text()));
         }
         sheet.facts(facts);
+        polygon.notes.iter().for_each(|note| sheet.text(format!("Note: {note}")));
     }
 }
 
@@ -201,7 +205,7 @@ impl Answer for Depth<'_> {
             self.facts_of_polygon(polygon, &mut sheet);
         }
         let mut facts = match &self.natural {
-            OrNone::Found(exact) => exact.facts(),
+            OrNone::Found(exact) => exact.facts(&self.tolerance.0),
             OrNone::None { none } => vec![("exact depth".to_owned(), format!("none: {none}"))],
         };
         if let Some(exact) = self.moved(&self.indexed) {
@@ -274,7 +278,8 @@ fn points(scheme: &Scheme, arguments: &DepthArguments) -> Result<Option<Points>,
         return Err(Failure::Input(message.to_owned()));
     }
     let closed = arguments.boundary != Some(DepthBoundary::Polygon(BoundaryArgument::Open));
-    let points = Points::new(&read_polygon(path, &CAPS)?, closed);
+    let ControlPolygon { coordinates, notes } = read_polygon(path, &CAPS, closed)?;
+    let points = Points::new(&coordinates, closed, notes);
     if points.spread().is_zero() {
         let message = "--polygon: all points are the same, and so is the limit at every level";
         return Err(Failure::Input(message.to_owned()));

@@ -13,17 +13,25 @@ pub(super) struct Points {
     /// How many points there are.
     pub(super) count: usize,
     pub(super) closed: bool,
+    /// What is to be told of the file.
+    pub(super) notes: Vec<String>,
 }
 
 impl Points {
     /// The polygon of these coordinates: all x, then all y, and so on.
-    pub(super) fn new(coordinates: &[Vec<Rational>], closed: bool) -> Points {
+    pub(super) fn new(coordinates: &[Vec<Rational>], closed: bool, notes: Vec<String>) -> Points {
         let polygon = |points: &Vec<Rational>| {
             if closed { ControlPolygon::closed(points) } else { ControlPolygon::open(points) }
         };
         let count = coordinates.first().map_or(0, Vec::len);
         let numbers = coordinates.to_vec();
-        Points { coordinates: coordinates.iter().map(polygon).collect(), numbers, count, closed }
+        Points {
+            coordinates: coordinates.iter().map(polygon).collect(),
+            numbers,
+            count,
+            closed,
+            notes,
+        }
     }
 
     /// The largest difference of neighbouring points in any coordinate.

@@ -4,9 +4,9 @@ use super::distance::{Distance, Interval, TwoSided};
 use super::points::Points;
 use super::sets::Sets;
 use crate::cli::console::answer::OrNone;
-use crate::cli::console::quantity::{Fraction, Text};
+use crate::cli::console::quantity::{Fraction, Text, above};
 use serde::Serialize;
-use subcert::exact::{Enclosure, Rational, format::short};
+use subcert::exact::{Enclosure, Rational};
 use subcert::limit::{Comparison, Distances, LimitError};
 use subcert::report::html::FarPolygon;
 use subcert::scheme::Mask;
@@ -21,6 +21,9 @@ pub(super) struct Polygon {
     pub(super) coordinates: usize,
     /// Whether the last point is followed by the first.
     pub(super) closed: bool,
+    /// What is to be told of the file.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) notes: Vec<String>,
     /// Its depth by the distance of sets of points; null for points of one coordinate and with
     /// `--distance parametric`.
     pub(super) sets: Option<OrNone<Sets>>,
@@ -106,7 +109,12 @@ impl OfPolygon {
     }
 
     /// `name` stands before the depth; `coordinates` is how many there are.
-    pub(super) fn facts(&self, coordinates: usize, name: &str) -> Vec<(String, String)> {
+    pub(super) fn facts(
+        &self,
+        coordinates: usize,
+        name: &str,
+        tolerance: &Rational,
+    ) -> Vec<(String, String)> {
         let of = |coordinate: usize| match coordinates {
             1 => String::new(),
             _ => format!(" in coordinate {coordinate}"),
@@ -123,7 +131,7 @@ impl OfPolygon {
         if let Some(TooFar { level, coordinate, parameter, distance }) = &self.too_far {
             let text = format!(
                 "{} from its limit at t = {parameter}{}",
-                short(&distance.0, 9),
+                above(&distance.0, tolerance),
                 of(*coordinate)
             );
             facts.push((format!("too far at level {level}"), text));

@@ -81,7 +81,7 @@ pub(super) fn sets_text(found: &Sets) -> String {
     found.words(", as sets of points")
 }
 
-pub(super) fn facts(found: &OrNone<Sets>) -> Vec<(String, String)> {
+pub(super) fn facts(found: &OrNone<Sets>, tolerance: &Rational) -> Vec<(String, String)> {
     let name = "depth of the polygon".to_owned();
     let found = match found {
         OrNone::Found(found) => found,
@@ -89,7 +89,7 @@ pub(super) fn facts(found: &OrNone<Sets>) -> Vec<(String, String)> {
     };
     let far = found.beyond().map(|(level, place)| {
         let SetPlace { from, parameter, point, distance, other } = place;
-        let point = point_text(point);
+        let (point, distance) = (point_text(point), distance.above(tolerance));
         let text = format!(
             "{point} of the {from}, at t = {parameter}, is at least {distance} from the {other}"
         );

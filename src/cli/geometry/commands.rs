@@ -18,7 +18,10 @@ pub(crate) enum Geometry {
 
 impl Geometry {
     /// The same, where options are given that polygon meshes alone have.
-    fn with(input: &NetInput<'_>, given: [(bool, &str); 2]) -> Result<Geometry, Failure> {
+    pub(crate) fn with<const N: usize>(
+        input: &NetInput<'_>,
+        given: [(bool, &str); N],
+    ) -> Result<Geometry, Failure> {
         let geometry = Geometry::of(input)?;
         match given.into_iter().find(|(given, _)| *given) {
             Some((_, option)) if !matches!(geometry, Geometry::Mesh) => {
@@ -42,9 +45,14 @@ impl Geometry {
 }
 
 pub(crate) fn refine(arguments: &RefineArguments) -> Outcome {
-    let RefineArguments { scheme, mesh, closed, level, output, boundary, isolated } = arguments;
+    let RefineArguments { scheme, mesh, closed, level, output, boundary, isolated, weld } =
+        arguments;
     let net = NetInput { scheme, path: mesh, closed: *closed };
-    let given = [(boundary.is_some(), "--boundary"), (isolated.is_some(), "--isolated")];
+    let given = [
+        (boundary.is_some(), "--boundary"),
+        (isolated.is_some(), "--isolated"),
+        (weld.is_some(), "--weld"),
+    ];
     match Geometry::with(&net, given)? {
         Geometry::Mesh => mesh::refine(arguments),
         Geometry::Net => net::refine(&net, *level, output),
@@ -53,9 +61,14 @@ pub(crate) fn refine(arguments: &RefineArguments) -> Outcome {
 }
 
 pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
-    let LimitArguments { scheme, mesh, closed, level, output, boundary, isolated } = arguments;
+    let LimitArguments { scheme, mesh, closed, level, output, boundary, isolated, weld } =
+        arguments;
     let net = NetInput { scheme, path: mesh, closed: *closed };
-    let given = [(boundary.is_some(), "--boundary"), (isolated.is_some(), "--isolated")];
+    let given = [
+        (boundary.is_some(), "--boundary"),
+        (isolated.is_some(), "--isolated"),
+        (weld.is_some(), "--weld"),
+    ];
     match Geometry::with(&net, given)? {
         Geometry::Mesh => mesh::limit(arguments),
         Geometry::Net => net::limit(&net, *level, output),
@@ -65,10 +78,10 @@ pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
 
 /// What `subcert oracle --mesh` writes.
 pub(crate) fn reference_values(arguments: &OracleArguments, path: &Path) -> Outcome {
-    let OracleArguments { scheme, closed, level, .. } = arguments;
+    let OracleArguments { scheme, closed, level, weld, .. } = arguments;
     let net = NetInput { scheme, path, closed: *closed };
-    let text = match Geometry::of(&net)? {
-        Geometry::Mesh => mesh::reference_values(scheme, path, *level)?,
+    let text = match Geometry::with(&net, [(weld.is_some(), "--weld")])? {
+        Geometry::Mesh => mesh::reference_values(scheme, path, *level, weld.as_deref())?,
         Geometry::Net => net::reference_values(&net, *level)?,
         Geometry::Solid => solid::reference_values(path, *level)?,
     };

@@ -5,28 +5,28 @@ use crate::cli::arguments::{
     IsolatedArgument, LimitArguments, MeshBoundary, MeshOutput, MeshOutputFormat, RefineArguments,
 };
 use crate::cli::console::answer::SCHEMA;
-use crate::cli::console::output::{Failure, Outcome, write_results};
+use crate::cli::console::output::{Failure, Outcome, note, write_results};
 use crate::cli::console::save::save;
 use std::path::Path;
-use subcert::diagnostic::{SourceText, read_bytes_from};
-use subcert::exact::RealCyclotomic;
+use subcert::diagnostic::{SourceText, read_bytes_from, text_or_latin1};
+use subcert::exact::{RealCyclotomic, parse_rational};
 use subcert::mesh::{
     Boundary, LimitPoint, MAX_FILE_BYTES, MeshError, MeshFile, MeshFormat, MeshScheme, PolygonMesh,
-    is_polygonal_vtk, limit_points, read_binary_mesh, read_mesh, refine_mesh, to_json, to_obj,
-    to_ply, to_usda,
+    limit_points, read_binary_mesh, read_welded_mesh, refine_mesh, to_json, to_obj, to_ply,
+    to_usda,
 };
 use subcert::net::NetScheme;
 use subcert::scheme::split_name;
-use subcert::solid::{SOLID_SCHEME, SolidFormat};
+use subcert::solid::SOLID_SCHEME;
 
 type Mesh = PolygonMesh<RealCyclotomic>;
 
 pub(crate) fn refine(arguments: &RefineArguments) -> Outcome {
-    let given = (arguments.boundary, arguments.isolated);
+    let given = (arguments.boundary, arguments.isolated, arguments.weld.as_deref());
+    let format = OF_MESHES.chosen(&arguments.output)?;
     let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level, given)?;
     let mesh = work.refined()?;
     let title = work.title("refined");
-    let format = OF_MESHES.chosen(&arguments.output)?;
     note_what_is_lost(&mesh, format);
     let text = match format {
         MeshOutputFormat::Obj => to_obj(&mesh, &title, &[]).map_err(|e| input(&e))?,
@@ -38,12 +38,12 @@ pub(crate) fn refine(arguments: &RefineArguments) -> Outcome {
 }
 
 pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
-    let given = (arguments.boundary, arguments.isolated);
+    let given = (arguments.boundary, arguments.isolated, arguments.weld.as_deref());
+    let format = OF_MESHES.chosen(&arguments.output)?;
     let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level, given)?;
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
     let title = work.title("limit points of its vertices");
-    let format = OF_MESHES.chosen(&arguments.output)?;
     note_what_is_lost(&mesh, format);
     let text = match format {
         MeshOutputFormat::Obj => {
@@ -64,7 +64,7 @@ pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
 fn note_what_is_lost(mesh: &Mesh, format: MeshOutputFormat) {
     let extras = !mesh.tags().is_plain() || mesh.texture().is_some();
     if format == MeshOutputFormat::Ply && extras {
-        crate::cli::console::output::note(
+        note(
             "ply holds no creases, corners, holes and texture coordinates, and they are left out; obj, \
              usda and json have them",
         );
@@ -72,15 +72,28 @@ fn note_what_is_lost(mesh: &Mesh, format: MeshOutputFormat) {
 }
 
 /// What `subcert oracle --mesh` writes.
-pub(crate) fn reference_values(scheme: &str, path: &Path, level: u32) -> Result<String, Failure> {
-    let work = Work::new(scheme, path, level, (None, None))?;
+pub(crate) fn reference_values(
+    scheme: &str,
+    path: &Path,
+    level: u32,
+    weld: Option<&str>,
+) -> Result<String, Failure> {
+    let work = Work::new(scheme, path, level, (None, None, weld))?;
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
     Ok(to_json(&mesh, &work.head(), Some(&limits)))
 }
 
-/// The scheme of a name and the mesh in a file, with the name of the file.
-pub(crate) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, MeshFile), Failure> {
+/// A mesh in a file, the scheme of a name, and what is to be told of them.
+pub(crate) struct Given {
+    pub(crate) scheme: MeshScheme,
+    pub(crate) name: String,
+    pub(crate) file: MeshFile,
+    pub(crate) notes: Vec<String>,
+}
+
+/// The scheme of a name and the mesh in a file, its points joined as `--weld` says.
+pub(crate) fn read(scheme: &str, path: &Path, weld: Option<&str>) -> Result<Given, Failure> {
     let scheme = MeshScheme::parse(scheme).map_err(|message| {
         let of_nets = NetScheme::parse(scheme).is_ok();
         let solid = split_name(scheme).0 == SOLID_SCHEME;
@@ -92,20 +105,31 @@ pub(crate) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, Mes
             message
         })
     })?;
+    let weld = weld.map(|weld| {
+        let wrong = |why: String| {
+            Failure::Input(format!(
+                "--weld: {why}; it is a distance such as 1e-6, and 0 joins equal points"
+            ))
+        };
+        match parse_rational(weld) {
+            Ok(weld) if weld.sign() < 0 => Err(wrong(format!("{weld} is below 0"))),
+            Ok(weld) => Ok(weld),
+            Err(error) => Err(wrong(error.to_string())),
+        }
+    });
+    let weld = weld.transpose()?;
     let (name, bytes) = bytes_of(path)?;
-    if let Some(file) = read_binary_mesh(&name, &bytes) {
-        return Ok(noted(scheme, name, file?));
-    }
-    let text = text(&name, bytes)?;
-    if SolidFormat::of(path, &text).is_some() && !is_polygonal_vtk(&text) {
-        return Err(Failure::Input(format!(
-            "`{name}` is a hexahedral mesh, and `{}` refines polygon meshes; take {SOLID_SCHEME}",
-            scheme.name()
-        )));
-    }
-    let format = MeshFormat::of(path, &text);
-    let file = read_mesh(&SourceText::new(name.clone(), text), format)?;
-    Ok(noted(scheme, name, file))
+    let file = match read_binary_mesh(&name, &bytes, weld.as_ref()) {
+        Some(file) => file?,
+        None => {
+            let text = text(&name, bytes)?;
+            let format = MeshFormat::of(path, &text);
+            read_welded_mesh(&SourceText::new(name.clone(), text), format, weld.as_ref())?
+        }
+    };
+    let notes = file.notes().iter().cloned().chain(file.other_scheme(scheme));
+    let notes = notes.map(|note| format!("{name}: {note}")).collect();
+    Ok(Given { scheme, name, file, notes })
 }
 
 /// The mesh of a file with these rules at its boundary.
@@ -118,14 +142,6 @@ pub(crate) fn with_boundary(file: MeshFile, boundary: MeshBoundary) -> MeshFile 
     };
     let mesh = file.mesh().clone().with_tags(tags);
     file.with_mesh(mesh)
-}
-
-/// The file, after its notes have been told.
-fn noted(scheme: MeshScheme, name: String, file: MeshFile) -> (MeshScheme, String, MeshFile) {
-    for note in file.notes() {
-        crate::cli::console::output::note(&format!("{name}: {note}"));
-    }
-    (scheme, name, file)
 }
 
 /// The name of a file, or of the standard input, and its text.
@@ -152,9 +168,9 @@ fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
 
 /// The text of a file that is no binary mesh.
 fn text(name: &str, bytes: Vec<u8>) -> Result<String, Failure> {
-    String::from_utf8(bytes).map_err(|_| {
+    text_or_latin1(bytes).ok_or_else(|| {
         Failure::Input(format!(
-            "cannot read `{name}`: it is not UTF-8 text, and no binary PLY or STL that is whole; save it \
+            "cannot read `{name}`: it is neither UTF-8 nor Latin-1 text, and no binary PLY or STL that is whole; save it \
              in an ascii form"
         ))
     })
@@ -176,6 +192,7 @@ struct Work {
     level: u32,
     name: String,
     file: MeshFile,
+    notes: Vec<String>,
 }
 
 impl Work {
@@ -183,15 +200,16 @@ impl Work {
         scheme: &str,
         path: &Path,
         level: u32,
-        (boundary, isolated): (Option<MeshBoundary>, Option<IsolatedArgument>),
+        (boundary, isolated, weld): (Option<MeshBoundary>, Option<IsolatedArgument>, Option<&str>),
     ) -> Result<Work, Failure> {
-        let (scheme, name, mut file) = read(scheme, path)?;
+        let Given { scheme, name, mut file, notes } = read(scheme, path, weld)?;
+        notes.iter().for_each(|told| note(told));
         if let Some(boundary) = boundary {
             file = with_boundary(file, boundary);
         }
         let keeps = isolated == Some(IsolatedArgument::Keep);
         if !file.mesh().isolated().is_empty() {
-            crate::cli::console::output::note(if keeps {
+            note(if keeps {
                 "the points of no face are written after the others"
             } else {
                 "the points of no face are left out; --isolated keep writes them after the others"
@@ -201,7 +219,7 @@ impl Work {
             let mesh = file.mesh().clone().with_isolated(Vec::new());
             file = file.with_mesh(mesh);
         }
-        Ok(Work { scheme, level, name, file })
+        Ok(Work { scheme, level, name, file, notes })
     }
 
     fn refined(&self) -> Result<Mesh, Failure> {
@@ -210,7 +228,11 @@ impl Work {
     }
 
     fn limits(&self, mesh: &Mesh) -> Result<Vec<Option<LimitPoint>>, Failure> {
-        limit_points(mesh, self.scheme).map_err(|error| self.failure(&error))
+        limit_points(mesh, self.scheme).map_err(|error| match self.level {
+            0 => self.failure(&error),
+            // Points of a refined mesh have no place in the file.
+            level => Failure::Input(format!("limit points of level {level}: {error}")),
+        })
     }
 
     fn failure(&self, error: &MeshError) -> Failure {
@@ -222,14 +244,18 @@ impl Work {
         format!("{name}, {}, level {level}: {what}", scheme.name())
     }
 
-    fn head(&self) -> [(&'static str, String); 4] {
+    fn head(&self) -> Vec<(&'static str, String)> {
         let text = |text: &str| serde_json::Value::from(text).to_string();
-        [
+        let mut head = vec![
             ("schema", SCHEMA.to_string()),
             ("scheme", text(self.scheme.name())),
             ("mesh", text(&self.name)),
             ("level", self.level.to_string()),
-        ]
+        ];
+        if !self.notes.is_empty() {
+            head.push(("notes", serde_json::Value::from(self.notes.clone()).to_string()));
+        }
+        head
     }
 }
 

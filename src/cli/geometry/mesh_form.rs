@@ -1,6 +1,7 @@
 //! The forms in which meshes, nets and solids are written.
 
 use crate::cli::arguments::{MeshOutput, MeshOutputFormat};
+use crate::cli::console::endings::format_of;
 use crate::cli::console::output::Failure;
 
 /// The forms of one kind of geometry.
@@ -39,18 +40,10 @@ pub(crate) const OF_SOLIDS: Forms = Forms {
 impl Forms {
     /// The form that is asked for by `--format`, or else by the extension of the file.
     pub(crate) fn chosen(&self, output: &MeshOutput) -> Result<MeshOutputFormat, Failure> {
-        let extension = output.file.as_ref().and_then(|path| path.extension()).unwrap_or_default();
-        let by_extension = match extension.to_ascii_lowercase().to_str() {
-            Some("obj") => Some(MeshOutputFormat::Obj),
-            Some("ply") => Some(MeshOutputFormat::Ply),
-            Some("usda") => Some(MeshOutputFormat::Usda),
-            Some("json") => Some(MeshOutputFormat::Json),
-            Some("csv") => Some(MeshOutputFormat::Csv),
-            Some("vtk") => Some(MeshOutputFormat::Vtk),
-            Some("mesh") => Some(MeshOutputFormat::Medit),
-            _ => None,
+        let format = match output.format {
+            Some(format) => format,
+            None => format_of(output.file.as_deref(), self.all)?.unwrap_or(self.all[0]),
         };
-        let format = output.format.or(by_extension).unwrap_or(self.all[0]);
         if self.all.contains(&format) {
             return Ok(format);
         }

@@ -71,10 +71,11 @@ pub(crate) fn failure(error: NetError) -> Failure {
 }
 
 pub(crate) fn refine(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> Outcome {
+    let format = OF_NETS.chosen(output)?;
     let file = asked.read()?;
     let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
     let title = file.title(level, "refined");
-    let text = match OF_NETS.chosen(output)? {
+    let text = match format {
         MeshOutputFormat::Json => file.json(&net, level, None)?,
         format => text(&net, format, &title)?,
     };
@@ -82,10 +83,11 @@ pub(crate) fn refine(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> O
 }
 
 pub(crate) fn limit(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> Outcome {
+    let format = OF_NETS.chosen(output)?;
     let file = asked.read()?;
     let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
     let title = file.title(level, "limit points of its points");
-    let text = match OF_NETS.chosen(output)? {
+    let text = match format {
         MeshOutputFormat::Json => file.json(&net, level, Some(&file.limits(&net)?))?,
         format => text(&limit_net(&net, &file.scheme).map_err(failure)?, format, &title)?,
     };

@@ -3,7 +3,7 @@
 use super::commands;
 use super::polygon::{Caps, read_grid, read_polygon};
 use crate::cli::arguments::{BoundaryArgument, OracleArguments, OracleFormat};
-use crate::cli::console::output::{Failure, Outcome, deliver};
+use crate::cli::console::output::{Failure, Outcome, deliver, note};
 use std::path::Path;
 use subcert::oracle::{
     Boundary, Control, LocalRequest, MAX_VALUES, OracleError, OracleRequest, OracleValues,
@@ -25,10 +25,13 @@ pub(crate) fn oracle(arguments: &OracleArguments) -> Outcome {
         }
         return commands::reference_values(arguments, path);
     }
-    let values = match parse_any_scheme(&arguments.scheme)? {
-        AnyScheme::Uniform(scheme) => uniform(&scheme, arguments)?,
-        AnyScheme::LocalRules(ring) => of_ring(&ring, arguments)?,
+    let mut notes = Vec::new();
+    let mut values = match parse_any_scheme(&arguments.scheme)? {
+        AnyScheme::Uniform(scheme) => uniform(&scheme, arguments, &mut notes)?,
+        AnyScheme::LocalRules(ring) => of_ring(&ring, arguments, &mut notes)?,
     };
+    notes.iter().for_each(|told| note(told));
+    values.header.notes = notes;
     let text = match arguments.format {
         OracleFormat::Json => to_json(&values),
         OracleFormat::Csv => to_csv(&values),
@@ -42,11 +45,15 @@ fn refused(error: &OracleError) -> Failure {
     Failure::Input(error.to_string())
 }
 
-fn uniform(scheme: &Scheme, arguments: &OracleArguments) -> Result<OracleValues, Failure> {
+fn uniform(
+    scheme: &Scheme,
+    arguments: &OracleArguments,
+    notes: &mut Vec<String>,
+) -> Result<OracleValues, Failure> {
     let request = OracleRequest {
         scheme: arguments.scheme.clone(),
         max_block: arguments.block.levels,
-        control: control(arguments, scheme)?,
+        control: control(arguments, scheme, notes)?,
         level: arguments.level,
         boundary: match arguments.boundary.unwrap_or(BoundaryArgument::Closed) {
             BoundaryArgument::Closed => Boundary::Closed,
@@ -56,7 +63,11 @@ fn uniform(scheme: &Scheme, arguments: &OracleArguments) -> Result<OracleValues,
     reference_values(scheme, &request).map_err(|error| refused(&error))
 }
 
-fn of_ring(ring: &LocalRules, arguments: &OracleArguments) -> Result<OracleValues, Failure> {
+fn of_ring(
+    ring: &LocalRules,
+    arguments: &OracleArguments,
+    notes: &mut Vec<String>,
+) -> Result<OracleValues, Failure> {
     let points = ring.point_count();
     if arguments.points.is_some() || arguments.boundary.is_some() {
         return Err(Failure::Input(format!(
@@ -67,7 +78,7 @@ fn of_ring(ring: &LocalRules, arguments: &OracleArguments) -> Result<OracleValue
         scheme: arguments.scheme.clone(),
         max_block: arguments.block.levels,
         control: match &arguments.polygon {
-            Some(path) => read_control(path, false)?,
+            Some(path) => of_polygon(path, false, notes)?,
             None => Control::seeded_polygon(arguments.seed, points),
         },
         level: arguments.level,
@@ -76,10 +87,15 @@ fn of_ring(ring: &LocalRules, arguments: &OracleArguments) -> Result<OracleValue
 }
 
 /// The control polygon or grid: from a file, or seeded.
-fn control(arguments: &OracleArguments, scheme: &Scheme) -> Result<Control, Failure> {
+fn control(
+    arguments: &OracleArguments,
+    scheme: &Scheme,
+    notes: &mut Vec<String>,
+) -> Result<Control, Failure> {
     let surface = scheme.only().is_none();
     if let Some(path) = &arguments.polygon {
-        return read_control(path, surface);
+        let closed = arguments.boundary != Some(BoundaryArgument::Open);
+        return if surface { of_grid(path) } else { of_polygon(path, closed, notes) };
     }
     let (seed, points) = (arguments.seed, arguments.points.unwrap_or(SEEDED_POINTS));
     Ok(if surface {
@@ -89,11 +105,15 @@ fn control(arguments: &OracleArguments, scheme: &Scheme) -> Result<Control, Fail
     })
 }
 
-/// The control polygon or grid in a file.
-fn read_control(path: &Path, surface: bool) -> Result<Control, Failure> {
-    if !surface {
-        return Ok(Control::points(read_polygon(path, &CAPS)?));
-    }
+/// The control polygon in a file.
+fn of_polygon(path: &Path, closed: bool, notes: &mut Vec<String>) -> Result<Control, Failure> {
+    let polygon = read_polygon(path, &CAPS, closed)?;
+    notes.extend(polygon.notes);
+    Ok(Control::points(polygon.coordinates))
+}
+
+/// The control grid in a file.
+fn of_grid(path: &Path) -> Result<Control, Failure> {
     let rows = read_grid(path, &CAPS)?;
     let columns = rows.first().map_or(0, Vec::len);
     let ragged = || Failure::Input("the rows have different lengths".to_owned());

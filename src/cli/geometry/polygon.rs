@@ -2,10 +2,13 @@
 
 use crate::cli::console::output::Failure;
 use serde_json::value::RawValue;
+use std::fs::File;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
-use subcert::diagnostic::{Diagnostic, SourceText, json_elements, json_place, read_text};
+use subcert::diagnostic::{
+    Diagnostic, SourceText, json_elements, json_place, read_bytes_from, text_or_latin1,
+};
 use subcert::exact::{Integer, Rational, parse_rational};
 
 /// How much a file may hold.
@@ -24,15 +27,52 @@ const MAX_COORDINATES: usize = 16;
 /// A coordinate with its place in the file.
 type Placed = (Rational, Range<usize>);
 
-/// The control polygon in a file, coordinate by coordinate: all x, then all y, and so on.
+/// A control polygon in a file.
+pub(crate) struct ControlPolygon {
+    /// All x, then all y, and so on.
+    pub(crate) coordinates: Vec<Vec<Rational>>,
+    /// What is to be told of the file.
+    pub(crate) notes: Vec<String>,
+}
+
+/// The control polygon in a file; whether it is `closed` is said elsewhere.
 ///
 /// A file that begins with `[` is a JSON array of numbers or of arrays of them, each a
 /// JSON number, which is read from its text, or a string such as "1/3". Any other has one
 /// point on a line, its coordinates separated by commas, semicolons or white space; `#` begins a
 /// comment.
-pub(crate) fn read_polygon(path: &Path, caps: &Caps) -> Result<Vec<Vec<Rational>>, Failure> {
+pub(crate) fn read_polygon(
+    path: &Path,
+    caps: &Caps,
+    closed: bool,
+) -> Result<ControlPolygon, Failure> {
     let source = source(path, caps)?;
-    Ok(coordinates(&source, entries(&source)?, caps)?)
+    let entries = entries(&source)?;
+    let line = |at: usize| 1 + source.text[..at].matches('\n').count();
+    let mut notes = Vec::new();
+    let starts = entries.iter().map(|point| extent(&source, point));
+    let parts = starts.clone().zip(starts.skip(1)).find(|(one, next)| {
+        // The rest of a line, whole lines, and the start of another one.
+        let between = source.text.get(one.end..next.start).unwrap_or_default();
+        let lines: Vec<&str> = between.split('\n').collect();
+        lines.get(1..lines.len() - 1).unwrap_or_default().iter().any(|line| line.trim().is_empty())
+    });
+    if let Some((_, next)) = parts.filter(|_| !is_json(&source)) {
+        notes.push(format!(
+            "{}: an empty line before line {}; the points before and after it are one polygon",
+            source.name,
+            line(next.start)
+        ));
+    }
+    let coordinates = coordinates(&source, entries, caps)?;
+    if closed && coordinates.iter().all(|own| own.first() == own.last()) {
+        notes.push(format!(
+            "{}: the last point is the first; a closed polygon has an edge from its last point to its first, which here has the \
+             length 0: leave out the last point",
+            source.name
+        ));
+    }
+    Ok(ControlPolygon { coordinates, notes })
 }
 
 /// The control grid in a file: its rows, all of one length. Its form is that of a polygon, with a
@@ -57,15 +97,21 @@ pub(crate) fn read_grid(path: &Path, caps: &Caps) -> Result<Vec<Vec<Rational>>, 
 
 fn source(path: &Path, caps: &Caps) -> Result<Arc<SourceText>, Failure> {
     let name = path.display().to_string();
-    let text = read_text(path, caps.bytes)
-        .map_err(|reason| Failure::Input(format!("cannot read `{name}`: {reason}")))?;
+    let bytes = File::open(path).map_err(|error| error.to_string());
+    let text = bytes.and_then(|file| read_bytes_from(file, caps.bytes)).and_then(|bytes| {
+        text_or_latin1(bytes).ok_or_else(|| "it is neither UTF-8 nor Latin-1 text".to_owned())
+    });
+    let text = text.map_err(|reason| Failure::Input(format!("cannot read `{name}`: {reason}")))?;
     Ok(SourceText::new(name, text))
 }
 
 /// The numbers of each point, or of each row of a grid.
 fn entries(source: &Arc<SourceText>) -> Result<Vec<Vec<Placed>>, Diagnostic> {
-    let json = source.text.trim_start().starts_with('[');
-    if json { json_points(source) } else { lines(source) }
+    if is_json(source) { json_points(source) } else { lines(source) }
+}
+
+fn is_json(source: &SourceText) -> bool {
+    source.text.trim_start().starts_with('[')
 }
 
 /// Where these numbers stand.

@@ -20,18 +20,20 @@ pub(crate) fn takes(scheme: &str) -> bool {
 }
 
 pub(crate) fn refine(arguments: &RefineArguments) -> Outcome {
+    let format = OF_SOLIDS.chosen(&arguments.output)?;
     let work = Work::new(&arguments.mesh, arguments.level)?;
     let mesh = work.refined()?;
-    let text = work.text(OF_SOLIDS.chosen(&arguments.output)?, &mesh, "refined", None)?;
+    let text = work.text(format, &mesh, "refined", None)?;
     deliver(&arguments.output, &text)
 }
 
 pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
+    let format = OF_SOLIDS.chosen(&arguments.output)?;
     let work = Work::new(&arguments.mesh, arguments.level)?;
     let mesh = work.refined()?;
     let limits = solid_limit_points(&mesh);
     let title = "limit points of its vertices";
-    let text = work.text(OF_SOLIDS.chosen(&arguments.output)?, &mesh, title, Some(limits))?;
+    let text = work.text(format, &mesh, title, Some(limits))?;
     deliver(&arguments.output, &text)
 }
 

@@ -2,7 +2,7 @@
 
 use super::certified::Certified;
 use crate::cli::console::output::{Failure, Outcome, write_results};
-use crate::cli::console::save::save;
+use crate::cli::console::save::{save, save_in};
 use std::io::ErrorKind;
 use std::path::Path;
 use subcert::audit::PaperAudit;
@@ -86,12 +86,17 @@ pub(crate) fn write_all<A>(
 
 /// Writes the page of this name into a folder.
 pub(crate) fn write(folder: &Path, name: &str, text: &str) -> Outcome {
-    write_page(&folder.join(format!("{name}.html")), text)
+    let name = format!("{name}.html");
+    unwritten(&folder.join(&name), save_in(folder, &name, text))
 }
 
 /// Writes a page, whole or not at all.
 pub(crate) fn write_page(path: &Path, text: &str) -> Outcome {
-    save(path, text).map_err(|error| {
+    unwritten(path, save(path, text))
+}
+
+fn unwritten(path: &Path, written: std::io::Result<()>) -> Outcome {
+    written.map_err(|error| {
         let path = path.display();
         Failure::Input(match error.kind() {
             ErrorKind::PermissionDenied => format!(

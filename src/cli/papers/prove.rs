@@ -5,7 +5,7 @@ use super::judged::judge_all;
 use super::projects::judge_projects;
 use crate::cli::arguments::ProveArguments;
 use crate::cli::console::output::{Failure, Outcome, write, write_results};
-use crate::cli::console::save::save;
+use crate::cli::console::save::save_in;
 use std::fmt::Write as _;
 use std::path::Path;
 use subcert::audit::PaperAudit;
@@ -54,7 +54,7 @@ fn theorems(audits: &[PaperAudit<'_>], folder: &Path) -> Outcome {
         let files = coq_files(audit)?;
         for CoqFile { name, text, .. } in &files {
             let path = folder.join(name);
-            save(&path, text).map_err(|error| {
+            save_in(folder, name, text).map_err(|error| {
                 Failure::Input(format!("cannot write `{}`: {error}", path.display()))
             })?;
         }
@@ -72,8 +72,9 @@ fn deliver(certificates: &[Certificate], folder: &Path) -> Outcome {
     }
     let mut said = String::new();
     for certificate in certificates {
-        let path = folder.join(format!("{}.cert", certificate.key));
-        save(&path, &certificate.text).map_err(|error| {
+        let name = format!("{}.cert", certificate.key);
+        let path = folder.join(&name);
+        save_in(folder, &name, &certificate.text).map_err(|error| {
             Failure::Input(format!("cannot write `{}`: {error}", path.display()))
         })?;
         let claims = if certificate.blocks == 1 { "claim" } else { "claims" };

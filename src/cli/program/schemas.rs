@@ -4,7 +4,7 @@
 use super::flags::Flags;
 use crate::cli::console::answer::Answer;
 use crate::cli::console::output::{Failure, Outcome, json_text};
-use crate::cli::console::save::save;
+use crate::cli::console::save::save_in;
 use crate::cli::constants::{Certification, Constants, RingConstants};
 use crate::cli::depth::{Depth, LocalReport, ParametricDepth, SetDepth};
 use crate::cli::papers::{Audit, Coverage, Errata, Explanation, Listing, Projects, Shipped};
@@ -96,9 +96,9 @@ fn read(mut schema: Schema) -> Schema {
 /// Writes all of them into a folder.
 pub(crate) fn schemas(folder: &Path) -> Outcome {
     for (name, schema) in all() {
-        let file = folder.join(format!("{name}.json"));
-        save(&file, &json_text(&schema)).map_err(|error| {
-            Failure::Input(format!("cannot write `{}`: {error}", file.display()))
+        let file = format!("{name}.json");
+        save_in(folder, &file, &json_text(&schema)).map_err(|error| {
+            Failure::Input(format!("cannot write `{}`: {error}", folder.join(&file).display()))
         })?;
     }
     Ok(())

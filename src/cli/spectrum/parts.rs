@@ -104,7 +104,7 @@ fn eigenvalue_texts(one: &Eigenvalue) -> [String; 2] {
 }
 
 /// The blocks: runs of neighbours that have the eigenvalue equally often, as `0–4 (2 each), 7`.
-fn blocks_text(blocks: &[usize]) -> String {
+pub(super) fn blocks_text(blocks: &[usize]) -> String {
     let mut counts: BTreeMap<usize, usize> = BTreeMap::new();
     for block in blocks {
         *counts.entry(*block).or_default() += 1;

@@ -1,6 +1,6 @@
 //! `subcert spectrum`.
 
-use super::parts::{Eigenvalue, Weight, eigenvalue_grid, orbit_facts, weights};
+use super::parts::{Eigenvalue, Weight, blocks_text, eigenvalue_grid, orbit_facts, weights};
 use crate::cli::arguments::SpectrumArguments;
 use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::output::{Failure, Outcome, with_decimal};
@@ -11,7 +11,9 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 use subcert::exact::{Scalar as _, format::short};
 use subcert::report::Sheet;
-use subcert::spectrum::{self, Curvature, SpectrumError, Surroundings, surroundings};
+use subcert::spectrum::{
+    self, ComplexEigenvalues, Curvature, SpectrumError, Surroundings, surroundings,
+};
 
 /// What the conditions leave open.
 const NECESSARY: &str = "These conditions on eigenvalues are necessary only: for a C^1 surface the characteristic map must be \
@@ -21,7 +23,7 @@ pub(crate) fn spectrum(arguments: &SpectrumArguments) -> Outcome {
     let rings = surroundings(&arguments.scheme, arguments.valence)
         .map_err(|error| failure_without_valence(error, "--valence 5"))?;
     let progress = Progress::of_spectra(Arc::new(AtomicU64::new(0)), 1, true);
-    let found = rings.spectrum().map_err(failure)?;
+    let found = rings.known_spectrum().map_err(failure)?;
     drop(progress);
     show(&arguments.output, &Spectrum::of(&arguments.scheme, &rings, &found))
 }
@@ -57,8 +59,11 @@ pub(crate) struct Spectrum<'a> {
     orbits: Vec<Orbit>,
     /// The orbits of the ring whose eigenvalues these are.
     neighbourhood: Vec<Orbit>,
-    /// All eigenvalues, in descending order of the absolute value.
+    /// All eigenvalues, in descending order of the absolute value, but for those of `complex`.
     eigenvalues: Vec<Eigenvalue>,
+    /// Complex eigenvalues that are not computed.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    complex: Vec<Complex>,
     /// The conditions on them.
     conditions: Conditions,
     /// The weights of the points in their limit; null where 1 is no simple eigenvalue.
@@ -69,6 +74,34 @@ pub(crate) struct Spectrum<'a> {
     /// What a curvature does, in words.
     #[serde(skip)]
     curvature: Option<String>,
+}
+
+/// Complex eigenvalues of which only their greatest absolute value is known from both sides.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Complex {
+    /// How many there are, with multiplicities.
+    count: usize,
+    /// The Fourier blocks, each as often as it has one.
+    block: Vec<usize>,
+    /// The greatest of their absolute values is at least this.
+    lower: Number,
+    /// It is at most this.
+    upper: Number,
+}
+
+impl Complex {
+    fn of(found: &ComplexEigenvalues) -> Complex {
+        let ComplexEigenvalues { blocks, greatest } = found;
+        let [lower, upper] = greatest.each_ref().map(Number::from);
+        Complex { count: blocks.len(), block: blocks.clone(), lower, upper }
+    }
+
+    fn words(&self) -> (String, String) {
+        let name = format!("{} complex ones, blocks {}", self.count, blocks_text(&self.block));
+        let [lower, upper] = [&self.lower, &self.upper].map(|one| one.short(9));
+        (name, format!("not computed; the greatest absolute value is from {lower} to {upper}"))
+    }
 }
 
 /// What the literature asks of the eigenvalues: necessary conditions only. C¹ also needs a regular and
@@ -91,7 +124,7 @@ struct Conditions {
 
 impl<'a> Spectrum<'a> {
     fn of(scheme: &'a str, rings: &Surroundings, found: &spectrum::Spectrum) -> Spectrum<'a> {
-        let spectrum::Spectrum { order, eigenvalues, conditions, limit, tangents } = found;
+        let spectrum::Spectrum { order, eigenvalues, complex, conditions, limit, tangents } = found;
         let subdominant = conditions.subdominant.as_ref();
         let name = |point| rings.ring.name(point);
         Spectrum {
@@ -101,6 +134,7 @@ impl<'a> Spectrum<'a> {
             orbits: Orbit::all(rings.ring.orbits()),
             neighbourhood: Orbit::all(rings.wider.as_ref().unwrap_or(&rings.ring).orbits()),
             eigenvalues: Eigenvalue::all(eigenvalues),
+            complex: complex.iter().map(Complex::of).collect(),
             conditions: Conditions {
                 simple_one: conditions.simple_one,
                 subdominant: subdominant.map(Number::from),
@@ -147,8 +181,15 @@ impl<'a> Spectrum<'a> {
 
 /// What a curvature does, in words.
 fn curvature(found: &spectrum::Conditions) -> Option<String> {
-    let (next, value) = (found.next.as_ref()?, found.subdominant.as_ref()?);
+    let value = found.subdominant.as_ref()?;
     let square = value.times(value);
+    let Some(next) = &found.next else {
+        let square = short(&square, 12);
+        return Some(match found.curvature? {
+            Curvature::Vanishing => format!("tends to 0: all others are below λ² = {square}"),
+            _ => format!("unbounded in general: an eigenvalue is above λ² = {square}"),
+        });
+    };
     Some(match found.curvature? {
         Curvature::Bounded => format!("bounded: μ = λ² = {}", with_decimal(next)),
         Curvature::Growing => format!(
@@ -175,6 +216,7 @@ impl Answer for Spectrum<'_> {
         sheet.heading(2, "Eigenvalues");
         sheet.facts(vec![("of the points".to_owned(), Orbit::words(&self.neighbourhood))]);
         sheet.grid(eigenvalue_grid(&self.eigenvalues));
+        sheet.facts(self.complex.iter().map(Complex::words).collect());
         sheet.heading(2, "Conditions");
         sheet.facts(self.conditions());
         sheet.text(NECESSARY);

@@ -2,7 +2,7 @@
 
 use super::ring::failure;
 use crate::cli::arguments::TableArguments;
-use crate::cli::console::output::{Failure, Outcome, write_results};
+use crate::cli::console::output::{Failure, Outcome, note, write_results};
 use crate::cli::console::progress::Progress;
 use crate::cli::console::save::save;
 use std::sync::Arc;
@@ -12,9 +12,9 @@ use subcert::limit::Limit;
 use subcert::report::html::shell_word;
 use subcert::scheme::{AnyScheme, Mask, parse_algebraic, parse_any_scheme};
 use subcert::spectrum::table::{
-    Language, Origin, RealType, Row, TableError, write, write_mask, write_sectors,
+    Language, Origin, RealType, Row, TableError, write_mask, write_sectors, write_without,
 };
-use subcert::spectrum::{Sector, surroundings};
+use subcert::spectrum::{Sector, SpectrumError, surroundings};
 
 /// The most valences of a table.
 const MAX_VALENCES: usize = 256;
@@ -94,18 +94,32 @@ pub(crate) fn ring_table(
     real: RealType,
     done: &dyn Fn(),
 ) -> Result<String, TableError> {
-    let row = |valence: usize| {
-        let row = Row::of(&surroundings(scheme, Some(valence))?)?;
+    let (mut rows, mut left_out, mut error) = (Vec::new(), Vec::new(), None);
+    for valence in first..=last {
+        let row = surroundings(scheme, Some(valence)).map_err(TableError::from);
+        match row.and_then(|rings| Row::of(&rings)) {
+            Ok(row) => rows.push(row),
+            // What is wrong with the scheme is wrong at all valences.
+            Err(wrong @ TableError::Spectrum(SpectrumError::Scheme(_))) => return Err(wrong),
+            Err(wrong) => {
+                left_out.push((valence, wrong.to_string()));
+                error.get_or_insert(wrong);
+            }
+        }
         done();
-        Ok(row)
-    };
-    let rows = (first..=last).map(row).collect::<Result<Vec<Row>, TableError>>()?;
+    }
+    if let Some(error) = error.filter(|_| rows.is_empty()) {
+        return Err(error);
+    }
+    for (valence, why) in &left_out {
+        note(&format!("valence {valence} is left out: {why}"));
+    }
     let command = format!(
         "subcert table {scheme} --valences {first}..{last} --format {} --type {}",
         language.name(),
         type_name(real),
     );
-    write(&rows, language, real, &Origin { scheme, command: &command })
+    write_without(&rows, &left_out, language, real, &Origin { scheme, command: &command })
 }
 
 fn type_name(real: RealType) -> &'static str {

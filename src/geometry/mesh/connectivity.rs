@@ -232,6 +232,13 @@ fn edges(points: usize, faces: &[Vec<usize>]) -> Result<(Vec<Edge>, Vec<Vec<usiz
             } else {
                 let (ends, edge) = ([from, to], &mut edges[numbers[first[half]]]);
                 let first = edge.face.0;
+                let met = [Some(first), edge.other.map(|(other, _)| other)];
+                if edge.other.is_some() || edge.ends == ends {
+                    let same = |other: &usize| same_face(&faces[*other], vertices);
+                    if let Some(first) = met.into_iter().flatten().find(same) {
+                        return Err(MeshError::SameFace { face, first });
+                    }
+                }
                 if edge.other.is_some() {
                     return Err(MeshError::NonManifoldEdge { ends, face, first });
                 }
@@ -246,6 +253,15 @@ fn edges(points: usize, faces: &[Vec<usize>]) -> Result<(Vec<Edge>, Vec<Vec<usiz
         face_edges.push(own);
     }
     Ok((edges, face_edges))
+}
+
+/// Whether two faces have the same vertices in the same order around, or in the opposite one.
+fn same_face(one: &[usize], other: &[usize]) -> bool {
+    let count = one.len();
+    let start = other.iter().position(|vertex| Some(vertex) == one.first());
+    let Some(start) = start.filter(|_| other.len() == count) else { return false };
+    let same = |step: usize| (0..count).all(|i| one[i] == other[(start + step * i) % count]);
+    same(1) || same(count - 1)
 }
 
 /// For each edge of each face, in this order, which of them has the same ends and is met first.

@@ -48,6 +48,13 @@ pub enum MeshError {
         /// The first face.
         first: usize,
     },
+    /// A face that is there already, in the same order or the opposite one.
+    SameFace {
+        /// The second face.
+        face: usize,
+        /// The first face.
+        first: usize,
+    },
     /// Two faces that run along their common edge in the same direction.
     Orientation {
         /// The ends of the edge.
@@ -123,6 +130,7 @@ impl MeshError {
             | MeshError::NoPoint { face, .. }
             | MeshError::Twice { face, .. }
             | MeshError::NonManifoldEdge { face, .. }
+            | MeshError::SameFace { face, .. }
             | MeshError::Orientation { face, .. }
             | MeshError::NonManifoldVertex { face, .. }
             | MeshError::Face { face, .. } => Some(*face),
@@ -134,9 +142,9 @@ impl MeshError {
     #[must_use]
     pub fn other_face(&self) -> Option<usize> {
         match self {
-            MeshError::NonManifoldEdge { first, .. } | MeshError::Orientation { first, .. } => {
-                Some(*first)
-            }
+            MeshError::NonManifoldEdge { first, .. }
+            | MeshError::SameFace { first, .. }
+            | MeshError::Orientation { first, .. } => Some(*first),
             _ => None,
         }
     }
@@ -165,6 +173,7 @@ impl MeshError {
                 "is the file cut off, or from a program that counts differently?"
             }
             MeshError::NonManifoldEdge { .. } => "an edge has one face, at the boundary, or two",
+            MeshError::SameFace { .. } => "remove one of the two",
             MeshError::Orientation { .. } => {
                 "write the vertices of one of the two faces in the opposite order, so that all faces \
                  are seen counter-clockwise from the same side"
@@ -209,6 +218,7 @@ impl MeshError {
             MeshError::NonManifoldEdge { ends, .. } => {
                 format!("a third face at the edge between the vertices {}", pair(ends))
             }
+            MeshError::SameFace { .. } => "the same face for the second time".to_owned(),
             MeshError::Orientation { ends, .. } => format!(
                 "two faces run from vertex {} to vertex {}: their orientations differ",
                 ends[0] + base,

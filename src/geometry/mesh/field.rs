@@ -1,13 +1,13 @@
-//! The conditions of the schemes' rules on a mesh, and the field of the cosines in these rules.
+//! The conditions of the schemes' rules on a mesh, and the fields of the cosines in these rules.
 
+use super::MAX_VALENCE;
 use super::connectivity::Connectivity;
 use super::error::MeshError;
 use super::point::Point;
 use super::polygon::PolygonMesh;
 use super::scheme::MeshScheme;
-use super::{MAX_POINTS, MAX_VALENCE};
-use crate::exact::{RealCyclotomic, common_conductor};
-use num_integer::{gcd, lcm};
+use crate::exact::{MAX_CONDUCTOR, Rational, RealCyclotomic, Scalar, common_conductor};
+use num_integer::gcd;
 use std::collections::BTreeMap;
 
 /// The most rational coefficients of all points together, for each coordinate.
@@ -80,21 +80,16 @@ pub(super) fn inner_valences(
 }
 
 /// Checks that all coordinates, and the cosines of all valences, are in one field that is not too
-/// large for `count` points.
+/// large for `count` points, so that any two of them can be compared.
 ///
 /// # Errors
 /// When the field or the numbers in it are beyond the caps.
-pub(crate) fn check_field(
+pub(crate) fn check_common_field(
     connectivity: &Connectivity,
     points: &[Point<RealCyclotomic>],
     scheme: MeshScheme,
-    tangents: bool,
     count: usize,
 ) -> Result<(), MeshError> {
-    if count > MAX_POINTS {
-        return Err(MeshError::TooManyPoints { points: count });
-    }
-    let rational = points.iter().flatten().all(|x| x.as_rational().is_some());
     let mut conductor = 1;
     let mut include = |other: u32| match common_conductor(conductor, other) {
         Ok(common) => {
@@ -106,45 +101,62 @@ pub(crate) fn check_field(
         }
     };
     points.iter().flatten().try_for_each(|x| include(x.conductor()))?;
-    let vertices = match scheme {
-        MeshScheme::DooSabin | MeshScheme::Loop => true,
-        // Each normal is in a field of its own where the coordinates are rational.
-        MeshScheme::CatmullClark | MeshScheme::Bajaj | MeshScheme::LoopWarren => {
-            tangents && !rational
-        }
-    };
-    if vertices {
+    if matches!(scheme, MeshScheme::DooSabin | MeshScheme::Loop) {
         inner_valences(connectivity).try_for_each(|(_, n)| include(cosine_conductor(n)))?;
     }
     if scheme == MeshScheme::DooSabin {
         let faces = connectivity.faces().iter();
         faces.map(|face| cosine_conductor(face.len())).try_for_each(&mut include)?;
     }
-    let degree = degree(conductor);
-    if count.saturating_mul(degree) > MAX_COEFFICIENTS {
-        let reason = format!(
-            "{count} points whose coordinates are sums of up to {degree} cosines; at most \
-             {MAX_COEFFICIENTS} terms of a coordinate are worked on, for all points together: take a \
-             lower level or fewer valences, or for triangles loop-warren, whose weights are rational"
-        );
-        return Err(MeshError::TooMuch { reason });
-    }
-    if tangents { check_normals(connectivity, points) } else { Ok(()) }
+    check_terms(count, count.saturating_mul(degree(conductor)))
 }
 
-/// Checks that the normals are not too much work: each is divided by its length in the field of
-/// its point and of the cosines of its valence.
-fn check_normals(
-    connectivity: &Connectivity,
-    points: &[Point<RealCyclotomic>],
+/// Checks that each of these points, of which only the conductors are known, is in a field within the cap, and that all
+/// together have not too many terms. `place` says of the number of a point where it is.
+///
+/// # Errors
+/// When a field or the numbers are beyond the caps.
+pub(super) fn check_fields(
+    points: &[Point<Conductor>],
+    place: impl Fn(usize) -> String,
 ) -> Result<(), MeshError> {
-    let common = points.iter().flatten().fold(1, |n, x| lcm(n, x.conductor()));
-    let mut degrees = BTreeMap::new();
-    let mut work = 0_usize;
-    for (_, n) in inner_valences(connectivity) {
-        let of_field = || degree(lcm(common, cosine_conductor(n)));
-        work = work.saturating_add(degrees.entry(n).or_insert_with(of_field).pow(3));
+    let mut fields = Fields::default();
+    for (number, point) in points.iter().enumerate() {
+        fields.take(point, |n| {
+            let reason = format!(
+                "{} needs {}: take a lower level, fewer valences, or for triangles loop-warren, whose weights are \
+                 rational",
+                place(number),
+                too_various(n)
+            );
+            MeshError::TooMuch { reason }
+        })?;
     }
+    check_terms(points.len(), fields.terms)
+}
+
+/// Checks that the limit of each of these vertices, with the conductor of the field that it is in, is within the caps, and
+/// that the normals are not too much work: each is divided by its length in this field.
+///
+/// # Errors
+/// When a field, or the work, is beyond the caps.
+pub(super) fn check_limits(
+    limits: impl IntoIterator<Item = (usize, Conductor)>,
+) -> Result<(), MeshError> {
+    let mut fields = Fields::default();
+    let (mut count, mut work) = (0_usize, 0_usize);
+    for (point, conductor) in limits {
+        let degree = fields.take(&[conductor], |n| MeshError::Vertex {
+            point,
+            reason: format!(
+                "its limit needs {}: take fewer valences, or a scheme with rational weights, such as catmull-clark",
+                too_various(n)
+            ),
+        })?;
+        count = count.saturating_add(1);
+        work = work.saturating_add(degree.saturating_pow(3));
+    }
+    check_terms(count, fields.terms)?;
     if work > MAX_NORMAL_WORK {
         let reason = format!(
             "normals of too large valences: the cubes of the degrees of their fields have the sum \
@@ -154,6 +166,93 @@ fn check_normals(
         return Err(MeshError::TooMuch { reason });
     }
     Ok(())
+}
+
+fn too_various(conductor: u64) -> String {
+    format!(
+        "the field of 2cos(2π/n) for n = {conductor}, since the valences that meet there are too various; at most n = \
+         {MAX_CONDUCTOR} is computed in"
+    )
+}
+
+fn check_terms(count: usize, terms: usize) -> Result<(), MeshError> {
+    if terms <= MAX_COEFFICIENTS {
+        return Ok(());
+    }
+    let degree = terms.div_ceil(count.max(1));
+    let reason = format!(
+        "{count} points whose coordinates are sums of {degree} cosines on average; at most \
+         {MAX_COEFFICIENTS} terms of a coordinate are worked on, for all points together: take a \
+         lower level or fewer valences, or for triangles loop-warren, whose weights are rational"
+    );
+    Err(MeshError::TooMuch { reason })
+}
+
+/// The degrees of fields, each computed once, and their sum over all points.
+#[derive(Default)]
+struct Fields {
+    degrees: BTreeMap<u64, usize>,
+    terms: usize,
+}
+
+impl Fields {
+    /// Takes in the numbers of a point; their greatest degree, or the error of a conductor beyond the cap.
+    fn take(
+        &mut self,
+        numbers: &[Conductor],
+        error: impl Fn(u64) -> MeshError,
+    ) -> Result<usize, MeshError> {
+        let mut most = 1;
+        for Conductor(n) in numbers {
+            let within = u32::try_from(*n).ok().filter(|n| *n <= MAX_CONDUCTOR);
+            let n = within.ok_or_else(|| error(*n))?;
+            most = most.max(*self.degrees.entry(n.into()).or_insert_with(|| degree(n)));
+        }
+        self.terms = self.terms.saturating_add(most);
+        Ok(most)
+    }
+}
+
+/// Of a number only the n of a field Q(2cos(2π/n)) that it is in; 0 for the number 0. Sums and products of these say in which
+/// fields those of the numbers are, before they are computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Conductor(u64);
+
+impl Conductor {
+    pub(super) fn of(x: &RealCyclotomic) -> Conductor {
+        Conductor(if x.sign() == 0 { 0 } else { x.conductor().into() })
+    }
+
+    /// The field of all coordinates of these points, and of the cosines of a valence.
+    pub(super) fn around<'a>(
+        valence: Option<usize>,
+        points: impl IntoIterator<Item = &'a Point<RealCyclotomic>>,
+    ) -> Conductor {
+        let cosine = Conductor(valence.map_or(1, cosine_conductor).into());
+        points.into_iter().flatten().fold(cosine, |all, x| all.plus(&Conductor::of(x)))
+    }
+}
+
+impl Scalar for Conductor {
+    fn from_rational(value: &Rational) -> Conductor {
+        Conductor(u64::from(value.sign() != 0))
+    }
+
+    fn plus(&self, other: &Conductor) -> Conductor {
+        match (self.0, other.0) {
+            (0, n) | (n, 0) => Conductor(n),
+            // Beyond u64 it is far beyond the cap.
+            (m, n) => Conductor((m / gcd(m, n)).checked_mul(n).unwrap_or(u64::MAX)),
+        }
+    }
+
+    fn minus(&self, other: &Conductor) -> Conductor {
+        self.plus(other)
+    }
+
+    fn times(&self, other: &Conductor) -> Conductor {
+        if self.0 == 0 || other.0 == 0 { Conductor(0) } else { self.plus(other) }
+    }
 }
 
 /// The n of the field Q(2cos(2π/n)) that cos(2π/`valence`) needs; 1 where it is rational.

@@ -6,7 +6,7 @@
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`read_mesh`], [`read_binary_mesh`], [`MeshFormat`], [`MeshFile`] | OBJ, OFF, PLY, STL, USD and VTK files, with the place of every error |
+//! | [`read_mesh`], [`read_welded_mesh`], [`read_binary_mesh`], [`MeshFormat`], [`MeshFile`] | OBJ, OFF, PLY, STL, USD, VTK and MEDIT files, with the place of every error |
 //! | [`PolygonMesh`], [`Connectivity`] | points and faces; edges, boundary, the faces around a vertex in order |
 //! | [`MeshScheme`], [`refine_mesh`] | Catmull–Clark, Doo–Sabin and Loop on whole meshes |
 //! | [`limit_points`], [`LimitPoint`] | where vertices go, and the normal of the limit surface there |
@@ -34,17 +34,16 @@ mod write;
 pub use connectivity::{Connectivity, Edge};
 pub use crease::{Boundary, Creasing, INFINITE_FROM, Sharpness, Tags, VertexBlend, VertexMask};
 pub use error::MeshError;
-pub(crate) use field::{check_field, check_rules, check_tags};
+pub(crate) use field::{check_common_field, check_rules, check_tags};
 pub(crate) use limit::limit_weights;
 pub use limit::{LimitPoint, Normal, Sector, Tangents, limit_points};
 pub use point::Point;
 pub(crate) use point::combination;
 pub use polygon::PolygonMesh;
-pub(crate) use read::{About, Cell, Denominator, Parts, Places, Word, Words};
+pub(crate) use read::{About, Denominator, Medit, Parts, Places, medit, vtk_cell, vtk_solid};
 pub use read::{
-    MAX_FILE_BYTES, MeshFile, MeshFormat, is_polygonal_vtk, read_binary_mesh, read_mesh,
+    MAX_FILE_BYTES, MeshFile, MeshFormat, read_binary_mesh, read_mesh, read_welded_mesh,
 };
-pub(crate) use read::{vtk_header, vtk_lists, vtk_points};
 pub use refine::{MAX_MESH_LEVEL, refine_mesh};
 pub(crate) use refine::{step_with, weighted_valences};
 pub(crate) use region::{cut, groups, grown};

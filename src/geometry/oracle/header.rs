@@ -29,6 +29,9 @@ pub struct Header {
     /// value. Closed: 0. Open: s_{k+1} = n(s_k − o) from s_0 = 0.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub first_index: Vec<String>,
+    /// What is to be told of the control, by whoever read it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// How the columns were rounded.
     pub columns: &'static str,
 }

@@ -134,6 +134,7 @@ fn header(ring: &LocalRules, request: &LocalRequest) -> Header {
         boundary: None,
         seed: request.control.seed().map(|seed| seed.to_string()),
         first_index: Vec::new(),
+        notes: Vec::new(),
         columns: COLUMNS,
     }
 }

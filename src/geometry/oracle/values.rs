@@ -264,6 +264,7 @@ fn header(scheme: &Scheme, request: &OracleRequest) -> Header {
         }),
         seed: request.control.seed().map(|seed| seed.to_string()),
         first_index: masks.iter().map(first_index).map(|index| index.to_string()).collect(),
+        notes: Vec::new(),
         columns: COLUMNS,
     }
 }

@@ -97,6 +97,7 @@ pub(super) fn header_lines(header: &Header) -> Vec<(&'static str, String)> {
         ("boundary", header.boundary.unwrap_or_default().to_owned()),
         ("seed", header.seed.clone().unwrap_or_else(|| "none, the control was given".to_owned())),
         ("first_index", header.first_index.join(":")),
+        ("notes", header.notes.join("; ")),
         ("columns", header.columns.to_owned()),
     ];
     lines.retain(|(_, text)| !text.is_empty());

@@ -197,6 +197,28 @@ pub fn read_text_from(reader: impl std::io::Read, max_bytes: u64) -> Result<Stri
     Ok(text)
 }
 
+/// The text of these bytes: UTF-8, or else Latin-1, in which programs write names and comments; `None` where a byte is a
+/// control character of neither.
+///
+/// ```
+/// use subcert::diagnostic::text_or_latin1;
+///
+/// assert_eq!(text_or_latin1(b"# W\xfcrfel\n".to_vec()).as_deref(), Some("# Würfel\n"));
+/// assert_eq!(text_or_latin1(vec![b'#', 0, 0xff]), None);
+/// ```
+#[must_use]
+pub fn text_or_latin1(bytes: Vec<u8>) -> Option<String> {
+    String::from_utf8(bytes).map_or_else(
+        |error| {
+            let bytes = error.into_bytes();
+            let control = |byte: &u8| byte.is_ascii_control() && !byte.is_ascii_whitespace();
+            let latin = !bytes.iter().any(control);
+            latin.then(|| bytes.into_iter().map(char::from).collect())
+        },
+        Some,
+    )
+}
+
 /// The bytes that a reader gives, at most `max_bytes`.
 ///
 /// # Errors

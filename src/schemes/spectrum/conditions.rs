@@ -4,6 +4,7 @@ use super::blocks::Blocks;
 use super::eigenvalues::Eigenvalue;
 use super::error::SpectrumError;
 use super::jordan::{Chain, chains};
+use super::moduli::ComplexEigenvalues;
 use crate::exact::{Rational, RealCyclotomic, RealExpression, Scalar};
 use std::cmp::Ordering;
 
@@ -68,8 +69,8 @@ pub struct Conditions {
     /// λ, where it is the only eigenvalue of its modulus after 1, positive, double, and one of block 1 and
     /// one of block n − 1.
     pub subdominant: Option<RealExpression>,
-    /// The greatest modulus after λ, with its eigenvalues in the list; `None` without λ, or where nothing
-    /// follows.
+    /// The greatest modulus after λ, with its eigenvalues in the list; `None` without λ, where nothing
+    /// follows, or where it is not known, since it may be one of complex eigenvalues that are not computed.
     pub next: Option<RealExpression>,
     /// How μ compares with λ²; `None` also where that depends on a Jordan block that is not decided.
     pub curvature: Option<Curvature>,
@@ -78,11 +79,34 @@ pub struct Conditions {
     pub chains: Vec<Chain>,
 }
 
+/// Eigenvalues that are not computed: the greatest of their moduli is at most this.
+struct Others<'a> {
+    most: RealExpression,
+    largest: &'a ComplexEigenvalues,
+}
+
+impl Others<'_> {
+    fn of(all: &[ComplexEigenvalues]) -> Option<Others<'_>> {
+        let largest = all.iter().max_by(|a, b| a.greatest[1].cmp(&b.greatest[1]))?;
+        Some(Others { most: RealExpression::from(largest.greatest[1].clone()), largest })
+    }
+
+    /// Whether all of them are known to be below a modulus.
+    fn are_below(&self, modulus: &RealExpression) -> bool {
+        self.most < *modulus
+    }
+
+    fn undecided(&self) -> SpectrumError {
+        let blocks = &self.largest.blocks;
+        SpectrumError::Complex { block: blocks.first().copied().unwrap_or(0), count: blocks.len() }
+    }
+}
+
 impl Conditions {
-    /// Of all eigenvalues of a ring, in descending order of the moduli.
+    /// Of all eigenvalues of a ring: those that are computed, in descending order of the moduli, and the others.
     pub(super) fn of(
         blocks: &Blocks,
-        eigenvalues: &[Eigenvalue],
+        (eigenvalues, others): (&[Eigenvalue], &[ComplexEigenvalues]),
         cosines: &[RealCyclotomic],
     ) -> Result<Conditions, SpectrumError> {
         let n = blocks.order;
@@ -91,6 +115,14 @@ impl Conditions {
         let simple_one = first.is_some_and(|first| {
             first.imaginary.is_none() && first.real == one && first.multiplicity == 1
         }) && eigenvalues.get(1).is_none_or(|next| next.modulus < one);
+        // The modulus that no other eigenvalue exceeds.
+        let others = Others::of(others);
+        if let Some(others) = others.as_ref().filter(|_| simple_one) {
+            match eigenvalues.get(1) {
+                Some(second) if others.are_below(&second.modulus) => {}
+                _ => return Err(others.undecided()),
+            }
+        }
         let mut conditions = Conditions {
             simple_one,
             subdominant: None,
@@ -113,9 +145,18 @@ impl Conditions {
         conditions.subdominant = Some(second.real.clone());
         if let Some(next) = rest.first() {
             let square = second.real.times(&second.real);
+            let below = |modulus| others.as_ref().is_none_or(|others| others.are_below(modulus));
+            if !below(&next.modulus) {
+                conditions.curvature = match next.modulus.cmp(&square) {
+                    Ordering::Greater => Some(Curvature::Unbounded),
+                    Ordering::Less if below(&square) => Some(Curvature::Vanishing),
+                    _ => None,
+                };
+                return Ok(conditions);
+            }
             conditions.next = Some(next.modulus.clone());
             conditions.chains = chains(blocks, eigenvalues, &next.modulus, cosines)?;
-            if next.modulus != square {
+            if next.modulus != square && below(&square) {
                 conditions.chains.extend(chains(blocks, eigenvalues, &square, cosines)?);
             }
             let size = conditions.longest(|_| true, &next.modulus);

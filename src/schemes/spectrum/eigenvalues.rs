@@ -3,6 +3,7 @@
 use super::blocks::{Blocks, part};
 use super::circulant::Circulant;
 use super::error::SpectrumError;
+use super::moduli::{ComplexEigenvalues, Pairs};
 use super::polynomial::Polynomial;
 use super::roots::{Root, roots};
 use super::{MAX_COMPONENT, MAX_WORK};
@@ -36,44 +37,61 @@ impl Eigenvalue {
     }
 }
 
-/// All eigenvalues, in descending order of the absolute value, and then of the value.
+/// All eigenvalues: those that are computed, in descending order of the absolute value, and then of the value, and how large the
+/// others are.
 pub(super) fn eigenvalues(
     blocks: &Blocks,
     cosines: &[RealCyclotomic],
-) -> Result<Vec<Eigenvalue>, SpectrumError> {
-    let mut found: Vec<Eigenvalue> = Vec::new();
-    let mut add = |root: &Root, of: &[usize]| found.push(Eigenvalue::of(root, of));
+) -> Result<(Vec<Eigenvalue>, Vec<ComplexEigenvalues>), SpectrumError> {
+    let (mut found, mut others): (Vec<Eigenvalue>, Vec<ComplexEigenvalues>) = Default::default();
+    let mut add = |(roots, pairs): &(Vec<Root>, Vec<Pairs>), of: &[usize]| {
+        found.extend(roots.iter().map(|root| Eigenvalue::of(root, of)));
+        others.extend(pairs.iter().map(|Pairs { count, greatest }| {
+            let blocks = of.iter().flat_map(|k| std::iter::repeat_n(*k, *count)).collect();
+            ComplexEigenvalues { blocks, greatest: greatest.clone() }
+        }));
+    };
     for component in blocks.still_components() {
         check(component.len(), 1)?;
         let polynomial = Adjugate::of(&part(&blocks.still, &component)).characteristic;
-        block_roots(0, polynomial)?.iter().for_each(|root| add(root, &[0]));
+        add(&all_roots(0, polynomial)?, &[0]);
     }
     let n = blocks.order;
     for component in blocks.turning_components() {
         let characteristic = turning_characteristic(blocks, &component)?;
-        let mut known: Vec<(Polynomial, Vec<Root>)> = Vec::new();
+        let mut known: Vec<(Polynomial, _)> = Vec::new();
         for k in 1..=n / 2 {
             let polynomial = at_block(&characteristic, k, cosines);
             let both = if 2 * k == n { vec![k] } else { vec![k, n - k] };
             if let Some((_, roots)) = known.iter().find(|(one, _)| *one == polynomial) {
-                for root in roots {
-                    add(root, &both);
-                }
+                add(roots, &both);
                 continue;
             }
-            let roots = block_roots(k, polynomial.clone())?;
-            for root in &roots {
-                add(root, &both);
-            }
+            let roots = all_roots(k, polynomial.clone())?;
+            add(&roots, &both);
             known.push((polynomial, roots));
         }
     }
-    Ok(merged(found))
+    others.sort_by(|a, b| b.greatest[1].cmp(&a.greatest[1]));
+    Ok((merged(found), others))
 }
 
-/// The roots of the characteristic polynomial of block k.
+/// The roots of the characteristic polynomial of block k, if all are computed.
 pub(super) fn block_roots(k: usize, polynomial: Polynomial) -> Result<Vec<Root>, SpectrumError> {
-    roots(polynomial).map_err(|complex| SpectrumError::Complex { block: k, degree: complex.0 })
+    let (roots, others) = all_roots(k, polynomial)?;
+    match others.first() {
+        None => Ok(roots),
+        Some(pairs) => Err(SpectrumError::Complex { block: k, count: pairs.count }),
+    }
+}
+
+/// Those that are computed.
+pub(super) fn known_roots(k: usize, polynomial: Polynomial) -> Result<Vec<Root>, SpectrumError> {
+    all_roots(k, polynomial).map(|(roots, _)| roots)
+}
+
+fn all_roots(k: usize, polynomial: Polynomial) -> Result<(Vec<Root>, Vec<Pairs>), SpectrumError> {
+    roots(polynomial).map_err(|complex| SpectrumError::Multiple { block: k, degree: complex.0 })
 }
 
 /// The coefficients of det(x − M̂_k) for all k, of the cycles of a component.

@@ -42,12 +42,23 @@ pub enum SpectrumError {
         /// The number of points of each.
         points: usize,
     },
-    /// A factor of a characteristic polynomial with complex or multiple roots.
+    /// A factor of a characteristic polynomial with complex roots that are not computed.
     #[error(
-        "block {block}: an irreducible factor of degree {degree} of the characteristic polynomial has complex \
-         roots; such roots are computed of factors of degree 2, and of degree 3 with one real root"
+        "block {block}: the characteristic polynomial has {count} complex roots that are not computed, and that decide here; complex \
+         roots are computed of factors of degree 2, and of degree 3 with one real root"
     )]
     Complex {
+        /// The block.
+        block: usize,
+        /// The number of these roots.
+        count: usize,
+    },
+    /// A factor of a characteristic polynomial with multiple roots.
+    #[error(
+        "block {block}: a factor of degree {degree} of the characteristic polynomial has multiple roots beside complex ones, which are \
+         not computed"
+    )]
+    Multiple {
         /// The block.
         block: usize,
         /// The degree of the factor.

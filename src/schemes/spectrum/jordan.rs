@@ -1,7 +1,7 @@
 //! The sizes of Jordan blocks, exactly.
 
 use super::blocks::{Blocks, part};
-use super::eigenvalues::{Eigenvalue, at_block, block_roots, turning_characteristic};
+use super::eigenvalues::{Eigenvalue, at_block, known_roots, turning_characteristic};
 use super::error::SpectrumError;
 use super::polynomial::Polynomial;
 use crate::exact::{Adjugate, RealCyclotomic, RealExpression, Scalar, echelon, row_times};
@@ -50,7 +50,8 @@ fn greatest(
 ) -> Result<Option<usize>, SpectrumError> {
     let mut factors: Vec<Polynomial> = Vec::new();
     for polynomial in characteristics(blocks, k, cosines)? {
-        for root in block_roots(k, polynomial)? {
+        // Others are known to have smaller moduli.
+        for root in known_roots(k, polynomial)? {
             if root.modulus != *modulus {
                 continue;
             }

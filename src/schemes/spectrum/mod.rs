@@ -8,6 +8,7 @@
 //! | `polynomial` | monic polynomials over Q(2cos(2π/n)) |
 //! | `extension` | the field that a root generates |
 //! | `roots` | roots of these polynomials |
+//! | `moduli` | how large complex roots are that are not computed |
 //! | `eigenvalues` | all eigenvalues with their multiplicities |
 //! | `jordan` | the sizes of Jordan blocks |
 //! | `stencil` | left eigenvectors: limit and tangents |
@@ -24,6 +25,7 @@ mod eigenvalues;
 mod error;
 mod extension;
 mod jordan;
+mod moduli;
 mod polynomial;
 mod ring_spectrum;
 mod roots;
@@ -36,6 +38,7 @@ pub use conditions::{Conditions, Curvature};
 pub use eigenvalues::Eigenvalue;
 pub use error::SpectrumError;
 pub use jordan::Chain;
+pub use moduli::ComplexEigenvalues;
 pub use ring_spectrum::Spectrum;
 pub use schemes::{Surroundings, surroundings};
 pub use sector::{Across, Sector};

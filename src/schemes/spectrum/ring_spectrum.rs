@@ -4,6 +4,7 @@ use super::blocks::{Blocks, cosines};
 use super::conditions::Conditions;
 use super::eigenvalues::{Eigenvalue, eigenvalues};
 use super::error::SpectrumError;
+use super::moduli::ComplexEigenvalues;
 use super::stencil::{Stencil, limit, tangents};
 use crate::exact::{RealCyclotomic, RealExpression};
 use crate::scheme::LocalRules;
@@ -30,8 +31,10 @@ use crate::scheme::LocalRules;
 pub struct Spectrum {
     /// The order n of the rotation: the valence.
     pub order: usize,
-    /// All eigenvalues in descending order of the absolute value.
+    /// All eigenvalues in descending order of the absolute value, but for those of `complex`.
     pub eigenvalues: Vec<Eigenvalue>,
+    /// Complex eigenvalues that are not computed; only [`Spectrum::known`] gives any.
+    pub complex: Vec<ComplexEigenvalues>,
     /// The conditions on them.
     pub conditions: Conditions,
     /// The weights of the points of the ring in their limit; `None` where 1 is no simple eigenvalue.
@@ -67,18 +70,52 @@ impl Spectrum {
         ring: &LocalRules,
         wider: Option<&LocalRules>,
     ) -> Result<Spectrum, SpectrumError> {
+        let found = Spectrum::known(ring, wider)?;
+        match found.complex.first() {
+            None => Ok(found),
+            Some(ComplexEigenvalues { blocks, .. }) => {
+                let block = blocks.first().copied().unwrap_or(0);
+                let count = blocks.iter().filter(|k| **k == block).count();
+                Err(SpectrumError::Complex { block, count })
+            }
+        }
+    }
+
+    /// The same, also where complex eigenvalues are not computed but are known to be so small, or so large, that they leave
+    /// [`Conditions::simple_one`] and [`Conditions::subdominant`] decided.
+    ///
+    /// # Errors
+    /// As [`Spectrum::of`].
+    ///
+    /// # Panics
+    /// Never.
+    ///
+    /// ```
+    /// use subcert::exact::{Rational, format::short};
+    /// use subcert::scheme::parse_local_rules;
+    /// use subcert::spectrum::Spectrum;
+    ///
+    /// let ring = parse_local_rules("kobbelt:N=5")?;
+    /// assert!(Spectrum::of(&ring).is_err());
+    /// let spectrum = Spectrum::known(&ring, None)?;
+    /// let subdominant = spectrum.conditions.subdominant.unwrap();
+    /// assert!(spectrum.complex.iter().all(|one| one.greatest[1] < Rational::new(1, 3)));
+    /// assert_eq!(short(&subdominant, 6), "0.537944");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn known(ring: &LocalRules, wider: Option<&LocalRules>) -> Result<Spectrum, SpectrumError> {
         let inner = Blocks::new(ring)?;
         let order = inner.order;
         let cosines = cosines(order);
         let outer = wider.map(Blocks::new).transpose()?;
         let all = outer.as_ref().unwrap_or(&inner);
-        let eigenvalues = eigenvalues(all, &cosines)?;
-        let conditions = Conditions::of(all, &eigenvalues, &cosines)?;
+        let (eigenvalues, complex) = eigenvalues(all, &cosines)?;
+        let conditions = Conditions::of(all, (&eigenvalues, &complex), &cosines)?;
         let limit = if conditions.simple_one { limit(&inner) } else { None };
         let tangents = match &conditions.subdominant {
             Some(eigenvalue) => tangents(&inner, eigenvalue, &cosines)?,
             None => None,
         };
-        Ok(Spectrum { order, eigenvalues, conditions, limit, tangents })
+        Ok(Spectrum { order, eigenvalues, complex, conditions, limit, tangents })
     }
 }

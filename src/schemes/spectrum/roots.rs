@@ -1,6 +1,7 @@
 //! The roots of a polynomial over Q(2cos(2π/n)).
 
 use super::extension::Extension;
+use super::moduli::{Pairs, pairs};
 use super::polynomial::{Polynomial, monic, quotient, rational_part};
 use crate::exact::{Rational, Real as _, RealCyclotomic, RealExpression, Scalar};
 
@@ -21,9 +22,14 @@ pub(super) struct Root {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Complex(pub(super) usize);
 
-/// All roots of a monic polynomial of degree 1 or more.
-pub(super) fn roots(mut polynomial: Polynomial) -> Result<Vec<Root>, Complex> {
-    let mut found = Vec::new();
+/// The roots of a monic polynomial of degree 1 or more: those that are computed, and how large the others are, for each factor that
+/// has others.
+pub(super) fn roots(mut polynomial: Polynomial) -> Result<(Vec<Root>, Vec<Pairs>), Complex> {
+    let (mut found, mut others) = (Vec::new(), Vec::new());
+    let mut add = |(roots, pairs): (Vec<Root>, Option<Pairs>)| {
+        found.extend(roots);
+        others.extend(pairs);
+    };
     let rational = rational_part(&polynomial);
     if rational.degree().is_some_and(|degree| degree > 0) {
         let degree = rational.degree().unwrap_or(0);
@@ -34,21 +40,24 @@ pub(super) fn roots(mut polynomial: Polynomial) -> Result<Vec<Root>, Complex> {
                 polynomial = rest;
                 multiplicity += 1;
             }
-            found.extend(simple(&factor, multiplicity)?);
+            add(simple(&factor, multiplicity)?);
         }
     }
     if polynomial.len() > 1 {
-        found.extend(simple(&polynomial, 1)?);
+        add(simple(&polynomial, 1)?);
     }
-    Ok(found)
+    Ok((found, others))
 }
 
 /// The roots of a polynomial whose roots are simple, unless its degree is 2.
-fn simple(polynomial: &Polynomial, multiplicity: usize) -> Result<Vec<Root>, Complex> {
+fn simple(
+    polynomial: &Polynomial,
+    multiplicity: usize,
+) -> Result<(Vec<Root>, Option<Pairs>), Complex> {
     let degree = polynomial.len() - 1;
-    match degree {
-        1 => Ok(vec![real(Extension::number(-&polynomial[0]), multiplicity)]),
-        2 => Ok(quadratic(polynomial, multiplicity)),
+    let all = match degree {
+        1 => vec![real(Extension::number(-&polynomial[0]), multiplicity)],
+        2 => quadratic(polynomial, multiplicity),
         _ => {
             let root = |index: usize| RealExpression::root(polynomial, index).ok();
             let found: Vec<RealExpression> = (1..=degree).map_while(root).collect();
@@ -56,15 +65,21 @@ fn simple(polynomial: &Polynomial, multiplicity: usize) -> Result<Vec<Root>, Com
                 let [constant, _, square, _] = &polynomial[..] else { return Err(Complex(degree)) };
                 let pair = pair(constant, square, root, multiplicity).ok_or(Complex(degree))?;
                 let extension = Extension::general(polynomial.clone(), root.clone());
-                return Ok(vec![real(extension, multiplicity), pair]);
+                return Ok((vec![real(extension, multiplicity), pair], None));
             }
-            if found.len() < degree {
-                return Err(Complex(degree));
-            }
+            let pairs = if found.len() < degree {
+                let mut pairs = pairs(polynomial, &found).ok_or(Complex(degree))?;
+                pairs.count *= multiplicity;
+                Some(pairs)
+            } else {
+                None
+            };
             let extension = |root| Extension::general(polynomial.clone(), root);
-            Ok(found.into_iter().map(|root| real(extension(root), multiplicity)).collect())
+            let real = found.into_iter().map(|root| real(extension(root), multiplicity));
+            return Ok((real.collect(), pairs));
         }
-    }
+    };
+    Ok((all, None))
 }
 
 /// The complex roots of x³ + bx² + … + d with one real root r: their sum is −b − r, and their product is −d/r.

@@ -78,4 +78,15 @@ impl Surroundings {
     pub fn spectrum(&self) -> Result<Spectrum, SpectrumError> {
         Spectrum::within(&self.ring, self.wider.as_ref())
     }
+
+    /// The same, also where small complex eigenvalues are not computed; see [`Spectrum::known`].
+    ///
+    /// # Errors
+    /// As [`Spectrum::of`].
+    ///
+    /// # Panics
+    /// Never.
+    pub fn known_spectrum(&self) -> Result<Spectrum, SpectrumError> {
+        Spectrum::known(&self.ring, self.wider.as_ref())
+    }
 }

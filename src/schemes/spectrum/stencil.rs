@@ -2,7 +2,7 @@
 
 use super::blocks::{Blocks, part};
 use super::circulant::Circulant;
-use super::eigenvalues::{at_block, block_roots, check, turning_characteristic};
+use super::eigenvalues::{at_block, check, known_roots, turning_characteristic};
 use super::error::SpectrumError;
 use super::extension::Extension;
 use crate::exact::{Adjugate, Rational, RealCyclotomic, RealExpression, Scalar, only_solution};
@@ -62,7 +62,7 @@ pub(super) fn tangents(
 ) -> Result<Option<[Stencil<RealExpression>; 2]>, SpectrumError> {
     for component in blocks.turning_components() {
         let polynomial = at_block(&turning_characteristic(blocks, &component)?, 1, cosines);
-        let roots = block_roots(1, polynomial)?;
+        let roots = known_roots(1, polynomial)?;
         let found = roots.iter().find(|root| root.imaginary.is_none() && root.real == *eigenvalue);
         if let Some(extension) = found.and_then(|root| root.extension.as_ref()) {
             return eigenvector(blocks, &component, extension, cosines);

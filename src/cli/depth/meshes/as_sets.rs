@@ -75,6 +75,9 @@ pub(crate) struct SetDepth<'a> {
     scheme: String,
     /// The name of the file.
     mesh: String,
+    /// What is to be told of the file.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     /// The tolerance ε.
     tolerance: Text<Rational>,
     /// The share of the diagonal that it was asked for as; null without `--relative`.
@@ -150,8 +153,9 @@ impl Place {
         }
     }
 
-    fn words(&self, kind: Kind) -> String {
+    fn words(&self, kind: Kind, tolerance: &Rational) -> String {
         let Place { face, cell, solid_cell, vertex, level_face, distance, .. } = self;
+        let distance = distance.above(tolerance);
         let cell = match (solid_cell, cell) {
             (Some(cell), _) => format!(" (of cell {cell})"),
             (None, Some([i, j])) => format!(" (cell {i}, {j})"),
@@ -189,7 +193,8 @@ impl SetDepth<'_> {
         solid: Option<&SolidBoundary<Rational>>,
         search: Search,
     ) -> Result<SetDepth<'a>, Failure> {
-        let Subject { scheme, name, kind, arguments, tolerance, guaranteed, promised } = subject;
+        let Subject { scheme, name, notes, kind, arguments, tolerance, guaranteed, promised } =
+            subject;
         let Search { surface, growth, found, faces } = search;
         let faces = faces.zip(found.level);
         match (&arguments.per_face, &faces) {
@@ -212,6 +217,7 @@ impl SetDepth<'_> {
             schema: SCHEMA,
             scheme,
             mesh: name,
+            notes,
             tolerance: Text(tolerance),
             relative: arguments.relative.then_some(Text(share)),
             measure: "hausdorff",
@@ -253,6 +259,7 @@ impl Answer for SetDepth<'_> {
         let SetDepth { scheme, mesh, kind, found, a_priori, .. } = self;
         let of = if self.relative.is_some() { " of the diagonal" } else { "" };
         sheet.heading(1, format!("{mesh}, {scheme}, ε = {}{of}", self.given));
+        self.notes.iter().for_each(|note| sheet.text(format!("Note: {note}")));
         let name = kind.name();
         let mut facts = vec![(format!("depth of the {name}"), found.words(""))];
         if self.relative.is_some() {
@@ -263,11 +270,9 @@ impl Answer for SetDepth<'_> {
             format!("Hausdorff: of {name} and limit as sets of points, from both sides"),
         ));
         facts.push(("faces".to_owned(), faces_text(self.surface, *kind).to_owned()));
-        facts.extend(
-            found
-                .beyond()
-                .map(|(level, place)| (format!("too far at level {level}"), place.words(*kind))),
-        );
+        facts.extend(found.beyond().map(|(level, place)| {
+            (format!("too far at level {level}"), place.words(*kind, &self.tolerance.0))
+        }));
         if let Some(Adaptive { uniform, adaptive }) = &self.adaptive {
             facts.push((
                 "adaptive refinement".to_owned(),

@@ -13,7 +13,7 @@ use crate::cli::arguments::{DepthArguments, DepthBoundary};
 use crate::cli::console::answer::deliver;
 use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Outcome, positive};
-use crate::cli::geometry::mesh::{failure, read, with_boundary};
+use crate::cli::geometry::mesh::{Given, failure, read, with_boundary};
 use std::path::Path;
 use subcert::mesh::MeshScheme;
 use subcert::patch::{FORMULA_PAPER, MeshDistances, a_priori, formula_level};
@@ -24,7 +24,8 @@ pub(in crate::cli::depth) fn mesh_depth(
     to: &Destination,
 ) -> Outcome {
     let asked = positive("--tolerance", &arguments.tolerance)?;
-    let (scheme, name, file) = read(&arguments.scheme, path)?;
+    let Given { scheme, name, file, notes } =
+        read(&arguments.scheme, path, arguments.weld.as_deref())?;
     let file = match arguments.boundary {
         Some(DepthBoundary::Mesh(boundary)) => with_boundary(file, boundary),
         _ => file,
@@ -40,6 +41,7 @@ pub(in crate::cli::depth) fn mesh_depth(
     let subject = Subject {
         scheme: scheme.name().to_owned(),
         name,
+        notes,
         kind: Kind::Mesh { tagged: !mesh.tags().is_plain() },
         arguments,
         tolerance,

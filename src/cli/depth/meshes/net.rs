@@ -44,6 +44,7 @@ pub(in crate::cli::depth) fn net_depth(
     let subject = Subject {
         scheme: scheme.name().to_owned(),
         name,
+        notes: Vec::new(),
         kind: Kind::Net { faces_in_row: net.faces()[1] },
         arguments,
         tolerance,

@@ -25,6 +25,9 @@ pub(crate) struct ParametricDepth<'a> {
     scheme: String,
     /// The name of the file.
     mesh: String,
+    /// What is to be told of the file.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     /// The tolerance ε.
     tolerance: Text<Rational>,
     /// How distances are measured: `parametric`.
@@ -152,7 +155,8 @@ impl ParametricDepth<'_> {
         found: Option<(MeshDepth, bool)>,
         pictures: Vec<Picture>,
     ) -> ParametricDepth<'_> {
-        let Subject { scheme, name, kind, arguments, tolerance, guaranteed, promised } = subject;
+        let Subject { scheme, name, notes, kind, arguments, tolerance, guaranteed, promised } =
+            subject;
         let (found, is_stopped) = found.unzip();
         let found = found.as_ref();
         let place = |place: &FarPlace| Place::of(place, kind);
@@ -160,6 +164,7 @@ impl ParametricDepth<'_> {
             schema: SCHEMA,
             scheme,
             mesh: name,
+            notes,
             tolerance: Text(tolerance),
             measure: "parametric",
             level: found.map(|found| found.level),
@@ -208,6 +213,7 @@ impl Answer for ParametricDepth<'_> {
         let mut sheet = Sheet::default();
         let ParametricDepth { scheme, mesh, a_priori, kind, .. } = self;
         sheet.heading(1, format!("{mesh}, {scheme}, ε = {}", self.given));
+        self.notes.iter().for_each(|note| sheet.text(format!("Note: {note}")));
         let mut facts = Vec::new();
         if let Some(level) = self.level {
             let few = few_text(level, self.too_few);

@@ -45,6 +45,7 @@ pub(in crate::cli::depth) fn solid_depth(
     let subject = |kind, tolerance, guaranteed: APriori| Subject {
         scheme: SOLID_SCHEME.to_owned(),
         name,
+        notes: Vec::new(),
         kind,
         arguments,
         tolerance,

@@ -15,6 +15,8 @@ pub(super) struct Subject<'a> {
     pub(super) scheme: String,
     /// The name of the file.
     pub(super) name: String,
+    /// What is to be told of the file.
+    pub(super) notes: Vec<String>,
     pub(super) kind: Kind,
     pub(super) arguments: &'a DepthArguments,
     pub(super) tolerance: Rational,

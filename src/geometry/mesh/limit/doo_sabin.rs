@@ -1,7 +1,8 @@
 //! Doo–Sabin.
 
 use super::super::error::MeshError;
-use super::super::point::sum;
+use super::super::field::{Conductor, check_limits};
+use super::super::point::{Point, sum};
 use super::super::polygon::PolygonMesh;
 use super::super::refine::refine_mesh;
 use super::super::scheme::MeshScheme;
@@ -19,13 +20,22 @@ pub(super) fn limits(
     let refined = refine_mesh(mesh, MeshScheme::DooSabin, 1)?;
     let inner_edges = connectivity.edges().iter().filter(|edge| edge.other.is_some()).count();
     // The faces of vertices come after those of faces and inner edges.
-    let mut faces = refined.faces()[connectivity.faces().len() + inner_edges..].iter();
+    let faces = &refined.faces()[connectivity.faces().len() + inner_edges..];
+    let corners = |face: &[usize]| -> Vec<&Point<RealCyclotomic>> {
+        face.iter().map(|&v| &refined.points()[v]).collect()
+    };
+    let inner = (0..mesh.points().len()).filter(|vertex| !connectivity.star(*vertex).boundary);
+    check_limits(
+        inner
+            .zip(faces)
+            .map(|(vertex, face)| (vertex, Conductor::around(Some(face.len()), corners(face)))),
+    )?;
+    let mut faces = faces.iter();
     let limit = |vertex| {
         if connectivity.star(vertex).boundary {
             return None;
         }
-        let face = faces.next()?;
-        let corners: Vec<_> = face.iter().map(|&v| &refined.points()[v]).collect();
+        let corners = corners(faces.next()?);
         let share = RealCyclotomic::from(Rational::new(1, corners.len()));
         let position = sum(corners.iter().copied()).map(|x| x.times(&share));
         Some(LimitPoint { position, normal: Normal::of(&circular(&corners)), sectors: Vec::new() })

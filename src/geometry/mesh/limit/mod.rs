@@ -17,7 +17,7 @@ pub use vertex::LimitPoint;
 pub(crate) use weights::limit_weights;
 
 use super::error::MeshError;
-use super::field::{check_field, check_rules, check_tags};
+use super::field::{check_rules, check_tags};
 use super::polygon::PolygonMesh;
 use super::refine::refine_mesh;
 use super::scheme::MeshScheme;
@@ -67,7 +67,6 @@ pub fn limit_points(
 ) -> Result<Vec<Option<LimitPoint>>, MeshError> {
     check_rules(mesh.connectivity(), scheme)?;
     check_tags(mesh, scheme)?;
-    check_field(mesh.connectivity(), mesh.points(), scheme, true, mesh.points().len())?;
     match scheme {
         MeshScheme::CatmullClark | MeshScheme::Bajaj => of_quadrilaterals(mesh, scheme),
         MeshScheme::DooSabin => doo_sabin::limits(mesh),

@@ -2,7 +2,7 @@
 
 use super::super::crease::VertexMask;
 use super::super::error::MeshError;
-use super::super::field::inner_valences;
+use super::super::field::{Conductor, check_limits, inner_valences};
 use super::super::point::Point;
 use super::super::polygon::PolygonMesh;
 use super::super::scheme::MeshScheme;
@@ -36,6 +36,11 @@ pub(super) fn of_first(
 ) -> Result<Vec<Option<LimitPoint>>, MeshError> {
     let valences = inner_valences(mesh.connectivity()).filter(|(vertex, _)| *vertex < count);
     let stencils = Stencils::new(scheme, valences.map(|(_, n)| n));
+    check_limits((0..count).filter_map(|vertex| {
+        let star = mesh.connectivity().star(vertex);
+        let smooth = !falls(mesh, vertex, &star) && !star.boundary;
+        smooth.then(|| (vertex, conductor(mesh, vertex, &star, &VertexMask::Smooth)))
+    }))?;
     let limit = |vertex| at_vertex(mesh, vertex, scheme, &stencils).map(Some);
     (0..count).map(limit).collect()
 }
@@ -50,12 +55,12 @@ fn at_vertex(
     let star = mesh.connectivity().star(vertex);
     if !falls(mesh, vertex, &star) {
         let mask = mesh.tags().vertex_mask(mesh.connectivity(), vertex, &star);
-        return Ok(settled_limit(mesh, vertex, &star, &mask, (scheme, stencils)));
+        return settled_limit(mesh, vertex, &star, &mask, (scheme, stencils), vertex);
     }
     let (part, at) = settled(mesh, vertex, scheme)?;
     let own = part.connectivity().star(at);
     let mask = part.tags().vertex_mask(part.connectivity(), at, &own);
-    let mut limit = settled_limit(&part, at, &own, &mask, (scheme, stencils));
+    let mut limit = settled_limit(&part, at, &own, &mask, (scheme, stencils), vertex)?;
     // The faces of a part have other numbers. Its star begins at another face where all is smooth.
     let ends: Vec<usize> = own.faces.clone();
     for sector in &mut limit.sectors {
@@ -67,16 +72,40 @@ fn at_vertex(
     Ok(limit)
 }
 
-/// The limit of a vertex whose sharp edges are infinitely sharp.
+/// The field of the points that the limit of a vertex depends on; where it is smooth, also of the cosines of its valence.
+/// Tangents of [`sectors`] look after their fields themselves.
+fn conductor(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    vertex: usize,
+    star: &Star,
+    mask: &VertexMask,
+) -> Conductor {
+    let points = mesh.points();
+    let own = [&points[vertex]];
+    match mask {
+        VertexMask::Corner => Conductor::around(None, own),
+        VertexMask::Crease(ends) => {
+            Conductor::around(None, own.into_iter().chain(ends.map(|end| &points[end])))
+        }
+        VertexMask::Smooth => {
+            let around = star.faces.iter().flat_map(|&face| &mesh.faces()[face]);
+            Conductor::around(Some(star.valence()), around.map(|&point| &points[point]))
+        }
+    }
+}
+
+/// The limit of a vertex whose sharp edges are infinitely sharp. Errors call it `known_as`.
 fn settled_limit(
     mesh: &PolygonMesh<RealCyclotomic>,
     vertex: usize,
     star: &Star,
     mask: &VertexMask,
     (scheme, stencils): (MeshScheme, &Stencils),
-) -> LimitPoint {
+    known_as: usize,
+) -> Result<LimitPoint, MeshError> {
+    check_limits([(known_as, conductor(mesh, vertex, star, mask))])?;
     if *mask != VertexMask::Smooth {
-        return sharp_limit(mesh, vertex, star, mask, !scheme.is_triangular());
+        return Ok(sharp_limit(mesh, vertex, star, mask, !scheme.is_triangular()));
     }
     let (position, normal) = if dart_edge(mesh, star).is_some() {
         let weights = settled_weights(mesh, vertex, star, mask, scheme, stencils);
@@ -86,7 +115,7 @@ fn settled_limit(
     } else {
         catmull_clark::smooth(mesh, vertex, star, stencils)
     };
-    LimitPoint { position, normal, sectors: Vec::new() }
+    Ok(LimitPoint { position, normal, sectors: Vec::new() })
 }
 
 /// The position and the sectors of a vertex that is not smooth.

@@ -8,6 +8,7 @@ use super::super::point::Point;
 use super::super::polygon::PolygonMesh;
 use super::super::texture::Texture;
 use super::file::{MeshFile, Places};
+use super::weld::unwelded;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Integer, Rational};
 use std::ops::Range;
@@ -51,9 +52,9 @@ pub(super) const MAX_CORNERS: usize = 4 * MAX_POINTS;
 
 /// The points and faces that have been read so far.
 pub(crate) struct Parts {
-    points: Vec<Point<Rational>>,
-    faces: Vec<Vec<usize>>,
-    places: Places,
+    pub(super) points: Vec<Point<Rational>>,
+    pub(super) faces: Vec<Vec<usize>>,
+    pub(super) places: Places,
     denominator: Denominator,
     corners: usize,
     /// What the file says besides points and faces.
@@ -70,6 +71,10 @@ pub(crate) struct Extras {
     pub(crate) texture: Vec<(Vec<Rational>, Range<usize>)>,
     /// For each face the values of its vertices, if it has some.
     pub(crate) textured: Vec<Option<Vec<usize>>>,
+    /// How many triangles of strips have a vertex twice.
+    pub(crate) joints: usize,
+    /// The subdivision scheme that the file names.
+    pub(crate) scheme: Option<String>,
     /// What a reader of the file should know.
     pub(crate) notes: Vec<String>,
 }
@@ -137,6 +142,24 @@ impl Parts {
         Ok(())
     }
 
+    /// Adds the triangles of a strip, which are turned in turn so that all are seen from the same side. A triangle that has
+    /// a vertex twice only joins parts of the strip.
+    pub(crate) fn strip(
+        &mut self,
+        vertices: &[usize],
+        place: &Range<usize>,
+    ) -> Result<(), Diagnostic> {
+        for (i, triangle) in vertices.windows(3).enumerate() {
+            let [a, b, c] = [triangle[0], triangle[1], triangle[2]];
+            if a == b || b == c || a == c {
+                self.extras.joints += 1;
+            } else {
+                self.face(if i % 2 == 0 { vec![a, b, c] } else { vec![b, a, c] }, place.clone())?;
+            }
+        }
+        Ok(())
+    }
+
     fn too_many(&self, place: Range<usize>, what: &str, most: usize) -> Diagnostic {
         let message = format!("more than {most} {what}; take a smaller mesh");
         Diagnostic::new(&self.places.source, place, message)
@@ -147,8 +170,12 @@ impl Parts {
         (self.points, self.faces, self.places)
     }
 
-    /// The mesh of these points and faces; an error with its place if they are none.
-    pub(crate) fn assemble(mut self) -> Result<MeshFile, Diagnostic> {
+    /// The mesh of these points and faces, after points at most `weld` apart are joined, if that is asked for; an error with
+    /// its place if they are none.
+    pub(crate) fn assemble(mut self, weld: Option<&Rational>) -> Result<MeshFile, Diagnostic> {
+        if let Some(tolerance) = weld {
+            self.weld(tolerance)?;
+        }
         let mut extras = std::mem::take(&mut self.extras);
         let isolated =
             if self.faces.is_empty() { Vec::new() } else { self.take_isolated(&mut extras) };
@@ -168,7 +195,15 @@ impl Parts {
         }
         let mesh = mesh.with_tags(tags).with_isolated(isolated).with_texture(texture);
         let mesh = mesh.map_err(|error| places.diagnostic(&error))?;
-        Ok(MeshFile { mesh, places, notes: extras.notes })
+        if extras.joints > 0 {
+            let count = extras.joints;
+            let note = format!(
+                "{count} triangles of strips have a vertex twice and are dropped: they join strips"
+            );
+            extras.notes.push(note);
+        }
+        extras.notes.extend(unwelded(&mesh));
+        Ok(MeshFile { mesh, places, notes: extras.notes, scheme: extras.scheme })
     }
 
     /// Takes out the points that no face has, with a note.

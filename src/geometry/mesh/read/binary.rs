@@ -108,12 +108,14 @@ impl<'a> Bytes<'a> {
 
     /// A count or an index; `None` where the file ends, or where it is negative or no whole number.
     pub(super) fn natural(&mut self, kind: Kind) -> Option<usize> {
-        let number = self.number(kind)?;
-        if !number.is_integer() {
-            return None;
-        }
-        number.numerator().to_i64().and_then(|number| usize::try_from(number).ok())
+        natural(&self.number(kind)?)
     }
+}
+
+/// A count or an index; `None` where it is negative or no whole number.
+pub(super) fn natural(number: &Rational) -> Option<usize> {
+    let whole = number.is_integer().then(|| number.numerator().to_i64()).flatten();
+    whole.and_then(|number| usize::try_from(number).ok())
 }
 
 /// What stands for the text of a binary file in errors: a line for each thing in it.

@@ -2,6 +2,7 @@
 
 use super::super::error::MeshError;
 use super::super::polygon::PolygonMesh;
+use super::super::scheme::MeshScheme;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::Rational;
 use std::ops::Range;
@@ -13,6 +14,7 @@ pub struct MeshFile {
     pub(super) mesh: PolygonMesh<Rational>,
     pub(super) places: Places,
     pub(super) notes: Vec<String>,
+    pub(super) scheme: Option<String>,
 }
 
 /// Where points and faces stand; in a file of a solid, cells in place of faces.
@@ -50,6 +52,23 @@ impl MeshFile {
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.notes
+    }
+
+    /// What the file says against the scheme that it is refined by: a USD file names one.
+    #[must_use]
+    pub fn other_scheme(&self, scheme: MeshScheme) -> Option<String> {
+        let named = self.scheme.as_deref()?;
+        let fits = match named {
+            "catmullClark" => scheme.is_bicubic(),
+            "loop" => scheme.is_triangular(),
+            // What is written by a scheme that USD does not know.
+            "none" => !scheme.is_triangular() && scheme != MeshScheme::CatmullClark,
+            _ => false,
+        };
+        let yours = scheme.name();
+        (!fits).then(|| {
+            format!("the file has the subdivisionScheme `{named}`, and the mesh is refined by {yours}, as asked for")
+        })
     }
 
     /// An error about the mesh, at its place in the file.

@@ -4,6 +4,7 @@ mod assemble;
 mod binary;
 mod file;
 mod lines;
+mod medit;
 mod obj;
 mod off;
 mod ply;
@@ -11,17 +12,18 @@ mod stl;
 mod tags;
 mod usd;
 mod vtk;
+mod weld;
 mod words;
 
 pub use file::MeshFile;
 
 pub(crate) use assemble::{Denominator, Parts};
 pub(crate) use file::{About, Places};
-pub(crate) use lines::Word;
-pub(crate) use vtk::{Cell, vtk_header, vtk_lists, vtk_points};
-pub(crate) use words::Words;
+pub(crate) use medit::{Medit, medit};
+pub(crate) use vtk::{vtk_cell, vtk_solid};
 
 use crate::diagnostic::{Diagnostic, SourceText};
+use crate::exact::Rational;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -43,6 +45,8 @@ pub enum MeshFormat {
     Usda,
     /// Legacy VTK, ascii, of polygons.
     Vtk,
+    /// MEDIT `.mesh`, ascii, of triangles and quadrilaterals.
+    Medit,
 }
 
 impl MeshFormat {
@@ -57,12 +61,14 @@ impl MeshFormat {
             Some("stl") => return MeshFormat::Stl,
             Some("usda" | "usd" | "usdc" | "usdz") => return MeshFormat::Usda,
             Some("vtk") => return MeshFormat::Vtk,
+            Some("mesh") => return MeshFormat::Medit,
             _ => {}
         }
-        if text.trim_start_matches('\u{feff}').starts_with("#usda") {
+        let start = text.trim_start_matches('\u{feff}');
+        if start.starts_with("#usda") {
             return MeshFormat::Usda;
         }
-        if vtk::is_polydata(text) {
+        if start.get(..14).is_some_and(|start| start.eq_ignore_ascii_case("# vtk DataFile")) {
             return MeshFormat::Vtk;
         }
         let lines = text.lines().map(|line| line.split('#').next().unwrap_or_default().trim());
@@ -70,7 +76,10 @@ impl MeshFormat {
         match first.split_whitespace().next() {
             Some("ply") => MeshFormat::Ply,
             Some("solid") => MeshFormat::Stl,
-            Some(word) if word.ends_with("OFF") => MeshFormat::Off,
+            Some(word) if word.eq_ignore_ascii_case("MeshVersionFormatted") => MeshFormat::Medit,
+            Some(word) if word.trim_end_matches(|c: char| c.is_ascii_digit()).ends_with("OFF") => {
+                MeshFormat::Off
+            }
             _ => MeshFormat::Obj,
         }
     }
@@ -99,6 +108,36 @@ impl MeshFormat {
 /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
 /// ```
 pub fn read_mesh(source: &Arc<SourceText>, format: MeshFormat) -> Result<MeshFile, Diagnostic> {
+    read_welded_mesh(source, format, None)
+}
+
+/// Reads a mesh file, and joins points that are at most `weld` apart in the Euclidean distance, if that is given: for 0 equal
+/// ones.
+///
+/// Points that a chain of such steps connects are joined too, so that nothing depends on their order. The point that stays is
+/// the one of the least x, then y, then z. A corner that is the same as the one before it is left out, and a face of fewer
+/// than three corners dropped; [`MeshFile::notes`] says how many.
+///
+/// # Errors
+/// As [`read_mesh`]; also when the tolerance is below 0, or so small or so large that comparisons are too much work, and when a face has a
+/// vertex twice after that.
+///
+/// ```
+/// use subcert::diagnostic::SourceText;
+/// use subcert::exact::Rational;
+/// use subcert::mesh::{MeshFormat, read_welded_mesh};
+///
+/// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n";
+/// let file = read_welded_mesh(&SourceText::new("a.obj", text), MeshFormat::Obj, Some(&Rational::zero()))?;
+/// assert_eq!(file.mesh().points().len(), 4);
+/// assert_eq!(file.mesh().connectivity().edges().len(), 5);
+/// # Ok::<(), subcert::diagnostic::Diagnostic>(())
+/// ```
+pub fn read_welded_mesh(
+    source: &Arc<SourceText>,
+    format: MeshFormat,
+    weld: Option<&Rational>,
+) -> Result<MeshFile, Diagnostic> {
     let parts = match format {
         MeshFormat::Obj => obj::read(source),
         MeshFormat::Off => off::read(source),
@@ -106,11 +145,12 @@ pub fn read_mesh(source: &Arc<SourceText>, format: MeshFormat) -> Result<MeshFil
         MeshFormat::Stl => stl::read(source),
         MeshFormat::Usda => usd::read(source),
         MeshFormat::Vtk => vtk::read(source),
+        MeshFormat::Medit => medit::read(source),
     }?;
-    parts.assemble()
+    parts.assemble(weld)
 }
 
-/// Reads a binary PLY or STL file; `None` where the bytes are neither.
+/// Reads a binary PLY or STL file, with points joined as by [`read_welded_mesh`]; `None` where the bytes are neither.
 ///
 /// A binary float is the dyadic number that it is. The places of errors are lines of a listing of
 /// what the file holds, with the first byte of each point and face.
@@ -127,13 +167,17 @@ pub fn read_mesh(source: &Arc<SourceText>, format: MeshFormat) -> Result<MeshFil
 ///     bytes.extend(x.to_le_bytes());
 /// }
 /// bytes.extend([0, 0]);
-/// let file = read_binary_mesh("a.stl", &bytes).expect("binary STL")?;
+/// let file = read_binary_mesh("a.stl", &bytes, None).expect("binary STL")?;
 /// assert_eq!(file.mesh().points()[2][1].to_string(), "1/2");
-/// assert!(read_binary_mesh("a.obj", b"v 0 0 0").is_none());
+/// assert!(read_binary_mesh("a.obj", b"v 0 0 0", None).is_none());
 /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
 /// ```
 #[must_use]
-pub fn read_binary_mesh(name: &str, bytes: &[u8]) -> Option<Result<MeshFile, Diagnostic>> {
+pub fn read_binary_mesh(
+    name: &str,
+    bytes: &[u8],
+    weld: Option<&Rational>,
+) -> Option<Result<MeshFile, Diagnostic>> {
     let parts = if let Some(start) = ply::binary_start(bytes) {
         ply::read_binary(name, bytes, start)
     } else if stl::is_binary(bytes) {
@@ -141,11 +185,5 @@ pub fn read_binary_mesh(name: &str, bytes: &[u8]) -> Option<Result<MeshFile, Dia
     } else {
         return None;
     };
-    Some(parts.and_then(Parts::assemble))
-}
-
-/// Whether a text is VTK with polygons, which is no solid.
-#[must_use]
-pub fn is_polygonal_vtk(text: &str) -> bool {
-    vtk::is_polydata(text)
+    Some(parts.and_then(|parts| parts.assemble(weld)))
 }

@@ -38,8 +38,14 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
 fn counts(lines: &mut Lines<'_>) -> Result<(usize, usize), Diagnostic> {
     let ended = |lines: &Lines<'_>| lines.cut_off("the numbers of points and faces are missing");
     let mut line = lines.next().ok_or_else(|| ended(lines))?;
-    if line[0].text.ends_with("OFF") {
-        let header = line.remove(0);
+    let text = line[0].text.trim_end_matches(|c: char| c.is_ascii_digit());
+    if text.ends_with("OFF") {
+        let header = Word { text, at: line[0].at };
+        // Some programs write no space between `OFF` and the first count.
+        line[0] = Word { text: &line[0].text[text.len()..], at: header.place().end };
+        if line[0].text.is_empty() {
+            line.remove(0);
+        }
         if !["OFF", "COFF", "NOFF", "CNOFF", "STOFF"].contains(&header.text) {
             let message = format!("`{}` is not supported", header.text);
             return Err(lines
@@ -75,9 +81,24 @@ pub(super) fn vertices(
     words: &[Word<'_>],
     count: usize,
 ) -> Result<Vec<usize>, Diagnostic> {
+    vertices_or(lines, line, words, count, |_| None)
+}
+
+/// The same, where a word may stand for something else.
+pub(super) fn vertices_or(
+    lines: &Lines<'_>,
+    line: &[Word<'_>],
+    words: &[Word<'_>],
+    count: usize,
+    other: impl Fn(&Word<'_>) -> Option<usize>,
+) -> Result<Vec<usize>, Diagnostic> {
     let Some(words) = words.get(..count) else {
         let message = format!("a face of {count} vertices, of which {} are here", words.len());
         return Err(lines.wrong(extent(line), message));
     };
-    words.iter().map(|word| lines.natural(*word, "a vertex, counted from 0,")).collect()
+    let vertex = |word: &Word<'_>| {
+        let other = other(word).map(Ok);
+        other.unwrap_or_else(|| lines.natural(*word, "a vertex, counted from 0,"))
+    };
+    words.iter().map(vertex).collect()
 }

@@ -1,11 +1,12 @@
 //! PLY, ascii and binary.
 
 use super::assemble::Parts;
-use super::binary::{ByteOrder, Bytes, Kind, Listing};
+use super::binary::{ByteOrder, Bytes, Kind, Listing, natural};
 use super::lines::{Line, Lines, extent};
-use super::off::vertices;
+use super::off::{vertices, vertices_or};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::Rational;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// What the header says of one kind of lines.
@@ -20,6 +21,20 @@ struct Property {
     kind: Kind,
     /// The type of the length, of a list.
     list: Option<Kind>,
+}
+
+impl Element {
+    /// One of these, in words.
+    fn one(&self) -> &str {
+        if self.name == STRIPS { "strip" } else { &self.name }
+    }
+}
+
+impl Property {
+    /// Whether it is the list of the vertices of a face.
+    fn has_vertices(&self) -> bool {
+        self.list.is_some() && ["vertex_indices", "vertex_index"].contains(&self.name.as_str())
+    }
 }
 
 /// How the numbers after the header are written.
@@ -47,7 +62,8 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
             })?;
             match name {
                 "vertex" => point(&lines, &line, &element, &mut parts)?,
-                "face" => face(&lines, &line, &element, &mut parts)?,
+                "face" => parts.face(list(&lines, &line, &element)?, extent(&line))?,
+                STRIPS => strips(&list(&lines, &line, &element)?, &extent(&line), &mut parts)?,
                 _ => {}
             }
         }
@@ -130,29 +146,42 @@ fn point(
     parts.point(lines.point(&coordinates)?, extent(line))
 }
 
-fn face(
-    lines: &Lines<'_>,
-    line: &Line<'_>,
-    element: &Element,
-    parts: &mut Parts,
-) -> Result<(), Diagnostic> {
+/// The vertices of a face or of strips; of strips, [`END`] for -1.
+fn list(lines: &Lines<'_>, line: &Line<'_>, element: &Element) -> Result<Vec<usize>, Diagnostic> {
     let mut at = 0;
     for property in &element.properties {
         let word = line.get(at).copied().ok_or_else(|| {
-            let message = format!("this face has no `{}`", property.name);
+            let message = format!("this {} has no `{}`", element.one(), property.name);
             lines.wrong(extent(line), message)
         })?;
         at += 1;
         if property.list.is_some() {
             let count = lines.natural(word, "the number of vertices of this face")?;
-            if ["vertex_indices", "vertex_index"].contains(&property.name.as_str()) {
-                return parts.face(vertices(lines, line, &line[at..], count)?, extent(line));
+            if property.has_vertices() {
+                let words = &line[at..];
+                if element.name != STRIPS {
+                    return vertices(lines, line, words, count);
+                }
+                return vertices_or(lines, line, words, count, |word| {
+                    (word.text == "-1").then_some(END)
+                });
             }
             at = at.saturating_add(count);
         }
     }
-    let message = "the header gives faces no list `vertex_indices`";
+    let message = format!("the header gives {}s no list `vertex_indices`", element.one());
     Err(lines.wrong(extent(line), message))
+}
+
+/// The element of strips of triangles.
+const STRIPS: &str = "tristrips";
+
+/// What stands for -1, which ends a strip.
+const END: usize = usize::MAX;
+
+/// Adds strips of triangles.
+fn strips(vertices: &[usize], place: &Range<usize>, parts: &mut Parts) -> Result<(), Diagnostic> {
+    vertices.split(|vertex| *vertex == END).try_for_each(|strip| parts.strip(strip, place))
 }
 
 /// Where the bytes of a binary file begin, if the header says that it is one.
@@ -173,6 +202,7 @@ pub(super) fn binary_start(bytes: &[u8]) -> Option<usize> {
 enum Thing {
     Point([Rational; 3]),
     Face(Vec<usize>),
+    Strips(Vec<usize>),
 }
 
 /// A binary file, whose errors have the line of a listing: the header, then each point and each face with
@@ -220,6 +250,7 @@ pub(super) fn read_binary(name: &str, bytes: &[u8], start: usize) -> Result<Part
         match thing {
             Thing::Point(point) => parts.point(point, place)?,
             Thing::Face(vertices) => parts.face(vertices, place)?,
+            Thing::Strips(vertices) => strips(&vertices, &place, &mut parts)?,
         }
     }
     Ok(parts)
@@ -229,6 +260,7 @@ pub(super) fn read_binary(name: &str, bytes: &[u8], start: usize) -> Result<Part
 fn thing(cursor: &mut Bytes<'_>, element: &Element) -> Result<Option<Thing>, String> {
     let mut point: [Option<Rational>; 3] = Default::default();
     let mut face = None;
+    let has_faces = ["face", STRIPS].contains(&element.name.as_str());
     for property in &element.properties {
         let name = property.name.as_str();
         let ended = || format!("`{name}` is missing, or no number of its type");
@@ -247,9 +279,12 @@ fn thing(cursor: &mut Bytes<'_>, element: &Element) -> Result<Option<Thing>, Str
         if count > cursor.left() {
             return Err(format!("`{name}` has {count} numbers, and the file ends before them"));
         }
-        let wanted = element.name == "face" && ["vertex_indices", "vertex_index"].contains(&name);
-        if wanted {
-            let all = (0..count).map(|_| cursor.natural(property.kind).ok_or_else(ended));
+        if has_faces && property.has_vertices() {
+            let all = (0..count).map(|_| {
+                let number = cursor.number(property.kind).ok_or_else(ended)?;
+                let ends = element.name == STRIPS && number == Rational::from(-1);
+                if ends { Some(END) } else { natural(&number) }.ok_or_else(ended)
+            });
             face = Some(all.collect::<Result<Vec<usize>, String>>()?);
         } else {
             (0..count).for_each(|_| drop(cursor.number(property.kind)));
@@ -263,9 +298,12 @@ fn thing(cursor: &mut Bytes<'_>, element: &Element) -> Result<Option<Thing>, Str
             [Some(x), Some(y), Some(z)] => Ok(Some(Thing::Point([x, y, z]))),
             _ => Err("the header gives points no x, y and z".to_owned()),
         },
-        "face" => face
-            .map(|face| Some(Thing::Face(face)))
-            .ok_or_else(|| "the header gives faces no list `vertex_indices`".to_owned()),
+        name if has_faces => {
+            let thing = if name == STRIPS { Thing::Strips } else { Thing::Face };
+            face.map(|face| Some(thing(face))).ok_or_else(|| {
+                format!("the header gives {}s no list `vertex_indices`", element.one())
+            })
+        }
         _ => Ok(None),
     }
 }

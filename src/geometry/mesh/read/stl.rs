@@ -93,11 +93,11 @@ pub(super) fn read_binary(name: &str, bytes: &[u8]) -> Result<Parts, Diagnostic>
     Ok(joined.parts())
 }
 
-/// `solid NAME`, then `facet normal … outer loop vertex … endloop endfacet`, then `endsolid NAME`.
+/// `solid NAME`, then `facet normal … outer loop vertex … endloop endfacet`, then `endsolid NAME`; once or more often.
 pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     let first = source.text.trim_start_matches('\u{feff}').trim_start();
     let start = source.text.len() - first.len();
-    let line = first.find('\n').map_or(first.len(), |end| end + 1);
+    let line = line_end(first, 0);
     if !first.to_ascii_lowercase().starts_with("solid") {
         let message = "an STL file begins with the word `solid`";
         return Err(Diagnostic::new(source, start..start + line, message)
@@ -105,22 +105,27 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     }
     let mut words = Words::new(source, start + line, false);
     let mut joined = Joined::new(source);
+    let mut solids = 1_usize;
     loop {
         let missing = || "`endsolid` is missing".to_owned();
         let word = words.expect(missing)?;
         if word.text.eq_ignore_ascii_case("endsolid") {
             // The name of the solid may follow in this line.
             let text = &source.text;
-            let end = text[word.at..].find('\n').map_or(text.len(), |end| word.at + end);
-            let rest = text[end..].trim_start();
+            let rest = text[line_end(text, word.at)..].trim_start();
             if rest.is_empty() {
                 break;
             }
             let at = text.len() - rest.len();
-            let length = rest.find(char::is_whitespace).unwrap_or(rest.len());
-            let message = "there is more after the end of the solid";
-            return Err(Diagnostic::new(source, at..at + length, message)
-                .with_help("write each solid into a file of its own, or all triangles into one"));
+            let next = rest.split_whitespace().next().unwrap_or_default();
+            if !next.eq_ignore_ascii_case("solid") {
+                let message = "there is more after the end of the solid";
+                return Err(Diagnostic::new(source, at..at + next.len(), message)
+                    .with_help("another solid begins with the word `solid`"));
+            }
+            words = Words::new(source, line_end(text, at), false);
+            solids += 1;
+            continue;
         }
         expected(&mut words, word.text, word.place(), "facet")?;
         word_is(&mut words, "normal")?;
@@ -138,7 +143,16 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
         let end = word_is(&mut words, "endfacet")?;
         joined.triangle(corners, word.at..end)?;
     }
-    Ok(joined.parts())
+    let mut parts = joined.parts();
+    if solids > 1 {
+        parts.extras.notes.push(format!("the {solids} solids of the file are read as one mesh"));
+    }
+    Ok(parts)
+}
+
+/// Where the line that a byte is in ends.
+fn line_end(text: &str, at: usize) -> usize {
+    text[at..].find(['\n', '\r']).map_or(text.len(), |end| at + end + 1)
 }
 
 fn word_is(words: &mut Words<'_>, name: &str) -> Result<usize, Diagnostic> {

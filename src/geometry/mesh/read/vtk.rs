@@ -1,4 +1,4 @@
-//! Legacy VTK, ascii: polygons. What solids have in common with them is here too.
+//! Legacy VTK, ascii: polygons, as polydata or as an unstructured grid. What solids have in common with them is here too.
 
 use super::assemble::Parts;
 use super::words::Words;
@@ -9,41 +9,64 @@ use std::sync::Arc;
 /// A cell or a polygon: its corners, and where it stands.
 pub(crate) type Cell = (Vec<usize>, Range<usize>);
 
-/// Parts of a file that say nothing of faces.
-const SECTIONS: [&str; 9] = [
+/// The words that begin a part of a file.
+const SECTIONS: [&str; 11] = [
     "POINTS",
     "POLYGONS",
     "VERTICES",
     "LINES",
     "TRIANGLE_STRIPS",
+    "CELLS",
+    "CELL_TYPES",
     "POINT_DATA",
     "CELL_DATA",
     "METADATA",
     "FIELD",
 ];
 
-/// Whether a VTK file has polygons, and no solid.
-pub(crate) fn is_polydata(text: &str) -> bool {
-    let mut lines = text.lines();
-    let first =
-        lines.next().unwrap_or_default().trim_start_matches('\u{feff}').to_ascii_lowercase();
-    let mut words = lines.skip(2).flat_map(str::split_whitespace);
-    first.starts_with("# vtk datafile")
-        && words.next().is_some_and(|word| word.eq_ignore_ascii_case("DATASET"))
-        && words.next().is_some_and(|word| word.eq_ignore_ascii_case("POLYDATA"))
+/// The types of cells that are faces, and that of strips.
+const TRIANGLE: usize = 5;
+const STRIP: usize = 6;
+const POLYGON: usize = 7;
+const PIXEL: usize = 8;
+const QUADRILATERAL: usize = 9;
+
+/// What the types of cells are called.
+const CELLS: [(usize, &str); 18] = [
+    (1, "vertex"),
+    (2, "set of vertices"),
+    (3, "line"),
+    (4, "polyline"),
+    (TRIANGLE, "triangle"),
+    (STRIP, "strip of triangles"),
+    (POLYGON, "polygon"),
+    (PIXEL, "pixel"),
+    (QUADRILATERAL, "quadrilateral"),
+    (10, "tetrahedron"),
+    (11, "voxel"),
+    (12, "hexahedron"),
+    (13, "wedge"),
+    (14, "pyramid"),
+    (24, "quadratic tetrahedron"),
+    (25, "quadratic hexahedron"),
+    (29, "triquadratic hexahedron"),
+    (42, "polyhedron"),
+];
+
+/// What a type of cells is called, after `a cell of type N`.
+pub(crate) fn vtk_cell(kind: usize) -> String {
+    let name = CELLS.iter().find(|(known, _)| *known == kind);
+    name.map(|(_, name)| format!(", a {name}")).unwrap_or_default()
 }
 
 pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     let mut words = Words::new(source, vtk_header(source)?, false);
     let mut parts = Parts::new(source, 0);
-    for name in ["DATASET", "POLYDATA"] {
-        let word = words.expect(|| "`DATASET POLYDATA` is missing".to_owned())?;
-        if !word.text.eq_ignore_ascii_case(name) {
-            let message = "`DATASET POLYDATA` is expected here";
-            return Err(words.wrong(word.place(), message).with_help(
-                "save the mesh so; solids are unstructured grids, for the scheme bajaj",
-            ));
+    if dataset(&mut words, &["POLYDATA", GRID])? == GRID {
+        for (cell, kind) in vtk_grid(source, &mut words, &mut parts)? {
+            face(source, cell, kind, &mut parts)?;
         }
+        return Ok(parts);
     }
     while let Some(word) = words.next() {
         match word.text.to_ascii_uppercase().as_str() {
@@ -54,8 +77,9 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
                 }
             }
             "TRIANGLE_STRIPS" => {
-                let message = "strips of triangles are not supported";
-                return Err(words.wrong(word.place(), message).with_help("save polygons"));
+                for (corners, place) in vtk_lists(&mut words)? {
+                    parts.strip(&corners, &place)?;
+                }
             }
             "VERTICES" | "LINES" => {
                 let what = word.text.to_ascii_lowercase();
@@ -73,8 +97,115 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     Ok(parts)
 }
 
+/// The name of unstructured grids.
+const GRID: &str = "UNSTRUCTURED_GRID";
+
+/// The dataset, which is one of these.
+fn dataset(words: &mut Words<'_>, known: &[&'static str]) -> Result<&'static str, Diagnostic> {
+    let wanted = || format!("`DATASET {}`", known.join("` or `DATASET "));
+    let missing = || format!("{} is missing", wanted());
+    let (word, kind) = (words.expect(missing)?, words.expect(missing)?);
+    let found = known.iter().find(|known| kind.text.eq_ignore_ascii_case(known));
+    found.copied().filter(|_| word.text.eq_ignore_ascii_case("DATASET")).ok_or_else(|| {
+        let message = format!("{} is expected here", wanted());
+        words.wrong(word.at..kind.place().end, message).with_help("save the mesh so")
+    })
+}
+
+/// A cell that is a face of a mesh.
+fn face(
+    source: &Arc<SourceText>,
+    (mut corners, place): Cell,
+    (kind, kind_place): Kind,
+    parts: &mut Parts,
+) -> Result<(), Diagnostic> {
+    let wanted = match kind {
+        TRIANGLE => Some(3),
+        PIXEL | QUADRILATERAL => Some(4),
+        STRIP => return parts.strip(&corners, &place),
+        POLYGON => None,
+        _ => {
+            let message = format!("a cell of type {kind}{}", vtk_cell(kind));
+            return Err(Diagnostic::new(source, kind_place, message)
+                .with_place(place, "the cell")
+                .with_help(
+                    "a polygon mesh has triangles (type 5), quadrilaterals (9), pixels (8), polygons (7) and strips \
+                     (6); hexahedra are refined by the scheme bajaj",
+                ));
+        }
+    };
+    if let Some(count) = wanted.filter(|count| *count != corners.len()) {
+        let message = format!(
+            "a cell of type {kind}{}, of {} corners; it has {count}",
+            vtk_cell(kind),
+            corners.len()
+        );
+        return Err(Diagnostic::new(source, place, message));
+    }
+    if kind == PIXEL {
+        // Row by row, and not around.
+        corners.swap(2, 3);
+    }
+    parts.face(corners, place)
+}
+
+/// The type of a cell, and where it stands.
+pub(crate) type Kind = (usize, Range<usize>);
+
+/// The cells of an unstructured grid with their types, after `DATASET UNSTRUCTURED_GRID`; the points go to `parts`.
+fn vtk_grid(
+    source: &Arc<SourceText>,
+    words: &mut Words<'_>,
+    parts: &mut Parts,
+) -> Result<Vec<(Cell, Kind)>, Diagnostic> {
+    let (mut cells, mut types) = (None, None);
+    while let Some(word) = words.next() {
+        match word.text.to_ascii_uppercase().as_str() {
+            "POINTS" => vtk_points(words, word.place(), parts)?,
+            "CELLS" => cells = Some(vtk_lists(words)?),
+            "CELL_TYPES" => types = Some(cell_types(words)?),
+            // What belongs to points and cells comes after them.
+            "POINT_DATA" | "CELL_DATA" => break,
+            "METADATA" | "FIELD" => words.skip(|text| SECTIONS.contains(&text)),
+            _ => return Err(words.unexpected(&word)),
+        }
+    }
+    let cut_off = |message: &str| {
+        let end = source.text.trim_end().len();
+        Diagnostic::new(source, end..end, message)
+            .with_help("the file is cut off, or no unstructured grid")
+    };
+    let cells = cells.ok_or_else(|| cut_off("there is no `CELLS`"))?;
+    let types = types.ok_or_else(|| cut_off("there is no `CELL_TYPES`"))?;
+    if cells.len() != types.len() {
+        let message = format!("{} cells, but {} types of cells", cells.len(), types.len());
+        return Err(cut_off(&message));
+    }
+    Ok(cells.into_iter().zip(types).collect())
+}
+
+/// The cells of a file of a solid, and its points.
+pub(crate) fn vtk_solid(
+    source: &Arc<SourceText>,
+    parts: &mut Parts,
+) -> Result<Vec<(Cell, Kind)>, Diagnostic> {
+    let mut words = Words::new(source, vtk_header(source)?, false);
+    dataset(&mut words, &[GRID])?;
+    vtk_grid(source, &mut words, parts)
+}
+
+fn cell_types(words: &mut Words<'_>) -> Result<Vec<Kind>, Diagnostic> {
+    let count = words.count("the number of types")?;
+    let mut types = Vec::new();
+    for found in 0..count {
+        let missing = || format!("{found} of {count} types of cells have been read");
+        types.push(words.natural("the type of a cell", missing)?);
+    }
+    Ok(types)
+}
+
 /// Where the third line ends: the first two say what the file is, in words that do not matter.
-pub(crate) fn vtk_header(source: &Arc<SourceText>) -> Result<usize, Diagnostic> {
+fn vtk_header(source: &Arc<SourceText>) -> Result<usize, Diagnostic> {
     let text = &source.text;
     let mut at = 0;
     let mut line = || {
@@ -104,7 +235,7 @@ pub(crate) fn vtk_header(source: &Arc<SourceText>) -> Result<usize, Diagnostic> 
 }
 
 /// The points of a VTK file, whose word `POINTS` stands at a place.
-pub(crate) fn vtk_points(
+fn vtk_points(
     words: &mut Words<'_>,
     place: Range<usize>,
     parts: &mut Parts,
@@ -124,7 +255,7 @@ pub(crate) fn vtk_points(
 
 /// Cells or polygons in both forms: each after the number of its corners, or (from version 5 on) where the cells begin in
 /// a list of all corners.
-pub(crate) fn vtk_lists(words: &mut Words<'_>) -> Result<Vec<Cell>, Diagnostic> {
+fn vtk_lists(words: &mut Words<'_>) -> Result<Vec<Cell>, Diagnostic> {
     let count = words.count("the number of cells")?;
     let size = words.count("the number of numbers")?;
     if words.peek().is_some_and(|word| word.text.eq_ignore_ascii_case("OFFSETS")) {

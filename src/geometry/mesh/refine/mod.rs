@@ -8,11 +8,13 @@ mod triangles;
 use super::MAX_POINTS;
 use super::connectivity::Connectivity;
 use super::error::MeshError;
-use super::field::{check_field, check_rules, check_tags, inner_valences};
+use super::field::{
+    Conductor, check_common_field, check_fields, check_rules, check_tags, inner_valences,
+};
 use super::polygon::PolygonMesh;
 use super::scheme::MeshScheme;
 use super::stencil::Stencils;
-use crate::exact::{RealCyclotomic, Scalar};
+use crate::exact::{RealCyclotomic, Scalar, format::short};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
@@ -70,8 +72,8 @@ pub fn refine_mesh(
         return Err(MeshError::TooManyPoints { points });
     }
     let mut refined = Cow::Borrowed(mesh);
-    for _ in 0..level {
-        refined = Cow::Owned(step(&refined, scheme)?);
+    for level in 1..=level {
+        refined = Cow::Owned(step(&refined, scheme, level)?);
     }
     Ok(refined.into_owned().with_isolated(mesh.isolated().to_vec()))
 }
@@ -100,10 +102,11 @@ fn counts(connectivity: &Connectivity, scheme: MeshScheme, level: u32) -> usize 
     points
 }
 
-/// One level of refinement.
+/// The refinement to this level from the one before it.
 fn step(
     mesh: &PolygonMesh<RealCyclotomic>,
     scheme: MeshScheme,
+    level: u32,
 ) -> Result<PolygonMesh<RealCyclotomic>, MeshError> {
     let connectivity = mesh.connectivity();
     let (vertices, edges) = (connectivity.point_count(), connectivity.edges().len());
@@ -113,9 +116,26 @@ fn step(
         MeshScheme::DooSabin => corners,
         MeshScheme::Loop | MeshScheme::LoopWarren => vertices + edges,
     };
-    check_field(connectivity, mesh.points(), scheme, false, count)?;
+    let stencils = Stencils::new(scheme, weighted_valences(connectivity, scheme));
+    if count > MAX_POINTS {
+        return Err(MeshError::TooManyPoints { points: count });
+    }
+    if check_common_field(connectivity, mesh.points(), scheme, count).is_err() {
+        let fields = step_with(&mesh.map(Conductor::of), scheme, &stencils.map(Conductor::of))?;
+        check_fields(fields.points(), |new| {
+            let old = match (scheme, new.checked_sub(vertices)) {
+                (MeshScheme::DooSabin, _) => {
+                    connectivity.faces().iter().flatten().nth(new).copied()
+                }
+                (_, None) => Some(new),
+                (_, Some(edge)) => connectivity.edges().get(edge).map(|edge| edge.ends[0]),
+            };
+            let near = mesh.points()[old.unwrap_or(0)].each_ref().map(|x| short(x, 6)).join(", ");
+            format!("level {level}: the new point near ({near})")
+        })?;
+    }
     check_bits(mesh, count)?;
-    step_with(mesh, scheme, &Stencils::new(scheme, weighted_valences(connectivity, scheme)))
+    step_with(mesh, scheme, &stencils)
 }
 
 /// The valences whose weights one level needs: of the faces for Doo–Sabin, else of the inner

@@ -2,7 +2,7 @@
 
 use super::roots::{Corners, Root, Roots, corners};
 use crate::exact::{Rational, RealCyclotomic};
-use crate::mesh::{MeshScheme, Point, PolygonMesh, Stencils, check_field, step_with};
+use crate::mesh::{MeshScheme, Point, PolygonMesh, Stencils, check_common_field, step_with};
 use crate::patch::number::{Number, Vector, combinations};
 use crate::solid::{Complex, HexMesh, check_bits, refined_points, split_points};
 
@@ -84,7 +84,7 @@ impl Source {
             Source::Surface { mesh, scheme, stencils, .. } => {
                 let mesh = mesh.map(|x| RealCyclotomic::from(x.clone()));
                 let (control, points) = (mesh.connectivity(), mesh.points());
-                check_field(control, points, *scheme, false, count).ok()?;
+                check_common_field(control, points, *scheme, count).ok()?;
                 let refined = step_with(&mesh, *scheme, stencils).ok()?;
                 Some(surface(&mesh, *scheme, refined.points().to_vec()))
             }

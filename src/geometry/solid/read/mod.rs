@@ -2,16 +2,22 @@
 
 #![deny(clippy::arithmetic_side_effects)]
 
-mod medit;
 mod vtk;
 
 use super::error::SolidError;
 use super::hexes::HexMesh;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::Rational;
-use crate::mesh::{About, Places};
+use crate::mesh::{About, Medit, Places, medit};
 use std::path::Path;
 use std::sync::Arc;
+
+/// What is read of a MEDIT file.
+const HEXAHEDRA: Medit = Medit {
+    read: &[("Hexahedra", "hexahedron", 8)],
+    refused: &["TETRAHEDRA", "PRISMS", "PENTAHEDRA", "WEDGES", "PYRAMIDS"],
+    help: "the scheme refines hexahedra; save only those",
+};
 
 /// The forms of files of solids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,7 +105,7 @@ fn diagnostic(places: &Places, error: &SolidError) -> Diagnostic {
 pub fn read_solid(source: &Arc<SourceText>, format: SolidFormat) -> Result<SolidFile, Diagnostic> {
     let parts = match format {
         SolidFormat::Vtk => vtk::read(source),
-        SolidFormat::Medit => medit::read(source),
+        SolidFormat::Medit => medit(source, &HEXAHEDRA),
     }?;
     let (points, cells, places) = parts.into_lists();
     let cells: Vec<[usize; 8]> =

@@ -21,7 +21,12 @@ pub(super) enum Entries {
     Integers(Vec<usize>),
 }
 
-/// The arrays of rows of consecutive valences.
+/// Whether no valence is missing between the first and the last.
+pub(super) fn are_consecutive(rows: &[Row]) -> bool {
+    rows.windows(2).all(|pair| pair[0].valence + 1 == pair[1].valence)
+}
+
+/// The arrays of rows of ascending valences, with a list of these where some are missing.
 pub(super) fn arrays(rows: &[Row], real: RealType) -> Result<Vec<Array>, TableError> {
     let [first, ..] = rows else { return Ok(Vec::new()) };
     if let Some(other) = rows.iter().find(|row| row.orbits != first.orbits) {
@@ -39,7 +44,12 @@ pub(super) fn arrays(rows: &[Row], real: RealType) -> Result<Vec<Array>, TableEr
     };
     let columns = first.orbits.iter().map(each).collect::<Vec<String>>().join(", ");
     let points = full.join("[0], ..., [n - 1], then ") + "[0], ..., [n - 1]";
-    let start = format!("from offset[n - {}] on", first.valence);
+    let consecutive = are_consecutive(rows);
+    let start = if consecutive {
+        format!("from offset[n - {}] on", first.valence)
+    } else {
+        "from offset[i] on".to_owned()
+    };
     let numbers = |row: &dyn Fn(&Row) -> Vec<Real>| rows.iter().map(row).collect::<Vec<_>>();
     let single = !first.orbits[0].1;
     let rule = numbers(&|row| row.rule.iter().map(|w| Real::nearest(w, real)).collect());
@@ -61,24 +71,32 @@ pub(super) fn arrays(rows: &[Row], real: RealType) -> Result<Vec<Array>, TableEr
     let limit = numbers(&|row| row.limit.iter().map(|w| Real::nearest(w, real)).collect());
     let lengths = rows.iter().map(|row| row.tangents[0].len());
     let offsets = lengths.scan(0, |next, length| Some(std::mem::replace(next, *next + length)));
-    Ok(vec![
-        rule,
-        Array {
-            name: "subdominant",
-            about: vec!["the subdominant eigenvalue".to_owned()],
-            entries: Entries::List(vec![subdominant]),
-        },
-        Array {
-            name: "limit",
-            about: vec![format!("limit point: the weights of {columns}")],
-            entries: Entries::Table(limit),
-        },
-        Array {
-            name: "offset",
-            about: vec!["where the entries of a valence begin in the lists".to_owned()],
-            entries: Entries::Integers(offsets.collect()),
-        },
-        tangent(0, "tangent_1"),
-        tangent(1, "tangent_2"),
-    ])
+    let valences = Array {
+        name: "valence",
+        about: vec!["the valence of row i".to_owned()],
+        entries: Entries::Integers(rows.iter().map(|row| row.valence).collect()),
+    };
+    let valences = (!consecutive).then_some(valences).into_iter();
+    Ok(valences
+        .chain([
+            rule,
+            Array {
+                name: "subdominant",
+                about: vec!["the subdominant eigenvalue".to_owned()],
+                entries: Entries::List(vec![subdominant]),
+            },
+            Array {
+                name: "limit",
+                about: vec![format!("limit point: the weights of {columns}")],
+                entries: Entries::Table(limit),
+            },
+            Array {
+                name: "offset",
+                about: vec!["where the entries of a valence begin in the lists".to_owned()],
+                entries: Entries::Integers(offsets.collect()),
+            },
+            tangent(0, "tangent_1"),
+            tangent(1, "tangent_2"),
+        ])
+        .collect())
 }

@@ -23,4 +23,4 @@ pub use mask::write_mask;
 pub use real::RealType;
 pub use rows::{MAX_TABLE_WEIGHTS, Row, TableError};
 pub use sectors::write_sectors;
-pub use write::{Origin, write};
+pub use write::{Origin, write, write_without};

@@ -77,7 +77,7 @@ impl Row {
     /// # Panics
     /// Never.
     pub fn of(rings: &Surroundings) -> Result<Row, TableError> {
-        let spectrum = rings.spectrum()?;
+        let spectrum = rings.known_spectrum()?;
         let Spectrum { order: valence, conditions, limit, tangents, .. } = spectrum;
         let none = || TableError::NoStencils { valence };
         let subdominant = conditions.subdominant.ok_or_else(none)?;

@@ -1,6 +1,6 @@
 //! Arrays as source code.
 
-use super::arrays::{Array, Entries, arrays};
+use super::arrays::{Array, Entries, are_consecutive, arrays};
 use super::language::Language;
 use super::real::{Real, RealType};
 use super::rows::{Row, TableError};
@@ -38,12 +38,32 @@ pub fn write(
     real: RealType,
     origin: &Origin<'_>,
 ) -> Result<String, TableError> {
+    write_without(rows, &[], language, real, origin)
+}
+
+/// The same of ascending valences, with a list of them where some are missing; the first lines say which are left out, and why.
+///
+/// # Errors
+/// As [`write`].
+///
+/// # Panics
+/// When there are no rows.
+pub fn write_without(
+    rows: &[Row],
+    left_out: &[(usize, String)],
+    language: Language,
+    real: RealType,
+    origin: &Origin<'_>,
+) -> Result<String, TableError> {
     let arrays = arrays(rows, real)?;
     let (first, last) = (rows[0].valence, rows[rows.len() - 1].valence);
     let valence = |n: usize| i64::try_from(n).expect("a small valence");
     let constants = vec![("first_valence", valence(first)), ("last_valence", valence(last))];
     let writer = Writer { language, real, name: identifier(origin.scheme), constants };
-    Ok(writer.written(&header(rows, real, origin), &arrays))
+    let mut header = header(rows, real, origin);
+    header
+        .extend(left_out.iter().map(|(valence, why)| format!("Without valence {valence}: {why}.")));
+    Ok(writer.written(&header, &arrays))
 }
 
 /// The lines at the head of a table.
@@ -54,9 +74,14 @@ fn header(rows: &[Row], real: RealType, origin: &Origin<'_>) -> Vec<String> {
         origin.scheme
     )];
     lines.extend(number_lines(real, origin));
+    let row = if are_consecutive(rows) {
+        format!("Row n - {first} of a table is that of valence n.")
+    } else {
+        "Row i of a table is that of valence[i].".to_owned()
+    };
     lines.extend([
         format!("    subcert spectrum {} --valence n --format json", quoted(origin.scheme)),
-        format!("Row n - {first} of a table is that of valence n. The cross product of tangent 1 and tangent 2"),
+        format!("{row} The cross product of tangent 1 and tangent 2"),
         "is a normal; a common positive factor of both is free.".to_owned(),
     ]);
     lines

@@ -6,6 +6,7 @@ use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, parse_rational};
 use crate::mesh::crease::{Boundary, Sharpness};
 use crate::mesh::read::assemble::{Extras, Parts, Tag};
+use crate::mesh::read::binary::natural;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -89,9 +90,7 @@ impl Fields<'_> {
     fn naturals(&self, name: &str) -> Result<Placed<usize>, Diagnostic> {
         let all = self.tuples(name, 1)?.into_iter();
         all.map(|(number, place)| {
-            let whole = number[0].is_integer().then(|| number[0].numerator().to_i64()).flatten();
-            let natural = whole.and_then(|number| usize::try_from(number).ok());
-            natural.map(|number| (number, place.clone())).ok_or_else(|| {
+            natural(&number[0]).map(|number| (number, place.clone())).ok_or_else(|| {
                 self.wrong(place, format!("a number of `{name}` is no natural number"))
             })
         })
@@ -191,13 +190,8 @@ impl Fields<'_> {
                     .with_help("remove the field"));
             }
         }
-        if let Some((scheme, _)) = self.choice("subdivisionScheme")? {
-            let known = ["catmullClark", "loop"].contains(&scheme);
-            if !known {
-                let note = format!("the file asks for the scheme `{scheme}`, and yours is taken");
-                extras.notes.push(note);
-            }
-        }
+        let scheme = self.choice("subdivisionScheme")?;
+        extras.scheme = scheme.map(|(scheme, _)| scheme.to_owned());
         let sharp = |name: &str| -> Result<Placed<Option<Sharpness>>, Diagnostic> {
             let all = self.tuples(name, 1)?.into_iter();
             all.map(|(number, place)| {

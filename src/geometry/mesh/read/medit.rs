@@ -1,30 +1,57 @@
-//! MEDIT, ascii: `Vertices` and `Hexahedra`.
+//! MEDIT, ascii: vertices, and faces or cells.
 
+use super::assemble::Parts;
+use super::lines::Word;
+use super::words::Words;
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::mesh::{Parts, Word, Words};
 use std::sync::Arc;
 
-/// Cells that the scheme has no rules for.
-const OTHER_CELLS: [&str; 5] = ["TETRAHEDRA", "PRISMS", "PENTAHEDRA", "WEDGES", "PYRAMIDS"];
+/// What is read of a file.
+pub(crate) struct Medit {
+    /// The keywords of faces or cells, what one is called, and how many corners it has.
+    pub(crate) read: &'static [(&'static str, &'static str, usize)],
+    /// The keywords of cells that must not be there.
+    pub(crate) refused: &'static [&'static str],
+    /// What is right in place of those.
+    pub(crate) help: &'static str,
+}
+
+/// What is read of a polygon mesh.
+const POLYGONS: Medit = Medit {
+    read: &[("Triangles", "triangle", 3), ("Quadrilaterals", "quadrilateral", 4)],
+    refused: &["TETRAHEDRA", "HEXAHEDRA", "PRISMS", "PENTAHEDRA", "WEDGES", "PYRAMIDS"],
+    help: "save only the triangles and quadrilaterals; hexahedra are refined by the scheme bajaj",
+};
 
 pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
+    medit(source, &POLYGONS)
+}
+
+/// The vertices of a file, and its faces or cells.
+pub(crate) fn medit(source: &Arc<SourceText>, kind: &Medit) -> Result<Parts, Diagnostic> {
     let mut words = Words::new(source, 0, true);
     let mut parts = Parts::new(source, 1);
     version(&mut words)?;
-    let mut found = [false; 2];
+    let mut found: Vec<String> = Vec::new();
     while let Some(word) = words.next() {
-        match word.text.to_ascii_uppercase().as_str() {
+        let keyword = word.text.to_ascii_uppercase();
+        let read = kind.read.iter().find(|(name, ..)| name.eq_ignore_ascii_case(word.text));
+        if read.is_some() || keyword == VERTICES {
+            if found.contains(&keyword) {
+                let message = format!("`{}` for the second time", word.text);
+                return Err(words.wrong(word.place(), message));
+            }
+            found.push(keyword.clone());
+        }
+        if let Some((_, one, corners)) = read {
+            faces(&mut words, &mut parts, one, *corners)?;
+            continue;
+        }
+        match keyword.as_str() {
             "DIMENSION" => dimension(&mut words)?,
-            "VERTICES" => {
-                once(&words, word, &mut found[0])?;
-                vertices(&mut words, &mut parts)?;
-            }
-            "HEXAHEDRA" => {
-                once(&words, word, &mut found[1])?;
-                hexahedra(&mut words, &mut parts)?;
-            }
+            VERTICES => vertices(&mut words, &mut parts)?,
             "END" => break,
-            other if OTHER_CELLS.contains(&other) => none_of(&mut words, word)?,
+            other if kind.refused.contains(&other) => none_of(&mut words, word, kind.help)?,
             // Faces, edges, corners, normals: they carry references, and no cells.
             _ if begins_with_letter(word.text) => words.skip(begins_with_letter),
             _ => {
@@ -35,17 +62,23 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
             }
         }
     }
-    for (found, name) in found.into_iter().zip(["Vertices", "Hexahedra"]) {
-        if !found {
-            let end = source.text.trim_end().len();
-            let message = format!("there is no `{name}`");
-            return Err(words
-                .wrong(end..end, message)
-                .with_help("the file is cut off, or its cells are not hexahedra"));
-        }
+    let names: Vec<&str> = kind.read.iter().map(|(name, ..)| *name).collect();
+    let has = |name: &str| found.iter().any(|found| found.eq_ignore_ascii_case(name));
+    let missing = if has(VERTICES) {
+        (!names.iter().any(|name| has(name))).then(|| names.join("` and no `"))
+    } else {
+        Some("Vertices".to_owned())
+    };
+    if let Some(missing) = missing {
+        let end = source.text.trim_end().len();
+        let help = format!("the file is cut off, or has other cells; {}", kind.help);
+        return Err(words.wrong(end..end, format!("there is no `{missing}`")).with_help(help));
     }
     Ok(parts)
 }
+
+/// The keyword of points.
+const VERTICES: &str = "VERTICES";
 
 fn begins_with_letter(text: &str) -> bool {
     text.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -68,14 +101,7 @@ fn dimension(words: &mut Words<'_>) -> Result<(), Diagnostic> {
     if dimension == 3 {
         return Ok(());
     }
-    Err(words.wrong(place, format!("points of dimension {dimension}; a solid has 3")))
-}
-
-fn once(words: &Words<'_>, word: Word<'_>, found: &mut bool) -> Result<(), Diagnostic> {
-    if std::mem::replace(found, true) {
-        return Err(words.wrong(word.place(), format!("`{}` for the second time", word.text)));
-    }
-    Ok(())
+    Err(words.wrong(place, format!("points of dimension {dimension}; 3 is needed")))
 }
 
 fn reference(words: &mut Words<'_>, what: &str) -> Result<(), Diagnostic> {
@@ -100,13 +126,18 @@ fn vertices(words: &mut Words<'_>, parts: &mut Parts) -> Result<(), Diagnostic> 
     Ok(())
 }
 
-fn hexahedra(words: &mut Words<'_>, parts: &mut Parts) -> Result<(), Diagnostic> {
-    let count = words.count("the number of hexahedra")?;
+fn faces(
+    words: &mut Words<'_>,
+    parts: &mut Parts,
+    one: &str,
+    count_of_corners: usize,
+) -> Result<(), Diagnostic> {
+    let count = words.count(&format!("the number under the keyword of a {one}"))?;
     for found in 0..count {
-        let missing = || format!("{found} of {count} hexahedra have been read");
-        let mut corners = Vec::with_capacity(8);
+        let missing = || format!("{found} of {count} lines of a {one} have been read");
+        let mut corners = Vec::with_capacity(count_of_corners);
         let (mut start, mut end) = (None, 0);
-        for _ in 0..8 {
+        for _ in 0..count_of_corners {
             let (corner, place) = words.natural("the number of a point", missing)?;
             let Some(corner) = corner.checked_sub(1) else {
                 let message = "point 0 does not exist: points are counted from 1";
@@ -116,19 +147,17 @@ fn hexahedra(words: &mut Words<'_>, parts: &mut Parts) -> Result<(), Diagnostic>
             end = place.end;
             corners.push(corner);
         }
-        reference(words, "hexahedron")?;
+        reference(words, one)?;
         parts.face(corners, start.unwrap_or(0)..end)?;
     }
     Ok(())
 }
 
-fn none_of(words: &mut Words<'_>, word: Word<'_>) -> Result<(), Diagnostic> {
+fn none_of(words: &mut Words<'_>, word: Word<'_>, help: &str) -> Result<(), Diagnostic> {
     let count = words.count("the number of cells")?;
     if count == 0 {
         return Ok(());
     }
     let message = format!("{count} cells under `{}`", word.text);
-    Err(words
-        .wrong(word.place(), message)
-        .with_help("the scheme refines hexahedra; save only those"))
+    Err(words.wrong(word.place(), message).with_help(help))
 }
