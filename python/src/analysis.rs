@@ -165,7 +165,7 @@ pub fn spectrum(py: Python<'_>, scheme: String, valence: Option<usize>) -> PyRes
         || (),
         move || {
             let rings = surroundings(&scheme, valence).map_err(|error| of_rules(&error))?;
-            let Spectrum { order, eigenvalues, conditions, limit, tangents } =
+            let Spectrum { order, eigenvalues, conditions, limit, tangents, .. } =
                 rings.spectrum().map_err(plain)?;
             let names = |values: Vec<Real>| -> Stencil {
                 let named = values.into_iter().enumerate();

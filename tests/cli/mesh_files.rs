@@ -383,7 +383,7 @@ fn endings_decide() {
     let path = |name: &str| folder.join(name).to_str().expect("a path").to_owned();
     let schemes: [(&[&str], &str, &str); 9] = [
         (&["schemes"], "a.json", "{"),
-        (&["schemes"], "a.md", "#"),
+        (&["schemes"], "a.md", "- "),
         (&["constants", "chaikin"], "a.csv", "direction,"),
         (&["scheme", "chaikin"], "A.TEX", "%"),
         (&["depth", "chaikin", "--tolerance", "1/10"], "a.html", "<!DOCTYPE html>"),

@@ -122,7 +122,7 @@ fn bad_medit() {
         assert!(MEDIT.contains(from), "{from}");
         refused(&MEDIT.replacen(from, to, 1), SolidFormat::Medit, parts);
     };
-    medit("Dimension 3", "Dimension 2", &["points of dimension 2; a solid has 3"]);
+    medit("Dimension 3", "Dimension 2", &["points of dimension 2; 3 is needed"]);
     medit("MeshVersionFormatted", "solid", &["`MeshVersionFormatted` is expected here"]);
     medit("Hexahedra\n10", "Tetrahedra\n10", &["10 cells under `Tetrahedra`", "hexahedra"]);
     medit("\n36\n", "\n37\n", &["and not `Hexahedra`", "36 of 37 vertices"]);

@@ -44,26 +44,32 @@ impl Float {
 
 /// A number that is above another one, in nine digits, or as many more as the decimal needs to be above it, too.
 pub(crate) fn above(number: &(impl Enclosed + Display), other: &Rational) -> String {
-    decimal(number, |shown| shown > other)
+    decimal(number, other, |digits| short(number, digits))
 }
 
-/// Nine digits of a number, or as many more as are needed for the decimal to be `right`; else the number.
-fn decimal(number: &(impl Enclosed + Display), right: impl Fn(&Rational) -> bool) -> String {
-    let mut texts = (9..=MOST_DIGITS).map(|digits| short(number, digits));
-    let found = texts.find(|text| parse_rational(text).is_ok_and(|shown| right(&shown)));
-    found.unwrap_or_else(|| number.to_string())
+/// The first text of nine digits or more that is above another number; else the number.
+fn decimal(number: &impl Display, other: &Rational, text: impl Fn(u32) -> String) -> String {
+    let found = (9..=MOST_DIGITS).map(text);
+    let right = |text: &String| parse_rational(text).is_ok_and(|shown| shown > *other);
+    found.into_iter().find(right).unwrap_or_else(|| number.to_string())
 }
 
 /// The most digits that are tried.
 const MOST_DIGITS: u32 = 60;
 
 impl Float {
-    /// It as a lower bound that is [`above`] another number: not more than it.
+    /// It as a lower bound that is [`above`] another number: rounded down.
     pub(crate) fn above(self, other: &Rational) -> String {
-        exact(self.0).map_or_else(
-            || self.to_string(),
-            |bound| decimal(&bound, |shown| shown > other && *shown <= bound),
-        )
+        let Some(bound) = exact(self.0).filter(|bound| bound.sign() > 0) else {
+            return self.to_string();
+        };
+        #[expect(clippy::cast_possible_truncation, reason = "a power of ten of an f64")]
+        let power = self.0.log10().floor() as i32;
+        decimal(&bound, other, |digits| {
+            let unit = Rational::power_of_ten(power + 1 - i32::try_from(digits).unwrap_or(0));
+            let down = Rational::from((&bound / &unit).floor()) * unit;
+            short(&down, digits + 1)
+        })
     }
 }
 

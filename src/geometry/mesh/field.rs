@@ -242,7 +242,7 @@ impl Scalar for Conductor {
         match (self.0, other.0) {
             (0, n) | (n, 0) => Conductor(n),
             // Beyond u64 it is far beyond the cap.
-            (m, n) => Conductor((m / gcd(m, n)).checked_mul(n).unwrap_or(u64::MAX)),
+            (m, n) => Conductor((m / gcd(m, n)).saturating_mul(n)),
         }
     }
 

@@ -86,7 +86,7 @@ fn squared(c: &[Enclosure]) -> Vec<Enclosure> {
         let first = (2 * j).saturating_sub(degree);
         let terms = (first..=degree.min(2 * j)).map(|i| {
             let product = &c[i] * &c[2 * j - i];
-            if (i + degree) % 2 == 0 { product } else { -&product }
+            if (i + degree).is_multiple_of(2) { product } else { -&product }
         });
         let zero = Enclosure::exact(Rational::zero());
         rounded(&terms.fold(zero, |sum, term| &sum + &term))

@@ -8,7 +8,6 @@ use super::super::point::Point;
 use super::super::polygon::PolygonMesh;
 use super::super::texture::Texture;
 use super::file::{MeshFile, Places};
-use super::weld::unwelded;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Integer, Rational};
 use std::ops::Range;
@@ -170,12 +169,8 @@ impl Parts {
         (self.points, self.faces, self.places)
     }
 
-    /// The mesh of these points and faces, after points at most `weld` apart are joined, if that is asked for; an error with
-    /// its place if they are none.
-    pub(crate) fn assemble(mut self, weld: Option<&Rational>) -> Result<MeshFile, Diagnostic> {
-        if let Some(tolerance) = weld {
-            self.weld(tolerance)?;
-        }
+    /// The mesh of these points and faces; an error with its place if they are none.
+    pub(crate) fn assemble(mut self) -> Result<MeshFile, Diagnostic> {
         let mut extras = std::mem::take(&mut self.extras);
         let isolated =
             if self.faces.is_empty() { Vec::new() } else { self.take_isolated(&mut extras) };
@@ -202,7 +197,6 @@ impl Parts {
             );
             extras.notes.push(note);
         }
-        extras.notes.extend(unwelded(&mesh));
         Ok(MeshFile { mesh, places, notes: extras.notes, scheme: extras.scheme })
     }
 

@@ -43,8 +43,8 @@ pub(crate) fn medit(source: &Arc<SourceText>, kind: &Medit) -> Result<Parts, Dia
             }
             found.push(keyword.clone());
         }
-        if let Some((_, one, corners)) = read {
-            faces(&mut words, &mut parts, one, *corners)?;
+        if let Some((name, one, corners)) = read {
+            faces(&mut words, &mut parts, [&name.to_lowercase(), one], *corners)?;
             continue;
         }
         match keyword.as_str() {
@@ -129,12 +129,12 @@ fn vertices(words: &mut Words<'_>, parts: &mut Parts) -> Result<(), Diagnostic> 
 fn faces(
     words: &mut Words<'_>,
     parts: &mut Parts,
-    one: &str,
+    [all, one]: [&str; 2],
     count_of_corners: usize,
 ) -> Result<(), Diagnostic> {
-    let count = words.count(&format!("the number under the keyword of a {one}"))?;
+    let count = words.count(&format!("the number of {all}"))?;
     for found in 0..count {
-        let missing = || format!("{found} of {count} lines of a {one} have been read");
+        let missing = || format!("{found} of {count} {all} have been read");
         let mut corners = Vec::with_capacity(count_of_corners);
         let (mut start, mut end) = (None, 0);
         for _ in 0..count_of_corners {

@@ -147,7 +147,17 @@ pub fn read_welded_mesh(
         MeshFormat::Vtk => vtk::read(source),
         MeshFormat::Medit => medit::read(source),
     }?;
-    parts.assemble(weld)
+    finished(parts, weld)
+}
+
+/// The mesh of these points and faces, after points are joined, if that is asked for.
+fn finished(mut parts: Parts, weld: Option<&Rational>) -> Result<MeshFile, Diagnostic> {
+    if let Some(tolerance) = weld {
+        parts.weld(tolerance)?;
+    }
+    let mut file = parts.assemble()?;
+    file.notes.extend(weld::unwelded(&file.mesh));
+    Ok(file)
 }
 
 /// Reads a binary PLY or STL file, with points joined as by [`read_welded_mesh`]; `None` where the bytes are neither.
@@ -185,5 +195,5 @@ pub fn read_binary_mesh(
     } else {
         return None;
     };
-    Some(parts.and_then(|parts| parts.assemble(weld)))
+    Some(parts.and_then(|parts| finished(parts, weld)))
 }

@@ -76,11 +76,15 @@ impl Parts {
             ),
         };
         let left = self.points.len();
+        let [apart, from] = if tolerance.is_zero() {
+            ["equal".to_owned(), "equal to another".to_owned()]
+        } else {
+            [format!("at most {tolerance} apart"), format!("at most {tolerance} from another")]
+        };
         let note = match joined {
-            0 => format!("no points are at most {tolerance} apart, and none is joined"),
+            0 => format!("no points are {apart}, and none is joined"),
             _ => format!(
-                "{joined} points at most {tolerance} from another are joined with it, {left} are left, and those \
-                 after them move up{dropped}"
+                "{joined} points {from} are joined with it, {left} are left, and those after them move up{dropped}"
             ),
         };
         self.extras.notes.push(note);
@@ -94,7 +98,9 @@ impl Parts {
         let textured = &mut self.extras.textured;
         for (face, corners) in self.faces.iter_mut().enumerate() {
             let before = corners.len();
-            corners.iter_mut().for_each(|corner| *corner = renamed(*corner));
+            for corner in corners.iter_mut() {
+                *corner = renamed(*corner);
+            }
             let count = corners.len();
             let stays: Vec<bool> =
                 (0..count).map(|i| corners[i] != corners[(i + count - 1) % count]).collect();
@@ -175,7 +181,9 @@ fn join(points: &[Point<Rational>], tolerance: &Rational, sets: &mut Sets) -> Re
     };
     let mut pairs = 0_usize;
     for own in cubes.values() {
-        own.iter().for_each(|number| sets.join(*number, own[0]));
+        for number in own {
+            sets.join(*number, own[0]);
+        }
     }
     // In order, so that the cap does not depend on chance.
     let mut all: Vec<(&Cube, &Vec<usize>)> = cubes.iter().collect();
