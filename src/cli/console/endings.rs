@@ -37,13 +37,11 @@ pub(crate) fn format_of<F: ValueEnum>(
         Some((*known, format))
     };
     let known: Vec<(&str, &F)> = ENDINGS.iter().filter_map(known).collect();
-    match known.iter().find(|(known, _)| ending.eq_ignore_ascii_case(known)) {
-        Some((_, format)) => Ok(Some((*format).clone())),
-        None => {
-            let all: Vec<&str> = known.iter().map(|(known, _)| *known).collect();
-            Err(unknown(path, &all, "; --format says what to write into a file of another ending"))
-        }
+    if let Some((_, format)) = known.iter().find(|(known, _)| ending.eq_ignore_ascii_case(known)) {
+        return Ok(Some((*format).clone()));
     }
+    let all: Vec<&str> = known.iter().map(|(known, _)| *known).collect();
+    Err(unknown(path, &all, "; --format says what to write into a file of another ending"))
 }
 
 /// The ending of a file that is no folder, and is to be written.

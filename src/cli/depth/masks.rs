@@ -166,7 +166,7 @@ impl Depth<'_> {
         }
         match &polygon.natural {
             OrNone::Found(own) => {
-                facts.extend(own.facts(polygon.coordinates, name, &self.tolerance.0))
+                facts.extend(own.facts(polygon.coordinates, name, &self.tolerance.0));
             }
             OrNone::None { none } => facts.push((name.to_owned(), format!("none: {none}"))),
         }

@@ -119,13 +119,12 @@ pub(crate) fn read(scheme: &str, path: &Path, weld: Option<&str>) -> Result<Give
     });
     let weld = weld.transpose()?;
     let (name, bytes) = bytes_of(path)?;
-    let file = match read_binary_mesh(&name, &bytes, weld.as_ref()) {
-        Some(file) => file?,
-        None => {
-            let text = text(&name, bytes)?;
-            let format = MeshFormat::of(path, &text);
-            read_welded_mesh(&SourceText::new(name.clone(), text), format, weld.as_ref())?
-        }
+    let file = if let Some(file) = read_binary_mesh(&name, &bytes, weld.as_ref()) {
+        file?
+    } else {
+        let text = text(&name, bytes)?;
+        let format = MeshFormat::of(path, &text);
+        read_welded_mesh(&SourceText::new(name.clone(), text), format, weld.as_ref())?
     };
     let notes = file.notes().iter().cloned().chain(file.other_scheme(scheme));
     let notes = notes.map(|note| format!("{name}: {note}")).collect();
@@ -203,7 +202,9 @@ impl Work {
         (boundary, isolated, weld): (Option<MeshBoundary>, Option<IsolatedArgument>, Option<&str>),
     ) -> Result<Work, Failure> {
         let Given { scheme, name, mut file, notes } = read(scheme, path, weld)?;
-        notes.iter().for_each(|told| note(told));
+        for told in &notes {
+            note(told);
+        }
         if let Some(boundary) = boundary {
             file = with_boundary(file, boundary);
         }

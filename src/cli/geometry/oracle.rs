@@ -30,7 +30,9 @@ pub(crate) fn oracle(arguments: &OracleArguments) -> Outcome {
         AnyScheme::Uniform(scheme) => uniform(&scheme, arguments, &mut notes)?,
         AnyScheme::LocalRules(ring) => of_ring(&ring, arguments, &mut notes)?,
     };
-    notes.iter().for_each(|told| note(told));
+    for told in &notes {
+        note(told);
+    }
     values.header.notes = notes;
     let text = match arguments.format {
         OracleFormat::Json => to_json(&values),
