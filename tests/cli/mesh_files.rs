@@ -403,7 +403,7 @@ fn endings_decide() {
         (
             &["refine", "catmull-clark", "--mesh", "examples/cube.obj"],
             "x.stl",
-            &[".obj, .ply, .usda or .json"],
+            &[".json, .obj, .ply or .usda"],
         ),
         (&["limit", "catmull-clark", "--mesh", "examples/cube.obj"], "x.gltf", &[".json", ".obj"]),
         (&["refine", "bajaj", "--mesh", "examples/star.vtk"], "x.obj", &[".vtk", ".mesh"]),
