@@ -109,7 +109,7 @@ fn sectors() {
 fn sectors_are_refused() {
     let spectrum = |rest: &[&str]| refused([&["spectrum"], rest].concat());
     for scheme in ["doo-sabin", "catmull-clark:N=5", "chaikin", "examples/loop.toml"] {
-        let expected = [&format!("not of `{scheme}`")[..], "`catmull-clark`, `loop`"];
+        let expected = [&format!("not for `{scheme}`")[..], "`catmull-clark`, `loop`"];
         assert_parts(&spectrum(&[scheme, "--sector", "3"]), &expected);
     }
     assert_parts(&spectrum(&["loop", "--sector", "0"]), &["0 faces", "from 1 to 64"]);
