@@ -63,8 +63,8 @@ impl fmt::Display for Cause {
         match self {
             Cause::Rounded(direction) => direction.fmt(f),
             Cause::Read(read) => read.fmt(f),
-            Cause::Slip(None) => f.write_str("as printed"),
-            Cause::Slip(Some(read)) => write!(f, "read as: {read}"),
+            Cause::Slip(None) => f.write_str("one slip away from the value of the definition"),
+            Cause::Slip(Some(read)) => write!(f, "one slip away from the value as read: {read}"),
             Cause::Undefined(why) => f.write_str(why),
             Cause::Missing(missing) => missing.fmt(f),
             Cause::Recovered(values, read) => {

@@ -1,10 +1,10 @@
 //! The arguments of the commands about papers.
 
 use super::{FindingFormat, FindingOutput, Output};
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
-use subcert::audit::Word;
+use subcert::audit::{CoverageState, Word};
 use subcert::shipped::Outcome;
 
 #[derive(Debug, Args)]
@@ -14,6 +14,9 @@ pub(in crate::cli) struct AuditArguments {
     /// Only the paper of this key
     #[arg(long, value_name = "KEY")]
     pub(in crate::cli) paper: Option<String>,
+    /// The whole report also of the embedded papers, which else are shown at first sight
+    #[arg(long)]
+    pub(in crate::cli) full: bool,
     /// Show every table and equation, also those where nothing is wrong
     #[arg(long)]
     pub(in crate::cli) all: bool,
@@ -22,7 +25,7 @@ pub(in crate::cli) struct AuditArguments {
     pub(in crate::cli) certified: bool,
     /// Exit with code 1 when a claim has one of these verdicts, or a promise is `broken`
     #[arg(long, value_name = "VERDICT,…", value_delimiter = ',', value_parser = verdicts())]
-    pub(in crate::cli) deny: Vec<String>,
+    pub(in crate::cli) deny: Vec<Word>,
     /// Output format; without it, the ending of the file decides
     #[arg(long, value_enum, default_value_t = FindingFormat::Text)]
     pub(in crate::cli) format: FindingFormat,
@@ -32,22 +35,49 @@ pub(in crate::cli) struct AuditArguments {
     pub(in crate::cli) file: Option<PathBuf>,
 }
 
-/// What is said of claims of papers other than numbers: of equations, ranges and theorems, and of promises.
-const OTHERS: [Word; 7] =
-    [Word::Holds, Word::Fails, Word::Exact, Word::Inexact, Word::Proved, Word::Open, Word::Broken];
-
-/// Whether this is said of claims of papers.
-pub(in crate::cli) fn is_of_papers(verdict: &str) -> bool {
-    Word::OF_CELLS.iter().chain(&OTHERS).any(|word| word.name() == verdict)
+/// Whether this is said of claims of papers, and of promises that are broken.
+pub(in crate::cli) const fn is_of_papers(verdict: Word) -> bool {
+    match verdict {
+        Word::Confirmed
+        | Word::Reproduced
+        | Word::Rounding
+        | Word::Misprint
+        | Word::OtherReading
+        | Word::Refuted
+        | Word::NotCheckable
+        | Word::Holds
+        | Word::Fails
+        | Word::Exact
+        | Word::Inexact
+        | Word::Proved
+        | Word::Open
+        | Word::Broken => true,
+        Word::Kept | Word::Nearest | Word::Cut | Word::Ulps | Word::Otherwise => false,
+    }
 }
 
 /// The verdicts of claims of papers, then those of constants that programs ship.
-fn verdicts() -> PossibleValuesParser {
-    let shipped = Outcome::ALL.map(Outcome::word).into_iter();
-    let shipped = shipped.filter(|word| !is_of_papers(word.name()));
-    PossibleValuesParser::new(
-        Word::OF_CELLS.into_iter().chain(OTHERS).chain(shipped).map(Word::name),
-    )
+fn verdicts() -> impl TypedValueParser<Value = Word> {
+    let of_papers = Word::ALL.iter().copied().filter(|word| is_of_papers(*word));
+    let shipped = Outcome::ALL.map(Outcome::word).into_iter().filter(|word| !is_of_papers(*word));
+    one_of(of_papers.chain(shipped).collect(), Word::name)
+}
+
+/// The states of items that are missed.
+fn states() -> impl TypedValueParser<Value = CoverageState> {
+    one_of(vec![CoverageState::Missing, CoverageState::Unclaimed], CoverageState::name)
+}
+
+/// One of these, by its name.
+fn one_of<T>(all: Vec<T>, name: fn(T) -> &'static str) -> impl TypedValueParser<Value = T>
+where
+    T: Copy + Send + Sync + 'static,
+{
+    let names = PossibleValuesParser::new(all.iter().map(|one| name(*one)));
+    names.map(move |text| {
+        let named = all.iter().find(|one| name(**one) == text);
+        *named.expect("clap takes no other name")
+    })
 }
 
 #[derive(Debug, Args)]
@@ -105,8 +135,8 @@ pub(in crate::cli) struct CoverageArguments {
     #[arg(long, value_name = "KEY")]
     pub(in crate::cli) paper: Option<String>,
     /// Exit with code 1 when an item is in one of these states
-    #[arg(long, value_name = "STATE,…", value_delimiter = ',', value_parser = ["missing", "unclaimed"])]
-    pub(in crate::cli) deny: Vec<String>,
+    #[arg(long, value_name = "STATE,…", value_delimiter = ',', value_parser = states())]
+    pub(in crate::cli) deny: Vec<CoverageState>,
     #[command(flatten)]
     pub(in crate::cli) output: Output,
 }

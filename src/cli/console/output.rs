@@ -85,17 +85,18 @@ fn fitted(message: &str) -> String {
 
 /// Fails if something occurs that is denied. `count` gives for a word the number of its
 /// occurrences, and what these are called in the singular and in the plural.
-pub(crate) fn denied(
-    denied: &[String],
-    count: impl Fn(&str) -> (usize, [&'static str; 2]),
+pub(crate) fn none_denied<T: Copy>(
+    denied: &[T],
+    name: fn(T) -> &'static str,
+    count: impl Fn(T) -> (usize, [&'static str; 2]),
 ) -> Outcome {
     let words: Vec<String> = denied
         .iter()
-        .filter_map(|word| match count(word) {
+        .filter_map(|denied| match count(*denied) {
             (0, _) => None,
             (count, [one, several]) => {
                 let what = if count == 1 { one } else { several };
-                Some(format!("{count} {what}: {word}"))
+                Some(format!("{count} {what}: {}", name(*denied)))
             }
         })
         .collect();

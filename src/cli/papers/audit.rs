@@ -6,15 +6,15 @@ use super::claim_files::{Claims, claims};
 use super::judged::{judge_all, select};
 use super::pages;
 use super::projects;
-use crate::cli::arguments::{AuditArguments, FindingFormat, Format, is_of_papers};
+use crate::cli::arguments::{AuditArguments, FindingFormat, Format, Output, is_of_papers};
 use crate::cli::console::answer::{Answer, show};
-use crate::cli::console::output::{Failure, Outcome, denied};
+use crate::cli::console::output::{Failure, Outcome, none_denied};
 use crate::cli::console::quantity::written;
 use crate::cli::console::terminal;
 use subcert::audit::{PaperAudit, Word};
 use subcert::exact::format::short;
 use subcert::report::json::AuditReport;
-use subcert::report::{Grid, Sheet, audit_sheet, overview_sheet};
+use subcert::report::{Grid, Sheet, audit_sheet, brief_sheet, legend, overview_sheet};
 
 /// How many significant digits a decimal for spreadsheets has.
 const DIGITS: u32 = 17;
@@ -25,7 +25,7 @@ pub(crate) fn audit(arguments: &AuditArguments) -> Outcome {
         Claims::Papers(papers) => select(papers, arguments.paper.as_deref())?,
         Claims::Projects(projects) => return projects::audit(arguments, to, projects),
     };
-    if let Some(word) = arguments.deny.iter().find(|word| !is_of_papers(word)) {
+    if let Some(word) = arguments.deny.iter().find(|word| !is_of_papers(**word)) {
         let message = format!("--deny {word}: this is said only of constants that programs ship");
         return Err(Failure::Input(message));
     }
@@ -33,34 +33,50 @@ pub(crate) fn audit(arguments: &AuditArguments) -> Outcome {
     let certified = if arguments.certified { Some(Certified::of(&audits)?) } else { None };
     match to {
         Destination::Output(to) => {
-            let on_screen = to.format == Format::Text && to.file.is_none();
-            show(&to, &Audit { audits: &audits, all: arguments.all, certified, on_screen })?;
+            let shown = Shown::of(arguments, &to);
+            show(&to, &Audit { audits: &audits, shown, certified })?;
         }
         Destination::Pages(folder) => {
             pages::pages(&audits, certified.as_ref(), arguments.files.is_empty(), folder)?;
         }
     }
-    denied(&arguments.deny, |verdict| {
+    none_denied(&arguments.deny, Word::name, |verdict| {
         let count = audits.iter().map(|audit| count(audit, verdict)).sum();
-        (
-            count,
-            if verdict == Word::Broken.name() {
-                ["promise", "promises"]
-            } else {
-                ["claim", "claims"]
-            },
-        )
+        let is_promise = verdict == Word::Broken;
+        (count, if is_promise { ["promise", "promises"] } else { ["claim", "claims"] })
     })
 }
 
 /// The audits of papers.
 pub(crate) struct Audit<'a> {
     audits: &'a [PaperAudit<'a>],
-    /// Whether every table is shown.
-    all: bool,
+    shown: Shown,
     certified: Option<Certified>,
-    /// Whether its text goes to the standard output.
-    on_screen: bool,
+}
+
+/// How much of an audit is shown.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Shown {
+    /// What does most harm in each paper.
+    Brief,
+    Report {
+        /// Every table and claim, also the right ones.
+        all: bool,
+        /// Whether it goes to the standard output.
+        on_screen: bool,
+    },
+}
+
+impl Shown {
+    fn of(arguments: &AuditArguments, to: &Output) -> Shown {
+        let AuditArguments { files, paper, full, all, .. } = arguments;
+        let on_screen = to.format == Format::Text && to.file.is_none();
+        if files.is_empty() && paper.is_none() && !full && !all {
+            Shown::Brief
+        } else {
+            Shown::Report { all: *all, on_screen }
+        }
+    }
 }
 
 written!(audit: Audit<'_> => AuditReport<'_>, {
@@ -75,17 +91,28 @@ impl Answer for Audit<'_> {
     const NAME: &'static str = "audit";
 
     fn sheet(&self) -> Sheet {
-        let mut sheet = audit_sheet(self.audits, self.all);
-        sheet.text(
-            "✓ confirmed  = reproduced at values that the paper does not state  ≈ rounded differently  ± misprint  ⇄ another reading  ✗ refuted  ? not checkable, or \
-             open. Under a cell: the exact value of the printed definition, and the sound \
-             value where the printed one is not shown to keep its promise. `--all` shows \
-             every table, `subcert explain KEY:ID` one claim, whose ID ends its heading.",
-        );
+        let mut sheet = match self.shown {
+            Shown::Brief => brief_sheet(self.audits, terminal::width()),
+            Shown::Report { all, .. } => audit_sheet(self.audits, all),
+        };
+        sheet.text(match self.shown {
+            Shown::Brief => format!(
+                "{}. `subcert audit --full` is the whole report, `subcert explain KEY` lists the claims of a paper, \
+                 and `subcert explain KEY:ID` says how one was judged. `subcert audit FILE` judges a paper of yours, and `subcert new` begins its claim file.",
+                legend()
+            ),
+            Shown::Report { .. } => format!(
+                "{}. Under a cell: the exact value of the printed definition, and the sound value where the \
+                 printed one is not shown to keep its promise. `--all` shows every table, \
+                 `subcert explain KEY:ID` one claim, whose ID ends its heading.",
+                legend()
+            ),
+        });
         if let Some(certified) = &self.certified {
             certified.section(&mut sheet);
         }
-        if self.on_screen && is_longer_than_a_screen(&sheet) {
+        let on_screen = matches!(self.shown, Shown::Report { on_screen: true, .. });
+        if on_screen && self.audits.len() > 1 && is_longer_than_a_screen(&sheet) {
             // The summary has scrolled off the screen, and is repeated at the end.
             sheet.heading(1, "All papers");
             sheet.blocks.extend(overview_sheet(self.audits).blocks);
@@ -113,11 +140,11 @@ fn is_longer_than_a_screen(sheet: &Sheet) -> bool {
 
 /// How many claims, or cells of tables, have this verdict; for [`Word::Broken`], how many promises are
 /// broken.
-fn count(audit: &PaperAudit<'_>, verdict: &str) -> usize {
-    if verdict == Word::Broken.name() {
+fn count(audit: &PaperAudit<'_>, verdict: Word) -> usize {
+    if verdict == Word::Broken {
         return audit.promise_counts().broken;
     }
     let claims = audit.claims();
     let verdicts = claims.iter().flat_map(|claim| claim.verdicts.iter());
-    verdicts.filter(|(word, _)| word.name() == verdict).map(|(_, count)| count).sum()
+    verdicts.filter(|(word, _)| *word == verdict).map(|(_, count)| count).sum()
 }

@@ -3,18 +3,18 @@
 use super::judged::{judge_all, papers, select};
 use crate::cli::arguments::{CoverageArguments, Format};
 use crate::cli::console::answer::{Answer, show};
-use crate::cli::console::output::{Outcome, denied};
+use crate::cli::console::output::{Outcome, none_denied};
 use crate::cli::console::quantity::written;
-use subcert::audit::PaperAudit;
+use subcert::audit::{CoverageState, PaperAudit};
 use subcert::report::{Sheet, coverage_sheet, json::CoverageReport};
 
 pub(crate) fn coverage(arguments: &CoverageArguments) -> Outcome {
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
     let audits = judge_all(&papers, arguments.output.format != Format::Json)?;
     show(&arguments.output, &Coverage(&audits))?;
-    denied(&arguments.deny, |state| {
+    none_denied(&arguments.deny, CoverageState::name, |state| {
         let items = audits.iter().flat_map(PaperAudit::coverage);
-        let count = items.filter(|coverage| coverage.state().name() == state).count();
+        let count = items.filter(|coverage| coverage.state() == state).count();
         (count, ["numbered item", "numbered items"])
     })
 }

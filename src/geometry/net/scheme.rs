@@ -2,7 +2,7 @@
 
 use super::error::NetError;
 use crate::mesh::MeshScheme;
-use crate::scheme::{Mask, Scheme, parse_scheme};
+use crate::scheme::{Mask, parse_scheme};
 
 /// The tensor product of two curve schemes, by its name.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,11 +39,7 @@ impl NetScheme {
         }
         let short = SHORT.iter().find(|(short, _)| *short == name);
         let meant = short.map_or(name, |(_, curve)| curve);
-        let scheme = parse_scheme(meant)?;
-        let masks = match scheme {
-            Scheme::Curve(mask) => [mask.clone(), mask],
-            Scheme::Tensor(first, second) => [first, second],
-        };
+        let masks = parse_scheme(meant)?.pair();
         Ok(NetScheme { name: name.to_owned(), masks })
     }
 

@@ -17,6 +17,7 @@ mod words;
 pub use errata::latex_table::corrected_table;
 pub use errata::{differences_sheet, errata_sheet};
 pub use papers::audit::{audit_sheet, table_values};
+pub use papers::brief::brief_sheet;
 pub use papers::coverage::coverage_sheet;
 pub use papers::explain::{explain_sheet, table_of};
 pub use papers::overview::overview_sheet;
@@ -27,6 +28,7 @@ pub use smooth::vertex::{
 };
 pub use tables::eye::{Eye, to_the_eye};
 pub use told::Background;
+pub use words::look::legend;
 pub use words::numbers::{down, up};
 pub use words::set::interval_texts;
 pub use words::sheet::{Block, Grid, Sheet};

@@ -53,6 +53,18 @@ impl<T> Axes<T> {
         std::iter::once(self.first()).chain(second)
     }
 
+    /// The things of two axes; those of a single one serve both.
+    #[must_use]
+    pub fn pair(self) -> [T; 2]
+    where
+        T: Clone,
+    {
+        match self {
+            Axes::Curve(only) => [only.clone(), only],
+            Axes::Tensor(first, second) => [first, second],
+        }
+    }
+
     /// What `f` makes of each.
     #[must_use]
     pub fn map<'a, U>(&'a self, mut f: impl FnMut(&'a T) -> U) -> Axes<U> {

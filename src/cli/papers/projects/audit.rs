@@ -3,9 +3,10 @@
 use super::{certified, judge_projects, pages, select_project};
 use crate::cli::arguments::{AuditArguments, FindingFormat};
 use crate::cli::console::answer::{Answer, show};
-use crate::cli::console::output::{Failure, denied};
+use crate::cli::console::output::{Failure, none_denied};
 use crate::cli::console::quantity::written;
 use crate::cli::papers::audit_output::Destination;
+use subcert::audit::Word;
 use subcert::report::json::ProjectsReport;
 use subcert::report::{Grid, Sheet, projects_sheet};
 use subcert::shipped::{Outcome, Project, ProjectAudit};
@@ -16,7 +17,7 @@ pub(in crate::cli) fn audit(
     to: Destination<'_>,
     projects: Vec<Project>,
 ) -> Result<(), Failure> {
-    let denies = arguments.deny.iter().map(|word| outcome(word)).collect::<Result<Vec<_>, _>>()?;
+    let denied = arguments.deny.iter().map(|word| outcome(*word)).collect::<Result<Vec<_>, _>>()?;
     let projects = select_project(projects, arguments.paper.as_deref())?;
     let audits = judge_projects(&projects, arguments.format != FindingFormat::Json)?;
     let mut certificates = Sheet::default();
@@ -29,13 +30,14 @@ pub(in crate::cli) fn audit(
         }
         Destination::Pages(folder) => pages::pages(&audits, &certificates, folder)?,
     }
-    denied(&arguments.deny, |word| {
-        let findings = audits.iter().flat_map(|audit| &audit.findings);
-        let has = |outcome: &Outcome| outcome.word().name() == word;
-        let outcome = denies.iter().copied().find(has);
-        let count = findings.filter(|finding| outcome.is_some_and(|one| finding.has(one))).count();
-        (count, ["table", "tables"])
-    })
+    none_denied(
+        &denied,
+        |outcome| outcome.word().name(),
+        |outcome| {
+            let findings = audits.iter().flat_map(|audit| &audit.findings);
+            (findings.filter(|finding| finding.has(outcome)).count(), ["table", "tables"])
+        },
+    )
 }
 
 /// The audits of projects.
@@ -84,8 +86,8 @@ impl Answer for Projects<'_> {
 }
 
 /// The outcome that `--deny` names.
-fn outcome(word: &str) -> Result<Outcome, Failure> {
-    Outcome::ALL.into_iter().find(|outcome| outcome.word().name() == word).ok_or_else(|| {
+fn outcome(word: Word) -> Result<Outcome, Failure> {
+    Outcome::ALL.into_iter().find(|outcome| outcome.word() == word).ok_or_else(|| {
         let names: Vec<&str> = Outcome::ALL.iter().map(|outcome| outcome.word().name()).collect();
         Failure::Input(format!(
             "--deny {word}: of constants that programs ship, it takes {}",

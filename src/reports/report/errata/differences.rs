@@ -3,7 +3,7 @@
 use super::cells;
 use crate::audit::{
     Beyond, CellErratum, CellFinding, Erratum, Harm, KnownLimits, NotSharp, PaperAudit,
-    SmoothnessFinding, SmoothnessVerdict, Subject,
+    SmoothnessFinding, SmoothnessVerdict, Subject, Word,
 };
 use crate::claim::{ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
 use crate::exact::{Enclosed as _, Rational, format::fixed};
@@ -13,7 +13,7 @@ use crate::report::words::sheet::{Grid, Sheet};
 use crate::smoothness::Hoelder;
 
 /// The longest text of a cell; longer ones are cut.
-const LONGEST: usize = 160;
+pub(crate) const LONGEST: usize = 160;
 
 /// The longest formula of an exponent.
 const SHORT: usize = 40;
@@ -22,25 +22,33 @@ const SHORT: usize = 40;
 const PLACES: u32 = 4;
 
 /// A claim that is not what it should be.
-struct Line {
+pub(crate) struct Line {
     claim: String,
+    pub(crate) id: String,
     source: String,
-    place: String,
-    printed: String,
-    exact: String,
-    origin: String,
+    /// What is said of it.
+    pub(crate) word: Word,
+    /// Where it stands, and what it is about.
+    pub(crate) place: String,
+    pub(crate) printed: String,
+    pub(crate) exact: String,
+    /// How the printed one came about, where that is known.
+    pub(crate) origin: String,
+}
+
+/// What differs in a paper.
+pub(crate) fn lines(audit: &PaperAudit<'_>) -> Vec<(Harm, Line)> {
+    let errata = audit.errata();
+    let wrong = errata.errata.iter().map(|one| (one.harm(), Line::of_erratum(audit, one)));
+    let not_sharp = audit.not_sharp();
+    let not_sharp = not_sharp.iter().map(|one| (Harm::NotSharp, Line::of_not_sharp(audit, one)));
+    wrong.chain(not_sharp).collect()
 }
 
 /// What differs in papers, the worst first: a table for each [`Harm`], whose first column has the ids of claims.
 #[must_use]
 pub fn differences_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
-    let mut lines: Vec<(Harm, Line)> = Vec::new();
-    for audit in audits {
-        let errata = audit.errata();
-        lines.extend(errata.errata.iter().map(|one| (one.harm(), Line::of_erratum(audit, one))));
-        let not_sharp = audit.not_sharp();
-        lines.extend(not_sharp.iter().map(|one| (Harm::NotSharp, Line::of_not_sharp(audit, one))));
-    }
+    let lines: Vec<(Harm, Line)> = audits.iter().flat_map(lines).collect();
     let mut sheet = Sheet::titled("Where the literature and the exact values differ");
     let with = |audit: &&PaperAudit<'_>| {
         let key = format!("{}:", audit.paper.key);
@@ -111,8 +119,13 @@ impl Line {
                 (finding.claim().title(), printed, exact, told.origin())
             }
         };
+        let word = match erratum.harm() {
+            Harm::Broken => Word::Broken,
+            Harm::Unshown => Word::Open,
+            _ => subject.verdict(),
+        };
         let place = place(subject.locus(), title);
-        Line::new(audit, subject.id(), place, printed, exact, origin)
+        Line::new(audit, subject.id(), word, place, [printed, exact], origin)
     }
 
     fn of_not_sharp(audit: &PaperAudit<'_>, more: &NotSharp<'_, '_>) -> Line {
@@ -132,30 +145,33 @@ impl Line {
         let decimal = bound(claim).map(|value| format!(" ≈ {value}")).unwrap_or_default();
         let printed = format!("{}{decimal}", smoothness::statement(claim).unwrap_or_default());
         let place = place(&claim.locus, &claim.title);
-        Line::new(audit, &claim.id, place, printed, exact, claim.note.clone())
+        let word = more.finding.verdict.word();
+        Line::new(audit, &claim.id, word, place, [printed, exact], claim.note.clone())
     }
 
     fn new(
         audit: &PaperAudit<'_>,
         id: &str,
+        word: Word,
         place: String,
-        printed: String,
-        exact: String,
+        [printed, exact]: [String; 2],
         origin: Option<String>,
     ) -> Line {
         let first = |text: String| text.lines().next().unwrap_or_default().to_owned();
         Line {
             claim: format!("{}:{id}", audit.paper.key),
+            id: id.to_owned(),
             source: audit.paper.bibliography.short(),
+            word,
             place,
-            printed: cut(printed),
-            exact: cut(exact),
+            printed: cut(printed, LONGEST),
+            exact: cut(exact, LONGEST),
             origin: origin.map(first).unwrap_or_default(),
         }
     }
 
     fn row(&self) -> Vec<String> {
-        let Line { claim, source, place, printed, exact, origin } = self;
+        let Line { claim, source, place, printed, exact, origin, .. } = self;
         [claim, source, place, printed, exact, origin].map(Clone::clone).to_vec()
     }
 }
@@ -219,10 +235,10 @@ fn numbers(cells: &CellErratum<'_, '_>, harm: Harm) -> [String; 2] {
     [printed, exact]
 }
 
-/// A text of no more than [`LONGEST`] characters.
-pub(crate) fn cut(text: String) -> String {
-    if text.chars().count() <= LONGEST {
+/// A text of no more than `longest` characters.
+pub(crate) fn cut(text: String, longest: usize) -> String {
+    if text.chars().count() <= longest {
         return text;
     }
-    text.chars().take(LONGEST - 1).chain(['…']).collect()
+    text.chars().take(longest.saturating_sub(1)).chain(['…']).collect()
 }

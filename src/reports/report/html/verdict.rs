@@ -1,61 +1,11 @@
-//! How verdicts look: a class, which has a colour, and a sign, since colour is never alone.
+//! The verdicts on pages.
 
 use crate::audit::Word;
+pub(super) use crate::report::words::look::{LOOKS, Look};
 use maud::{Markup, html};
-
-/// A look: its class, the sign, and what has it, in words.
-pub(super) struct Look {
-    /// The class of its elements.
-    pub(super) class: &'static str,
-    /// A verdict of it, which gives the sign.
-    of: Word,
-    /// What the verdicts of it mean.
-    pub(super) says: &'static str,
-}
-
-/// The looks, the best first.
-pub(super) const LOOKS: [Look; 7] = [
-    Look { class: "right", of: Word::Confirmed, says: "confirmed, holds, exact, proved" },
-    Look {
-        class: Word::Reproduced.name(),
-        of: Word::Reproduced,
-        says: "reproduced at values that the paper does not state",
-    },
-    Look { class: Word::Rounding.name(), of: Word::Rounding, says: "rounded differently" },
-    Look { class: Word::Misprint.name(), of: Word::Misprint, says: Word::Misprint.name() },
-    Look { class: "reading", of: Word::OtherReading, says: "another reading" },
-    Look { class: "wrong", of: Word::Refuted, says: "refuted, fails, inexact" },
-    Look { class: Word::Open.name(), of: Word::NotCheckable, says: "not checkable, or open" },
-];
 
 /// The class of cells whose promise is broken.
 pub(super) const BROKEN: &str = Word::Broken.name();
-
-impl Look {
-    /// The look of a verdict.
-    pub(super) fn of(verdict: Word) -> &'static Look {
-        let [right, reproduced, rounding, misprint, reading, wrong, open] = &LOOKS;
-        match verdict {
-            Word::Confirmed
-            | Word::Holds
-            | Word::Exact
-            | Word::Proved
-            | Word::Kept
-            | Word::Nearest => right,
-            Word::Reproduced => reproduced,
-            Word::Rounding | Word::Cut | Word::Ulps => rounding,
-            Word::Misprint => misprint,
-            Word::OtherReading | Word::Otherwise => reading,
-            Word::Refuted | Word::Fails | Word::Inexact | Word::Broken => wrong,
-            Word::NotCheckable | Word::Open => open,
-        }
-    }
-
-    /// The sign.
-    pub(super) fn sign(&self) -> &'static str {
-        self.of.mark()
-    }
-}
 
 /// The sign of a verdict, with its name for those who do not see it.
 pub(super) fn badge(verdict: Word) -> Markup {

@@ -3,7 +3,7 @@
 use crate::audit::{EquationFinding, EquationVerdict, Failure, PaperAudit, Word};
 use crate::claim::{EquationBody, Left};
 use crate::diagnostic::Diagnostic;
-use crate::report::errata::differences::cut;
+use crate::report::errata::differences::{LONGEST, cut};
 use crate::report::formulas::equation;
 use crate::report::html::context::Context;
 use crate::report::html::sheet::lines;
@@ -124,7 +124,7 @@ impl<'a> Told<'a> for EquationFinding<'a> {
             count => format!("; {count} cases fail"),
         };
         let [left, right] = [&first.left, &first.right].map(ToString::to_string);
-        [format!("{}{at}{more}", cut(left)), right]
+        [format!("{}{at}{more}", cut(left, LONGEST)), right]
     }
 
     fn origin(&self) -> Option<String> {

@@ -1,6 +1,7 @@
 //! A report for the terminal.
 
 use super::fit::{Fitted, width_of, wrapped};
+use crate::audit::{Standing, Word};
 use crate::report::words::sheet::{Block, Grid, Sheet};
 use anstyle::{AnsiColor, Style};
 use comfy_table::{CellAlignment, LineStyle, Table, presets};
@@ -11,9 +12,6 @@ const GOOD: Style = AnsiColor::Green.on_default();
 const FAIR: Style = AnsiColor::Yellow.on_default();
 const BAD: Style = AnsiColor::Red.on_default().bold();
 const FAINT: Style = Style::new().dimmed();
-
-/// The marks with their styles, which are put on after the layout, since this counts columns.
-const MARKS: [(&str, Style); 5] = [("✓", GOOD), ("≈", FAIR), ("±", FAIR), ("✗", BAD), ("?", FAINT)];
 
 /// The widest line of running text.
 const WIDTH: usize = 100;
@@ -120,10 +118,26 @@ impl Lines {
     }
 }
 
+/// With the marks of verdicts in their styles, which are put on after the layout, since this counts columns.
 fn coloured(text: &str) -> String {
-    MARKS.iter().fold(text.to_owned(), |text, (mark, style)| {
-        // A question mark is also punctuation: only one that stands alone is a mark.
-        if *mark == "?" { text } else { text.replace(mark, &format!("{style}{mark}{style:#}")) }
+    let mut out = String::with_capacity(text.len());
+    for character in text.chars() {
+        let _ = match style(character) {
+            Some(style) => write!(out, "{style}{character}{style:#}"),
+            None => write!(out, "{character}"),
+        };
+    }
+    out
+}
+
+/// The style of a mark. A question mark and an equals sign are also punctuation.
+fn style(mark: char) -> Option<Style> {
+    let is_meant = |word: &&Word| !mark.is_ascii() && word.mark().starts_with(mark);
+    Word::ALL.iter().find(is_meant).map(|word| match word.standing() {
+        Standing::Holds => GOOD,
+        Standing::Near => FAIR,
+        Standing::Fails => BAD,
+        Standing::Open => FAINT,
     })
 }
 

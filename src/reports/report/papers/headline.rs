@@ -1,6 +1,6 @@
 //! The findings of an audit, in a few sentences for each paper.
 
-use crate::audit::{CellFinding, PaperAudit, PromiseCounts, Tally, UnstatedOffset, Verdict, Word};
+use crate::audit::{CellFinding, PaperAudit, Tally, UnstatedOffset, Verdict, Word};
 use crate::bound::BetterOffset;
 use crate::exact::format::short;
 use crate::report::tables::reading::capital;
@@ -16,16 +16,31 @@ const MAX_PLACE_WORDS: usize = 12;
 /// The verdicts of cells that are not what the paper's own definition gives.
 const WRONG_CELLS: [Word; 3] = [Word::Refuted, Word::Misprint, Word::OtherReading];
 
-/// What matters most in one sentence of up to 25 words, and then the counts: of the cells of a paper, of their
-/// promises, and of the other claims.
+/// What does most harm: every refuted theorem and every table whose promises are broken, or, without any, what else is
+/// wrong, in up to 25 words. Then the counts: of the cells of a paper, of their promises, and of the other claims.
 pub(crate) fn headline(audit: &PaperAudit<'_>) -> String {
-    let (about, first) = first(audit);
-    let promises = if about == About::Promises { open_promises(audit) } else { promises(audit) };
-    let claims = claims(audit, about);
-    let rest = cells(audit).into_iter().chain(promises).chain(claims).chain(beyond(audit));
+    let groups = groups(audit);
+    let is_refuted = |(kind, wrong, _): &Group| kind.wrong == Word::Refuted && *wrong > 0;
+    let (refuted, others): (Vec<Group>, Vec<Group>) = groups.into_iter().partition(is_refuted);
+    let mut harm: Vec<String> =
+        refuted.into_iter().map(|group| wrong(audit, group, true)).collect();
+    harm.extend(broken(audit));
+    let (others, promises) = if harm.is_empty() {
+        let (first, others) = first(audit, others);
+        harm.push(first);
+        (others, promises(audit))
+    } else if audit.promise_counts().broken > 0 {
+        (others, open_promises(audit))
+    } else {
+        (others, promises(audit))
+    };
     let mut sentences: Vec<String> = unstated_offsets(audit).collect();
-    sentences.push(if sentences.is_empty() { first } else { capital(&first) });
-    sentences.extend(rest);
+    let start = sentences.len();
+    sentences.extend(harm.into_iter().chain(cells(audit)).chain(promises));
+    sentences.extend(counts_of_wrong(&others).into_iter().chain(beyond(audit)));
+    for sentence in sentences.iter_mut().skip(start.max(1)) {
+        *sentence = capital(sentence);
+    }
     format!("{}: {}", audit.paper.key, sentences.join(" "))
 }
 
@@ -43,35 +58,29 @@ pub(crate) fn unstated_offsets(audit: &PaperAudit<'_>) -> impl Iterator<Item = S
     })
 }
 
-/// What the first sentence is about.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum About {
-    Promises,
-    Cells,
-    /// The claims of this kind, such as `equations`.
-    Claims(&'static str),
-    Nothing,
+/// Claims that are counted together, how many of them are wrong, and how many there are.
+type Group = (&'static Counted, usize, usize);
+
+/// `promises in Table 3 and Table 4 are broken: 70 of 70.`
+fn broken(audit: &PaperAudit<'_>) -> Option<String> {
+    let counts = audit.promise_counts();
+    let tables = audit.tables.iter().filter(|table| table.promise_counts().broken > 0);
+    let tables = all_places(tables.map(|table| table.table.locus.as_str()));
+    match counts.broken {
+        0 => None,
+        1 => Some(format!("a promise in {tables} is broken: 1 of {}.", counts.all())),
+        broken => Some(format!("promises in {tables} are broken: {broken} of {}.", counts.all())),
+    }
 }
 
-/// `164 of 220 promises are broken, in Table 2, Table 3 and 12 other tables.`: what does most harm.
-fn first(audit: &PaperAudit<'_>) -> (About, String) {
-    let PromiseCounts { broken, .. } = audit.promise_counts();
-    if broken > 0 {
-        let tables = audit.tables.iter().filter(|table| table.promise_counts().broken > 0);
-        let places = places(tables.map(|table| table.table.locus.as_str()), "table");
-        let said = if broken == 1 {
-            format!("a promise in {places} is broken")
-        } else {
-            format!("promises in {places} are broken")
-        };
-        return (About::Promises, format!("{said}: {broken} of {}.", audit.promise_counts().all()));
-    }
-    let wrong = |cell: &&CellFinding| WRONG_CELLS.contains(&cell.verdict.word());
+/// What is wrong where no theorem is refuted and no promise is broken, and the groups that are not yet counted.
+fn first(audit: &PaperAudit<'_>, mut groups: Vec<Group>) -> (String, Vec<Group>) {
+    let is_wrong = |cell: &&CellFinding| WRONG_CELLS.contains(&cell.verdict.word());
     let cells = || audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
-    let count = cells().filter(wrong).count();
+    let count = cells().filter(is_wrong).count();
     if count > 0 {
         let has = |table: &&crate::audit::TableFinding<'_>| {
-            table.cells.iter().flatten().any(|cell| wrong(&cell))
+            table.cells.iter().flatten().any(|cell| is_wrong(&cell))
         };
         let tables = audit.tables.iter().filter(has);
         let places = places(tables.map(|table| table.table.locus.as_str()), "table");
@@ -81,21 +90,36 @@ fn first(audit: &PaperAudit<'_>) -> (About, String) {
             format!("numbers in {places} are not what their definitions give")
         };
         let all = cells().filter(|cell| cell.printed.is_some()).count();
-        return (About::Cells, format!("{said}: {count} of {all}."));
+        return (format!("{said}: {count} of {all}."), groups);
     }
-    if let Some((kind, count, all)) = groups(audit).into_iter().find(|(_, wrong, _)| *wrong > 0) {
-        let wrong = audit.findings().filter(|finding| {
-            told(*finding).counted() == Some(kind) && finding.verdicts().of(kind.wrong) > 0
-        });
-        let places = places(wrong.map(|finding| finding.claim().locus()), kind.one);
-        let sentence =
-            format!("{places} {}: {count} of {all} {}.", is_wrong(kind, count), kind.several);
-        return (About::Claims(kind.several), sentence);
+    if let Some(place) = groups.iter().position(|(_, wrong, _)| *wrong > 0) {
+        let group = groups.remove(place);
+        return (wrong(audit, group, false), groups);
     }
     let judged = cells().any(|cell| cell.printed.is_some()) || !audit.claims().is_empty();
     let sentence =
         if judged { "nothing was found to be wrong." } else { "there is nothing to check." };
-    (About::Nothing, sentence.to_owned())
+    (sentence.to_owned(), groups)
+}
+
+/// `(32) and (37) are refuted: 2 of 7 theorems.`
+fn wrong(audit: &PaperAudit<'_>, (kind, count, all): Group, every: bool) -> String {
+    let wrong = audit.findings().filter(|finding| {
+        told(*finding).counted() == Some(kind) && finding.verdicts().of(kind.wrong) > 0
+    });
+    let loci = wrong.map(|finding| finding.claim().locus());
+    let places = if every { all_places(loci) } else { places(loci, kind.one) };
+    format!("{places} {}: {count} of {all} {}.", is_wrong(kind, count), kind.several)
+}
+
+/// All of them: `Theorem 4; Theorem 5; (27), (28)`. Of a place with more than one name the first, where that is enough.
+fn all_places<'l>(loci: impl Iterator<Item = &'l str>) -> String {
+    let mut seen = BTreeSet::new();
+    let loci: Vec<&str> = loci.filter(|locus| seen.insert(*locus)).collect();
+    let first = |locus: &'l str| locus.split(',').next().unwrap_or(locus);
+    let is_enough = |locus: &str| loci.iter().filter(|other| first(other) == locus).count() == 1;
+    let short = loci.iter().map(|locus| if is_enough(first(locus)) { first(locus) } else { locus });
+    listed(&short.map(str::to_owned).collect::<Vec<String>>())
 }
 
 /// `Table 2, Table 3 and 10 other tables`, or `12 tables` where the names are long.
@@ -260,11 +284,10 @@ fn open_promises(audit: &PaperAudit<'_>) -> Option<String> {
     }
 }
 
-/// The claims of a paper other than cells, those that weigh most first, with how many of them are wrong and how many
-/// there are.
-fn groups(audit: &PaperAudit<'_>) -> Vec<(&'static Counted, usize, usize)> {
+/// The claims of a paper other than cells, those that weigh most first.
+fn groups(audit: &PaperAudit<'_>) -> Vec<Group> {
     let counts = counts(std::slice::from_ref(audit)).into_iter();
-    let mut groups: Vec<_> =
+    let mut groups: Vec<Group> =
         counts.map(|(kind, tally)| (kind, tally.of(kind.wrong), tally.total())).collect();
     groups.sort_by_key(|(kind, ..)| kind.place);
     groups
@@ -284,13 +307,12 @@ fn beyond(audit: &PaperAudit<'_>) -> Option<String> {
     }
 }
 
-/// `15 of 43 equations fail and 8 of 10 theorems are refuted.`, without what is said already.
-fn claims(audit: &PaperAudit<'_>, said: About) -> Option<String> {
-    let rest = groups(audit).into_iter();
-    let rest = rest.filter(|(kind, wrong, _)| said != About::Claims(kind.several) && *wrong > 0);
-    let wrong: Vec<String> = rest
+/// `15 of 43 equations fail and 2 of 3 ranges are wrong.`
+fn counts_of_wrong(groups: &[Group]) -> Option<String> {
+    let wrong = groups.iter().filter(|(_, wrong, _)| *wrong > 0);
+    let wrong: Vec<String> = wrong
         .map(|(kind, wrong, all)| {
-            format!("{wrong} of {all} {} {}", kind.several, is_wrong(kind, wrong))
+            format!("{wrong} of {all} {} {}", kind.several, is_wrong(kind, *wrong))
         })
         .collect();
     (!wrong.is_empty()).then(|| format!("{}.", listed(&wrong)))

@@ -1,6 +1,7 @@
-//! Papers: the report of an audit, one claim in full, coverage, and the head with its counts.
+//! Papers: an audit at first sight, its report, one claim in full, coverage, and the head with its counts.
 
 pub(super) mod audit;
+pub(super) mod brief;
 pub(super) mod consistency;
 pub(super) mod coverage;
 pub(super) mod explain;

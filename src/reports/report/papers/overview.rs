@@ -77,6 +77,15 @@ fn others(audits: &[PaperAudit<'_>], columns: &[(&str, Vec<Tally>)]) -> Grid {
     Grid::of(std::iter::once("paper".to_owned()).chain(header), rows, 1)
 }
 
+/// `cells 5 ✓, 48 ⇄; equations 18 ✓, 12 ✗`: how often each verdict is given to the claims of a paper.
+pub(crate) fn counted(audit: &PaperAudit<'_>) -> String {
+    let numbers = [("cells", audit.tally(&[Kind::Table])), ("promises", promises(audit))];
+    let others = counts(std::slice::from_ref(audit)).into_iter();
+    let all = numbers.into_iter().chain(others.map(|(kind, tally)| (kind.several, tally)));
+    let judged = all.filter(|(_, counts)| counts.total() > 0);
+    judged.map(|(name, counts)| format!("{name} {}", tally(&counts))).collect::<Vec<_>>().join("; ")
+}
+
 fn promises(audit: &PaperAudit<'_>) -> Tally {
     let counts = audit.promise_counts();
     let named =

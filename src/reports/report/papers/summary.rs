@@ -51,9 +51,15 @@ fn lines(summary: &CellSummary, standing: CellStanding) -> Vec<String> {
         groups().filter(|group| group.outcome.cause == **cause).map(|group| group.count).sum()
     };
     causes.sort_by_key(|cause| std::cmp::Reverse(count(cause)));
-    let mut lines = vec![summary.count(standing).to_string()];
+    let all = summary.count(standing);
+    // One cause of all stands beside their number.
+    let mut lines = match causes[..] {
+        [Some(cause)] => vec![format!("{all}: {cause}")],
+        _ => vec![all.to_string()],
+    };
+    let several = causes.len() > 1;
     for cause in causes {
-        if let Some(cause) = cause {
+        if let Some(cause) = cause.as_ref().filter(|_| several) {
             lines.push(format!("{}: {cause}", count(&&Some(cause.clone()))));
         }
         let shown = groups().filter(|group| group.outcome.cause == *cause);

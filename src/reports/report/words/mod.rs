@@ -2,6 +2,7 @@
 
 pub(super) mod data;
 pub(super) mod kernel;
+pub(super) mod look;
 pub(super) mod numbers;
 pub(super) mod parts;
 pub(super) mod set;
