@@ -12,6 +12,19 @@ const PAPER: &str = "examples/my-paper.toml";
 #[test]
 fn audit_of_the_embedded_papers() {
     subcert(["audit"]).assert().success().stdout_eq(file!["snapshots/audit.txt"]);
+    let wide = subcert(["audit"]).env("COLUMNS", "80").assert().success();
+    let text = String::from_utf8(wide.get_output().stdout.clone()).expect("text");
+    assert!(text.lines().count() <= 60, "{text}");
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+}
+
+/// Without files, `--full`, `--all`, a paper and a format for programs ask for more.
+#[test]
+fn the_report_of_the_embedded_papers() {
+    for more in [&["--full"][..], &["--paper", "khan2019-newton"]] {
+        let text = written([&["audit"], more].concat());
+        assert!(text.contains("Summary\n") && text.contains("Read differently"), "{more:?}");
+    }
 }
 
 /// The report of the embedded papers, and what the program adds to that of a small file.

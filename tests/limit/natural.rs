@@ -162,8 +162,11 @@ fn a_mean_is_rounded_only_where_its_digits_repeat_late() {
     let found = |a: Rational| natural_shift(&mask(a));
     let third = found(r(1, 3));
     assert_eq!((third.shift, third.keeps_lines, third.rounded), (r(1, 6), false, false));
-    let late = found(r(2, 59));
-    assert!(late.rounded && (late.shift - r(1, 59)).abs() < r(1, 2000));
+    // To the nearest multiple of 1/2048.
+    for i in -9..10 {
+        let late = found(r(4 * i + 2, 59));
+        assert!(late.rounded && (late.shift - r(2 * i + 1, 59)).abs() <= r(1, 4096), "{i}");
+    }
 }
 
 proptest! {

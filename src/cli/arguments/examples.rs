@@ -3,6 +3,7 @@
 pub(super) const AUDIT: &str = "\
 Examples:
   subcert audit
+  subcert audit --full
   subcert audit --paper khan2019-newton --all
   subcert audit examples/my-paper.toml --certified --deny refuted,broken
   subcert audit --format html -o pages";
