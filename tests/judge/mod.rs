@@ -2,6 +2,7 @@
 
 mod caps;
 mod copied;
+mod cut;
 mod every_shift;
 mod functions_and_ranges;
 mod lines;

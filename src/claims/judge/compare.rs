@@ -36,9 +36,12 @@ pub(crate) fn judge(
 ) -> Verdict {
     match printed.rounding_of(exact) {
         Rounding::Exact | Rounding::Nearest => Verdict::Confirmed,
-        Rounding::Truncated => Verdict::Rounding(Direction::Cut),
+        // Of a value that is cut some digit is left: 0 is no 0.857.
+        Rounding::Truncated if printed.significant_digits() > 0 => {
+            Verdict::Rounding(Direction::Cut)
+        }
         Rounding::Up => Verdict::Rounding(Direction::Away),
-        Rounding::Neither => {
+        Rounding::Truncated | Rounding::Neither => {
             find_slip(printed, exact, neighbours).map_or(Verdict::Refuted, Verdict::Misprint)
         }
     }

@@ -17,7 +17,8 @@ pub struct Quantity<V = Rational> {
     pub exact: V,
     /// |value − exact|; `None` when the value is not finite.
     pub error: Option<V>,
-    /// The error in units in the last place of the nearest f64.
+    /// The error in units in the last place of the nearest f64; `None` when this is 0 and the result is not, since
+    /// the units there are those of the subnormal numbers.
     pub ulps: Option<V>,
     /// The a priori bound of the error; see [`Tracked`](super::Tracked). Infinite when nothing
     /// is proven; `None` beyond [`MAX_TRACKED_STEPS`](super::MAX_TRACKED_STEPS).
@@ -31,7 +32,8 @@ impl<V: Real + Enclosed + PartialOrd> Quantity<V> {
     pub(super) fn new(name: String, value: f64, target: V, bound: Option<f64>) -> Quantity<V> {
         let distance = |found| V::from_rational(&found).minus(&target).magnitude();
         let error = exact(value).map(distance);
-        let ulps = ulps_between(value, &target);
+        let is_apart_from_zero = value != 0.0 && nearest(&target) == 0.0;
+        let ulps = ulps_between(value, &target).filter(|_| !is_apart_from_zero);
         let tightness = match (&error, bound) {
             (Some(error), Some(bound)) if bound > 0.0 && bound.is_finite() => {
                 Some(nearest(error) / bound)

@@ -19,7 +19,7 @@ pub(crate) fn outcome(finding: &TheoremFinding<'_>) -> String {
     let mut lines = match (&finding.refutation, &finding.proof) {
         (Some(refutation), _) => refuted(name, refutation, &finding.by_kernel),
         (None, Some(proof)) => vec![format!("{name} · {proof}")],
-        (None, None) => vec![format!("{name}{}", tried(finding))],
+        (None, None) => vec![tried(name, finding)],
     };
     lines.extend(repairs(finding));
     lines.extend(premises(finding));
@@ -82,22 +82,26 @@ fn apart(left: &RealCyclotomic, right: &RealCyclotomic) -> (String, String) {
     (4..DIGITS).map(digits).find(|(left, right)| left != right).unwrap_or_else(|| digits(DIGITS))
 }
 
-/// The cases that an open theorem was tried on.
-fn tried(finding: &TheoremFinding<'_>) -> String {
+/// An open theorem, and the cases that it was tried on.
+fn tried(name: Word, finding: &TheoremFinding<'_>) -> String {
     let count = |what: fn(&Outcome) -> bool| {
         finding.cases.iter().filter(|case| what(&case.outcome)).count()
     };
     let proved = count(|outcome| matches!(outcome, Outcome::Proved));
     let holds = count(|outcome| matches!(outcome, Outcome::UpTo(_)));
     let within = count(|outcome| !matches!(outcome, Outcome::Outside(_)));
-    let mut parts = Vec::new();
+    if proved > 0 && proved == within {
+        let cases = if within == 1 { "case" } else { "cases" };
+        return format!("proved in the {within} {cases} stated · {name} for others");
+    }
+    let mut parts = vec![name.to_string()];
     if proved > 0 {
         parts.push(format!("true in {proved} of {within} cases tried"));
     }
     if holds > 0 {
         parts.push(format!("no counterexample in {holds}"));
     }
-    parts.iter().fold(String::new(), |text, part| format!("{text} · {part}"))
+    parts.join(" · ")
 }
 
 /// The corrections that would save a false theorem.

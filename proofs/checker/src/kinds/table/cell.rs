@@ -249,7 +249,12 @@ impl Cell<'_> {
     }
 
     fn rounding(&self, value: Option<&Value>) -> Result<&'static str, Stop> {
-        value.map_or(Ok("neither"), |value| rounding(&self.decimal, value))
+        let Some(value) = value else { return Ok("neither") };
+        Ok(match rounding(&self.decimal, value)? {
+            // Of a number that is cut some digit is left.
+            "cut" if telling(&self.decimal) == 0 => "neither",
+            found => found,
+        })
     }
 
     /// Checks that the printed number is the value, cut or rounded away.
