@@ -153,9 +153,9 @@ fn claims_are_judged_and_certified_and_changed_certificates_are_rejected() {
 fn what_has_no_valences_is_refused() {
     for (claim, said) in [
         ("scheme = 'chaikin'\ncontinuous = '1'\nvalences = '5'", "of a mask"),
-        ("scheme = 'loop'\ncontinuous = '1'\nvalences = '2'", "no valences"),
-        ("scheme = 'loop'\ncontinuous = '1'\nvalences = '9..5'", "no valences"),
-        ("scheme = 'loop'\ncontinuous = '1'\nvalences = '3..1000'", "no valences"),
+        ("scheme = 'loop'\ncontinuous = '1'\nvalences = '2'", "does not name valences"),
+        ("scheme = 'loop'\ncontinuous = '1'\nvalences = '9..5'", "does not name valences"),
+        ("scheme = 'loop'\ncontinuous = '1'\nvalences = '3..1000'", "does not name valences"),
         ("scheme = 'loop:N=5'\ncontinuous = '1'\nvalences = '5'", "valence"),
         ("scheme = 'loop'\ncontinuous = '1'", "N"),
     ] {

@@ -125,7 +125,7 @@ fn what_cannot_be_a_range_of_rules_is_refused() {
             "C^1",
         ),
         (own.to_owned(), "N"),
-        (format!("{own}\nvalences = '2'"), "no valences"),
+        (format!("{own}\nvalences = '2'"), "does not name valences"),
         (
             "scheme = 'four-point:w=b'\nsmoothness = '1'\nvalences = '6'\nfrom = '0'".to_owned(),
             "of a mask",
