@@ -49,8 +49,9 @@ proptest! {
     fn numbers_in_formulas(
         parts in prop::collection::vec(("[0-9]{0,2}(\\.[0-9]{0,2})?(e-?[0-9])?|[0-9]?[½⅔⅛]", "[-−–+*·×/⁄∕^]"), 1..4),
     ) {
-        let text: String = parts.iter().map(|(number, sign)| format!("{number} {sign} ")).collect();
-        let text = text.trim_end().trim_end_matches(|c: char| "-−–+*·×/⁄∕^".contains(c));
+        let text: Vec<String> = parts.iter().map(|(number, sign)| format!("{number} {sign}")).collect();
+        let text = text.join(" ");
+        let text = text.trim_end_matches(|c: char| "-−–+*·×/⁄∕^".contains(c));
         let claims = table(text, "1", "1");
         if let Ok(paper) = read_paper(&SourceText::new("k.toml", format!("{HEAD}{claims}"))) {
             // A name such as e1 has no value.

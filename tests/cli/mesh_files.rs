@@ -2,6 +2,7 @@
 
 use super::{TemporaryFile, assert_parts, refused, subcert, written};
 use serde_json::Value;
+use std::fmt::Write as _;
 
 const TETRAHEDRON: &str =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
@@ -21,11 +22,11 @@ fn pyramid(n: usize, before: usize) -> String {
     let mut text = format!("v {n} 0 1\nv {n} 0 -1\n");
     let rim = |i: usize| before + 3 + i % n;
     for i in 0..n {
-        text += &format!("v {} {} 0\n", n + i, i * (n - i));
+        let _ = writeln!(text, "v {} {} 0", n + i, i * (n - i));
     }
     for i in 0..n {
-        text += &format!("f {} {} {}\n", before + 1, rim(i), rim(i + 1));
-        text += &format!("f {} {} {}\n", before + 2, rim(i + 1), rim(i));
+        let _ = writeln!(text, "f {} {} {}", before + 1, rim(i), rim(i + 1));
+        let _ = writeln!(text, "f {} {} {}", before + 2, rim(i + 1), rim(i));
     }
     text
 }
@@ -67,17 +68,17 @@ fn a_point_that_needs_too_large_a_field_is_named() {
     let sizes = [5, 7, 8, 9, 11];
     let (mut text, mut faces, mut count) = ("v 0 0 0\n".to_owned(), String::new(), 1);
     for i in 0..5 {
-        text += &format!("v {i} {} 0\n", i * i);
+        let _ = writeln!(text, "v {i} {} 0", i * i);
         count += 1;
     }
     for (i, size) in sizes.into_iter().enumerate() {
-        faces += &format!("f 1 {}", i + 2);
+        let _ = write!(faces, "f 1 {}", i + 2);
         for _ in 0..size - 3 {
             count += 1;
-            text += &format!("v {count} {i} 1\n");
-            faces += &format!(" {count}");
+            let _ = writeln!(text, "v {count} {i} 1");
+            let _ = write!(faces, " {count}");
         }
-        faces += &format!(" {}\n", (i + 1) % 5 + 2);
+        let _ = writeln!(faces, " {}", (i + 1) % 5 + 2);
     }
     let file = TemporaryFile::new("meeting.obj", &(text + &faces));
     let asked = ["doo-sabin", "--mesh", file.path()];

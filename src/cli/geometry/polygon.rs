@@ -102,7 +102,8 @@ fn source(path: &Path, caps: &Caps) -> Result<Arc<SourceText>, Failure> {
         text_or_latin1(bytes).ok_or_else(|| "it is neither UTF-8 nor Latin-1 text".to_owned())
     });
     let text = text.map_err(|reason| Failure::Input(format!("cannot read `{name}`: {reason}")))?;
-    Ok(SourceText::new(name, text))
+    // Spreadsheets begin a text with a byte order mark.
+    Ok(SourceText::new(name, text.strip_prefix('\u{feff}').unwrap_or(&text)))
 }
 
 /// The numbers of each point, or of each row of a grid.
