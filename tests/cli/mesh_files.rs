@@ -371,7 +371,10 @@ fn what_is_too_far_is_printed_as_farther_than_the_tolerance() {
         let shown = words.windows(4).filter(|four| four[..3] == ["is", "at", "least"]);
         for four in shown {
             let far: f64 = four[3].parse().expect("a number");
-            assert!(far > tolerance.parse().expect("a number"), "{far} for {tolerance}: {text}");
+            assert!(
+                far > tolerance.parse::<f64>().expect("a number"),
+                "{far} for {tolerance}: {text}"
+            );
         }
     }
 }
