@@ -44,7 +44,7 @@ pub fn write(
 /// The same of ascending valences, with a list of them where some are missing; the first lines say which are left out, and why.
 ///
 /// # Errors
-/// As [`write`].
+/// As [`write()`].
 ///
 /// # Panics
 /// When there are no rows.
