@@ -55,6 +55,23 @@ pub(in crate::cli) enum ClosedArgument {
     Uv,
 }
 
+/// Which points of a mesh are joined.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct Weld {
+    /// Join points of a polygon mesh at most so far apart, and those that a chain of such steps connects; for 0, and without
+    /// a number, only equal ones
+    #[arg(id = "weld", long = "weld", value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0",
+          allow_hyphen_values = true, requires = "mesh")]
+    pub(in crate::cli) tolerance: Option<String>,
+}
+
+impl Weld {
+    /// Whether it is given, and its name.
+    pub(in crate::cli) fn given(&self) -> (bool, &'static str) {
+        (self.tolerance.is_some(), "--weld")
+    }
+}
+
 /// Where and how a mesh is written.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct MeshOutput {
@@ -85,10 +102,8 @@ pub(in crate::cli) struct RefineArguments {
     /// What becomes of the points of a polygon mesh that belong to no face [default: drop]
     #[arg(long, value_enum)]
     pub(in crate::cli) isolated: Option<IsolatedArgument>,
-    /// Join points of a polygon mesh at most so far apart, and those that a chain of such steps connects; for 0, and without
-    /// a number, only equal ones
-    #[arg(long, value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0", allow_hyphen_values = true)]
-    pub(in crate::cli) weld: Option<String>,
+    #[command(flatten)]
+    pub(in crate::cli) weld: Weld,
     /// How many times the mesh is refined
     #[arg(long, value_name = "K", default_value_t = 1, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
@@ -115,10 +130,8 @@ pub(in crate::cli) struct LimitArguments {
     /// What becomes of the points of a polygon mesh that belong to no face [default: drop]
     #[arg(long, value_enum)]
     pub(in crate::cli) isolated: Option<IsolatedArgument>,
-    /// Join points of a polygon mesh at most so far apart, and those that a chain of such steps connects; for 0, and without
-    /// a number, only equal ones
-    #[arg(long, value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0", allow_hyphen_values = true)]
-    pub(in crate::cli) weld: Option<String>,
+    #[command(flatten)]
+    pub(in crate::cli) weld: Weld,
     /// How many times the mesh is refined before its limit points are computed
     #[arg(long, value_name = "K", default_value_t = 0, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,

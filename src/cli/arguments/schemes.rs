@@ -1,6 +1,6 @@
 //! The arguments of the commands about schemes.
 
-use super::meshes::{ClosedArgument, MeshBoundary};
+use super::meshes::{ClosedArgument, MeshBoundary, Weld};
 use super::{FindingFormat, FindingOutput, Output, Valences};
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
@@ -95,10 +95,8 @@ pub(in crate::cli) struct DepthArguments {
     /// The directions in which a net is closed [default: those in the file, or else none]
     #[arg(long, value_enum, requires = "mesh")]
     pub(in crate::cli) closed: Option<ClosedArgument>,
-    /// Join points of a polygon mesh at most so far apart, and those that a chain of such steps connects; for 0, and without
-    /// a number, only equal ones
-    #[arg(long, value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0", allow_hyphen_values = true, requires = "mesh")]
-    pub(in crate::cli) weld: Option<String>,
+    #[command(flatten)]
+    pub(in crate::cli) weld: Weld,
     /// Compute only what the longest edge and the valences of the mesh guarantee
     #[arg(long, requires = "mesh")]
     pub(in crate::cli) a_priori: bool,
@@ -269,10 +267,8 @@ pub(in crate::cli) struct OracleArguments {
     /// The directions in which a net is closed [default: those in the file, or else none]
     #[arg(long, value_enum, requires = "mesh")]
     pub(in crate::cli) closed: Option<ClosedArgument>,
-    /// Join points of a polygon mesh at most so far apart, and those that a chain of such steps connects; for 0, and without
-    /// a number, only equal ones
-    #[arg(long, value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0", allow_hyphen_values = true, requires = "mesh")]
-    pub(in crate::cli) weld: Option<String>,
+    #[command(flatten)]
+    pub(in crate::cli) weld: Weld,
     /// The seed of a control polygon of small integers, from 0 to 2^64 − 1
     #[arg(long, value_name = "S", default_value_t = 1, allow_negative_numbers = true,
           value_parser = seed)]

@@ -37,7 +37,7 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     }
     if let Some(path) = &arguments.mesh {
         let net = NetInput { scheme: &arguments.scheme, path, closed: arguments.closed };
-        let geometry = Geometry::with(&net, [(arguments.weld.is_some(), "--weld")])?;
+        let geometry = Geometry::with(&net, [arguments.weld.given()])?;
         only_its_boundary(arguments, matches!(geometry, Geometry::Mesh))?;
         return match geometry {
             Geometry::Mesh | Geometry::Solid if arguments.certificate.is_some() => {

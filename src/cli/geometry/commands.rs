@@ -48,11 +48,8 @@ pub(crate) fn refine(arguments: &RefineArguments) -> Outcome {
     let RefineArguments { scheme, mesh, closed, level, output, boundary, isolated, weld } =
         arguments;
     let net = NetInput { scheme, path: mesh, closed: *closed };
-    let given = [
-        (boundary.is_some(), "--boundary"),
-        (isolated.is_some(), "--isolated"),
-        (weld.is_some(), "--weld"),
-    ];
+    let given =
+        [(boundary.is_some(), "--boundary"), (isolated.is_some(), "--isolated"), weld.given()];
     match Geometry::with(&net, given)? {
         Geometry::Mesh => mesh::refine(arguments),
         Geometry::Net => net::refine(&net, *level, output),
@@ -64,11 +61,8 @@ pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
     let LimitArguments { scheme, mesh, closed, level, output, boundary, isolated, weld } =
         arguments;
     let net = NetInput { scheme, path: mesh, closed: *closed };
-    let given = [
-        (boundary.is_some(), "--boundary"),
-        (isolated.is_some(), "--isolated"),
-        (weld.is_some(), "--weld"),
-    ];
+    let given =
+        [(boundary.is_some(), "--boundary"), (isolated.is_some(), "--isolated"), weld.given()];
     match Geometry::with(&net, given)? {
         Geometry::Mesh => mesh::limit(arguments),
         Geometry::Net => net::limit(&net, *level, output),
@@ -80,8 +74,8 @@ pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
 pub(crate) fn reference_values(arguments: &OracleArguments, path: &Path) -> Outcome {
     let OracleArguments { scheme, closed, level, weld, .. } = arguments;
     let net = NetInput { scheme, path, closed: *closed };
-    let text = match Geometry::with(&net, [(weld.is_some(), "--weld")])? {
-        Geometry::Mesh => mesh::reference_values(scheme, path, *level, weld.as_deref())?,
+    let text = match Geometry::with(&net, [weld.given()])? {
+        Geometry::Mesh => mesh::reference_values(scheme, path, *level, weld.tolerance.as_deref())?,
         Geometry::Net => net::reference_values(&net, *level)?,
         Geometry::Solid => solid::reference_values(path, *level)?,
     };

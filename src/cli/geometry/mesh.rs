@@ -8,7 +8,7 @@ use crate::cli::console::answer::SCHEMA;
 use crate::cli::console::output::{Failure, Outcome, note, write_results};
 use crate::cli::console::save::save;
 use std::path::Path;
-use subcert::diagnostic::{SourceText, read_bytes_from, text_or_latin1};
+use subcert::diagnostic::{SourceText, read_bytes, read_bytes_from, text_or_latin1};
 use subcert::exact::{RealCyclotomic, parse_rational};
 use subcert::mesh::{
     Boundary, LimitPoint, MAX_FILE_BYTES, MeshError, MeshFile, MeshFormat, MeshScheme, PolygonMesh,
@@ -22,7 +22,7 @@ use subcert::solid::SOLID_SCHEME;
 type Mesh = PolygonMesh<RealCyclotomic>;
 
 pub(crate) fn refine(arguments: &RefineArguments) -> Outcome {
-    let given = (arguments.boundary, arguments.isolated, arguments.weld.as_deref());
+    let given = (arguments.boundary, arguments.isolated, arguments.weld.tolerance.as_deref());
     let format = OF_MESHES.chosen(&arguments.output)?;
     let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level, given)?;
     let mesh = work.refined()?;
@@ -38,7 +38,7 @@ pub(crate) fn refine(arguments: &RefineArguments) -> Outcome {
 }
 
 pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
-    let given = (arguments.boundary, arguments.isolated, arguments.weld.as_deref());
+    let given = (arguments.boundary, arguments.isolated, arguments.weld.tolerance.as_deref());
     let format = OF_MESHES.chosen(&arguments.output)?;
     let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level, given)?;
     let mesh = work.refined()?;
@@ -157,8 +157,7 @@ fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
     let bytes = if standard {
         read_bytes_from(std::io::stdin().lock(), MAX_FILE_BYTES)
     } else {
-        let file = std::fs::File::open(path).map_err(|error| error.to_string());
-        file.and_then(|file| read_bytes_from(file, MAX_FILE_BYTES))
+        read_bytes(path, MAX_FILE_BYTES)
     };
     let bytes =
         bytes.map_err(|reason| Failure::Input(format!("cannot read `{name}`: {reason}")))?;

@@ -2,12 +2,11 @@
 
 use crate::cli::console::output::Failure;
 use serde_json::value::RawValue;
-use std::fs::File;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 use subcert::diagnostic::{
-    Diagnostic, SourceText, json_elements, json_place, read_bytes_from, text_or_latin1,
+    Diagnostic, SourceText, json_elements, json_place, read_bytes, text_or_latin1,
 };
 use subcert::exact::{Integer, Rational, parse_rational};
 
@@ -97,13 +96,11 @@ pub(crate) fn read_grid(path: &Path, caps: &Caps) -> Result<Vec<Vec<Rational>>, 
 
 fn source(path: &Path, caps: &Caps) -> Result<Arc<SourceText>, Failure> {
     let name = path.display().to_string();
-    let bytes = File::open(path).map_err(|error| error.to_string());
-    let text = bytes.and_then(|file| read_bytes_from(file, caps.bytes)).and_then(|bytes| {
+    let text = read_bytes(path, caps.bytes).and_then(|bytes| {
         text_or_latin1(bytes).ok_or_else(|| "it is neither UTF-8 nor Latin-1 text".to_owned())
     });
     let text = text.map_err(|reason| Failure::Input(format!("cannot read `{name}`: {reason}")))?;
-    // Spreadsheets begin a text with a byte order mark.
-    Ok(SourceText::new(name, text.strip_prefix('\u{feff}').unwrap_or(&text)))
+    Ok(SourceText::new(name, text))
 }
 
 /// The numbers of each point, or of each row of a grid.

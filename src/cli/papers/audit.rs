@@ -91,23 +91,21 @@ impl Answer for Audit<'_> {
     const NAME: &'static str = "audit";
 
     fn sheet(&self) -> Sheet {
-        let mut sheet = match self.shown {
-            Shown::Brief => brief_sheet(self.audits, terminal::width()),
-            Shown::Report { all, .. } => audit_sheet(self.audits, all),
+        let (mut sheet, more) = match self.shown {
+            Shown::Brief => (
+                brief_sheet(self.audits, terminal::width()),
+                "`subcert audit --full` is the whole report, `subcert explain KEY` lists the claims of a paper, \
+                 and `subcert explain KEY:ID` says how one was judged. `subcert audit FILE` judges a paper of yours, \
+                 and `subcert new` begins its claim file.",
+            ),
+            Shown::Report { all, .. } => (
+                audit_sheet(self.audits, all),
+                "Under a cell: the exact value of the printed definition, and the sound value where the printed one \
+                 is not shown to keep its promise. `--all` shows every table, `subcert explain KEY:ID` one claim, \
+                 whose ID ends its heading.",
+            ),
         };
-        sheet.text(match self.shown {
-            Shown::Brief => format!(
-                "{}. `subcert audit --full` is the whole report, `subcert explain KEY` lists the claims of a paper, \
-                 and `subcert explain KEY:ID` says how one was judged. `subcert audit FILE` judges a paper of yours, and `subcert new` begins its claim file.",
-                legend()
-            ),
-            Shown::Report { .. } => format!(
-                "{}. Under a cell: the exact value of the printed definition, and the sound value where the \
-                 printed one is not shown to keep its promise. `--all` shows every table, \
-                 `subcert explain KEY:ID` one claim, whose ID ends its heading.",
-                legend()
-            ),
-        });
+        sheet.text(format!("{}. {more}", legend()));
         if let Some(certified) = &self.certified {
             certified.section(&mut sheet);
         }

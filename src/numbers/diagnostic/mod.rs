@@ -180,8 +180,7 @@ impl std::error::Error for Diagnostic {}
 /// # Errors
 /// When it cannot be read, is larger, or is not UTF-8; the message says which.
 pub fn read_text(path: &std::path::Path, max_bytes: u64) -> Result<String, String> {
-    let file = std::fs::File::open(path).map_err(|error| error.to_string())?;
-    read_text_from(file, max_bytes)
+    utf8(read_bytes(path, max_bytes)?)
 }
 
 /// The text that a reader gives, of at most `max_bytes`, without a byte order mark.
@@ -189,21 +188,29 @@ pub fn read_text(path: &std::path::Path, max_bytes: u64) -> Result<String, Strin
 /// # Errors
 /// As [`read_text`].
 pub fn read_text_from(reader: impl std::io::Read, max_bytes: u64) -> Result<String, String> {
-    let bytes = read_bytes_from(reader, max_bytes)?;
-    let mut text = String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_owned())?;
+    utf8(read_bytes_from(reader, max_bytes)?)
+}
+
+fn utf8(bytes: Vec<u8>) -> Result<String, String> {
+    let text = String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_owned())?;
+    Ok(without_mark(text))
+}
+
+fn without_mark(mut text: String) -> String {
     if text.starts_with('\u{feff}') {
         text.remove(0);
     }
-    Ok(text)
+    text
 }
 
-/// The text of these bytes: UTF-8, or else Latin-1, in which programs write names and comments; `None` where a byte is a
+/// The text of these bytes without a byte order mark: UTF-8, or else Latin-1, in which programs write names and comments; `None` where a byte is a
 /// control character of neither.
 ///
 /// ```
 /// use subcert::diagnostic::text_or_latin1;
 ///
 /// assert_eq!(text_or_latin1(b"# W\xfcrfel\n".to_vec()).as_deref(), Some("# Würfel\n"));
+/// assert_eq!(text_or_latin1(b"\xef\xbb\xbf0, 1\n".to_vec()).as_deref(), Some("0, 1\n"));
 /// assert_eq!(text_or_latin1(vec![b'#', 0, 0xff]), None);
 /// ```
 #[must_use]
@@ -215,8 +222,17 @@ pub fn text_or_latin1(bytes: Vec<u8>) -> Option<String> {
             let latin = !bytes.iter().any(control);
             latin.then(|| bytes.into_iter().map(char::from).collect())
         },
-        Some,
+        |text| Some(without_mark(text)),
     )
+}
+
+/// The bytes of a file, at most `max_bytes`.
+///
+/// # Errors
+/// When they cannot be read, or are more; the message says which.
+pub fn read_bytes(path: &std::path::Path, max_bytes: u64) -> Result<Vec<u8>, String> {
+    let file = std::fs::File::open(path).map_err(|error| error.to_string())?;
+    read_bytes_from(file, max_bytes)
 }
 
 /// The bytes that a reader gives, at most `max_bytes`.

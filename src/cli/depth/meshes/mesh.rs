@@ -25,7 +25,7 @@ pub(in crate::cli::depth) fn mesh_depth(
 ) -> Outcome {
     let asked = positive("--tolerance", &arguments.tolerance)?;
     let Given { scheme, name, file, notes } =
-        read(&arguments.scheme, path, arguments.weld.as_deref())?;
+        read(&arguments.scheme, path, arguments.weld.tolerance.as_deref())?;
     let file = match arguments.boundary {
         Some(DepthBoundary::Mesh(boundary)) => with_boundary(file, boundary),
         _ => file,

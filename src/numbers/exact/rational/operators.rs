@@ -102,14 +102,3 @@ impl From<&Rational> for Rational {
         value.clone()
     }
 }
-
-macro_rules! from_machine {
-    ($($type:ty),*) => {$(
-        impl From<$type> for Rational {
-            fn from(value: $type) -> Rational {
-                Rational::from(Integer::from(value))
-            }
-        }
-    )*};
-}
-from_machine!(i8, u8, i16, u16, i32, u32, i64, u64, i128, u128, isize, usize);

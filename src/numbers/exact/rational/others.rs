@@ -1,4 +1,4 @@
-//! Rational numbers of other types: of num-rational, and of rug.
+//! Rational numbers of other types: integers of the machine, and numbers of num-bigint, num-rational and rug.
 
 use super::Rational;
 use crate::exact::{ConversionError, Integer};
@@ -14,7 +14,7 @@ macro_rules! from_integers {
         }
     )*};
 }
-from_integers!(BigInt, &BigInt);
+from_integers!(i8, u8, i16, u16, i32, u32, i64, u64, i128, u128, isize, usize, BigInt, &BigInt);
 #[cfg(feature = "gmp")]
 from_integers!(rug::Integer, &rug::Integer);
 

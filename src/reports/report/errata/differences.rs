@@ -23,7 +23,7 @@ const PLACES: u32 = 4;
 
 /// A claim that is not what it should be.
 pub(crate) struct Line {
-    claim: String,
+    key: String,
     pub(crate) id: String,
     source: String,
     /// What is said of it.
@@ -50,10 +50,7 @@ pub(crate) fn lines(audit: &PaperAudit<'_>) -> Vec<(Harm, Line)> {
 pub fn differences_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
     let lines: Vec<(Harm, Line)> = audits.iter().flat_map(lines).collect();
     let mut sheet = Sheet::titled("Where the literature and the exact values differ");
-    let with = |audit: &&PaperAudit<'_>| {
-        let key = format!("{}:", audit.paper.key);
-        lines.iter().any(|(_, line)| line.claim.starts_with(&key))
-    };
+    let with = |audit: &&PaperAudit<'_>| lines.iter().any(|(_, line)| line.key == audit.paper.key);
     sheet.text(format!(
         "{} differences in {} of {} papers, the worst first. Each line has the claim, by which `subcert explain` finds \
          it, what is printed, what is exact, and how the printed one came about, where that is known.",
@@ -159,7 +156,7 @@ impl Line {
     ) -> Line {
         let first = |text: String| text.lines().next().unwrap_or_default().to_owned();
         Line {
-            claim: format!("{}:{id}", audit.paper.key),
+            key: audit.paper.key.clone(),
             id: id.to_owned(),
             source: audit.paper.bibliography.short(),
             word,
@@ -171,8 +168,9 @@ impl Line {
     }
 
     fn row(&self) -> Vec<String> {
-        let Line { claim, source, place, printed, exact, origin, .. } = self;
-        [claim, source, place, printed, exact, origin].map(Clone::clone).to_vec()
+        let Line { key, id, source, place, printed, exact, origin, .. } = self;
+        let told = [source, place, printed, exact, origin].map(Clone::clone);
+        std::iter::once(format!("{key}:{id}")).chain(told).collect()
     }
 }
 
