@@ -14,7 +14,7 @@ pub(in crate::cli) struct AuditArguments {
     /// Only the paper of this key
     #[arg(long, value_name = "KEY")]
     pub(in crate::cli) paper: Option<String>,
-    /// The whole report also of the embedded papers, which else are shown at first sight
+    /// Show the whole report of the embedded papers; without it, the findings of each that do most harm
     #[arg(long)]
     pub(in crate::cli) full: bool,
     /// Show every table and equation, also those where nothing is wrong
