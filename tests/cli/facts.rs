@@ -12,7 +12,7 @@ fn json<'a>(arguments: impl IntoIterator<Item = &'a str>) -> Value {
 fn facts_as_text() {
     let text = written(["scheme", "dubuc-deslauriers:m=3"]);
     let parts =
-        ["interpolating", "from -5 to 5", "of order 6", "C^2, not C^3", "6 - log_2(9)", "φ(0)"];
+        ["interpolating", "from -5 to 5", "of order 6", "C², not C³", "6 - log_2(9)", "φ(0)"];
     for part in parts {
         assert!(text.contains(part), "no `{part}` in {text}");
     }

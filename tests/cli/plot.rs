@@ -53,7 +53,13 @@ fn the_atlas_is_a_folder_of_pages() {
     assert_eq!(index.matches("<tr data-words").count(), 7 + 1);
     assert_parts(
         &spline,
-        &["φ″", "C^2, not C^3", "pub const WEIGHTS", "static const double", "weights = ["],
+        &[
+            "φ″",
+            "<var>C</var><sup>2</sup>, not <var>C</var><sup>3</sup>",
+            "pub const WEIGHTS",
+            "static const double",
+            "weights = [",
+        ],
     );
     assert_parts(&rings, &["The characteristic ring at valence 7", "pub const SUBDOMINANT"]);
     // Each link to a claim leads to its section.

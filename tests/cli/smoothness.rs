@@ -15,8 +15,8 @@ fn smoothness_as_text() {
         "sum rules",
         "of order 6",
         "up to degree 5, at the natural shift 0",
-        "C^2",
-        "C^3",
+        "C²",
+        "C³",
         "refuted",
         "6 - log_2(9)",
         "attained",
@@ -116,8 +116,8 @@ fn bad_input_of_these() {
 fn irrational_coefficients() {
     let text = written(["smoothness", "examples/daubechies-4.toml"]);
     for part in [
-        "polynomials in t, t = 1.73205080757 a root of -3 + t^2",
-        "2 - log_2(x), x = 2.73205080757 the root of x^2 - 2x - 2 from 2 to 3",
+        "polynomials in t, t = 1.73205080757 a root of -3 + t²",
+        "2 - log_2(x), x = 2.73205080757 the root of x² - 2x - 2 from 2 to 3",
     ] {
         assert!(text.contains(part), "no `{part}` in {text}");
     }
@@ -219,7 +219,9 @@ fn maps_of_two_parameters() {
 #[test]
 fn rules_at_a_vertex() {
     let page = written(["smoothness", "loop:N=5", "--format", "html"]);
-    for part in ["<polyline", "least J", "C^1 at valence 5: proved", "Reproduce"] {
+    for part in
+        ["<polyline", "least J", "<var>C</var><sup>1</sup> at valence 5: proved", "Reproduce"]
+    {
         assert!(page.contains(part), "no `{part}`");
     }
     let range = ["range", "examples/loop-beta.toml", "--param", "beta", "--smoothness", "1"];

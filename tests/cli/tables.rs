@@ -33,7 +33,7 @@ fn tables_as_latex() {
     for part in [
         "% chaikin\n",
         "\\begin{tabular}{rrrrr}\n\\toprule\n",
-        "c & $T_{c}$ & $\\Lambda_{c}$ & $T_{c}$ forward & $\\Lambda_{c}$ forward \\\\\n\\midrule\n",
+        "$c$ & $T_{c}$ & $\\Lambda_{c}$ & $T_{c}$ forward & $\\Lambda_{c}$ forward \\\\\n\\midrule\n",
         "2 & 0.25 & 1 & 0.25 & 1 \\\\\n\\bottomrule\n\\end{tabular}\n",
     ] {
         assert!(latex.contains(part), "no {part} in {latex}");

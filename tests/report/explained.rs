@@ -12,6 +12,24 @@ fn page(audit: &PaperAudit<'_>, id: &str) -> Option<String> {
     explain_page(audit, id, Background::default(), false, None).expect("no wrong formula")
 }
 
+/// A text without what is typed for scripts and signs, which pages have in another form.
+fn bare(text: &str) -> String {
+    let letters = [
+        ("alpha", "α"),
+        ("beta", "β"),
+        ("epsilon", "ε"),
+        ("lambda", "λ"),
+        ("mu", "μ"),
+        ("omega", "ω"),
+        ("sigma", "σ"),
+        ("tau", "τ"),
+        ("xi", "ξ"),
+    ];
+    let signs = [("_", ""), ("^", ""), ("`", ""), ("{", ""), ("}", ""), ("−", "-")];
+    let pairs = letters.into_iter().chain(signs).chain([("<=", "≤"), (">=", "≥")]);
+    pairs.fold(text.to_owned(), |text, (typed, shown)| text.replace(typed, shown))
+}
+
 /// A claim of each kind, a table and a cell have pages, which say what the report says.
 #[test]
 fn a_page_says_what_the_report_says() {
@@ -29,16 +47,18 @@ fn a_page_says_what_the_report_says() {
         ];
         for id in ids.into_iter().flatten() {
             let pieces = check(&page(audit, &id).unwrap_or_else(|| panic!("no page of {id}")));
-            let shown = text(&pieces);
+            let shown = bare(&text(&pieces));
             let sheet =
                 explain_sheet(std::slice::from_ref(audit), &id, Background::default(), false);
             let mut grids = 0;
             for block in sheet.expect("a report").blocks {
                 match block {
-                    Block::Heading(_, text) => assert!(shown.contains(&text), "{id}: {text}"),
+                    Block::Heading(_, text) => {
+                        assert!(shown.contains(&bare(&text)), "{id}: {text}")
+                    }
                     Block::Facts(facts) => {
                         for (name, _) in facts {
-                            assert!(shown.contains(&name), "{id}: {name}");
+                            assert!(shown.contains(&bare(&name)), "{id}: {name}");
                         }
                     }
                     Block::Grid(_) => grids += 1,
@@ -47,7 +67,7 @@ fn a_page_says_what_the_report_says() {
             }
             let tables = pieces.iter().filter(|piece| matches!(piece, super::document::Piece::Start(name, _) if name == "table")).count();
             assert!(tables >= grids, "{id}: {tables} of {grids} tables");
-            assert!(shown.contains(&format!("subcert explain {id}")), "{id}");
+            assert!(shown.contains(&bare(&format!("subcert explain {id}"))), "{id}");
             seen += 1;
         }
         assert!(page(audit, &format!("{key}:nothing")).is_none());

@@ -26,11 +26,11 @@ fn a_document_has_every_block_and_closes_what_it_opens() {
         "\\documentclass{article}",
         "\\section*{Errata $\\cdot$ A \\& B 2026}",
         "\\subsection*{1. $T_{c}$ $\\cdot$ 50\\% of \\#1}",
-        "$a_{b}$ \\{c\\} \\textbackslash{}d \\\\\n\\textasciitilde{}e\\textasciicircum{}f\\$",
+        "$a_{b}$ \\{c\\} \\textbackslash{}d \\\\\n\\textasciitilde{}$e^{f}$\\$",
         "\\item[{$\\varsigma_{0}$}] {[x] $\\to$ y \\newline 1 $\\leq$ 2}",
-        "w & 0.1 $\\to$ 0.2 \\\\\n & open \\\\",
+        "$w$ & 0.1 $\\to$ 0.2 \\\\\n & open \\\\",
         "\\begin{longtable}{p{0.45\\linewidth}p{0.45\\linewidth}}",
-        "1 & a \\newline b \\\\",
+        "1 & $a$ \\newline $b$ \\\\",
         "\\end{document}",
     ] {
         assert!(latex.contains(part), "no {part} in {latex}");

@@ -93,14 +93,14 @@ fn what_is_not_known_is_said() {
         let pieces = read(&svg(scheme));
         text(&within(&pieces, |piece| matches!(piece, Piece::Start(own, _) if own == "desc")))
     };
-    assert!(words("chaikin").contains("φ″ is not drawn: not all limits are C^2."));
+    assert!(words("chaikin").contains("φ″ is not drawn: not all limits are C²."));
     let diverges = words("four-point:w=1/2");
     assert!(diverges.contains("There is no picture: the scheme diverges"), "{diverges}");
     assert!(diverges.contains("No limit is drawn: the scheme diverges"), "{diverges}");
     let ring = words("bajaj:N=4");
     assert!(ring.contains("valence"), "{ring}");
     let map = words("colella-heil");
-    assert!(map.contains("C^0: ") && map.contains("% open"), "{map}");
+    assert!(map.contains("C⁰: ") && map.contains("% open"), "{map}");
     let range = words("four-point");
-    assert!(range.contains("C^1 for "), "{range}");
+    assert!(range.contains("C¹ for "), "{range}");
 }

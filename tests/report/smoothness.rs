@@ -20,10 +20,10 @@ fn reports_say_what_is_stated_and_what_is_known() {
     let report = words(audit_sheet(&audits, false).to_text(None));
     for part in [
         "Theorem 1 and Theorem 4 are refuted: 2 of 4 statements about smoothness.",
-        "✗ Theorem 1 Too smooth · s states: the limits are C^2 the limits are C^1, and not all limits are C^2; \
+        "✗ Theorem 1 Too smooth · s states: the limits are C² the limits are C¹, and not all limits are C²; \
          Hölder exponent 2, attained",
         "? Theorem 2 a not checkable without the mask",
-        "✗ Theorem 4 r states: the limits are C^1 for 0 < w < 1/5",
+        "✗ Theorem 4 r states: the limits are C¹ for 0 < w < 1/5",
     ] {
         assert!(report.contains(part), "{part} is not in {report}");
     }
@@ -33,7 +33,7 @@ fn reports_say_what_is_stated_and_what_is_known() {
     assert!(whole.contains("✓ Theorem 3 e states: the Hölder exponent is 2.830"), "{whole}");
     let explained = explain_sheet(&audits, "k:e", Background::default(), false).expect("a claim");
     let explained = words(explained.to_text(None));
-    assert!(explained.contains("✓ confirmed the limits are C^2, and not all limits are C^3"));
+    assert!(explained.contains("✓ confirmed the limits are C², and not all limits are C³"));
     assert!(explained.contains("matrices 2, "), "{explained}");
     let errata = words(errata_sheet(&audits).to_text(None));
     assert!(errata.contains("1. Theorem 1 · ✗ refuted") && errata.contains("2. Theorem 4 · ✗"));
@@ -75,7 +75,7 @@ fn a_table_of_orders_and_exponents_has_its_shape_and_a_verdict_in_each_cell() {
         "{report}"
     );
     assert!(report.contains(
-        "- ✗ Table 1 (DD4, order): Three schemes · t.2.order<br>states: the limits are C^2"
+        "- ✗ Table 1 (DD4, order): Three schemes · t.2.order<br>states: the limits are C²"
     ));
     // What is confirmed throughout is shown with `--all`.
     assert!(!report.contains("Table 2"), "{report}");
@@ -110,7 +110,7 @@ fn ends_that_are_neither_open_nor_closed() {
         ("from = '0'\nto = '0.3'", "printed w from 0 to 0.3;"),
         ("from = '0'", "printed w from 0 on;"),
         ("to = '0.3'", "printed w up to 0.3;"),
-        ("from = '0'\nto = '0.3'\nclosed = true", "printed 0 <= w <= 0.3;"),
+        ("from = '0'\nto = '0.3'\nclosed = true", "printed 0 ≤ w ≤ 0.3;"),
         ("from = '0'\nto = '0.3'\nclosed = false", "printed 0 < w < 0.3;"),
     ] {
         let text = range(fields);

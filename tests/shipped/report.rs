@@ -55,7 +55,7 @@ fn pages() {
     let project = project(&text);
     let page = project_page(&audit_project(&project).expect("an audit"));
     assert!(!page.contains("<b>") && page.contains("&lt;b&gt;a &amp; b&lt;/b&gt;"), "{page}");
-    assert_eq!(page.matches("k = 20").count(), 1);
+    assert_eq!(page.matches("<var>k</var> = 20").count(), 1);
     assert!(
         HEAD.contains("https://example.org/program")
             && page.contains("href=\"https://example.org/program\"")

@@ -1,10 +1,10 @@
 //! Where the differences contract in c levels, and T_c as a function.
 
-use super::sets::{Set, number};
+use super::sets::Set;
 use serde::Serialize;
 use subcert::exact::{PiecewisePolynomial, RealAlgebraic};
-use subcert::report::Grid;
 use subcert::report::json::RootNumber;
+use subcert::report::{Grid, number};
 
 /// Where T_c < 1.
 #[derive(Serialize)]

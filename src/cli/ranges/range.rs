@@ -136,8 +136,8 @@ impl Answer for Range<'_> {
         let sets = levels.iter().map(|level| &level.intervals);
         write_irrational(&mut sheet, parameter, sets, breaks);
         sheet.text(
-            "The sets are exact, and their decimals correctly rounded. The scheme converges in \
-             each of them. The set of c is a part of that of every multiple of c.",
+            "The sets are exact; a decimal that ends in … is cut. The scheme converges in each of \
+             them. The set of c is a part of that of every multiple of c.",
         );
         for (c, function) in functions() {
             sheet.heading(2, format!("T_{c} as a function of {parameter}"));

@@ -6,13 +6,7 @@ use subcert::exact::{
     format::{fixed, short},
 };
 use subcert::report::json::{Interval, root_polynomial as polynomial};
-use subcert::report::{Sheet, interval_texts};
-
-/// The digits of a decimal in the text.
-const DIGITS: u32 = 12;
-
-/// The longest exact fraction that stands in the text in place of its decimal.
-const SHOWN_LENGTH: usize = 16;
+use subcert::report::{Sheet, found_texts, interval_texts, number, proved_texts};
 
 /// A set of values of a parameter, by its name: intervals in JSON.
 pub(crate) struct Set(pub(crate) IntervalSet, String);
@@ -26,20 +20,22 @@ impl Set {
 
     /// A set that is known exactly, one interval on a line.
     pub(crate) fn words(&self) -> String {
-        self.or(&format!("no {}", self.1))
+        lines(&interval_texts(&self.0, &self.1), &format!("no {}", self.1))
     }
 
     /// What is found of a set: where that is nothing, there may be some all the same.
     pub(crate) fn found(&self) -> String {
-        self.or("none found")
+        lines(&found_texts(&self.0, &self.1), "none found")
     }
 
-    fn or(&self, empty: &str) -> String {
-        if self.0.is_empty() {
-            return empty.to_owned();
-        }
-        interval_texts(&self.0, &self.1, "≤", number).join("\n")
+    /// The same, beside the set for which the opposite is proved.
+    pub(crate) fn proved(&self, opposite: &Set) -> String {
+        lines(&proved_texts(&self.0, &opposite.0, &self.1), "none found")
     }
+}
+
+fn lines(texts: &[String], empty: &str) -> String {
+    if texts.is_empty() { empty.to_owned() } else { texts.join("\n") }
 }
 
 /// Says of the irrational ones of the ends of sets, and of other numbers, of which polynomials they are roots.
@@ -56,7 +52,10 @@ pub(crate) fn write_irrational<'n>(
     let fact = |end: &RealAlgebraic| {
         let root = format!("root of {}", polynomial(end, parameter));
         let (low, high) = decimal_enclosure(end);
-        (number(end), format!("{root}\nthe only one between {low} and {high}"))
+        let name = number(end);
+        let decimal =
+            if name.contains('√') { format!("{}, ", short(end, 12)) } else { String::new() };
+        (name, format!("{decimal}{root}\nthe only one between {low} and {high}"))
     };
     if !ends.is_empty() {
         sheet.heading(2, "Irrational numbers");
@@ -79,13 +78,5 @@ fn decimal_enclosure(number: &RealAlgebraic) -> (String, String) {
             return (text(&low), text(&high));
         }
         places += 1;
-    }
-}
-
-/// A number, exact where that is short.
-pub(crate) fn number(number: &RealAlgebraic) -> String {
-    match number.as_rational().map(ToString::to_string) {
-        Some(exact) if exact.len() <= SHOWN_LENGTH => exact,
-        _ => short(number, DIGITS),
     }
 }

@@ -88,7 +88,7 @@ impl Answer for SmoothRange<'_> {
         };
         let fact = |name: &str, text: String| (name.to_owned(), text);
         sheet.facts(vec![
-            fact("inside", inside.found()),
+            fact("inside", inside.proved(outside)),
             fact("outside", outside.found()),
             fact("open", open),
         ]);

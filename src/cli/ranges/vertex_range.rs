@@ -90,7 +90,7 @@ impl Answer for VertexRange<'_> {
             self.scheme
         ));
         let row = |one: &VertexValence| {
-            vec![one.valence.to_string(), one.inside.found(), one.outside.found()]
+            vec![one.valence.to_string(), one.inside.proved(&one.outside), one.outside.found()]
         };
         sheet.grid(Grid::of(["n", "C^1", "not C^1"], self.valences.iter().map(row), 3));
         let sets = self.valences.iter().flat_map(|one| [&one.inside, &one.outside]);

@@ -50,9 +50,9 @@ fn write_family(family: &FamilyFacts, sheet: &mut Sheet) {
     sheet.heading(2, format!("The family, in {}", family.parameter));
     let row = |range: &ParameterFacts| {
         let [inside, outside] =
-            [&range.inside, &range.outside].map(|set| Set::of(set, &family.parameter).found());
+            [&range.inside, &range.outside].map(|set| Set::of(set, &family.parameter));
         let but = if range.but_finitely_many { "\nbut for finitely many" } else { "" };
-        vec![format!("C^{}", range.m), inside, format!("{outside}{but}")]
+        vec![format!("C^{}", range.m), inside.proved(&outside), format!("{}{but}", outside.found())]
     };
     sheet.grid(Grid::of(["", "all limits", "not all"], family.ranges.iter().map(row), 3));
     let end = &family.end;

@@ -29,6 +29,7 @@ pub use smooth::vertex::{
 pub use tables::eye::{Eye, to_the_eye};
 pub use told::Background;
 pub use words::look::legend;
+pub use words::notation::unicode;
 pub use words::numbers::{down, up};
-pub use words::set::interval_texts;
+pub use words::set::{found_texts, interval_texts, number, proved_texts};
 pub use words::sheet::{Block, Grid, Sheet};

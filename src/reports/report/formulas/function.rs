@@ -6,6 +6,7 @@ use crate::audit::{
 };
 use crate::claim::LocatedReference;
 use crate::exact::format::short;
+use crate::report::words::set::{interval_texts, number};
 
 pub(crate) fn head(variable: &str, scheme: Option<&LocatedReference>) -> Vec<(String, String)> {
     let scheme = scheme.map(|scheme| ("scheme".to_owned(), scheme.reference.to_string()));
@@ -22,7 +23,10 @@ pub(crate) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
     let mut lines = Vec::new();
     for (what, set) in [("larger", larger), ("smaller", smaller)] {
         if !set.is_empty() {
-            lines.push(format!("The printed form is {what} for {}.", set.describe(variable)));
+            lines.push(format!(
+                "The printed form is {what} for {}.",
+                interval_texts(set, variable).join(" or ")
+            ));
         }
     }
     let (at, left, right) = (&example.at, &example.left, &example.right);
@@ -30,12 +34,20 @@ pub(crate) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
     lines
 }
 
+/// The exact set in words.
+pub(crate) fn exactly(found: &FoundRange, variable: &str) -> String {
+    match &interval_texts(&found.exact, variable)[..] {
+        [] => format!("no {variable}"),
+        texts => texts.join(" or "),
+    }
+}
+
 pub(crate) fn range_outcome(finding: &RangeFinding<'_>) -> Vec<String> {
     let found = match &finding.found {
         Ok(found) => found,
         Err(cap) => return vec![beyond(cap)],
     };
-    let exact = found.exact.describe(&finding.claim.variable);
+    let exact = exactly(found, &finding.claim.variable);
     if found.verdict == RangeVerdict::Exact {
         return vec![format!("exactly {exact}")];
     }
@@ -60,11 +72,13 @@ pub(crate) fn beyond(cap: &dyn std::fmt::Display) -> String {
 fn end_text(found: &FoundRange, end: &EndFinding) -> String {
     let against = match (&end.exact, end.relation) {
         (None, _) => "the exact set has no such end".to_owned(),
-        (Some(exact), EndRelation::Equal) => format!("exactly {exact}"),
-        (Some(exact), relation) if exact.to_string() == short(exact, 6) => {
-            format!("{relation}, {exact}")
-        }
-        (Some(exact), relation) => format!("{relation}, {exact} = {}", short(exact, 6)),
+        (Some(exact), EndRelation::Equal) => format!("exactly {}", number(exact)),
+        (Some(exact), relation) => match (number(exact), short(exact, 6)) {
+            (exact, decimal) if exact == decimal || exact.ends_with('…') => {
+                format!("{relation}, {exact}")
+            }
+            (exact, decimal) => format!("{relation}, {exact} = {decimal}"),
+        },
     };
     let place = if end.inside { "inside the exact set" } else { "outside the exact set" };
     let (value, limit) = (short(&end.value, 6), &found.limit);

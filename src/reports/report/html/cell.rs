@@ -5,6 +5,7 @@ use super::context::Context;
 use super::filter::is_broken;
 use super::picture::digits;
 use super::sheet::facts;
+use super::typeset::typeset;
 use super::verdict::{BROKEN, Look, badge};
 use crate::audit::CellFinding;
 use crate::report::papers::explain::cell_facts;
@@ -31,7 +32,7 @@ pub(super) fn cell(
             // First, so that the next stop of the keyboard is in the panel once it is open.
             div.panel role="group" aria-label=(cell.locus) {
                 p.head {
-                    strong { (cell.locus) }
+                    strong { (typeset(&cell.locus)) }
                     " " a.close href={ "#" (table) } { "close" }
                 }
                 @if let Some(digits) = digits(cell) { (digits) }

@@ -4,6 +4,7 @@ use super::certified::certified;
 use super::command;
 use super::context::Context;
 use super::sheet::lines;
+use super::typeset::typeset;
 use super::verdict::{Look, badge};
 use crate::audit::{Finding, Word};
 use crate::diagnostic::Diagnostic;
@@ -30,7 +31,7 @@ pub(super) fn section(
     Ok(html! {
         section.claim.(Look::of(verdict).class) id=(id) aria-labelledby={ "page:title-" (id) } {
             h3 id={ "page:title-" (id) } {
-                (badge(verdict)) " " a href={ "#" (id) } { (locus) } " " span.title { (title) }
+                (badge(verdict)) " " a href={ "#" (id) } { (typeset(locus)) } " " span.title { (typeset(title)) }
             }
             (contents)
             @if let Some(note) = note { p.note { (lines(note)) } }

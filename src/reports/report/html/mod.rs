@@ -20,6 +20,7 @@ mod regularity;
 pub(super) mod sheet;
 pub(super) mod statement;
 pub(super) mod table;
+mod typeset;
 mod verdict;
 
 pub use command::quoted as shell_word;

@@ -1,40 +1,7 @@
 //! Names of the formula language as mathematicians write them.
 
+use crate::report::words::greek::greek;
 use maud::{Markup, html};
-
-/// Greek letters, by their names.
-const GREEK: [(&str, &str); 30] = [
-    ("alpha", "α"),
-    ("beta", "β"),
-    ("gamma", "γ"),
-    ("delta", "δ"),
-    ("epsilon", "ε"),
-    ("zeta", "ζ"),
-    ("eta", "η"),
-    ("theta", "θ"),
-    ("vartheta", "ϑ"),
-    ("varphi", "φ"),
-    ("kappa", "κ"),
-    ("lambda", "λ"),
-    ("mu", "μ"),
-    ("nu", "ν"),
-    ("xi", "ξ"),
-    ("pi", "π"),
-    ("rho", "ρ"),
-    ("sigma", "σ"),
-    ("tau", "τ"),
-    ("phi", "φ"),
-    ("chi", "χ"),
-    ("psi", "ψ"),
-    ("omega", "ω"),
-    ("Gamma", "Γ"),
-    ("Delta", "Δ"),
-    ("Lambda", "Λ"),
-    ("Sigma", "Σ"),
-    ("Phi", "Φ"),
-    ("Psi", "Ψ"),
-    ("Omega", "Ω"),
-];
 
 /// A name: Greek where it names a letter, which may have an index, as in `beta_1` or `p0`; other names as
 /// they are, as `error_bound`.
@@ -57,10 +24,6 @@ pub(super) fn plain(text: &str) -> &str {
 
 fn is_letter(text: &str) -> bool {
     text.chars().count() == 1 || greek(text).is_some()
-}
-
-fn greek(text: &str) -> Option<&'static str> {
-    GREEK.iter().find(|(spelled, _)| *spelled == text).map(|(_, letter)| *letter)
 }
 
 fn letter(text: &str) -> Markup {

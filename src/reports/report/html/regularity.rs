@@ -1,6 +1,7 @@
 //! A table of orders of smoothness and of exponents, in its own shape.
 
-use super::sheet::lines;
+use super::sheet::{SIGN, is_wide, lines};
+use super::typeset::typeset;
 use super::verdict::{Look, badge};
 use crate::audit::SmoothnessFinding;
 use crate::report::smooth::regularity::{Regularity, printed};
@@ -10,23 +11,30 @@ use maud::{Markup, html};
 pub(super) fn section(regularity: &Regularity<'_, '_>) -> Markup {
     let Regularity { table, cells } = regularity;
     let name = format!("{}: {}", table.locus, table.title);
+    let header = std::iter::once(&table.label).chain(&table.columns);
+    let texts = |row: &Vec<Option<&SmoothnessFinding<'_>>>| {
+        row.iter().map(|cell| cell.map_or("·", printed).to_owned()).collect::<Vec<String>>()
+    };
+    let rows = table.rows.iter().zip(cells);
+    let rows = rows.map(|(header, row)| [&[header.clone()], &texts(row)[..]].concat());
+    let wide = is_wide(std::iter::once(header.cloned().collect()).chain(rows), SIGN);
     html! {
         section.claim id=(table.id) aria-labelledby={ "page:title-" (table.id) } {
             h3 id={ "page:title-" (table.id) } {
-                a href={ "#" (table.id) } { (table.locus) } " " span.title { (table.title) }
+                a href={ "#" (table.id) } { (typeset(&table.locus)) } " " span.title { (typeset(&table.title)) }
             }
-            div.scroll tabindex="0" role="group" aria-label=(name) {
+            div.scroll.wide[wide] tabindex="0" role="group" aria-label=(name) {
                 table.printed {
                     thead {
                         tr {
-                            th scope="col" { (table.label) }
-                            @for column in &table.columns { th scope="col" { (column) } }
+                            th scope="col" { (typeset(&table.label)) }
+                            @for column in &table.columns { th scope="col" { (typeset(column)) } }
                         }
                     }
                     tbody {
                         @for (header, cells) in table.rows.iter().zip(cells) {
                             tr {
-                                th scope="row" { (header) }
+                                th scope="row" { (typeset(header)) }
                                 @for finding in cells { (cell(*finding)) }
                             }
                         }

@@ -1,5 +1,7 @@
 //! The blocks of a report as HTML.
 
+use super::typeset::typeset;
+use crate::diagnostic::wrap::width_of;
 use crate::report::words::sheet::{Block, Grid, Sheet};
 use maud::{Markup, html};
 
@@ -17,9 +19,9 @@ pub(super) fn blocks(sheet: &Sheet, deeper: u8) -> Markup {
 fn one(block: &Block, deeper: u8) -> Markup {
     match block {
         Block::Heading(level, text) => match level + deeper {
-            0..=2 => html! { h2 { (text) } },
-            3 => html! { h3 { (text) } },
-            _ => html! { h4 { (text) } },
+            0..=2 => html! { h2 { (typeset(text)) } },
+            3 => html! { h3 { (typeset(text)) } },
+            _ => html! { h4 { (typeset(text)) } },
         },
         Block::Text(text) => html! { p { (lines(text)) } },
         Block::Facts(list) => facts(list),
@@ -61,15 +63,40 @@ pub(crate) fn lines(text: &str) -> Markup {
     html! {
         @for (place, line) in text.split('\n').enumerate() {
             @if place > 0 { br; }
-            (line)
+            (typeset(line))
         }
     }
 }
 
+/// The characters that stand beside another column.
+const HALF: usize = 56;
+
+/// A longer text of a cell is broken into lines.
+const LINE: usize = 24;
+
+/// The characters of a sign with the space before it.
+pub(super) const SIGN: usize = 3;
+
+/// Whether a table with these rows needs the whole page; its cells have `more` characters each.
+pub(super) fn is_wide(rows: impl Iterator<Item = Vec<String>>, more: usize) -> bool {
+    let width = |cell: &String| {
+        let longest = cell.split_whitespace().map(width_of).max().unwrap_or(0);
+        let line = cell.lines().map(width_of).max().unwrap_or(0);
+        longest.max(line.min(LINE)) + more + 2
+    };
+    let mut columns = Vec::new();
+    for row in rows {
+        columns.resize(columns.len().max(row.len()), 0);
+        columns.iter_mut().zip(&row).for_each(|(column, cell)| *column = width(cell).max(*column));
+    }
+    columns.iter().sum::<usize>() > HALF
+}
+
 /// A table of texts.
 pub(super) fn grid(grid: &Grid) -> Markup {
+    let wide = is_wide(std::iter::once(grid.header.clone()).chain(grid.rows.iter().cloned()), 0);
     html! {
-        div.scroll tabindex="0" role="group" aria-label="table" {
+        div.scroll.wide[wide] tabindex="0" role="group" aria-label="table" {
             table {
                 thead { tr { @for header in &grid.header { th scope="col" { (lines(header)) } } } }
                 tbody {

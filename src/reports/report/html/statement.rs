@@ -39,7 +39,7 @@ pub(crate) fn quantity(quantity: Quantity) -> Markup {
 pub(crate) fn definitions(audit: &PaperAudit<'_>, located: &LocatedFormula) -> Markup {
     html! {
         @for (defined, definition) in audit.paper.definitions_in(located) {
-            div {
+            div.wide[is_long(definition)] {
                 dt { "where" }
                 dd { math { (name(defined)) mo { "=" } (inner(&definition.expr)) } }
             }
@@ -47,11 +47,26 @@ pub(crate) fn definitions(audit: &PaperAudit<'_>, located: &LocatedFormula) -> M
     }
 }
 
+/// The characters of a formula that stand beside another column.
+const HALF: usize = 60;
+
+/// The same of an equation, whose sums are shorter in print.
+const SUMS: usize = 90;
+
+/// Whether a formula needs the whole page.
+pub(crate) fn is_long(located: &LocatedFormula) -> bool {
+    located.text.chars().count() > HALF
+}
+
 /// left = right, for the values of the indices.
 pub(crate) fn identity(identity: &Identity) -> Markup {
     let right = || inner(&identity.right.expr);
+    let long = match &identity.left {
+        Left::One(left) => left.text.len() + identity.right.text.len() > SUMS,
+        Left::Each(all) => all.iter().chain([&identity.right]).any(is_long),
+    };
     html! {
-        div.scroll tabindex="0" role="group" aria-label="equation" {
+        div.scroll.wide[long] tabindex="0" role="group" aria-label="equation" {
             @match &identity.left {
                 Left::One(left) => { (block(&html! { (inner(&left.expr)) mo { "=" } (right()) })) }
                 Left::Each(all) => {

@@ -7,10 +7,11 @@ use super::command;
 use super::context::Context;
 use super::math::formula;
 use super::picture::{chart, figure as figure_of, readings};
-use super::sheet::{facts, lines};
-use super::statement::definitions;
+use super::sheet::{SIGN, facts, is_wide, lines};
+use super::statement::{definitions, is_long};
+use super::typeset::typeset;
 use super::verdict::{BROKEN, LOOKS, Look};
-use crate::audit::TableFinding;
+use crate::audit::{CellFinding, TableFinding};
 use crate::diagnostic::Diagnostic;
 use crate::report::papers::audit::remarks;
 use crate::report::tables::headers;
@@ -29,11 +30,11 @@ pub(crate) fn section(
     Ok(html! {
         section.claim id=(table.id) aria-labelledby={ "page:title-" (table.id) } {
             h3 id={ "page:title-" (table.id) } {
-                a href={ "#" (table.id) } { (table.locus) } " " span.title { (table.title) }
+                a href={ "#" (table.id) } { (typeset(&table.locus)) } " " span.title { (typeset(&table.title)) }
             }
             (facts(&headers::schemes(table).into_iter().collect::<Vec<_>>()))
             dl.formulas {
-                div { dt { "said to equal" } dd { (formula(&table.value.expr)) } }
+                div.wide[is_long(&table.value)] { dt { "said to equal" } dd { (formula(&table.value.expr)) } }
                 (definitions(context.audit, &table.value))
             }
             (grid(context, finding))
@@ -55,23 +56,28 @@ pub(crate) fn section(
 fn grid(context: &Context<'_, '_>, finding: &TableFinding<'_>) -> Markup {
     let table = finding.table;
     let name = format!("{}: {}", table.locus, table.title);
+    let header = table.columns.entries.iter().map(|entry| entry.printed.clone()).collect();
+    let texts = |row: &Vec<CellFinding>| {
+        row.iter().map(|cell| cell.printed.clone().unwrap_or_default()).collect::<Vec<String>>()
+    };
+    let rows = finding.cells.iter().map(texts);
     html! {
-        div.scroll tabindex="0" role="group" aria-label=(name) {
+        div.scroll.wide[is_wide(std::iter::once(header).chain(rows), SIGN)] tabindex="0" role="group" aria-label=(name) {
             table.printed {
                 thead {
                     tr {
                         th scope="col" {
-                            @if let Some(rows) = &table.rows { (rows.label) " \\ " }
-                            (table.columns.label)
+                            @if let Some(rows) = &table.rows { (typeset(&rows.label)) " \\ " }
+                            (typeset(&table.columns.label))
                         }
-                        @for entry in &table.columns.entries { th scope="col" { (entry.printed) } }
+                        @for entry in &table.columns.entries { th scope="col" { (typeset(&entry.printed)) } }
                     }
                 }
                 tbody {
                     @for (row, cells) in finding.cells.iter().enumerate() {
                         tr {
                             th scope="row" {
-                                @if let Some(rows) = &table.rows { (rows.entries[row].printed) }
+                                @if let Some(rows) = &table.rows { (typeset(&rows.entries[row].printed)) }
                             }
                             @for (column, one) in cells.iter().enumerate() {
                                 (cell(context, &table.id, (row, column), one))

@@ -60,7 +60,7 @@ impl<'a> Told<'a> for RangeFinding<'a> {
 
     fn erratum(&self) -> (Facts, Vec<String>) {
         let claim = self.claim;
-        let exact = self.found.as_ref().map(|found| found.exact.describe(&claim.variable));
+        let exact = self.found.as_ref().map(|found| function::exactly(found, &claim.variable));
         let facts = [
             ("printed", function::printed(self)),
             ("correct", exact.unwrap_or_default()),
@@ -73,7 +73,7 @@ impl<'a> Told<'a> for RangeFinding<'a> {
     }
 
     fn difference(&self) -> [String; 2] {
-        let exact = self.found.as_ref().map(|found| found.exact.describe(&self.claim.variable));
+        let exact = self.found.as_ref().map(|found| function::exactly(found, &self.claim.variable));
         [function::printed(self), exact.unwrap_or_default()]
     }
 

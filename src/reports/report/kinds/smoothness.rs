@@ -91,7 +91,7 @@ impl<'a> Told<'a> for SmoothnessFinding<'a> {
                         div { dt { "scheme" } dd { (scheme) } }
                     }
                     @if let Some(states) = smoothness::statement(own) {
-                        div { dt { "states" } dd { (states) } }
+                        div { dt { "states" } dd { (lines(&states)) } }
                     }
                 }
                 @if let Some(picture) = picture::smooth_range(self) { (picture) }

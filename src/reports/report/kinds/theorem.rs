@@ -122,12 +122,14 @@ impl<'a> Told<'a> for TheoremFinding<'a> {
         let drawing = violation.zip(hand.as_ref()).and_then(|(violation, hand)| {
             picture::witness(&hand.refiner, &Exceeding::of_theorem(violation))
         });
+        let by = match &own.statement {
+            Statement::Bound { by, .. } | Statement::Depth(by) => Some(by),
+            Statement::Other(_) => None,
+        };
         Ok(html! {
                 dl.formulas {
-                    div { dt { "states" } dd { (stated(&own.statement)) } }
-                    @if let Statement::Bound { by, .. } | Statement::Depth(by) = &own.statement {
-                        (statement::definitions(context.audit, by))
-                    }
+                    div.wide[by.is_some_and(statement::is_long)] { dt { "states" } dd { (stated(&own.statement)) } }
+                    @if let Some(by) = by { (statement::definitions(context.audit, by)) }
                 }
                 p.outcome { (lines(&self.outcome())) }
                 @if let Some(drawing) = &drawing { (drawing) }

@@ -1,5 +1,7 @@
 //! A report as LaTeX: its tables, with the rest as comments.
 
+use crate::report::words::greek::greek;
+use crate::report::words::notation::{Part, parts};
 use crate::report::words::sheet::{Block, Grid, Sheet};
 use std::fmt::Write as _;
 
@@ -60,16 +62,37 @@ fn one_line(text: &str) -> String {
 /// Text that LaTeX shows as it is, with mathematical signs, and indices such as that of `T_c`.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    let mut rest = text;
-    let mut after_letter = false;
-    while let Some(c) = rest.chars().next() {
-        let indexed = (!after_letter).then(|| index_of(rest)).flatten();
-        if let Some((index, length)) = indexed {
-            let letter = math(c).map_or_else(|| c.to_string(), str::to_owned);
-            let _ = write!(escaped, "${letter}_{{{index}}}$");
-            rest = &rest[length..];
-            continue;
-        }
+    let script = |sign: char, script: Option<&str>| match script {
+        Some(script) => format!("{sign}{{{}}}", in_formula(script)),
+        None => String::new(),
+    };
+    for part in parts(text) {
+        let _ = match part {
+            Part::Plain(text) => write!(escaped, "{}", plain(text)),
+            Part::Code(text) => write!(escaped, "\\texttt{{{}}}", plain(text)),
+            Part::Minus => write!(escaped, "-"),
+            Part::Scripts { base: "log", below, above, .. } => {
+                write!(escaped, "$\\log{}{}$", script('_', below), script('^', above))
+            }
+            Part::Scripts { base, below, above, .. } => {
+                let base = in_formula(greek(base).unwrap_or(base));
+                let (below, above) = (script('_', below), script('^', above));
+                write!(escaped, "${base}{below}{above}$")
+            }
+        };
+    }
+    escaped
+}
+
+/// A text within a formula.
+fn in_formula(text: &str) -> String {
+    let sign = |c: char| math(c).map_or_else(|| c.to_string(), |command| format!("{command} "));
+    text.chars().map(sign).collect::<String>().trim_end().to_owned()
+}
+
+fn plain(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
         match math(c) {
             Some(command) => {
                 let _ = write!(escaped, "${command}$");
@@ -82,18 +105,8 @@ pub(crate) fn escape(text: &str) -> String {
                 _ => escaped.push(c),
             },
         }
-        after_letter = c.is_alphanumeric();
-        rest = &rest[c.len_utf8()..];
     }
     escaped
-}
-
-/// The index of a letter at the start of a text, and how many bytes the two take.
-fn index_of(text: &str) -> Option<(&str, usize)> {
-    let letter = text.chars().next().filter(|c| c.is_alphabetic())?;
-    let index = text[letter.len_utf8()..].strip_prefix('_')?;
-    let end = index.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(index.len());
-    (end > 0).then(|| (&index[..end], letter.len_utf8() + 1 + end))
 }
 
 /// The command of a sign in mathematical mode.

@@ -30,9 +30,10 @@ impl Sheet {
     pub fn to_text(&self, width: Option<usize>) -> String {
         let lines = Lines { width: width.map(|width| width.max(NARROWEST)) };
         let mut out = String::new();
-        for (i, block) in self.blocks.iter().enumerate() {
+        let Sheet { blocks } = self.in_print();
+        for (i, block) in blocks.iter().enumerate() {
             let after_heading =
-                i > 0 && matches!(self.blocks[i - 1], Block::Heading(..) | Block::Text(_));
+                i > 0 && matches!(blocks[i - 1], Block::Heading(..) | Block::Text(_));
             if i > 0 && (!after_heading || matches!(block, Block::Heading(..))) {
                 out.push('\n');
             }

@@ -13,7 +13,7 @@ use crate::claim::{
 use crate::exact::{Enclosed as _, IntervalSet, Rational, RationalPolynomial};
 use crate::report::formulas::function::beyond;
 use crate::report::words::numbers::{down, up};
-use crate::report::words::set::set_text;
+use crate::report::words::set::{proved_text, set_text};
 use crate::report::words::sheet::Sheet;
 use crate::smoothness::{Hoelder, SmoothRange};
 
@@ -109,7 +109,7 @@ fn range_at_valence(found: &RangeAtValence, variable: &str) -> Vec<String> {
     let mut line = format!(
         "N = {}: C^1 for {}, not C^1 for {}",
         range.order,
-        set(&range.inside),
+        proved_text(&range.inside, &range.outside, variable),
         set(&range.outside)
     );
     if !undecided.is_empty() {
@@ -255,7 +255,11 @@ fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<Strin
     let mut lines = match &range.sets {
         Some(sets) => {
             let mut lines = vec![
-                format!("{} for {}", smooth(*m), set(&sets.inside)),
+                format!(
+                    "{} for {}",
+                    smooth(*m),
+                    proved_text(&sets.inside, &sets.outside, variable)
+                ),
                 format!("{} for {}", not_smooth(*m), set(&sets.outside)),
             ];
             if sets.but_finitely_many && !sets.outside.is_empty() {

@@ -1,5 +1,6 @@
 //! A report's content, free of its looks.
 
+use super::notation::{pieces, unicode};
 use std::fmt::Write as _;
 
 /// A report: blocks from top to bottom.
@@ -60,6 +61,25 @@ impl Sheet {
         self.blocks.push(Block::Grid(grid));
     }
 
+    /// The report with the signs of print in place of those of the keyboard.
+    pub(crate) fn in_print(&self) -> Sheet {
+        let all = |texts: &[String]| texts.iter().map(|text| unicode(text)).collect();
+        let block = |block: &Block| match block {
+            Block::Heading(level, text) => Block::Heading(*level, unicode(text)),
+            Block::Text(text) => Block::Text(unicode(text)),
+            Block::Facts(facts) => {
+                let fact = |(name, value): &(String, String)| (unicode(name), unicode(value));
+                Block::Facts(facts.iter().map(fact).collect())
+            }
+            Block::Grid(grid) => Block::Grid(Grid {
+                header: all(&grid.header),
+                rows: grid.rows.iter().map(|row| all(row)).collect(),
+                left_columns: grid.left_columns,
+            }),
+        };
+        Sheet { blocks: self.blocks.iter().map(block).collect() }
+    }
+
     /// The report as Markdown.
     #[must_use]
     pub fn to_markdown(&self) -> String {
@@ -90,12 +110,23 @@ impl Sheet {
 /// Text that Markdown shows as it is.
 fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '\n' => escaped.push_str("<br>"),
-            '<' => escaped.push_str("&lt;"),
-            '*' | '_' | '|' | '\\' | '`' | '[' => escaped.extend(['\\', c]),
-            _ => escaped.push(c),
+    for (place, line) in text.split('\n').enumerate() {
+        if place > 0 {
+            escaped.push_str("<br>");
+        }
+        for (piece, is_code) in pieces(line) {
+            if is_code {
+                // A bar would end a cell of a table.
+                let _ = write!(escaped, "`{}`", piece.replace('|', "\\|"));
+                continue;
+            }
+            for c in piece.chars() {
+                match c {
+                    '<' => escaped.push_str("&lt;"),
+                    '*' | '_' | '|' | '\\' | '`' | '[' => escaped.extend(['\\', c]),
+                    _ => escaped.push(c),
+                }
+            }
         }
     }
     escaped

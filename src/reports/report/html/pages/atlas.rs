@@ -3,6 +3,8 @@
 use super::finding::Picture;
 use crate::report::html::document::{document, document_with_script};
 use crate::report::html::sheet::blocks;
+use crate::report::html::typeset::typeset;
+use crate::report::words::notation::unicode;
 use crate::report::words::sheet::Sheet;
 use maud::{Markup, html};
 
@@ -88,14 +90,16 @@ pub fn atlas_page(rows: &[AtlasRow]) -> String {
 fn index_row(row: &AtlasRow) -> Markup {
     let texts = row.cells.iter().map(|(text, _)| text.as_str());
     let words = std::iter::once(row.scheme.as_str()).chain([row.title.as_str()]).chain(texts);
-    let words = words.collect::<Vec<&str>>().join(" ").to_lowercase();
+    // As it is typed, and as it is shown.
+    let words = words.collect::<Vec<&str>>().join(" ");
+    let words = format!("{words} {}", unicode(&words)).to_lowercase();
     html! {
         tr data-words=(words) {
             th scope="row" data-key=(row.scheme) {
                 a href={ (row.name) ".html#" (row.scheme) } title=(row.title) { (row.scheme) }
             }
             @for ((text, key), name) in row.cells.iter().zip(&ATLAS_HEADER[1..]) {
-                td data-key=(key) data-label=(name) { (text) }
+                td data-key=(key) data-label=(name) { (typeset(text)) }
             }
         }
     }
@@ -107,22 +111,24 @@ pub fn entry_page(entry: &EntryPage) -> String {
     let main = html! {
         header {
             h1 { (entry.name) }
-            p { (entry.title) ". " span.title { (entry.source) } }
+            p { (typeset(&entry.title)) ". " span.title { (entry.source) } }
             p { a href="index.html" { "All schemes" } }
         }
         main id="page:main" tabindex="-1" {
-            @if !entry.parameters.is_empty() {
-                section.overview {
-                    h2 { "Parameters" }
-                    dl { @for (name, about) in &entry.parameters { div { dt { (name) } dd { (about) } } } }
+            div.beside {
+                @if !entry.parameters.is_empty() {
+                    section {
+                        h2 { "Parameters" }
+                        dl { @for (name, about) in &entry.parameters { div { dt { (typeset(name)) } dd { (typeset(about)) } } } }
+                    }
                 }
-            }
-            @for Picture(picture) in &entry.family { (picture) }
-            @if !entry.claims.is_empty() {
-                section.overview {
-                    h2 { "Claims of papers" }
-                    ul { @for (text, address) in &entry.claims { li { a href=(address) { (text) } } } }
+                @if !entry.claims.is_empty() {
+                    section {
+                        h2 { "Claims of papers" }
+                        ul { @for (text, address) in &entry.claims { li { a href=(address) { (typeset(text)) } } } }
+                    }
                 }
+                @for Picture(picture) in &entry.family { (picture) }
             }
             @for scheme in &entry.schemes { (section(scheme)) }
         }
@@ -132,13 +138,13 @@ pub fn entry_page(entry: &EntryPage) -> String {
 
 fn section(scheme: &SchemeSection) -> Markup {
     html! {
-        section.claim id=(scheme.scheme) {
+        section.claim.pictured id=(scheme.scheme) {
             (blocks(&scheme.facts, 1))
             @for Picture(picture) in &scheme.pictures { (picture) }
             @for (language, code) in &scheme.code {
                 @match code {
                     Ok(code) => details.certificate { summary { "Code: " (language) } pre tabindex="0" { (code) } },
-                    Err(reason) => p.note { "There is no code in " (language) ": " (reason) "." },
+                    Err(reason) => p.note { "There is no code in " (language) ": " (typeset(reason)) "." },
                 }
             }
             p.command {

@@ -13,6 +13,7 @@ use crate::report::html::document::document;
 use crate::report::html::picture::digits;
 use crate::report::html::regularity as regularity_table;
 use crate::report::html::sheet::blocks;
+use crate::report::html::typeset::typeset;
 use crate::report::papers::explain::{cell_place, explain_sheet};
 use crate::report::smooth::regularity;
 use crate::report::smooth::regularity::Regularity;
@@ -59,19 +60,19 @@ pub fn explain_page(
     let bibliography = &audit.paper.bibliography;
     let main = html! {
         header {
-            h1 { (title) }
+            h1 { (typeset(&title)) }
             p {
-                (bibliography.short()) ", " (bibliography.title) "."
+                (bibliography.short()) ", " (typeset(&bibliography.title)) "."
                 @if let Some(doi) = &bibliography.doi {
                     " " a href={ "https://doi.org/" (doi) } { "doi:" (doi) }
                 }
             }
         }
         main id="page:main" tabindex="-1" {
-            p.headline { strong { (sentence) } }
+            p.headline { strong { (typeset(&sentence)) } }
             (contents)
             @if !rest.blocks.is_empty() {
-                section.overview { h2 { "In full" } (blocks(&rest, 1)) }
+                section.beside { h2 { "In full" } (blocks(&rest, 1)) }
             }
         }
     };
@@ -146,10 +147,12 @@ fn of_cell(
     let sentence = format!("Printed {printed}{}: {verdict}.", exact.unwrap_or_default());
     let pictures = at.map(|at| broken_promise(context, finding, at)).transpose()?;
     let contents = html! {
-        @if let Some(digits) = digits(cell) { (digits) }
-        @for picture in pictures.iter().flatten() { (picture) }
-        @if let Some(at) = at { (certified_cell(context, &finding.table.id, at)) }
-        (command::explain(context, &target.within()))
+        div.beside {
+            @if let Some(digits) = digits(cell) { (digits) }
+            @for picture in pictures.iter().flatten() { (picture) }
+            @if let Some(at) = at { (certified_cell(context, &finding.table.id, at)) }
+            (command::explain(context, &target.within()))
+        }
     };
     Ok(Some(FindingSection { sentence, contents, grid: false }))
 }

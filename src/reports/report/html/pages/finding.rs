@@ -2,6 +2,8 @@
 
 use crate::report::html::document::document;
 use crate::report::html::sheet::blocks;
+use crate::report::html::typeset::typeset;
+use crate::report::words::notation::unicode;
 use crate::report::words::sheet::{Block, Sheet};
 use maud::{Markup, html};
 
@@ -46,15 +48,17 @@ impl FindingPage<'_> {
             }
         }
         let main = html! {
-            header { h1 { (title) } }
+            header { h1 { (typeset(&title)) } }
             main id="page:main" tabindex="-1" {
-                p.headline { strong { (self.sentence) } }
-                section.overview { (blocks(&above, 1)) }
-                @for Picture(picture) in self.pictures { (picture) }
-                section.overview { (blocks(&below, 1)) }
-                p.command { "Reproduce: " code { (self.command) } }
+                p.headline { strong { (typeset(self.sentence)) } }
+                div.beside {
+                    section { (blocks(&above, 1)) }
+                    @for Picture(picture) in self.pictures { (picture) }
+                    section { (blocks(&below, 1)) }
+                    p.command { "Reproduce: " code { (self.command) } }
+                }
             }
         };
-        document(&format!("{title} · subcert"), &main)
+        document(&format!("{} · subcert", unicode(&title)), &main)
     }
 }

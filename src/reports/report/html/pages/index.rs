@@ -4,6 +4,7 @@ use super::page::legend;
 use crate::audit::PaperAudit;
 use crate::report::html::document::document;
 use crate::report::html::sheet::{blocks, grid};
+use crate::report::html::typeset::typeset;
 use crate::report::papers::headline::headline;
 use crate::report::papers::overview::overview_sheet;
 use crate::report::words::sheet::{Block, Sheet};
@@ -25,7 +26,7 @@ pub fn index_page(audits: &[PaperAudit<'_>], more: &Sheet) -> String {
                     li id=(audit.paper.key) {
                         h2 { a href={ (audit.paper.key) ".html" } { (audit.paper.bibliography.short()) } }
                         p.title { (audit.paper.bibliography.title_and_venue()) }
-                        p { (headline(audit)) }
+                        p { (typeset(&headline(audit))) }
                     }
                 }
             }

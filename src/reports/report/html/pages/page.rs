@@ -9,6 +9,7 @@ use crate::report::html::document::document;
 use crate::report::html::filter::buttons;
 use crate::report::html::regularity as regularity_table;
 use crate::report::html::sheet::{blocks, counts};
+use crate::report::html::typeset::typeset;
 use crate::report::html::verdict::{LOOKS, Look};
 use crate::report::papers::consistency;
 use crate::report::papers::headline::headline;
@@ -51,19 +52,21 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
     let bibliography = &paper.bibliography;
     let main = html! {
         header {
-            h1 { (bibliography.title) }
+            h1 { (typeset(&bibliography.title)) }
             p {
                 (bibliography.imprint())
                 @if let Some(doi) = &bibliography.doi {
                     " " a href={ "https://doi.org/" (doi) } { "doi:" (doi) }
                 }
             }
-            @if let Some(note) = &bibliography.note { p.note { (note) } }
+            @if let Some(note) = &bibliography.note { p.note { (typeset(note)) } }
         }
         main id="page:main" tabindex="-1" {
-            p.headline { strong { (headline(audit)) } }
-            (contents(audit))
-            (buttons(audit))
+            div.beside {
+                p.headline { strong { (typeset(&headline(audit))) } }
+                (contents(audit))
+                (buttons(audit))
+            }
             @for kind in Kind::ALL {
                 @if *kind == Kind::Smoothness {
                     @let tables: Vec<Markup> = regularity::tables(audit).iter().map(regularity_table::section).collect();
@@ -71,7 +74,7 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
                 }
                 @if let Some(([heading, id], sections)) = sections.get(kind) { (list(heading, id, sections)) }
             }
-            section.overview { (blocks(&rest(audit), 0)) h2 { "Counts" } (tallies(audit)) }
+            section.beside { (blocks(&rest(audit), 0)) h2 { "Counts" } (tallies(audit)) }
             (legend())
         }
     };
@@ -114,7 +117,7 @@ fn contents(audit: &PaperAudit<'_>) -> Markup {
                                     span class={ "sign " (look.class) } title=(look.says) { (look.sign()) }
                                 }
                             }
-                            " " a href={ "#" (claim.id) } { (claim.locus) }
+                            " " a href={ "#" (claim.id) } { (typeset(claim.locus)) }
                         }
                     }
                 }

@@ -21,7 +21,7 @@ impl Plot {
     ///
     /// let region = [[-1, 1].map(Into::into), [-1, 1].map(Into::into)];
     /// let svg = Plot::of("chaikin", &Drawing::of("chaikin", &region, 100)?).to_svg();
-    /// assert!(svg.contains("φ″ is not drawn: not all limits are C^2."));
+    /// assert!(svg.contains("φ″ is not drawn: not all limits are C²."));
     /// # Ok::<(), subcert::scheme::SchemeError>(())
     /// ```
     #[must_use]

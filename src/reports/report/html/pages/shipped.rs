@@ -3,6 +3,7 @@
 use crate::report::html::command::quoted;
 use crate::report::html::document::document;
 use crate::report::html::sheet::{blocks, facts, grid};
+use crate::report::html::typeset::typeset;
 use crate::report::html::verdict::Look;
 use crate::report::shipped::{counts, facts_of, headline, rows, sentence, shown};
 use crate::report::words::sheet::Sheet;
@@ -18,11 +19,11 @@ pub fn project_page(audit: &ProjectAudit<'_>) -> String {
         header {
             h1 { "Constants in " (name) }
             (source(audit.project))
-            @if let Some(note) = note { p.note { (note) } }
+            @if let Some(note) = note { p.note { (typeset(note)) } }
         }
         main id="page:main" tabindex="-1" {
-            section.overview {
-                p.headline { strong { (sentence(audit)) } }
+            section {
+                p.headline { strong { (typeset(&sentence(audit))) } }
                 (grid(&counts(std::slice::from_ref(audit))))
             }
             @for finding in &audit.findings { (table(audit.project, finding)) }
@@ -47,7 +48,7 @@ pub fn projects_page(audits: &[ProjectAudit<'_>], more: &Sheet) -> String {
                     li id=(audit.project.key) {
                         h2 { a href={ (audit.project.key) ".html" } { (audit.project.name) } }
                         (source(audit.project))
-                        p { (sentence(audit)) }
+                        p { (typeset(&sentence(audit))) }
                     }
                 }
             }
@@ -82,9 +83,9 @@ fn table(project: &Project, finding: &ShippedFinding<'_>) -> Markup {
         section.claim id=(claim.id) {
             h3 {
                 span class={ "sign " (class(finding.outcome)) } { (finding.outcome.word().mark()) } " "
-                a href={ "#" (claim.id) } { (claim.locus) } " " span.title { (claim.title) }
+                a href={ "#" (claim.id) } { (claim.locus) } " " span.title { (typeset(&claim.title)) }
             }
-            p { (headline(finding)) }
+            p { (typeset(&headline(finding))) }
             (facts(&facts_of(project, finding)))
             @if !some.is_empty() { (grid(&rows(finding, &some))) }
             @if some.len() < all.len() {

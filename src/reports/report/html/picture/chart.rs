@@ -5,6 +5,8 @@ use crate::claim::{Axis, Cell, Promise};
 use crate::float::nearest;
 use crate::report::html::picture::plane::frame::{Frame, WIDTH, picture, points};
 use crate::report::html::picture::plane::scale::Scale;
+use crate::report::html::typeset::typeset;
+use crate::report::words::notation::unicode;
 use maud::{Markup, html};
 
 /// The most lines of a picture: as many can be told apart.
@@ -86,12 +88,12 @@ pub(crate) fn chart(finding: &TableFinding<'_>) -> Option<Markup> {
         (FRAME.drawn(&labels(along, &x), &y))
         @for (place, line) in lines.iter().enumerate() { (drawn(place, line, &x, &y)) }
         (names(&lines, &y))
-        text.soft x=(f64::midpoint(FRAME.x.0, FRAME.x.1)) y=(HEIGHT - 4.0) text-anchor="middle" { (along.label) }
+        text.soft x=(f64::midpoint(FRAME.x.0, FRAME.x.1)) y=(HEIGHT - 4.0) text-anchor="middle" { (unicode(&along.label)) }
     };
     Some(html! {
         figure {
             (picture(&title, &says, HEIGHT, &drawing))
-            figcaption { (says) }
+            figcaption { (typeset(&says)) }
         }
     })
 }

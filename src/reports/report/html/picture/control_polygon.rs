@@ -9,6 +9,7 @@ use crate::report::html::picture::plane::frame::{WIDTH, picture, points};
 use crate::report::html::picture::plane::graph::{Graph, HEIGHT};
 use crate::report::html::picture::plane::line::{Line, float, index};
 use crate::report::html::picture::plane::scale::Scale;
+use crate::report::html::typeset::typeset;
 use crate::scheme::Mask;
 use maud::{Markup, html};
 
@@ -106,7 +107,7 @@ fn near(polygon: &FarPolygon<'_>) -> Option<Markup> {
     Some(html! {
         figure {
             (picture("The place of the greatest distance", &says, HEIGHT, &graph.drawn(window)))
-            figcaption { (says) }
+            figcaption { (typeset(&says)) }
         }
     })
 }
@@ -154,7 +155,7 @@ fn whole(polygon: &FarPolygon<'_>) -> Option<Markup> {
     Some(html! {
         figure {
             (picture("Control polygon and limit", says, height, &drawing))
-            figcaption { (says) }
+            figcaption { (typeset(says)) }
         }
     })
 }

@@ -4,6 +4,7 @@ use super::space::{Scene, Views};
 use crate::exact::{Rational, format::short};
 use crate::float::nearest;
 use crate::report::html::picture::plane::frame::{WIDTH, picture};
+use crate::report::html::typeset::typeset;
 use maud::{Markup, html};
 
 /// The most faces in colour, and as many of the others in grey at most.
@@ -94,7 +95,7 @@ pub(crate) fn faces(faces: &ColouredFaces<'_>) -> Option<Markup> {
     Some(html! {
         figure {
             (picture(&title, &says, height, &drawing))
-            figcaption { (says) }
+            figcaption { (typeset(&says)) }
         }
     })
 }

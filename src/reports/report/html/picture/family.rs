@@ -7,7 +7,8 @@ use crate::float::nearest;
 use crate::report::html::picture::plane::frame::{Frame, WIDTH};
 use crate::report::html::picture::plane::panel::Panel;
 use crate::report::html::picture::plane::scale::Scale;
-use crate::report::words::set::set_text;
+use crate::report::words::notation::unicode;
+use crate::report::words::set::proved_text;
 use crate::smoothness::{Certain, MapBox, Sides, SmoothMap};
 use maud::{Markup, html};
 
@@ -50,7 +51,7 @@ fn one(scheme: &str, parameter: &str, ranges: &[ParameterFacts], end: &str) -> O
         }
         @for (row, range) in rows() {
             @let top = f64::from(row) * ROW;
-            @for (set, below, name, class) in [(&range.inside, 20.0, format!("C^{}", range.m), "c3"), (&range.outside, 40.0, "not".to_owned(), "c2")] {
+            @for (set, below, name, class) in [(&range.inside, 20.0, unicode(&format!("C^{}", range.m)), "c3"), (&range.outside, 40.0, "not".to_owned(), "c2")] {
                 text x="12" y=(top + below + 4.0) { (name) }
                 g class=(class) {
                     @for interval in set.intervals() {
@@ -62,7 +63,7 @@ fn one(scheme: &str, parameter: &str, ranges: &[ParameterFacts], end: &str) -> O
         text.soft x=(frame.x.1) y=(bottom + 36.0) text-anchor="end" { (parameter) }
     };
     let of = |range: &ParameterFacts| {
-        format!("C^{} for {}; ", range.m, set_text(&range.inside, parameter))
+        format!("C^{} for {}; ", range.m, proved_text(&range.inside, &range.outside, parameter))
     };
     let says = format!(
         "{}what lies in neither set is open. A filled end belongs to the set, a ring does not. {end}.",
@@ -88,7 +89,7 @@ fn two(
             @let x = Scale::new(side(0), (left, left + SIDE), false);
             @let y = Scale::new(side(1), (top + SIDE, top), false);
             @let ticks: Vec<(f64, String)> = x.ticks().into_iter().step_by(2).map(|(value, label)| (x.at(value), label)).collect();
-            text x=(left) y=(top - 8.0) { "C^" (m) }
+            text x=(left) y=(top - 8.0) { (unicode(&format!("C^{m}"))) }
             (Frame { x: (left, left + SIDE), y: (top + SIDE, top) }.drawn(&ticks, &y))
             g class=(class) {
                 @for found in &map.boxes { (one_box(found, &x, &y)) }

@@ -6,6 +6,7 @@ use crate::claim::{Axis, Figure, Promise};
 use crate::report::html::picture::plane::frame::{Frame, picture, points};
 use crate::report::html::picture::plane::legend::legend;
 use crate::report::html::picture::plane::scale::Scale;
+use crate::report::html::typeset::typeset;
 use maud::{Markup, html};
 
 /// The most lines, as many as the legend has room for.
@@ -85,7 +86,7 @@ pub(crate) fn figure(finding: &TableFinding<'_>, figure: &Figure) -> Option<Mark
     Some(html! {
         figure {
             (picture(&title, &says, height, &drawing))
-            figcaption { (says) }
+            figcaption { (typeset(&says)) }
         }
     })
 }

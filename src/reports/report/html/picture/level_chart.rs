@@ -2,6 +2,7 @@
 
 use crate::report::html::picture::plane::frame::{Frame, picture, points};
 use crate::report::html::picture::plane::scale::Scale;
+use crate::report::html::typeset::typeset;
 use maud::{Markup, html};
 
 const HEIGHT: f64 = 300.0;
@@ -75,7 +76,7 @@ impl LevelChart {
         Some(html! {
             figure {
                 (picture(title, says, HEIGHT, &drawing))
-                figcaption { (says) }
+                figcaption { (typeset(says)) }
             }
         })
     }

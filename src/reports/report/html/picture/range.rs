@@ -5,6 +5,7 @@ use crate::audit::RangeFinding;
 use crate::claim::Printed;
 use crate::exact::RealAlgebraic;
 use crate::float::nearest;
+use crate::report::formulas::function::{exactly, printed as printed_range};
 use crate::report::html::picture::plane::frame::{Frame, picture};
 use crate::report::html::picture::plane::scale::Scale;
 use maud::{Markup, html};
@@ -18,7 +19,8 @@ const BEYOND: f64 = 0.15;
 
 /// Both sets on one axis; `None` where neither has an end.
 pub(crate) fn range(finding: &RangeFinding<'_>) -> Option<Markup> {
-    let (claim, exact) = (finding.claim, &finding.found.as_ref().ok()?.exact);
+    let (claim, found) = (finding.claim, finding.found.as_ref().ok()?);
+    let exact = &found.exact;
     let printed = |end: &Option<Printed>| end.as_ref().map(|end| nearest(&end.decimal.value()));
     let (from, to) = (printed(&claim.from), printed(&claim.to));
     let ends: Vec<f64> = exact.ends().map(|(end, _)| place(end)).chain(from).chain(to).collect();
@@ -35,11 +37,8 @@ pub(crate) fn range(finding: &RangeFinding<'_>) -> Option<Markup> {
     let closed = claim.closed != Some(false);
     let end = |end: Option<f64>| end.map(|value| (value, closed));
     let title = format!("{}: the range as printed and the exact set", claim.locus);
-    let says = format!(
-        "Printed {}; exactly {}.",
-        crate::report::formulas::function::printed(finding),
-        exact.describe(&claim.variable)
-    );
+    let says =
+        format!("Printed {}; exactly {}.", printed_range(finding), exactly(found, &claim.variable));
     let drawing = html! {
         @for (value, label) in x.ticks() {
             line.axis x1=(x.at(value)) x2=(x.at(value)) y1=(FRAME.y.1) y2=(FRAME.y.0) {}

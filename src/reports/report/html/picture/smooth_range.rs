@@ -8,7 +8,7 @@ use crate::float::nearest;
 use crate::report::html::picture::plane::frame::{Frame, picture};
 use crate::report::html::picture::plane::scale::Scale;
 use crate::report::smooth::smoothness::printed;
-use crate::report::words::set::set_text;
+use crate::report::words::set::{proved_text, set_text};
 use maud::{Markup, html};
 
 const HEIGHT: f64 = 150.0;
@@ -43,7 +43,7 @@ pub(crate) fn smooth_range(finding: &SmoothnessFinding<'_>) -> Option<Markup> {
     let says = format!(
         "Printed {}; C^{m} for {}; not C^{m} for {}.",
         printed(said),
-        set(&sets.inside),
+        proved_text(&sets.inside, &sets.outside, &said.variable),
         set(&sets.outside),
         m = said.m
     );

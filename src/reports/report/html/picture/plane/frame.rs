@@ -1,6 +1,7 @@
 //! The frame of a diagram: its axes with ticks.
 
 use super::scale::Scale;
+use crate::report::words::notation::unicode;
 use maud::{Markup, html};
 
 /// The width of a picture; it shrinks with the page.
@@ -19,8 +20,8 @@ pub(crate) struct Frame {
 pub(crate) fn picture(title: &str, description: &str, height: f64, contents: &Markup) -> Markup {
     html! {
         svg viewBox={ "0 0 " (WIDTH) " " (height) } width=(WIDTH) height=(height) role="img" {
-            title { (title) }
-            desc { (description) }
+            title { (unicode(title)) }
+            desc { (unicode(description)) }
             (contents)
         }
     }

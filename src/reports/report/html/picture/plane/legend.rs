@@ -1,5 +1,6 @@
 //! What the colours of a picture mean.
 
+use crate::report::words::notation::unicode;
 use maud::{Markup, html};
 
 /// How far apart the entries of a legend stand.
@@ -13,7 +14,7 @@ pub(crate) fn legend(entries: &[(&'static str, String)], height: f64) -> (Markup
         @for ((class, name), left) in entries.iter().zip(lefts) {
             g class=(class) {
                 line.line x1=(left) x2=(left + 22.0) y1=(height + 10.0) y2=(height + 10.0) {}
-                text.name x=(left + 28.0) y=(height + 14.0) { (name) }
+                text.name x=(left + 28.0) y=(height + 14.0) { (unicode(name)) }
             }
         }
     };

@@ -3,6 +3,8 @@
 use super::frame::{WIDTH, picture};
 use crate::diagnostic::wrapped;
 use crate::report::html::document::PICTURE_STYLE;
+use crate::report::html::typeset::typeset;
+use crate::report::words::notation::unicode;
 use maud::{Markup, PreEscaped, html};
 
 /// The most characters of a line of words below a picture: as many fit on a narrow screen, where letters are larger.
@@ -34,7 +36,7 @@ impl Panel {
         html! {
             figure {
                 @if *height > 0.0 { (picture(title, says, *height, drawing)) }
-                figcaption { (says) }
+                figcaption { (typeset(says)) }
             }
         }
     }
@@ -45,7 +47,7 @@ pub(crate) fn standalone(title: &str, panels: &[Panel]) -> String {
     let mut top = APART + 12.0;
     let mut placed = Vec::new();
     for panel in panels {
-        let lines = wrapped(&panel.says, LINE, 0, false);
+        let lines = wrapped(&unicode(&panel.says), LINE, 0, false);
         let words = top + APART;
         let below = words + panel.height + APART;
         let lines: Vec<(f64, String)> =
@@ -55,7 +57,7 @@ pub(crate) fn standalone(title: &str, panels: &[Panel]) -> String {
         top = end;
     }
     let height = top - APART;
-    let all = panels.iter().map(|panel| format!("{}. {}", panel.title, panel.says));
+    let all = panels.iter().map(|panel| unicode(&format!("{}. {}", panel.title, panel.says)));
     let description = all.collect::<Vec<String>>().join(" ");
     let file = html! {
         svg xmlns="http://www.w3.org/2000/svg" viewBox={ "0 0 " (WIDTH) " " (height) } width=(WIDTH) height=(height) role="img" aria-labelledby="title description" {
@@ -64,7 +66,7 @@ pub(crate) fn standalone(title: &str, panels: &[Panel]) -> String {
             style { (PreEscaped(PICTURE_STYLE)) }
             rect.paper width=(WIDTH) height=(height) {}
             @for (top, drawn, lines, panel) in &placed {
-                text.title x="12" y=(top) { (panel.title) }
+                text.title x="12" y=(top) { (unicode(&panel.title)) }
                 g transform={ "translate(0 " (drawn) ")" } { (panel.drawing) }
                 @for (at, line) in lines { text.soft x="12" y=(at) { (line) } }
             }

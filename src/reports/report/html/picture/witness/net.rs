@@ -12,6 +12,7 @@ use crate::float::nearest;
 use crate::limit::natural_shift;
 use crate::report::html::picture::plane::frame::picture;
 use crate::report::html::picture::plane::legend::legend;
+use crate::report::html::typeset::typeset;
 use crate::scheme::Mask;
 use maud::{Markup, html};
 
@@ -60,7 +61,7 @@ pub(super) fn drawing(
     Some(html! {
         figure {
             (picture("Control net, level and limit", &says, height, &drawing))
-            figcaption { (says) " Heights are values above the parameters, seen from two sides." }
+            figcaption { (typeset(&says)) " Heights are values above the parameters, seen from two sides." }
         }
     })
 }

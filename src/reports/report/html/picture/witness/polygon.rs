@@ -10,6 +10,7 @@ use crate::limit::ExtremalPolygon;
 use crate::report::html::picture::plane::frame::picture;
 use crate::report::html::picture::plane::graph::{Graph, HEIGHT};
 use crate::report::html::picture::plane::line::{Line, float};
+use crate::report::html::typeset::typeset;
 use crate::scheme::Mask;
 use maud::{Markup, html};
 
@@ -35,7 +36,7 @@ pub(super) fn drawing(
     Some(html! {
         figure {
             (picture("Control polygon, level and limit", &says, HEIGHT, &drawing))
-            figcaption { (says) }
+            figcaption { (typeset(&says)) }
         }
     })
 }

@@ -11,6 +11,7 @@ use crate::float::nearest;
 use crate::report::html::picture::plane::frame::picture;
 use crate::report::html::picture::plane::legend::legend;
 use crate::report::html::picture::plane::line::float;
+use crate::report::html::typeset::typeset;
 use crate::scheme::LocalRules;
 use maud::{Markup, html};
 
@@ -68,7 +69,7 @@ pub(super) fn drawing(
     Some(html! {
         figure {
             (picture("Control ring, level and limit", &says, height, &drawing))
-            figcaption { (says) " Heights are values; points of one name stand above one place. Seen from two sides." }
+            figcaption { (typeset(&says)) " Heights are values; points of one name stand above one place. Seen from two sides." }
         }
     })
 }
