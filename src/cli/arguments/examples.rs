@@ -46,7 +46,7 @@ Examples:
   subcert range four-point --param w --smoothness 1";
 
 pub(super) const SMOOTHNESS: &str = "\
-For rules around a vertex or on a face it says whether the surface is C^1 there in Reif's sense,
+For rules around a vertex or on a face it says whether the surface is C¹ there in Reif's sense,
 for generic data. The names of the orbits declare the regular part: vertex, edge and face are
 bicubic; vertex and edge the quartic box spline; face is biquadratic. Edge and face points may
 have weights of their own if the points around them are declared too: outer, left, right and
@@ -59,7 +59,7 @@ Examples:
   subcert smoothness doo-sabin --valences all";
 
 pub(super) const SPECTRUM: &str = "\
-The conditions on eigenvalues are necessary only: C^1 also needs a regular and injective
+The conditions on eigenvalues are necessary only: C¹ also needs a regular and injective
 characteristic map, which `subcert smoothness` decides.
 
 A sector is the part of the surface between two infinitely sharp edges at a vertex, or at a

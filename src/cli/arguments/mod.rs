@@ -73,10 +73,10 @@ pub(super) enum Command {
     /// The subdivision depth for a tolerance: exactly, soundly, and as papers compute it
     #[command(after_help = examples::DEPTH)]
     Depth(DepthArguments),
-    /// Find the values of a parameter with T_c < 1, or for which the limits are C^m
+    /// Find the values of a parameter with T_c < 1, or for which the limits are Cᵐ
     #[command(after_help = examples::RANGE)]
     Range(RangeArguments),
-    /// How smooth the limits of a scheme are: C^m, and the Hölder exponent from both sides
+    /// How smooth the limits of a scheme are: Cᵐ, and the Hölder exponent from both sides
     #[command(after_help = examples::SMOOTHNESS)]
     Smoothness(SmoothnessArguments),
     /// The eigenvalues of the rules around a vertex or on a face, exactly, and the stencils of limits and

@@ -171,7 +171,7 @@ pub(in crate::cli) struct CertifyArguments {
     pub(in crate::cli) scheme: String,
     #[command(flatten)]
     pub(in crate::cli) block: Block,
-    /// A tolerance ε for the depth by a formula, the least k with σβC^k/(1 − C) ≤ ε (may be repeated)
+    /// A tolerance ε for the depth by a formula, the least k with σβCᵏ/(1 − C) ≤ ε (may be repeated)
     #[arg(long, value_name = "E", allow_hyphen_values = true)]
     pub(in crate::cli) tolerance: Vec<String>,
     /// The spread β in that formula: the largest difference of neighbouring control points

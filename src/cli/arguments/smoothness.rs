@@ -9,7 +9,7 @@ use subcert::joint::{MAX_MATRICES, MAX_SIZE};
 pub(in crate::cli) struct SmoothnessArguments {
     #[arg(value_name = "SCHEME", help = format!(
         "The scheme: a mask, whose coefficients may be irrational, such as sqrt(3), and whose matrices may have up to \
-         {MAX_SIZE} rows; or rules around a vertex or on a face, where C^1 is meant in Reif's sense: for surfaces with \
+         {MAX_SIZE} rows; or rules around a vertex or on a face, where C¹ is meant in Reif's sense: for surfaces with \
          generic data, at the vertex or on the face, with the smoothness of the regular part elsewhere"
     ))]
     pub(in crate::cli) scheme: String,
