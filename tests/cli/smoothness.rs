@@ -252,3 +252,22 @@ fn a_single_valence_is_a_range() {
     let of = |valences| written(["smoothness", "loop", "--valences", valences]);
     assert_eq!(of("5"), of("5..5"));
 }
+
+/// An end that is known has its name, with the distance that the proof leaves; JSON has the end of the proof.
+#[test]
+fn ends_of_ranges_have_their_names() {
+    let range = ["range", "four-point", "--smoothness", "0"];
+    let text = written(range);
+    assert_parts(
+        &text,
+        &["|w| < 1/2, proved up to 2.5·10⁻⁵ of the ends", "w ≥ 1/2", "(-1 + √13)/8"],
+    );
+    assert!(!text.contains("/524288"), "{text}");
+    let inside = &json(range)["inside"][0];
+    let exact = ["low", "high"].map(|end| inside[end]["exact"].as_str().expect("an end"));
+    assert_eq!(exact, ["-262133/524288", "262131/524288"]);
+    let paper = ["audit", "proofs/claims/smoothness/rossignac2008.toml", "--all"];
+    let audit = written(paper);
+    assert_parts(&audit, &["the limits are C¹ for -2 < s < 6, proved up to 6.2·10⁻⁵ of the ends"]);
+    assert!(!audit.contains("/16384") && !audit.contains("/32768"), "{audit}");
+}

@@ -54,7 +54,7 @@ fn a_page_says_what_the_report_says() {
             for block in sheet.expect("a report").blocks {
                 match block {
                     Block::Heading(_, text) => {
-                        assert!(shown.contains(&bare(&text)), "{id}: {text}")
+                        assert!(shown.contains(&bare(&text)), "{id}: {text}");
                     }
                     Block::Facts(facts) => {
                         for (name, _) in facts {

@@ -16,7 +16,7 @@ pub(super) fn section(regularity: &Regularity<'_, '_>) -> Markup {
         row.iter().map(|cell| cell.map_or("·", printed).to_owned()).collect::<Vec<String>>()
     };
     let rows = table.rows.iter().zip(cells);
-    let rows = rows.map(|(header, row)| [&[header.clone()], &texts(row)[..]].concat());
+    let rows = rows.map(|(header, row)| [std::slice::from_ref(header), &texts(row)].concat());
     let wide = is_wide(std::iter::once(header.cloned().collect()).chain(rows), SIGN);
     html! {
         section.claim id=(table.id) aria-labelledby={ "page:title-" (table.id) } {

@@ -25,15 +25,15 @@ const NARROW: i64 = 64;
 /// The values of a parameter for which something is proved. A search that proves it for no value has found none, which is
 /// not to say that there are none.
 pub(crate) fn set_text(set: &IntervalSet, variable: &str) -> String {
-    joined(found_texts(set, variable), variable)
+    joined(&found_texts(set, variable), variable)
 }
 
 /// The same of values up to whose ends it is proved, beside those for which the opposite is.
 pub(crate) fn proved_text(set: &IntervalSet, opposite: &IntervalSet, variable: &str) -> String {
-    joined(proved_texts(set, opposite, variable), variable)
+    joined(&proved_texts(set, opposite, variable), variable)
 }
 
-fn joined(texts: Vec<String>, variable: &str) -> String {
+fn joined(texts: &[String], variable: &str) -> String {
     let between = if texts.iter().any(|text| text.contains(',')) { "; or " } else { " or " };
     if texts.is_empty() { format!("no {variable} that is found") } else { texts.join(between) }
 }
