@@ -12,7 +12,7 @@
 //! everywhere.
 
 use subcert_numbers::{diagnostic, exact, suggestion};
-use subcert_schemes::{bound, characteristic, float, limit, scheme};
+use subcert_schemes::{bound, characteristic, float, limit, scheme, spectrum};
 
 mod grouped;
 pub mod mesh;

@@ -73,13 +73,13 @@ pub fn matlab_name(scheme: &str) -> String {
 }
 
 /// Groups that make one array: one group, or the coordinates of points side by side.
-struct Array<'a> {
-    name: String,
-    columns: Vec<&'a Group>,
+pub(super) struct Array<'a> {
+    pub(super) name: String,
+    pub(super) columns: Vec<&'a Group>,
 }
 
 /// The arrays of all groups. `control-1` and `control-2` are columns of `control`.
-fn arrays(groups: &[Group]) -> Vec<Array<'_>> {
+pub(super) fn arrays(groups: &[Group]) -> Vec<Array<'_>> {
     let mut arrays: Vec<Array<'_>> = Vec::new();
     for group in groups {
         let quantity = match group.quantity.rsplit_once('-') {
@@ -96,6 +96,15 @@ fn arrays(groups: &[Group]) -> Vec<Array<'_>> {
 }
 
 impl Array<'_> {
+    /// The rows of the array.
+    pub(super) fn rows(&self) -> impl Iterator<Item = Vec<&Value>> {
+        let first = self.columns[0];
+        let width = if first.shape.len() == 2 { first.shape[1] } else { 1 };
+        (0..first.values.len() / width.max(1)).map(move |row| {
+            self.columns.iter().flat_map(|group| &group.values[row * width..][..width]).collect()
+        })
+    }
+
     /// The assignment: one row of the array on each line.
     fn write(
         &self,
@@ -106,12 +115,8 @@ impl Array<'_> {
         shown: impl Fn(&Value) -> String,
     ) {
         let _ = writeln!(text, "  values.{name} = {open}");
-        let first = self.columns[0];
-        let width = if first.shape.len() == 2 { first.shape[1] } else { 1 };
-        for row in 0..first.values.len() / width.max(1) {
-            let entries =
-                self.columns.iter().flat_map(|group| &group.values[row * width..][..width]);
-            let entries: Vec<String> = entries.map(&shown).collect();
+        for row in self.rows() {
+            let entries: Vec<String> = row.into_iter().map(&shown).collect();
             let _ = writeln!(text, "    {}", entries.join(" "));
         }
         let _ = writeln!(text, "  {close};");

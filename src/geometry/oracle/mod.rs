@@ -15,6 +15,7 @@
 //! | [`to_json`], [`to_csv`], [`write_json`], [`write_csv`] | these values as JSON and CSV |
 //! | [`to_table`], [`write_table`] | the same as CSV without comment lines |
 //! | [`to_matlab`], [`matlab_name`] | a function of MATLAB that tests |
+//! | [`to_source`], [`mesh_to_source`], [`OracleMesh`] | the values as arrays in C or Rust; those of meshes too |
 //! | [`refine_polygon`], [`refine_grid`], [`refine_ring`], [`Control`] | exact refinement |
 //! | [`check_within_ulps`], [`check_slice_within_ulps`], [`check_within`] | checks of f64 against exact values |
 //! | [`assert_within_ulps!`](crate::assert_within_ulps), [`assert_slice_within_ulps!`](crate::assert_slice_within_ulps), [`assert_within!`](crate::assert_within) | these checks as assertions |
@@ -27,6 +28,7 @@ mod macros;
 mod matlab;
 mod mismatch;
 mod refine;
+mod source;
 mod table;
 mod values;
 mod write;
@@ -40,6 +42,7 @@ pub use mismatch::{Deviation, Mismatch, Tolerance};
 pub use refine::{
     Boundary, MAX_REFINED_LEVEL, MAX_VALUES, OracleError, refine_grid, refine_polygon,
 };
+pub use source::{OracleMesh, mesh_to_source, to_source};
 pub use table::{to_table, write_table};
 pub use values::{Group, OracleRequest, OracleValues, Value, reference_values};
 pub use write::{to_csv, to_json, write_csv, write_json};

@@ -17,7 +17,7 @@ use crate::float::{nearest, shortest};
 
 /// A coordinate beyond the greatest f64.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("a coordinate is beyond the greatest f64: only JSON, which is exact, can hold this mesh")]
+#[error("a number is beyond the greatest f64: only JSON, which is exact, can hold it")]
 pub struct BeyondF64;
 
 /// The nearest f64 of the coordinates, each as the shortest decimal that reads back.
@@ -29,7 +29,8 @@ pub(crate) fn decimals<S: Enclosed>(point: &Point<S>) -> Result<[String; 3], Bey
     Ok(decimals)
 }
 
-/// Text in one line: what a comment can hold.
+/// Text in one line: what a comment can hold. Marks of a writing direction, which compilers refuse, are left out too.
 pub(crate) fn one_line(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+    let turns = |c: char| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    text.chars().map(|c| if c.is_control() || turns(c) { ' ' } else { c }).collect()
 }

@@ -4,21 +4,32 @@ use super::real::{Real, RealType};
 use super::rows::{MAX_TABLE_WEIGHTS, Row, TableError};
 
 /// An array of a table.
-pub(super) struct Array {
-    pub(super) name: &'static str,
+#[derive(Clone, Debug)]
+pub struct Array<'a> {
+    /// Its name, in letters, digits and `_`.
+    pub name: &'a str,
     /// What its entries are.
-    pub(super) about: Vec<String>,
-    pub(super) entries: Entries,
+    pub about: Vec<String>,
+    /// The entries.
+    pub entries: Entries,
 }
 
 /// The entries of an array.
-pub(super) enum Entries {
-    /// For each valence the same number of them.
+#[derive(Clone, Debug)]
+pub enum Entries {
+    /// The same number of them in each row, such as for each valence.
     Table(Vec<Vec<Real>>),
-    /// For each valence as many as its orbits have points.
+    /// One list; a row is a part of it, such as for each valence as many as its orbits have points.
     List(Vec<Vec<Real>>),
     /// Integers.
     Integers(Vec<usize>),
+    /// The same number of f64 in each row, and what is said of them behind it, such as their exact values: a table, or one list.
+    Noted {
+        /// The rows.
+        rows: Vec<(Vec<f64>, String)>,
+        /// Whether this is one list.
+        list: bool,
+    },
 }
 
 /// Whether no valence is missing between the first and the last.
@@ -27,7 +38,7 @@ pub(super) fn are_consecutive(rows: &[Row]) -> bool {
 }
 
 /// The arrays of rows of ascending valences, with a list of these where some are missing.
-pub(super) fn arrays(rows: &[Row], real: RealType) -> Result<Vec<Array>, TableError> {
+pub(super) fn arrays(rows: &[Row], real: RealType) -> Result<Vec<Array<'static>>, TableError> {
     let [first, ..] = rows else { return Ok(Vec::new()) };
     if let Some(other) = rows.iter().find(|row| row.orbits != first.orbits) {
         return Err(TableError::Different { valence: other.valence });

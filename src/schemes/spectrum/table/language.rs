@@ -85,9 +85,10 @@ impl Language {
         }
     }
 
-    /// A line of a comment.
+    /// A line of a comment. In C one that ends in `\` or `??/`, as a path may, would go on in the next line.
     pub(super) fn comment(self, line: &str) -> String {
         let mark = if self == Language::Python { "#" } else { "//" };
-        format!("{mark} {line}").trim_end().to_owned()
+        let text = format!("{mark} {line}").trim_end().to_owned();
+        if text.ends_with('\\') || text.ends_with("??/") { text + " ." } else { text }
     }
 }

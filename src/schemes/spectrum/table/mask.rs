@@ -3,7 +3,8 @@
 use super::arrays::{Array, Entries};
 use super::language::Language;
 use super::real::{Real, RealType};
-use super::write::{Origin, Writer, identifier};
+use super::write::{Origin, identifier};
+use super::writer::Writer;
 use crate::exact::{Enclosed, Scalar};
 use crate::limit::Functional;
 use crate::scheme::Mask;
@@ -64,5 +65,6 @@ pub fn write_mask<F: Scalar + Enclosed>(
             entries: Entries::List(vec![weights]),
         });
     }
-    Writer { language, real, name: identifier(origin.scheme), constants }.written(&header, &arrays)
+    let name = identifier(origin.scheme);
+    Writer { language, real, name, constants, vectors: false }.written(&header, &arrays)
 }

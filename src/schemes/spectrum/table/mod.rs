@@ -8,7 +8,8 @@
 //! | `arrays` | the numbers of all valences as arrays |
 //! | `language` | the languages |
 //! | `mask` | the coefficients of a mask |
-//! | `write` | arrays as source code |
+//! | `write` | tables and test vectors as source code |
+//! | `writer` | arrays as source code |
 
 mod arrays;
 mod language;
@@ -17,10 +18,12 @@ mod real;
 mod rows;
 mod sectors;
 mod write;
+mod writer;
 
+pub use arrays::{Array, Entries};
 pub use language::Language;
 pub use mask::write_mask;
-pub use real::RealType;
+pub use real::{Real, RealType};
 pub use rows::{MAX_TABLE_WEIGHTS, Row, TableError};
 pub use sectors::write_sectors;
-pub use write::{Origin, write, write_without};
+pub use write::{Origin, write, write_vectors, write_without};

@@ -14,8 +14,10 @@ pub enum RealType {
 
 /// The number of a type nearest to an exact value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Real {
+pub enum Real {
+    /// Of binary32.
     F32(f32),
+    /// Of binary64.
     F64(f64),
 }
 

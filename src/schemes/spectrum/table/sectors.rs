@@ -3,7 +3,8 @@
 use super::arrays::{Array, Entries};
 use super::language::Language;
 use super::real::{Real, RealType};
-use super::write::{Origin, Writer, identifier, number_lines};
+use super::write::{Origin, identifier, number_lines};
+use super::writer::Writer;
 use crate::exact::{Enclosed, Rational};
 use crate::spectrum::Sector;
 
@@ -34,7 +35,7 @@ pub fn write_sectors(
     let count = |n: usize| i64::try_from(n).expect("a small number of faces");
     let constants = vec![("first_faces", count(first.faces)), ("last_faces", count(last.faces))];
     let name = format!("{}_{place}", identifier(origin.scheme));
-    let writer = Writer { language, real, name, constants };
+    let writer = Writer { language, real, name, constants, vectors: false };
     writer.written(&header(first, last, real, origin), &arrays(sectors, real))
 }
 
@@ -63,7 +64,7 @@ fn header(first: &Sector, last: &Sector, real: RealType, origin: &Origin<'_>) ->
     lines
 }
 
-fn arrays(sectors: &[Sector], real: RealType) -> Vec<Array> {
+fn arrays(sectors: &[Sector], real: RealType) -> Vec<Array<'static>> {
     fn nearest<V: Enclosed>(values: &[V], real: RealType) -> Vec<Real> {
         values.iter().map(|value| Real::nearest(value, real)).collect()
     }

@@ -1,9 +1,10 @@
-//! Arrays as source code.
+//! Tables and test vectors as source code.
 
-use super::arrays::{Array, Entries, are_consecutive, arrays};
+use super::arrays::{Array, are_consecutive, arrays};
 use super::language::Language;
-use super::real::{Real, RealType};
+use super::real::RealType;
 use super::rows::{Row, TableError};
+use super::writer::Writer;
 use crate::scheme::split_name;
 
 /// What the header of a table says of where it comes from.
@@ -59,11 +60,39 @@ pub fn write_without(
     let (first, last) = (rows[0].valence, rows[rows.len() - 1].valence);
     let valence = |n: usize| i64::try_from(n).expect("a small valence");
     let constants = vec![("first_valence", valence(first)), ("last_valence", valence(last))];
-    let writer = Writer { language, real, name: identifier(origin.scheme), constants };
+    let name = identifier(origin.scheme);
+    let writer = Writer { language, real, name, constants, vectors: false };
     let mut header = header(rows, real, origin);
     header
         .extend(left_out.iter().map(|(valence, why)| format!("Without valence {valence}: {why}.")));
     Ok(writer.written(&header, &arrays))
+}
+
+/// Test vectors as source code, with whole numbers before the arrays: f64, and integers. A test need not use all of them, and they may be
+/// long: in C and Rust there is no warning of those that are not used, and in Rust they are statics.
+///
+/// ```
+/// use subcert::spectrum::table::{Array, Entries, Language, write_vectors};
+///
+/// let rows = vec![(vec![1.0 / 3.0], "1/3".to_owned())];
+/// let entries = Entries::Noted { rows, list: true };
+/// let array = Array { name: "weights", about: vec!["one third".to_owned()], entries };
+/// let text = write_vectors(Language::C, "third", vec![("level", 1)], &[], &[array]);
+/// assert!(text.contains("static const double third_weights[1] = {\n    0x1.5555555555555p-2, // 1/3\n};"));
+/// ```
+///
+/// # Panics
+/// When the language has no f64 ([`Language::types`]).
+#[must_use]
+pub fn write_vectors(
+    language: Language,
+    name: &str,
+    constants: Vec<(&'static str, i64)>,
+    header: &[String],
+    arrays: &[Array<'_>],
+) -> String {
+    let (real, name) = (RealType::F64, name.to_owned());
+    Writer { language, real, name, constants, vectors: true }.written(header, arrays)
 }
 
 /// The lines at the head of a table.
@@ -116,208 +145,4 @@ pub(super) fn identifier(scheme: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
     let name: String = name.chars().map(plain).collect();
     if name.starts_with(|c: char| c.is_ascii_alphabetic()) { name } else { format!("s_{name}") }
-}
-
-pub(super) struct Writer {
-    pub(super) language: Language,
-    pub(super) real: RealType,
-    pub(super) name: String,
-    /// Whole numbers before the arrays, with their names.
-    pub(super) constants: Vec<(&'static str, i64)>,
-}
-
-impl Writer {
-    /// # Panics
-    /// When the language has no numbers of the type.
-    pub(super) fn written(&self, header: &[String], arrays: &[Array]) -> String {
-        assert!(self.language.types().contains(&self.real), "a language without this type");
-        match self.language {
-            Language::Json => self.json(header, arrays),
-            _ => self.source(header, arrays),
-        }
-    }
-
-    /// A constant, in the form that a language has for it.
-    fn constant(&self, name: &str, value: i64) -> String {
-        match self.language {
-            Language::C => format!("{}_{name} = {value}", self.name),
-            Language::Rust => {
-                // The others are not negative.
-                let kind =
-                    if ["offset", "limit_first"].contains(&name) { "isize" } else { "usize" };
-                format!("pub const {}: {kind} = {value};", name.to_uppercase())
-            }
-            Language::Glsl => format!("const int {}_{name} = {value};", self.name),
-            Language::Hlsl => format!("static const int {}_{name} = {value};", self.name),
-            Language::Wgsl => format!("const {}_{name}: i32 = {value};", self.name),
-            Language::Cpp | Language::Python | Language::Json => format!("{name} = {value}"),
-        }
-    }
-
-    fn source(&self, header: &[String], arrays: &[Array]) -> String {
-        let mut lines: Vec<String> =
-            header.iter().map(|line| self.language.comment(line)).collect();
-        lines.push(String::new());
-        let constants: Vec<String> =
-            self.constants.iter().map(|(name, value)| self.constant(name, *value)).collect();
-        match self.language {
-            Language::C => {
-                lines.extend(
-                    self.guard().map(|guard| format!("#ifndef {guard}\n#define {guard}\n")),
-                );
-                lines.push(format!("enum {{ {} }};", constants.join(", ")));
-            }
-            Language::Cpp => {
-                lines.extend(
-                    self.guard().map(|guard| format!("#ifndef {guard}\n#define {guard}\n")),
-                );
-                lines.push(format!("namespace {} {{", self.name));
-                lines.push(format!("constexpr int {};", constants.join(", ")));
-            }
-            _ => lines.extend(constants),
-        }
-        for array in arrays {
-            lines.push(String::new());
-            lines.extend(array.about.iter().map(|line| self.language.comment(line)));
-            lines.push(self.array(array));
-        }
-        if self.language == Language::Cpp {
-            lines.push(String::new());
-            lines.push("}".to_owned());
-        }
-        if self.guard().is_some() {
-            lines.push("\n#endif".to_owned());
-        }
-        lines.join("\n") + "\n"
-    }
-
-    /// The macro by which a header of C or C++ is read once only.
-    fn guard(&self) -> Option<String> {
-        let headers = [Language::C, Language::Cpp];
-        let name = self.name.to_ascii_uppercase();
-        headers.contains(&self.language).then(|| format!("SUBCERT_{name}_H"))
-    }
-
-    fn literal(&self, value: &Real) -> String {
-        self.language.literal(*value)
-    }
-
-    /// The declaration of an array.
-    fn array(&self, array: &Array) -> String {
-        let Array { name, entries, .. } = array;
-        let kind = self.language.type_name(self.real);
-        match entries {
-            Entries::Integers(values) => {
-                let kind = match self.language {
-                    Language::Rust => "usize",
-                    Language::Wgsl => "i32",
-                    _ => "int",
-                };
-                let values = vec![values.iter().map(ToString::to_string).collect()];
-                self.list(name, kind, &values)
-            }
-            Entries::List(rows) => {
-                let rows: Vec<Vec<String>> =
-                    rows.iter().map(|row| row.iter().map(|x| self.literal(x)).collect()).collect();
-                self.list(name, kind, &rows)
-            }
-            Entries::Table(rows) => {
-                let rows: Vec<Vec<String>> =
-                    rows.iter().map(|row| row.iter().map(|x| self.literal(x)).collect()).collect();
-                self.table(name, kind, &rows)
-            }
-        }
-    }
-
-    /// One list of the entries of all rows, with a line for each row.
-    fn list(&self, name: &str, kind: &str, rows: &[Vec<String>]) -> String {
-        let length: usize = rows.iter().map(Vec::len).sum();
-        let body = if let [row] = rows {
-            row.join(", ")
-        } else {
-            let lines = rows.iter().map(|row| format!("\n    {},", row.join(", ")));
-            let body = lines.collect::<String>();
-            // GLSL allows no comma before the closing parenthesis.
-            let cut = if self.language == Language::Glsl { body.len() - 1 } else { body.len() };
-            format!("{}\n", &body[..cut])
-        };
-        match self.language {
-            Language::C | Language::Hlsl => {
-                format!("static const {kind} {}_{name}[{length}] = {{{body}}};", self.name)
-            }
-            Language::Wgsl => {
-                let list = format!("array<{kind}, {length}>");
-                format!("const {}_{name}: {list} = {list}({body});", self.name)
-            }
-            Language::Cpp => format!("constexpr {kind} {name}[{length}] = {{{body}}};"),
-            Language::Rust => {
-                format!("pub const {}: [{kind}; {length}] = [{body}];", name.to_uppercase())
-            }
-            Language::Glsl => {
-                format!("const {kind} {}_{name}[{length}] = {kind}[]({body});", self.name)
-            }
-            Language::Python | Language::Json => format!("{name} = [{body}]"),
-        }
-    }
-
-    /// A list of lists.
-    fn table(&self, name: &str, kind: &str, rows: &[Vec<String>]) -> String {
-        let (count, width) = (rows.len(), rows.first().map_or(0, Vec::len));
-        let of_row = format!("array<{kind}, {width}>(");
-        let [open, close] = match self.language {
-            Language::C | Language::Cpp | Language::Hlsl => ["{", "}"],
-            Language::Wgsl => [of_row.as_str(), ")"],
-            _ => ["[", "]"],
-        };
-        let lines = rows.iter().map(|row| format!("\n    {open}{}{close},", row.join(", ")));
-        let body = lines.collect::<String>() + "\n";
-        match self.language {
-            Language::C | Language::Hlsl => {
-                format!("static const {kind} {}_{name}[{count}][{width}] = {{{body}}};", self.name)
-            }
-            Language::Wgsl => {
-                let rows = format!("array<array<{kind}, {width}>, {count}>");
-                format!("const {}_{name}: {rows} = {rows}({body});", self.name)
-            }
-            Language::Cpp => format!("constexpr {kind} {name}[{count}][{width}] = {{{body}}};"),
-            Language::Rust => {
-                format!(
-                    "pub const {}: [[{kind}; {width}]; {count}] = [{body}];",
-                    name.to_uppercase()
-                )
-            }
-            // Arrays of arrays came with GLSL 4.30.
-            Language::Glsl => self.list(name, kind, rows),
-            Language::Python | Language::Json => format!("{name} = [{body}]"),
-        }
-    }
-
-    fn json(&self, header: &[String], arrays: &[Array]) -> String {
-        let text = |text: &str| serde_json::to_string(text).expect("a text");
-        let header = header.iter().map(|line| format!("    {}", text(line.trim_start())));
-        let mut fields =
-            vec![format!("  \"about\": [\n{}\n  ]", header.collect::<Vec<String>>().join(",\n"))];
-        let constants = self.constants.iter();
-        fields.extend(constants.map(|(name, value)| format!("  \"{name}\": {value}")));
-        for array in arrays {
-            let row = |row: &Vec<Real>| {
-                let entries: Vec<String> = row.iter().map(|x| self.literal(x)).collect();
-                entries.join(", ")
-            };
-            let body = match &array.entries {
-                Entries::Integers(values) => {
-                    values.iter().map(ToString::to_string).collect::<Vec<String>>().join(", ")
-                }
-                Entries::List(rows) => {
-                    rows.iter().map(row).collect::<Vec<String>>().join(",\n    ")
-                }
-                Entries::Table(rows) => {
-                    let rows = rows.iter().map(|entries| format!("[{}]", row(entries)));
-                    rows.collect::<Vec<String>>().join(",\n    ")
-                }
-            };
-            fields.push(format!("  \"{}\": [{body}]", array.name));
-        }
-        format!("{{\n{}\n}}\n", fields.join(",\n"))
-    }
 }
