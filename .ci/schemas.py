@@ -45,6 +45,7 @@ ANSWERS = [
     ("range-smoothness-vertex", "range examples/loop-beta.toml --param beta --smoothness 1 --valences 3..4"),
     ("scheme", "scheme four-point:w=1/16"),
     ("scheme", "scheme catmull-clark:N=5"),
+    ("scheme-comparison", "scheme four-point examples/my-scheme.toml"),
     ("schemes", "schemes"),
     ("smoothness", "smoothness four-point:w=1/16"),
     ("smoothness-vertex", "smoothness catmull-clark:N=5"),

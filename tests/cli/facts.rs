@@ -56,9 +56,84 @@ fn the_atlas_is_made_of_schemes() {
     assert_eq!(json(["atlas", "chaikin", "chaikin"])["schemes"].as_array().map(Vec::len), Some(1));
 }
 
+/// A scheme of one's own has the facts of the same scheme of the catalogue, wherever it stands: in `scheme`, in the atlas, beside it.
+#[test]
+fn schemes_of_ones_own() {
+    const OWN: &str = "examples/my-scheme.toml";
+    let atlas = json(["atlas", "[1, 3, 3, 1]/4", OWN, "four-point:w=1/16", "four-point:w=1/8"]);
+    let schemes = atlas["schemes"].as_array().expect("a list");
+    let names: Vec<&Value> = schemes.iter().map(|scheme| &scheme["scheme"]).collect();
+    assert_eq!(names, ["four-point:w=1/16", "four-point:w=1/8", "[1, 3, 3, 1]/4", OWN]);
+    assert_eq!(schemes[3]["curve"], schemes[0]["curve"]);
+    assert_ne!(schemes[1]["curve"], schemes[0]["curve"]);
+    let own = json(["scheme", OWN]);
+    assert_eq!(own["curve"], schemes[0]["curve"]);
+    assert_eq!(own["ranges"], json(["scheme", "four-point"])["ranges"]);
+
+    let both = json(["scheme", OWN, "four-point:w=1/16"]);
+    assert_eq!(both["masks"], "same");
+    assert_eq!(both["schemes"][0]["curve"], both["schemes"][1]["curve"]);
+    assert_eq!(json(["scheme", OWN, "four-point:w=1/8"])["masks"], "different");
+    // Zeros at the ends are no part of a mask.
+    const MASK: &str = "[1, 3, 3, 1]/4";
+    assert_eq!(json(["scheme", "[0, 1, 3, 3, 1, 0]/4", MASK])["masks"], "same");
+    assert_eq!(json(["scheme", "[0, 0, 1, 3, 3, 1]/4", MASK])["masks"], "shifted");
+    assert_eq!(json(["scheme", "chaikin", MASK])["masks"], "shifted");
+    assert_eq!(json(["scheme", "daubechies-4", "haar"])["masks"], Value::Null);
+}
+
+#[test]
+fn schemes_side_by_side() {
+    let text = written(["scheme", "chaikin", "examples/my-scheme.toml", "--format", "markdown"]);
+    for part in [
+        "|  | chaikin | examples/my-scheme.toml |",
+        "| interpolating | no | yes |",
+        "| support | from -2 to 1 | from -3 to 3 |",
+        "| T\\_8 | 0.00390625 |",
+        "| φ(-1) | 1/2 | 0 |",
+        "The masks are different.",
+    ] {
+        assert!(text.contains(part), "no `{part}` in {text}");
+    }
+    let rings = written(["scheme", "loop:N=7", "examples/loop.toml:N=7", "--format", "csv"]);
+    assert!(rings.contains("schemes[1].valences[0].vertex.verdict,proved"), "{rings}");
+    let rings = written(["scheme", "loop:N=7", "loop:N=5", "--format", "markdown"]);
+    let rows: Vec<&str> = rings.lines().filter(|line| line.contains("loop:N=")).collect();
+    assert!(rows.iter().any(|row| row.starts_with("| 5 | loop:N=5 | proved |")), "{rows:?}");
+    let page = written(["scheme", "chaikin", "examples/my-scheme.toml", "--format", "html"]);
+    for part in ["<!DOCTYPE html>", "chaikin: C^1", "examples/my-scheme.toml: C^1", "φ′"] {
+        assert!(page.contains(part), "no `{part}`");
+    }
+    let message = refused(["scheme", "chaikin", "examples/loop.toml"]);
+    assert_parts(&message, &["`chaikin` is a mask", "`examples/loop.toml` are rules", "one kind"]);
+    assert_parts(&refused(["scheme", "chaikin", "haar x haar"]), &["`haar x haar` is a tensor"]);
+}
+
+/// Rules of one's own may begin at a greater valence than 3.
+#[test]
+fn rules_with_a_least_valence() {
+    const OWN: &str = "examples/loop-own-edges.toml";
+    let found = json(["scheme", OWN]);
+    let valences: Vec<u64> = { found["valences"].as_array().expect("a list").iter() }
+        .map(|one| one["valence"].as_u64().expect("a number"))
+        .collect();
+    assert_eq!(valences, (5..=12).collect::<Vec<u64>>());
+    assert!(written(["plot", OWN]).contains("The characteristic ring at valence 5"));
+    for command in ["scheme", "plot"] {
+        assert_parts(
+            &refused([command, "examples/loop-beta.toml"]),
+            &["needs its parameter `beta`"],
+        );
+        assert_parts(&refused([command, "loop-weight"]), &["needs its parameter `beta`"]);
+    }
+}
+
 #[test]
 fn bad_schemes() {
     assert_parts(&refused(["atlas", "chaikinn"]), &["chaikin"]);
+    assert_parts(&refused(["atlas", "no.toml"]), &["cannot read `no.toml`"]);
+    assert_parts(&refused(["atlas", "haar x haar"]), &["tensor product"]);
+    assert_parts(&refused(["atlas", "examples/primal.toml"]), &["needs its parameter `a`"]);
     assert_parts(&refused(["scheme", "chaikin x chaikin"]), &["tensor product", "one by one"]);
     assert_parts(&refused(["scheme", "six-point"]), &["`w`"]);
     assert_parts(&refused(["scheme", "[1, 2]/0"]), &["error"]);

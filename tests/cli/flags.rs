@@ -28,7 +28,7 @@ const REPORTS: [(&str, &[&str]); 14] = [
 
 /// What answers otherwise: geometry, values and source code.
 const OTHERS: [(&str, &[&str]); 4] = [
-    ("oracle", &["json", "csv", "table", "matlab"]),
+    ("oracle", &["json", "csv", "table", "matlab", "c", "rust"]),
     ("refine", &["obj", "ply", "usda", "vtk", "medit", "json", "csv"]),
     ("limit", &["obj", "ply", "usda", "vtk", "medit", "json", "csv"]),
     ("table", &["c", "cpp", "rust", "python", "glsl", "hlsl", "wgsl", "json"]),

@@ -385,7 +385,7 @@ fn endings_decide() {
     let folder = std::env::temp_dir().join(format!("subcert-{}-endings", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
     let path = |name: &str| folder.join(name).to_str().expect("a path").to_owned();
-    let schemes: [(&[&str], &str, &str); 9] = [
+    let schemes: [(&[&str], &str, &str); 12] = [
         (&["schemes"], "a.json", "{"),
         (&["schemes"], "a.md", "- "),
         (&["constants", "chaikin"], "a.csv", "direction,"),
@@ -393,6 +393,13 @@ fn endings_decide() {
         (&["depth", "chaikin", "--tolerance", "1/10"], "a.html", "<!DOCTYPE html>"),
         (&["oracle", "chaikin"], "b.csv", "# "),
         (&["oracle", "chaikin"], "b.m", "function"),
+        (&["oracle", "chaikin"], "b.h", "// Reference values"),
+        (
+            &["oracle", "catmull-clark", "--mesh", "examples/cube.obj"],
+            "b.RS",
+            "// Reference values",
+        ),
+        (&["scheme", "chaikin", "haar"], "b.html", "<!DOCTYPE html>"),
         (&["limit", "catmull-clark", "--mesh", "examples/cube.obj"], "b.usda", "#usda"),
         (&["schemes", "--format", "json"], "b.txt", "{"),
     ];
@@ -402,7 +409,7 @@ fn endings_decide() {
         let text = std::fs::read_to_string(&file).expect("the file");
         assert!(text.starts_with(start), "{name}: {text}");
     }
-    let refused_files: [(&[&str], &str, &[&str]); 10] = [
+    let refused_files: [(&[&str], &str, &[&str]); 12] = [
         (&["schemes"], "x.stl", &[".txt, .json, .md, .csv or .tex", "--format"]),
         (
             &["refine", "catmull-clark", "--mesh", "examples/cube.obj"],
@@ -411,10 +418,12 @@ fn endings_decide() {
         ),
         (&["limit", "catmull-clark", "--mesh", "examples/cube.obj"], "x.gltf", &[".json", ".obj"]),
         (&["refine", "bajaj", "--mesh", "examples/star.vtk"], "x.obj", &[".vtk", ".mesh"]),
-        (&["oracle", "chaikin"], "x.txt", &[".json, .csv or .m"]),
+        (&["oracle", "chaikin"], "x.txt", &[".json, .csv, .m, .c, .h or .rs"]),
         (&["plot", "chaikin"], "x.png", &[".svg"]),
         (&["new", "k"], "x.json", &[".toml"]),
-        (&["audit", "examples/my-paper.toml"], "x.html", &["is for pages"]),
+        (&["audit", "examples/my-paper.toml"], "x.html", &[".csv or .tex, or add", "-o DIR"]),
+        (&["atlas", "chaikin"], "x.htm", &[".csv or .tex, or add --format html", "-o DIR"]),
+        (&["audit", "--format", "text"], "x.html", &["is for pages"]),
         (&["plot", "chaikin"], "none/x.svg", &["there is no folder", "-o FILE"]),
         (&["schemes"], "none/x.txt", &["there is no folder"]),
     ];

@@ -30,10 +30,18 @@ fn a_page_for_each_paper_and_an_index() {
 fn a_folder_is_needed_and_nothing_else_is_touched() {
     let message = refused(["audit", PAPER, "--format", "html"]);
     assert_parts(&message, &["--format html writes files", "-o DIR"]);
-    for folder in ["docs", "pages.html"] {
-        let message = refused(["audit", PAPER, "-o", folder]);
-        assert_parts(&message, &["is for pages", "add --format html"]);
+    let message = refused(["audit", PAPER, "-o", "docs"]);
+    assert_parts(&message, &["is for pages", "add --format html"]);
+    for command in [&["audit", PAPER][..], &["atlas", "chaikin"]] {
+        let message = refused([command, &["--format", "html", "-o", "-"]].concat());
+        assert_parts(
+            &message,
+            &["`-` is the standard output", "name a folder for them with -o DIR"],
+        );
+        assert!(!std::path::Path::new("-").exists(), "a folder of this name");
     }
+    // Of errata, `-` is the standard output too.
+    assert_eq!(written(["errata", PAPER, "-o", "-"]), written(["errata", PAPER]));
     let file = TemporaryFile::new("no-folder", "mine");
     let message = refused(["audit", PAPER, "--format", "html", "-o", file.path()]);
     assert_parts(&message, &["is no folder", "name another one with -o DIR"]);

@@ -75,6 +75,62 @@ fn the_atlas_is_a_folder_of_pages() {
     std::fs::remove_dir_all(&folder).expect("the folder goes");
 }
 
+/// One's own schemes have pages like those of the catalogue.
+#[test]
+fn own_schemes_have_pages() {
+    let folder = std::env::temp_dir().join(format!("subcert-{}-own-atlas", std::process::id()));
+    let path = folder.to_str().expect("a UTF-8 path");
+    let own = ["examples/my-scheme.toml", "examples/my-scheme.toml:w=1/8", "[1, 3, 3, 1]/4"];
+    let arguments = [&["atlas"], &own[..], &["chaikin", "--format", "html", "-o", path]].concat();
+    let said = written(arguments);
+    assert_eq!(said, format!("{path}: 3 pages of schemes, and index.html, which leads to them\n"));
+    let page = |name: &str| std::fs::read_to_string(folder.join(name)).expect(name);
+    let index = page("index.html");
+    for (file, id) in [
+        ("examples-my-scheme.toml.html", "examples/my-scheme.toml"),
+        ("examples-my-scheme.toml.html", "examples/my-scheme.toml:w=1/8"),
+        ("-1--3--3--1--4.html", "[1,_3,_3,_1]/4"),
+        ("chaikin.html", "chaikin"),
+    ] {
+        assert!(index.contains(&format!("href=\"{file}#{id}\"")), "{id}: {index}");
+        let page = page(file);
+        assert_parts(&page, &[&format!("id=\"{id}\""), "φ′", "pub const WEIGHTS"]);
+    }
+    std::fs::remove_dir_all(&folder).expect("the folder goes");
+    let scheme = std::fs::read_to_string("examples/my-scheme.toml").expect("the example");
+    let names = ["a b.toml", "a-b.toml"].map(|name| TemporaryFile::new(name, &scheme));
+    let clash = ["atlas", names[0].path(), names[1].path(), "--format", "html", "-o", path];
+    assert_parts(&refused(clash), &["would have one name", "two folders"]);
+    assert!(!folder.exists(), "half-written");
+}
+
+/// What is drawn of a scheme of the catalogue is drawn of the same file of one's own.
+#[test]
+fn own_schemes_have_the_pictures_of_the_catalogue() {
+    for (name, parameters, bounds) in [
+        ("chaikin", "", None),
+        ("four-point", "", None),
+        ("four-point", ":w=1/10", None),
+        ("four-point", ":w=sqrt(2)/32", None),
+        ("corner-cutting", "", None),
+        ("colella-heil", "", Some("a=0..1,b=0..1/2")),
+        ("daubechies-4", "", None),
+        ("b-spline", ":degree=3", None),
+    ] {
+        let text = std::fs::read_to_string(format!("src/schemes/scheme/catalogue/{name}.toml"));
+        let file = TemporaryFile::new(&format!("{name}.toml"), &text.expect(name));
+        let drawn = |scheme: &str| {
+            let scheme = format!("{scheme}{parameters}");
+            let bounds = bounds.map(|bounds| ["--bounds", bounds]);
+            let arguments = ["plot", &scheme].into_iter().chain(bounds.into_iter().flatten());
+            written(arguments).replace(&scheme, "SCHEME")
+        };
+        assert!(drawn(file.path()) == drawn(name), "{name}{parameters}");
+    }
+    let ring = written(["plot", "examples/loop.toml:N=7"]);
+    assert_eq!(ring.replace("examples/loop.toml", "loop"), written(["plot", "loop:N=7"]));
+}
+
 #[test]
 fn pages_of_the_atlas_need_a_folder_and_claims_need_pages() {
     assert_parts(&refused(["atlas", "chaikin", "--format", "html"]), &["-o DIR"]);

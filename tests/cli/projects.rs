@@ -56,6 +56,10 @@ fn every_format() {
         serde_json::from_str(&written(["audit", WEIGHTS, "--format", "json"])).expect("JSON");
     assert_eq!(json["projects"][0]["tables"][0]["numbers"][5]["slip"], "exchanged");
     assert_eq!(json["projects"][0]["tables"][0]["numbers"][5]["line"], 11);
+    let explained = written(["explain", "weights:neighbours", WEIGHTS, "--format", "json"]);
+    let explained: serde_json::Value = serde_json::from_str(&explained).expect("JSON");
+    assert_eq!((&explained["schema"], &explained["id"]), (&1.into(), &"neighbours".into()));
+    assert_eq!(explained["numbers"], json["projects"][0]["tables"][0]["numbers"]);
     assert_parts(&written(["audit", WEIGHTS, "--format", "latex"]), &["\\begin{tabular}"]);
     assert_parts(&written(["errata", WEIGHTS]), &["# Constants in A small program", "0.04006781"]);
     assert_parts(&written(["explain", "weights", WEIGHTS]), &["neighbours", "edges"]);

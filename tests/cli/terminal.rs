@@ -209,10 +209,12 @@ fn man_pages_of_every_command() {
 #[test]
 fn every_json_answer_has_a_version() {
     let file = "examples/my-paper.toml";
-    let commands: [&[&str]; 13] = [
+    let commands: [&[&str]; 15] = [
         &["audit", file],
         &["explain", "doe2026-corner", file],
         &["explain", "doe2026-corner:table-1", file],
+        &["explain", "weights:neighbours", "examples/weights.toml"],
+        &["scheme", "chaikin", "haar"],
         &["errata", file],
         &["coverage", file],
         &["constants", "chaikin", "-c", "1"],

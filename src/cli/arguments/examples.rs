@@ -102,7 +102,8 @@ Examples:
   subcert oracle chaikin --level 3
   subcert oracle four-point:w=1/17 --polygon examples/polygon.csv --format csv
   subcert oracle 'chaikin x chaikin' --points 4 --boundary open
-  subcert oracle catmull-clark --mesh examples/cube.obj --level 2";
+  subcert oracle chaikin --level 5 -o oracle_chaikin.h
+  subcert oracle catmull-clark --mesh examples/cube.obj --level 2 --format rust";
 
 pub(super) const REFINE: &str = "\
 Examples:
@@ -126,12 +127,15 @@ pub(super) const SCHEME: &str = "\
 Examples:
   subcert scheme six-point:w=3/256
   subcert scheme '[1, 3, 3, 1]/4' --format json
-  subcert scheme loop";
+  subcert scheme loop
+  subcert scheme examples/my-scheme.toml four-point:w=1/8
+  subcert scheme chaikin corner-cutting:w=1/5 --format html -o both.html";
 
 pub(super) const ATLAS: &str = "\
 Examples:
   subcert atlas
   subcert atlas chaikin four-point
+  subcert atlas examples/my-scheme.toml '[1, 3, 3, 1]/4' --format html -o pages
   subcert atlas --format json -o atlas.json";
 
 pub(super) const PLOT: &str = "\
@@ -139,6 +143,7 @@ Examples:
   subcert plot four-point:w=1/16 -o four-point.svg
   subcert plot '[1, 4, 6, 4, 1]/8' -o cubic.svg
   subcert plot colella-heil -o region.svg
+  subcert plot examples/my-scheme.toml:w=1/8 -o mine.svg
   subcert plot doo-sabin:n=5 -o ring.svg";
 
 pub(super) const COMPLETIONS: &str = "\

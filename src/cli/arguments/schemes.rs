@@ -7,6 +7,7 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use subcert::bound::{MAX_CLASSES, MAX_LEVELS};
 use subcert::smoothness::MAX_BOXES;
+use subcert::spectrum::table::Language;
 
 /// A seed.
 fn seed(text: &str) -> Result<u64, String> {
@@ -192,6 +193,23 @@ pub(in crate::cli) enum OracleFormat {
     Table,
     /// A function of MATLAB and Octave that tests an implementation
     Matlab,
+    /// Arrays in C99 (.c, .h): input, expected values, units in the last place; exact values are comments
+    C,
+    /// The same in Rust (.rs)
+    Rust,
+}
+
+impl OracleFormat {
+    /// The language of its arrays.
+    pub(in crate::cli) fn language(self) -> Option<Language> {
+        match self {
+            OracleFormat::C => Some(Language::C),
+            OracleFormat::Rust => Some(Language::Rust),
+            OracleFormat::Json | OracleFormat::Csv | OracleFormat::Table | OracleFormat::Matlab => {
+                None
+            }
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -261,7 +279,7 @@ pub(in crate::cli) struct OracleArguments {
     pub(in crate::cli) polygon: Option<std::path::PathBuf>,
     /// A polygon mesh in place of a polygon, as OBJ, OFF, PLY, STL, USD or VTK, a tensor net as CSV or JSON, or a solid
     /// as VTK or MEDIT (bajaj): its
-    /// refinement, and limit points and normals, as JSON
+    /// refinement, and limit points and normals, as JSON, C or Rust
     #[arg(long, value_name = "FILE", conflicts_with_all = ["polygon", "seed", "points", "boundary"])]
     pub(in crate::cli) mesh: Option<PathBuf>,
     /// The directions in which a net is closed [default: those in the file, or else none]
@@ -296,11 +314,12 @@ pub(in crate::cli) struct SchemesArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct SchemeArguments {
-    /// The scheme: a mask, or rules around a vertex or on a face; rules without a valence are examined at 3 to 12
-    #[arg(value_name = "SCHEME")]
-    pub(in crate::cli) scheme: String,
+    /// The scheme: a mask, or rules around a vertex or on a face; rules without a valence are examined at 3 to 12. Several
+    /// schemes of one kind stand side by side
+    #[arg(value_name = "SCHEME", required = true)]
+    pub(in crate::cli) schemes: Vec<String>,
     #[command(flatten)]
-    pub(in crate::cli) output: Output,
+    pub(in crate::cli) output: FindingOutput,
 }
 
 #[derive(Debug, Args)]
@@ -319,8 +338,8 @@ pub(in crate::cli) struct PlotArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct AtlasArguments {
-    /// Schemes of the catalogue [default: all]
-    #[arg(value_name = "NAME")]
+    /// Schemes, also your own [default: those of the catalogue]
+    #[arg(value_name = "SCHEME")]
     pub(in crate::cli) names: Vec<String>,
     /// A claim file (may be repeated): with `--format html`, the pages of schemes link to what it says of them, on the page
     /// of its audit

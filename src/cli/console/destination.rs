@@ -50,7 +50,7 @@ fn is_page(path: &Path) -> bool {
 }
 
 /// A name of a file: letters, digits, `-`, `_` and `.`.
-fn plain(name: &str) -> String {
+pub(crate) fn plain(name: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() || "-_.".contains(c) { c } else { '-' };
     let name: String = name.chars().map(plain).collect();
     let name = name.trim_start_matches('.');

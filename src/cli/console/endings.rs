@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use std::path::{Path, PathBuf};
 
 /// Endings, and the names of formats.
-const ENDINGS: [(&str, &str); 13] = [
+const ENDINGS: [(&str, &str); 16] = [
     ("txt", "text"),
     ("json", "json"),
     ("md", "markdown"),
@@ -16,6 +16,9 @@ const ENDINGS: [(&str, &str); 13] = [
     ("html", "html"),
     ("htm", "html"),
     ("m", "matlab"),
+    ("c", "c"),
+    ("h", "c"),
+    ("rs", "rust"),
     ("obj", "obj"),
     ("ply", "ply"),
     ("usda", "usda"),
@@ -29,19 +32,22 @@ pub(crate) fn format_of<F: ValueEnum>(
     formats: &[F],
 ) -> Result<Option<F>, Failure> {
     let Some((path, ending)) = ending_of(file) else { return Ok(None) };
-    let named = |name: &str, format: &F| {
-        format.to_possible_value().is_some_and(|value| value.get_name() == name)
-    };
-    let known = |(known, name): &(&'static str, &str)| {
-        let format = formats.iter().find(|format| named(name, format))?;
-        Some((*known, format))
-    };
-    let known: Vec<(&str, &F)> = ENDINGS.iter().filter_map(known).collect();
+    let known: Vec<(&str, &F)> = known(formats).collect();
     if let Some((_, format)) = known.iter().find(|(known, _)| ending.eq_ignore_ascii_case(known)) {
         return Ok(Some((*format).clone()));
     }
     let all: Vec<&str> = known.iter().map(|(known, _)| *known).collect();
     Err(unknown(path, &all, "; --format says what to write into a file of another ending"))
+}
+
+/// The endings of these formats.
+fn known<F: ValueEnum>(formats: &[F]) -> impl Iterator<Item = (&'static str, &F)> {
+    let named = |name: &str, format: &F| {
+        format.to_possible_value().is_some_and(|value| value.get_name() == name)
+    };
+    ENDINGS.iter().filter_map(move |(ending, name)| {
+        Some((*ending, formats.iter().find(|format| named(name, format))?))
+    })
 }
 
 /// The ending of a file that is no folder, and is to be written.
@@ -73,10 +79,10 @@ pub(crate) fn settle(command: &mut Command, given: bool) -> Outcome {
         Command::Jsr(command) => of_text(&mut command.output, given),
         Command::Certify(command) => of_text(&mut command.output, given),
         Command::Schemes(command) => of_text(&mut command.output, given),
-        Command::Scheme(command) => of_text(&mut command.output, given),
         Command::Flags(output) => of_text(output, given),
         Command::Explain(command) => of_finding(&mut command.output, given),
         Command::Depth(command) => of_finding(&mut command.output, given),
+        Command::Scheme(command) => of_finding(&mut command.output, given),
         Command::Smoothness(command) => of_finding(&mut command.output, given),
         Command::Audit(command) => of_many(&mut command.format, command.file.as_ref(), given),
         Command::Atlas(command) => of_many(&mut command.format, command.file.as_ref(), given),
@@ -86,7 +92,13 @@ pub(crate) fn settle(command: &mut Command, given: bool) -> Outcome {
         Command::Table(command) => in_folder(command.output.as_ref()),
         Command::Plot(command) => only("svg", command.file.as_ref()),
         Command::New(command) => only("toml", command.output.as_ref()),
-        _ => Ok(()),
+        // These write into folders, which they make, or to the standard output alone.
+        Command::Errata(_)
+        | Command::Prove(_)
+        | Command::Completions { .. }
+        | Command::Man { .. } => Ok(()),
+        #[cfg(feature = "schema")]
+        Command::Schemas { .. } => Ok(()),
     }
 }
 
@@ -104,17 +116,22 @@ fn of_finding(output: &mut FindingOutput, given: bool) -> Outcome {
     decide(&mut output.format, file, given)
 }
 
-/// Of several findings, pages go into a folder, and an ending asks for none.
+/// Of several findings, pages go into a folder, which is made, and no ending asks for them.
 fn of_many(format: &mut FindingFormat, file: Option<&PathBuf>, given: bool) -> Outcome {
-    let mut chosen = *format;
     if *format == FindingFormat::Html {
         return Ok(());
     }
-    decide(&mut chosen, file, given)?;
-    if chosen != FindingFormat::Html {
-        *format = chosen;
+    decide(format, file, given)?;
+    match ending_of(file.map(PathBuf::as_path)).filter(|_| *format == FindingFormat::Html) {
+        None => Ok(()),
+        Some((path, _)) => {
+            let formats: Vec<FindingFormat> = { FindingFormat::value_variants().iter().copied() }
+                .filter(|format| *format != FindingFormat::Html)
+                .collect();
+            let more = ", or add --format html and name a folder for the pages with -o DIR";
+            Err(unknown(path, &known(&formats).map(|(ending, _)| ending).collect::<Vec<_>>(), more))
+        }
     }
-    Ok(())
 }
 
 fn decide<F: ValueEnum>(format: &mut F, file: Option<&PathBuf>, given: bool) -> Outcome {

@@ -74,10 +74,13 @@ pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
 pub(crate) fn reference_values(arguments: &OracleArguments, path: &Path) -> Outcome {
     let OracleArguments { scheme, closed, level, weld, .. } = arguments;
     let net = NetInput { scheme, path, closed: *closed };
+    let language = arguments.format.language();
     let text = match Geometry::with(&net, [weld.given()])? {
-        Geometry::Mesh => mesh::reference_values(scheme, path, *level, weld.tolerance.as_deref())?,
-        Geometry::Net => net::reference_values(&net, *level)?,
-        Geometry::Solid => solid::reference_values(path, *level)?,
+        Geometry::Mesh => {
+            mesh::reference_values(scheme, path, *level, weld.tolerance.as_deref(), language)?
+        }
+        Geometry::Net => net::reference_values(&net, *level, language)?,
+        Geometry::Solid => solid::reference_values(path, *level, language)?,
     };
     deliver(&text, arguments.file.as_deref())
 }

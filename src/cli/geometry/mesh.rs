@@ -16,8 +16,10 @@ use subcert::mesh::{
     to_usda,
 };
 use subcert::net::NetScheme;
+use subcert::oracle::{OracleMesh, mesh_to_source};
 use subcert::scheme::split_name;
 use subcert::solid::SOLID_SCHEME;
+use subcert::spectrum::table::Language;
 
 type Mesh = PolygonMesh<RealCyclotomic>;
 
@@ -77,11 +79,27 @@ pub(crate) fn reference_values(
     path: &Path,
     level: u32,
     weld: Option<&str>,
+    language: Option<Language>,
 ) -> Result<String, Failure> {
     let work = Work::new(scheme, path, level, (None, None, weld))?;
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
-    Ok(to_json(&mesh, &work.head(), Some(&limits)))
+    let Some(language) = language else {
+        return Ok(to_json(&mesh, &work.head(), Some(&limits)));
+    };
+    let control: Mesh = work.file.mesh().map(|x| x.clone().into());
+    in_source(&[(&control).into(), (&mesh).into()], &limits, level, &work.head(), language)
+}
+
+/// Test vectors of a control mesh and the refined one. The version in the head is that of JSON.
+pub(crate) fn in_source(
+    meshes: &[OracleMesh; 2],
+    limits: &[Option<LimitPoint>],
+    level: u32,
+    head: &[(&'static str, String)],
+    language: Language,
+) -> Result<String, Failure> {
+    mesh_to_source(meshes, limits, level, &head[1..], language).map_err(|error| input(&error))
 }
 
 /// A mesh in a file, the scheme of a name, and what is to be told of them.

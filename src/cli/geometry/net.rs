@@ -1,6 +1,6 @@
 //! Tensor nets for `subcert refine`, `limit`, `oracle` and `depth`.
 
-use super::mesh::{deliver, input, text_of};
+use super::mesh::{deliver, in_source, input, text_of};
 use super::mesh_form::OF_NETS;
 use crate::cli::arguments::{ClosedArgument, MeshOutput, MeshOutputFormat};
 use crate::cli::console::answer::SCHEMA;
@@ -8,11 +8,12 @@ use crate::cli::console::output::{Failure, Outcome};
 use std::path::Path;
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Rational, RealCyclotomic};
-use subcert::mesh::{LimitPoint, to_json, to_obj, to_ply};
+use subcert::mesh::{LimitPoint, PolygonMesh, to_json, to_obj, to_ply};
 use subcert::net::{
     Closed, Net, NetError, NetFormat, NetScheme, limit_net, net_limits, read_net, refine_net,
     to_csv,
 };
+use subcert::spectrum::table::Language;
 
 /// What is asked of a net.
 pub(crate) struct NetInput<'a> {
@@ -95,17 +96,28 @@ pub(crate) fn limit(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> Ou
 }
 
 /// What `subcert oracle --mesh` writes.
-pub(crate) fn reference_values(asked: &NetInput<'_>, level: u32) -> Result<String, Failure> {
+pub(crate) fn reference_values(
+    asked: &NetInput<'_>,
+    level: u32,
+    language: Option<Language>,
+) -> Result<String, Failure> {
     let file = asked.read()?;
     let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
-    file.json(&net, level, Some(&file.limits(&net)?))
+    let limits = file.limits(&net)?;
+    let Some(language) = language else { return file.json(&net, level, Some(&limits)) };
+    let meshes = [(&polygons(&file.net)?).into(), (&polygons(&net)?).into()];
+    in_source(&meshes, &limits, level, &file.head(&net, level), language)
+}
+
+fn polygons(net: &Net) -> Result<PolygonMesh<RealCyclotomic>, Failure> {
+    Ok(net.mesh().map_err(|error| input(&error))?.map(real))
 }
 
 fn text(net: &Net, format: MeshOutputFormat, title: &str) -> Result<String, Failure> {
     if format == MeshOutputFormat::Csv {
         return to_csv(net, title).map_err(|error| input(&error));
     }
-    let mesh = net.mesh().map_err(|error| input(&error))?.map(real);
+    let mesh = polygons(net)?;
     match format {
         MeshOutputFormat::Ply => to_ply(&mesh, title),
         _ => to_obj(&mesh, title, &[]),
@@ -117,6 +129,11 @@ fn real(x: &Rational) -> RealCyclotomic {
     x.clone().into()
 }
 
+/// A limit point without a normal.
+pub(crate) fn limit_at(point: [Rational; 3]) -> LimitPoint {
+    LimitPoint { position: point.map(Into::into), normal: None, sectors: Vec::new() }
+}
+
 impl NetFile {
     fn title(&self, level: u32, what: &str) -> String {
         format!("{}, {}, level {level}: {what}", self.name, self.scheme.name())
@@ -124,12 +141,7 @@ impl NetFile {
 
     fn limits(&self, net: &Net) -> Result<Vec<Option<LimitPoint>>, Failure> {
         let limits = net_limits(net, &self.scheme).map_err(failure)?.into_iter();
-        let limit = |point: [Rational; 3]| LimitPoint {
-            position: point.each_ref().map(real),
-            normal: None,
-            sectors: Vec::new(),
-        };
-        Ok(limits.map(|point| point.map(limit)).collect())
+        Ok(limits.map(|point| point.map(limit_at)).collect())
     }
 
     fn json(
@@ -138,8 +150,12 @@ impl NetFile {
         level: u32,
         limits: Option<&[Option<LimitPoint>]>,
     ) -> Result<String, Failure> {
+        Ok(to_json(&polygons(net)?, &self.head(net, level), limits))
+    }
+
+    fn head(&self, net: &Net, level: u32) -> [(&'static str, String); 7] {
         let text = |text: &str| serde_json::Value::from(text).to_string();
-        let head = [
+        [
             ("schema", SCHEMA.to_string()),
             ("scheme", text(self.scheme.name())),
             ("mesh", text(&self.name)),
@@ -147,8 +163,6 @@ impl NetFile {
             ("rows", net.rows().to_string()),
             ("columns", net.columns().to_string()),
             ("closed", text(net.closed().name())),
-        ];
-        let mesh = net.mesh().map_err(|error| input(&error))?.map(real);
-        Ok(to_json(&mesh, &head, limits))
+        ]
     }
 }

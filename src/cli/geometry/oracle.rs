@@ -1,15 +1,17 @@
 //! `subcert oracle`.
 
 use super::commands;
+use super::mesh::input;
 use super::polygon::{Caps, read_grid, read_polygon};
 use crate::cli::arguments::{BoundaryArgument, OracleArguments, OracleFormat};
 use crate::cli::console::output::{Failure, Outcome, deliver, note};
 use std::path::Path;
 use subcert::oracle::{
     Boundary, Control, LocalRequest, MAX_VALUES, OracleError, OracleRequest, OracleValues,
-    reference_values, ring_reference_values, to_csv, to_json, to_matlab, to_table,
+    reference_values, ring_reference_values, to_csv, to_json, to_matlab, to_source, to_table,
 };
 use subcert::scheme::{AnyScheme, LocalRules, Scheme, parse_any_scheme};
+use subcert::spectrum::table::Language;
 
 /// The largest control polygon that is read.
 const CAPS: Caps = Caps { bytes: 16 << 20, points: MAX_VALUES, bits: u64::MAX };
@@ -19,8 +21,8 @@ const SEEDED_POINTS: usize = 8;
 
 pub(crate) fn oracle(arguments: &OracleArguments) -> Outcome {
     if let Some(path) = &arguments.mesh {
-        if arguments.format != OracleFormat::Json {
-            let message = "--mesh writes JSON only; `subcert refine` writes other forms too";
+        if arguments.format != OracleFormat::Json && arguments.format.language().is_none() {
+            let message = "--mesh writes json, c or rust; `subcert refine` writes other forms too";
             return Err(Failure::Input(message.to_owned()));
         }
         return commands::reference_values(arguments, path);
@@ -39,6 +41,8 @@ pub(crate) fn oracle(arguments: &OracleArguments) -> Outcome {
         OracleFormat::Csv => to_csv(&values),
         OracleFormat::Table => to_table(&values),
         OracleFormat::Matlab => to_matlab(&values),
+        OracleFormat::C => to_source(&values, Language::C).map_err(|error| input(&error))?,
+        OracleFormat::Rust => to_source(&values, Language::Rust).map_err(|error| input(&error))?,
     };
     deliver(&text, arguments.file.as_deref())
 }

@@ -1,7 +1,8 @@
 //! `subcert refine` and `subcert limit`, and `subcert oracle --mesh`, of hexahedral solids.
 
-use super::mesh::{deliver, input, text_of};
+use super::mesh::{deliver, in_source, input, text_of};
 use super::mesh_form::OF_SOLIDS;
+use super::net::limit_at;
 use crate::cli::arguments::{LimitArguments, MeshOutputFormat, RefineArguments};
 use crate::cli::console::answer::SCHEMA;
 use crate::cli::console::output::{Failure, Outcome};
@@ -13,6 +14,7 @@ use subcert::solid::{
     HexMesh, SOLID_SCHEME, SolidError, SolidFile, SolidFormat, read_solid, refine_solid,
     solid_limit_points, solid_to_json, to_medit, to_vtk,
 };
+use subcert::spectrum::table::Language;
 
 /// Whether this is the scheme for solids.
 pub(crate) fn takes(scheme: &str) -> bool {
@@ -38,11 +40,20 @@ pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
 }
 
 /// What `subcert oracle --mesh` writes.
-pub(crate) fn reference_values(path: &Path, level: u32) -> Result<String, Failure> {
+pub(crate) fn reference_values(
+    path: &Path,
+    level: u32,
+    language: Option<Language>,
+) -> Result<String, Failure> {
     let work = Work::new(path, level)?;
     let mesh = work.refined()?;
     let limits = solid_limit_points(&mesh);
-    Ok(solid_to_json(&mesh, &work.head(), Some(&limits)))
+    let Some(language) = language else {
+        return Ok(solid_to_json(&mesh, &work.head(), Some(&limits)));
+    };
+    let limits: Vec<_> = limits.into_iter().map(|point| Some(limit_at(point))).collect();
+    let meshes = [work.file.mesh(), &mesh].map(Into::into);
+    in_source(&meshes, &limits, level, &work.head(), language)
 }
 
 /// The solid in a file, with the name of the file.

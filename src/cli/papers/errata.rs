@@ -77,7 +77,8 @@ fn deliver<'a, A, E: Answer>(
         (errata, Format::Latex) => errata.sheet().to_latex_document(),
         (errata, _) => text(&errata, format, width),
     };
-    let Some(folder) = &arguments.output_folder else {
+    let folder = arguments.output_folder.as_deref();
+    let Some(folder) = folder.filter(|folder| folder.as_os_str() != "-") else {
         return write_results(&text(audits, terminal::width()));
     };
     for audit in audits {

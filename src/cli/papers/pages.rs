@@ -18,6 +18,10 @@ pub(crate) fn folder(given: Option<&Path>) -> Result<&Path, Failure> {
         let message = "--format html writes files: name a folder for them with -o DIR";
         return Err(Failure::Input(message.to_owned()));
     };
+    if folder.as_os_str() == "-" {
+        let message = "--format html writes several files, and `-` is the standard output: name a folder for them with -o DIR";
+        return Err(Failure::Input(message.to_owned()));
+    }
     if folder.exists() && !folder.is_dir() {
         return Err(Failure::Input(format!(
             "`{}` is no folder, and stays as it is: name another one with -o DIR",

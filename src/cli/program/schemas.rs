@@ -9,7 +9,7 @@ use crate::cli::constants::{Certification, Constants, RingConstants};
 use crate::cli::depth::{Depth, LocalReport, ParametricDepth, SetDepth};
 use crate::cli::papers::{Audit, Coverage, Errata, Explanation, Listing, Projects, Shipped};
 use crate::cli::ranges::{Range, SmoothMap, SmoothRange, VertexRange};
-use crate::cli::schemes::{Atlas, Catalogue, Scheme};
+use crate::cli::schemes::{Atlas, Catalogue, Comparison, Scheme};
 use crate::cli::smoothness::{JointRadius, Smoothness, Vertices};
 use crate::cli::spectrum::{Sector, Spectrum};
 use schemars::{JsonSchema, Schema, generate::SchemaSettings};
@@ -50,6 +50,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         Sector<'_>,
         Flags,
         Scheme,
+        Comparison,
         Audit<'_>,
         Projects<'_>,
         Coverage<'_>,

@@ -1,9 +1,7 @@
 //! `subcert atlas`.
 
 use super::atlas_pages;
-use super::scheme::{
-    VALENCE_HEADER, continuity, depth, hoelder, number, valence_note, valence_row,
-};
+use super::words::{VALENCE_HEADER, continuity, depth, hoelder, number, valence_note, valence_row};
 use crate::cli::arguments::AtlasArguments;
 use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::destination::no_page;
@@ -11,21 +9,17 @@ use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
 use serde::Serialize;
 use subcert::audit::on_all_cores;
-use subcert::facts::{Depths, SchemeFacts, atlas_references};
+use subcert::facts::{AtlasEntry, Depths, SchemeFacts, atlas_entry, atlas_references};
 use subcert::report::json::{CurveForm, FactsForm};
 use subcert::report::{Grid, Sheet};
-use subcert::scheme::{SchemeError, find_in_catalogue};
+use subcert::scheme::{SchemeError, catalogue};
 
 pub(crate) fn atlas(arguments: &AtlasArguments) -> Outcome {
-    let mut entries = atlas_references();
-    if !arguments.names.is_empty() {
-        let found = arguments.names.iter().map(|name| find_in_catalogue(name).map(|one| &one.name));
-        let found = found.collect::<Result<Vec<&String>, SchemeError>>()?;
-        entries.retain(|(entry, _)| found.contains(&&entry.name));
-    }
-    let all = entries.iter().flat_map(|(entry, references)| {
-        references.iter().map(move |reference| (*entry, reference))
-    });
+    let entries =
+        if arguments.names.is_empty() { atlas_references() } else { chosen(&arguments.names)? };
+    let all = entries
+        .iter()
+        .flat_map(|(entry, references)| references.iter().map(move |reference| (entry, reference)));
     let all: Vec<_> = all.collect();
     let to = match arguments.format.of_text(arguments.file.as_ref()) {
         None => return atlas_pages::pages(arguments, &entries),
@@ -47,7 +41,25 @@ pub(crate) fn atlas(arguments: &AtlasArguments) -> Outcome {
     show(&to, &atlas)
 }
 
-/// The facts of all schemes of the catalogue.
+/// The entries of these schemes, in the order of the catalogue, with one's own behind it.
+fn chosen(schemes: &[String]) -> Result<Vec<AtlasEntry>, SchemeError> {
+    let mut entries: Vec<AtlasEntry> = Vec::new();
+    for scheme in schemes {
+        let (entry, references) = atlas_entry(scheme)?;
+        match entries.iter_mut().find(|(known, _)| known.name == entry.name) {
+            Some((_, known)) => {
+                let new = references.into_iter().filter(|one| !known.contains(one));
+                known.extend(new.collect::<Vec<String>>());
+            }
+            None => entries.push((entry, references)),
+        }
+    }
+    let place = |entry: &AtlasEntry| catalogue().iter().position(|one| one.name == entry.0.name);
+    entries.sort_by_key(|entry| place(entry).unwrap_or(usize::MAX));
+    Ok(entries)
+}
+
+/// The facts of schemes, where none are named those of the catalogue.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Atlas<'a> {
@@ -57,7 +69,7 @@ pub(crate) struct Atlas<'a> {
     schemes: Vec<Entry<'a>>,
 }
 
-/// A scheme of the catalogue.
+/// A scheme.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Entry<'a> {

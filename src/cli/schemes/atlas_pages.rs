@@ -1,17 +1,19 @@
 //! `subcert atlas --format html`: an index of schemes, a page for each entry of the catalogue, and the pages of audits that
 //! they link to.
 
-use super::scheme::{continuity, hoelder, sheet};
+use super::words::{continuity, hoelder, proved, sheet};
 use crate::cli::arguments::{AtlasArguments, BOXES};
+use crate::cli::console::destination::plain;
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
 use crate::cli::papers::judged::{judge_all, papers};
 use crate::cli::papers::pages::{INDEX, folder, tell, write, write_pages};
 use crate::cli::spectrum::table::{of_mask, ring_table};
+use std::collections::BTreeMap;
 use subcert::audit::{PaperAudit, on_all_cores};
 use subcert::claim::SmoothnessBody;
 use subcert::exact::Rational;
-use subcert::facts::{Drawing, FamilyDrawing, SchemeFacts, VALENCES};
+use subcert::facts::{AtlasEntry, Drawing, FamilyDrawing, SchemeFacts};
 use subcert::report::html::{
     AtlasRow, EntryPage, Picture, Plot, SchemeSection, atlas_page, entry_page,
 };
@@ -25,11 +27,17 @@ const AUDITS: &str = "audits";
 /// The languages of the code on a page.
 const LANGUAGES: [Language; 3] = [Language::C, Language::Rust, Language::Python];
 
-/// An entry of the catalogue with the schemes that stand for it.
-type Entry = (&'static SchemeDefinition, Vec<String>);
-
-pub(crate) fn pages(arguments: &AtlasArguments, entries: &[Entry]) -> Outcome {
+pub(crate) fn pages(arguments: &AtlasArguments, entries: &[AtlasEntry]) -> Outcome {
     let folder = folder(arguments.file.as_deref())?;
+    let mut files = BTreeMap::new();
+    for (entry, _) in entries {
+        if let Some(other) = files.insert(plain(&entry.name), &entry.name) {
+            return Err(Failure::Input(format!(
+                "the pages of `{other}` and `{}` would have one name: write them into two folders",
+                entry.name
+            )));
+        }
+    }
     let papers = if arguments.claims.is_empty() { Vec::new() } else { papers(&arguments.claims)? };
     let audits = judge_all(&papers, true)?;
     let progress = Progress::of_schemes(entries.len(), true);
@@ -42,7 +50,7 @@ pub(crate) fn pages(arguments: &AtlasArguments, entries: &[Entry]) -> Outcome {
     let mut rows = Vec::new();
     for made in made {
         let (of_entry, page) = made?;
-        write(folder, &page.name, &entry_page(&page))?;
+        write(folder, &plain(&page.name), &entry_page(&page))?;
         rows.extend(of_entry);
     }
     write(folder, INDEX, &atlas_page(&rows))?;
@@ -62,9 +70,13 @@ fn page(
         let facts = SchemeFacts::of(scheme)?;
         let form = FactsForm::of(scheme, &facts);
         let pictures = Plot::of(scheme, &Drawing::of_facts(scheme, &facts)?).pictures();
-        let code = LANGUAGES.map(|language| (language.name().to_owned(), code(scheme, language)));
+        let valences = form.valences.iter().flatten().map(|one| one.valence);
+        let valences = valences.clone().min().zip(valences.max());
+        let code = LANGUAGES.map(|language| {
+            (language.name().to_owned(), code(scheme, language, valences.unwrap_or((0, 0))))
+        });
         rows.push(AtlasRow {
-            name: entry.name.clone(),
+            name: plain(&entry.name),
             scheme: scheme.clone(),
             title: entry.title.clone(),
             cells: cells(&form),
@@ -97,14 +109,13 @@ fn family(name: &str) -> Vec<Picture> {
     Plot::of(name, &drawing).pictures()
 }
 
-fn code(scheme: &str, language: Language) -> Result<String, String> {
+fn code(scheme: &str, language: Language, valences: (usize, usize)) -> Result<String, String> {
     let real = RealType::F64;
     match of_mask(scheme, language, real) {
         Ok(Some(text)) => Ok(text),
-        // Of one valence there is the table of the others too, if the rules do not state it.
+        // Rules without a valence have a table.
         Ok(None) => {
-            ring_table(scheme, (*VALENCES.start(), *VALENCES.end()), language, real, &|| {})
-                .map_err(|error| error.to_string())
+            ring_table(scheme, valences, language, real, &|| {}).map_err(|error| error.to_string())
         }
         Err(_) => Err("it has no table".to_owned()),
     }
@@ -133,11 +144,7 @@ fn cells(form: &FactsForm) -> Vec<(String, String)> {
         ];
     }
     let valences = form.valences.as_deref().unwrap_or_default();
-    let proved = valences
-        .iter()
-        .filter(|one| one.vertex.as_ref().is_some_and(|vertex| vertex.verdict == "proved"));
-    let proved = proved.count();
-    let smooth = format!("C^1 proven at {proved} of {} valences", valences.len());
+    let (proved, smooth) = proved(valences);
     let key = if proved == valences.len() { "1" } else { "" };
     let surfaces = ("surfaces".to_owned(), "surfaces".to_owned());
     vec![none(), none(), none(), (smooth, key.to_owned()), none(), surfaces]

@@ -2,13 +2,15 @@
 
 mod atlas;
 mod atlas_pages;
+mod compare;
 mod list;
 mod plot;
 mod scheme;
+mod words;
 
 pub(super) use atlas::atlas;
 pub(super) use list::schemes;
 pub(super) use plot::plot;
 pub(super) use scheme::scheme;
 #[cfg(feature = "schema")]
-pub(super) use {atlas::Atlas, list::Catalogue, scheme::Scheme};
+pub(super) use {atlas::Atlas, compare::Comparison, list::Catalogue, scheme::Scheme};

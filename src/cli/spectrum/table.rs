@@ -8,9 +8,10 @@ use crate::cli::console::save::save;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use subcert::exact::Rational;
+use subcert::facts::VALENCES;
 use subcert::limit::Limit;
 use subcert::report::html::shell_word;
-use subcert::scheme::{AnyScheme, Mask, parse_algebraic, parse_any_scheme};
+use subcert::scheme::{AnyScheme, Mask, parse_algebraic, parse_any_scheme, parse_rules_of_valence};
 use subcert::spectrum::table::{
     Language, Origin, RealType, Row, TableError, write_mask, write_sectors, write_without,
 };
@@ -153,7 +154,7 @@ pub(crate) fn of_mask(
             let limit = Limit::new(&mask).ok().and_then(|limit| limit.at(&Rational::zero()).ok());
             write_mask(&mask, limit.as_ref(), language, real, &origin)
         }
-        Err(_) if subcert::scheme::parse_rules_of_valence(scheme, Some(3)).is_ok() => {
+        Err(_) if { VALENCES }.any(|n| parse_rules_of_valence(scheme, Some(n)).is_ok()) => {
             return Ok(None);
         }
         Err(error) => {

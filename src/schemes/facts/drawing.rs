@@ -2,12 +2,12 @@
 //! parameters, rings.
 
 use super::ranges::{ParameterFacts, parameter_facts};
-use super::scheme::SchemeFacts;
+use super::scheme::{SchemeFacts, valences};
 use crate::characteristic::Vertex;
 use crate::exact::{FieldElement, Polynomial, Rational};
 use crate::scheme::{
-    AnyScheme, Mask, SchemeError, open_parameters, parse_algebraic, parse_any_scheme,
-    parse_in_parameters, parse_rules_of_valence, parse_scheme,
+    AnyScheme, Mask, SchemeError, names_ring, open_parameters, parse_algebraic, parse_any_scheme,
+    parse_in_parameters, parse_scheme,
 };
 use crate::smoothness::{
     BasicError, BasicValues, Coefficient, Sides, SmoothMap, Smoothness, smooth_map,
@@ -131,9 +131,10 @@ impl Drawing {
                 _ => Ok(none),
             },
             Err(error) => {
-                if parse_rules_of_valence(scheme, Some(VALENCES[0])).is_ok() {
+                if names_ring(scheme)? {
                     let ring = |n| (n, Vertex::of(scheme, Some(n)));
-                    return Ok(Drawing { rings: VALENCES.map(ring).to_vec(), ..none });
+                    let drawn = drawn(&valences(scheme, error)?).into_iter();
+                    return Ok(Drawing { rings: drawn.map(ring).collect(), ..none });
                 }
                 if let Ok(mask) = parse_algebraic(scheme) {
                     let curve = Some(CurveDrawing::Algebraic(CurveShape::of(&mask, None)));
@@ -166,12 +167,18 @@ impl Drawing {
                 curve = Some(CurveDrawing::Algebraic(shape));
             }
             SchemeFacts::Surface(all) => {
-                let drawn = |(n, _): &&(usize, _)| all.len() == 1 || VALENCES.contains(n);
-                rings = all.iter().filter(drawn).cloned().collect();
+                let drawn = drawn(&all.iter().map(|(n, _)| *n).collect::<Vec<usize>>());
+                rings = all.iter().filter(|(n, _)| drawn.contains(n)).cloned().collect();
             }
         }
         Ok(Drawing { curve, family: None, rings })
     }
+}
+
+/// Which of these valences are drawn: [`VALENCES`], or else the first.
+fn drawn(valences: &[usize]) -> Vec<usize> {
+    let found: Vec<usize> = VALENCES.into_iter().filter(|n| valences.contains(n)).collect();
+    if found.is_empty() { valences.iter().take(1).copied().collect() } else { found }
 }
 
 impl<F: Coefficient> CurveShape<F> {

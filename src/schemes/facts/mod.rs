@@ -26,5 +26,5 @@ pub use drawing::{
     CurveDrawing, CurveShape, Drawing, FamilyDrawing, LEVELS, MAX_DERIVATIVES, SAMPLE,
 };
 pub use ranges::{FamilyFacts, ParameterFacts, parameter_facts};
-pub use scheme::{SchemeFacts, VALENCES, ValenceFacts, atlas_references};
+pub use scheme::{AtlasEntry, SchemeFacts, VALENCES, ValenceFacts, atlas_entry, atlas_references};
 pub use shape::{PointPlacement, centre, is_interpolating, kind, points};

@@ -5,7 +5,7 @@ use crate::bound::polynomial_rules;
 use crate::characteristic::{VertexRange, vertex_range};
 use crate::exact::IntervalSet;
 use crate::scheme::{
-    Reference, find, parse_local_rules, parse_parametric, parse_rules_in_parameter,
+    find_definition, parse_local_rules, parse_parametric, parse_rules_in_parameter,
 };
 use crate::smoothness::{SmoothRangeError, smooth_range};
 use std::collections::BTreeMap;
@@ -32,7 +32,7 @@ pub struct ParameterFacts {
     pub but_finitely_many: bool,
 }
 
-/// The family of a scheme of the catalogue: where in its only parameter the limits are C^m.
+/// The family of a scheme: where in its only parameter the limits are C^m.
 #[derive(Clone, Debug)]
 pub struct FamilyFacts {
     /// The parameter.
@@ -44,8 +44,7 @@ pub struct FamilyFacts {
 }
 
 impl FamilyFacts {
-    /// The family of SCHEME; `None` where it is not of the catalogue, has not one parameter, or its mask is not
-    /// polynomial in it, as in a degree. Rules around a vertex or on a face have one weight beside the valence.
+    /// The family of SCHEME; `None` where it has not one parameter, or its mask is not polynomial in it, as in a degree. Rules around a vertex or on a face have one weight beside the valence.
     ///
     /// ```
     /// use subcert::facts::FamilyFacts;
@@ -56,8 +55,7 @@ impl FamilyFacts {
     /// ```
     #[must_use]
     pub fn of(scheme: &str) -> Option<FamilyFacts> {
-        let reference = Reference::parse(scheme).ok()?;
-        let entry = find(reference.names().next()?)?;
+        let entry = find_definition(scheme).ok()?;
         let valence = entry
             .is_ring()
             .then(|| entry.valence_name(&BTreeMap::<String, usize>::new()))

@@ -40,8 +40,8 @@ pub use local_symmetry::Representatives;
 pub use mask::{Mask, MaskError};
 pub use parse::find_in_catalogue;
 pub use parse::{
-    AnyScheme, files_without_offset, names_ring, parse_algebraic, parse_any_scheme,
-    parse_local_rules, parse_rules_of_valence, parse_scheme,
+    AnyScheme, files_without_offset, find_definition, names_ring, parse_algebraic,
+    parse_any_scheme, parse_local_rules, parse_rules_of_valence, parse_scheme,
 };
 pub use parse_open::{
     open_parameters, parse_in_parameters, parse_parametric, parse_rules_in_parameter,

@@ -80,6 +80,27 @@ pub fn names_ring(text: &str) -> Result<bool, SchemeError> {
     }
 }
 
+/// The definition that SCHEME names, without the values that it gives to parameters: of the catalogue, of a file, or of a mask in it. Its name is
+/// that in SCHEME.
+///
+/// # Errors
+/// When there is no such scheme, the file is not a scheme file, or this is a tensor product.
+///
+/// ```
+/// use subcert::scheme::find_definition;
+///
+/// let definition = find_definition("four-point:w=1/16")?;
+/// assert_eq!((&definition.name[..], definition.parameters.len()), ("four-point", 1));
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn find_definition(text: &str) -> Result<SchemeDefinition, SchemeError> {
+    let named = Named::read(text)?;
+    match named.reference.names().collect::<Vec<&str>>()[..] {
+        [name] => named.definition(name).cloned(),
+        _ => Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() }),
+    }
+}
+
 /// The exact ring that SCHEME names: a catalogue entry such as `doo-sabin:n=5`, or a
 /// file.
 ///

@@ -8,7 +8,7 @@ use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::quantity::written;
 use crate::cli::papers::listing::Listing;
 use subcert::claim::Target;
-use subcert::report::json::ShippedTable;
+use subcert::report::json::ExplainedTable;
 use subcert::report::{Sheet, finding_sheet, shipped_headline};
 use subcert::shipped::{Project, ShippedFinding, audit_shipped};
 use subcert::suggestion::did_you_mean;
@@ -40,7 +40,7 @@ pub(crate) struct Shipped<'a> {
     finding: ShippedFinding<'a>,
 }
 
-written!(shipped: Shipped<'_> => ShippedTable<'_>, ShippedTable::of(&shipped.finding));
+written!(shipped: Shipped<'_> => ExplainedTable<'_>, ExplainedTable::of(&shipped.finding));
 
 impl Answer for Shipped<'_> {
     const NAME: &'static str = "explain-project";

@@ -22,7 +22,7 @@ pub struct Facts<'a> {
     /// The facts; their fields stand here.
     #[serde(flatten)]
     pub found: &'a FactsForm,
-    /// Where in the parameter of its family the limits are C^m, m = 0, 1, …; of masks of the catalogue that are
+    /// Where in the parameter of its family the limits are C^m, m = 0, 1, …; of masks that are
     /// polynomial in the only parameter, and C^1 of rules around a vertex or on a face with one weight.
     pub ranges: Option<Ranges>,
 }

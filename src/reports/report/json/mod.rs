@@ -37,7 +37,7 @@ pub use facts::{
 pub use offset::BetterOffset;
 pub use sets::{Interval, Number as RootNumber, polynomial as root_polynomial};
 pub use shipped::{
-    Number, ProjectReport, ProjectsReport, ShippedTable, SplitValues, Sums,
+    ExplainedTable, Number, ProjectReport, ProjectsReport, ShippedTable, SplitValues, Sums,
     Tolerance as AcceptedError,
 };
 pub use smooth::smoothness::HoelderForm;

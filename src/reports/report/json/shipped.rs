@@ -177,6 +177,25 @@ fn tally(outcomes: impl Iterator<Item = Outcome>) -> BTreeMap<&'static str, usiz
     counts
 }
 
+/// What `subcert explain` says of a table of a project.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ExplainedTable<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The table; its fields stand here.
+    #[serde(flatten)]
+    pub table: ShippedTable<'a>,
+}
+
+impl<'a> ExplainedTable<'a> {
+    /// The form of what is found of a table.
+    #[must_use]
+    pub fn of(finding: &'a ShippedFinding<'_>) -> ExplainedTable<'a> {
+        ExplainedTable { schema: SCHEMA, table: ShippedTable::of(finding) }
+    }
+}
+
 impl<'a> ShippedTable<'a> {
     /// The JSON form of a finding.
     #[must_use]

@@ -14,7 +14,7 @@ const SCRIPT: &str = include_str!("atlas.js");
 /// A scheme in the index.
 #[derive(Clone, Debug)]
 pub struct AtlasRow {
-    /// The entry of the catalogue, whose page is NAME.html.
+    /// The entry, whose page is NAME.html.
     pub name: String,
     /// The scheme as it is given to a command: the entry with its parameters.
     pub scheme: String,
@@ -42,10 +42,10 @@ pub struct SchemeSection {
     pub code: Vec<(String, Result<String, String>)>,
 }
 
-/// An entry of the catalogue.
+/// A scheme or a family, of the catalogue or one's own.
 #[derive(Clone, Debug)]
 pub struct EntryPage {
-    /// Its name.
+    /// Its name in SCHEME.
     pub name: String,
     /// What it is.
     pub title: String,
@@ -73,7 +73,7 @@ pub fn atlas_page(rows: &[AtlasRow]) -> String {
     let main = html! {
         header {
             h1 { "The atlas of schemes" }
-            p { "What is proven of each scheme of the catalogue, families at the values that stand for them. Each has a page with all facts, with pictures and with code." }
+            p { "What is proven of each scheme, families at the values that stand for them. Each has a page with all facts, with pictures and with code." }
         }
         main.index id="page:main" tabindex="-1" {
             div.scroll tabindex="0" role="group" aria-label="schemes" {
@@ -96,7 +96,7 @@ fn index_row(row: &AtlasRow) -> Markup {
     html! {
         tr data-words=(words) {
             th scope="row" data-key=(row.scheme) {
-                a href={ (row.name) ".html#" (row.scheme) } title=(row.title) { (row.scheme) }
+                a href={ (row.name) ".html#" (anchor(&row.scheme)) } title=(row.title) { (row.scheme) }
             }
             @for ((text, key), name) in row.cells.iter().zip(&ATLAS_HEADER[1..]) {
                 td data-key=(key) data-label=(name) { (typeset(text)) }
@@ -111,7 +111,7 @@ pub fn entry_page(entry: &EntryPage) -> String {
     let main = html! {
         header {
             h1 { (entry.name) }
-            p { (typeset(&entry.title)) ". " span.title { (entry.source) } }
+            @if !entry.title.is_empty() { p { (typeset(&entry.title)) ". " span.title { (entry.source) } } }
             p { a href="index.html" { "All schemes" } }
         }
         main id="page:main" tabindex="-1" {
@@ -136,9 +136,14 @@ pub fn entry_page(entry: &EntryPage) -> String {
     document(&format!("{} · the atlas · subcert", entry.name), &main)
 }
 
+/// The place of a scheme on its page. An address has no blanks.
+fn anchor(scheme: &str) -> String {
+    scheme.split_whitespace().collect::<Vec<&str>>().join("_")
+}
+
 fn section(scheme: &SchemeSection) -> Markup {
     html! {
-        section.claim.pictured id=(scheme.scheme) {
+        section.claim.pictured id=(anchor(&scheme.scheme)) {
             (blocks(&scheme.facts, 1))
             @for Picture(picture) in &scheme.pictures { (picture) }
             @for (language, code) in &scheme.code {
