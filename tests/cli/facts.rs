@@ -60,6 +60,7 @@ fn the_atlas_is_made_of_schemes() {
 #[test]
 fn schemes_of_ones_own() {
     const OWN: &str = "examples/my-scheme.toml";
+    const MASK: &str = "[1, 3, 3, 1]/4";
     let atlas = json(["atlas", "[1, 3, 3, 1]/4", OWN, "four-point:w=1/16", "four-point:w=1/8"]);
     let schemes = atlas["schemes"].as_array().expect("a list");
     let names: Vec<&Value> = schemes.iter().map(|scheme| &scheme["scheme"]).collect();
@@ -75,7 +76,6 @@ fn schemes_of_ones_own() {
     assert_eq!(both["schemes"][0]["curve"], both["schemes"][1]["curve"]);
     assert_eq!(json(["scheme", OWN, "four-point:w=1/8"])["masks"], "different");
     // Zeros at the ends are no part of a mask.
-    const MASK: &str = "[1, 3, 3, 1]/4";
     assert_eq!(json(["scheme", "[0, 1, 3, 3, 1, 0]/4", MASK])["masks"], "same");
     assert_eq!(json(["scheme", "[0, 0, 1, 3, 3, 1]/4", MASK])["masks"], "shifted");
     assert_eq!(json(["scheme", "chaikin", MASK])["masks"], "shifted");

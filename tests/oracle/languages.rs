@@ -117,9 +117,9 @@ fn declared(text: &str, name: &str) -> (Vec<f64>, Vec<String>) {
         let (row, note) = line.split_once(" // ").unwrap_or((line, ""));
         let words = row.split(|c: char| c.is_whitespace() || "[]{},;".contains(c));
         let words = words.filter(|word| !word.is_empty());
-        let number = |word: &str| match word.contains("0x") {
-            true => parse_hexadecimal(word).expect("a number"),
-            false => word.parse().expect("a number"),
+        let number = |word: &str| {
+            let decimal = || word.parse().expect("a number");
+            parse_hexadecimal(word).ok().filter(|_| word.contains("0x")).unwrap_or_else(decimal)
         };
         numbers.extend(words.map(number));
         notes.extend((!note.is_empty()).then(|| note.to_owned()));
