@@ -23,7 +23,7 @@ proptest! {
         let expected = match step {
             0 if exact => Rounding::Exact,
             0 if twice <= d => Rounding::Nearest,
-            0 => Rounding::Truncated,
+            0 => Rounding::Cut,
             1 if exact => Rounding::Neither,
             1 if twice >= d => Rounding::Nearest,
             // No value below half a unit is rounded to one unit.
@@ -54,11 +54,11 @@ proptest! {
 
 #[test]
 fn hand_values() {
-    use Rounding::{Exact, Nearest, Neither, Truncated, Up};
+    use Rounding::{Cut, Exact, Nearest, Neither, Up};
     for (printed, p, q, expected) in [
         ("0.667", 2, 3, Nearest),
-        ("0.666", 2, 3, Truncated),
-        ("-0.666", -2, 3, Truncated),
+        ("0.666", 2, 3, Cut),
+        ("-0.666", -2, 3, Cut),
         ("0.334", 1, 3, Up),
         ("-0.334", -1, 3, Up),
         ("0.2", 1, 4, Nearest),
@@ -70,7 +70,7 @@ fn hand_values() {
         ("0.24", 1, 4, Neither),
         ("0.26", 1, 4, Neither),
         ("-0.25", 1, 4, Neither),
-        ("0.0", 7, 100, Truncated),
+        ("0.0", 7, 100, Cut),
         ("0.1", 2, 100, Neither),
         ("0.2", 12, 100, Up),
         ("0.1", 0, 1, Neither),
@@ -83,7 +83,7 @@ fn hand_values() {
     let cosine = RealCyclotomic::cosine(&Rational::new(1, 5)).unwrap();
     for (printed, expected) in [
         ("0.3090", Nearest),
-        ("0.309016", Truncated),
+        ("0.309016", Cut),
         ("0.31", Nearest),
         ("0.3091", Up),
         ("0.308", Neither),

@@ -39,7 +39,7 @@ fn naive(a: i128, b: i128, m: i128, p: u32, single: bool) -> Option<Verdict> {
         return Some(Verdict::Rounded(digits));
     }
     if digits >= 3 && same_sign && a.abs() * scale / b == m.abs() {
-        return Some(Verdict::Truncated(digits));
+        return Some(Verdict::Cut(digits));
     }
     let steps = steps.unsigned_abs();
     (same_sign && steps <= 100).then_some(Verdict::Ulps(steps))

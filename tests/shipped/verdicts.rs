@@ -17,8 +17,8 @@ fn of_numbers_that_are_right_to_their_digits() {
         ("f64", "-1/3", "-0.3333333333333333", Verdict::Nearest),
         ("f32", "0", "0.0f", Verdict::Nearest),
         ("f32", "2/3", "0.667f", Verdict::Rounded(3)),
-        ("f32", "2/3", "0.666f", Verdict::Truncated(3)),
-        ("f32", "-2/3", "-0.666f", Verdict::Truncated(3)),
+        ("f32", "2/3", "0.666f", Verdict::Cut(3)),
+        ("f32", "-2/3", "-0.666f", Verdict::Cut(3)),
         ("f32", "2/3", "6.667e-1f", Verdict::Rounded(4)),
         // The digits begin with the first one that is not 0.
         ("f32", "2/300", "0.0067f", Verdict::Rounded(2)),

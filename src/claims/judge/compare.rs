@@ -37,11 +37,9 @@ pub(crate) fn judge(
     match printed.rounding_of(exact) {
         Rounding::Exact | Rounding::Nearest => Verdict::Confirmed,
         // Of a value that is cut some digit is left: 0 is no 0.857.
-        Rounding::Truncated if printed.significant_digits() > 0 => {
-            Verdict::Rounding(Direction::Cut)
-        }
+        Rounding::Cut if printed.significant_digits() > 0 => Verdict::Rounding(Direction::Cut),
         Rounding::Up => Verdict::Rounding(Direction::Away),
-        Rounding::Truncated | Rounding::Neither => {
+        Rounding::Cut | Rounding::Neither => {
             find_slip(printed, exact, neighbours).map_or(Verdict::Refuted, Verdict::Misprint)
         }
     }

@@ -87,11 +87,11 @@ impl Comparison<'_> {
                     EndRelation::Equal
                 }
                 Rounding::Exact => EndRelation::Belonging,
-                Rounding::Nearest | Rounding::Truncated | Rounding::Up if !is_rounded(decimal) => {
+                Rounding::Nearest | Rounding::Cut | Rounding::Up if !is_rounded(decimal) => {
                     EndRelation::FewDigits
                 }
                 Rounding::Nearest => EndRelation::Nearest,
-                Rounding::Truncated => EndRelation::Rounded(Direction::Cut),
+                Rounding::Cut => EndRelation::Rounded(Direction::Cut),
                 Rounding::Up => EndRelation::Rounded(Direction::Away),
                 Rounding::Neither => {
                     let outwards = match side {

@@ -86,7 +86,7 @@ pub enum Verdict {
     /// w is x, rounded to the digits that are written, which are so many.
     Rounded(usize),
     /// w is x, cut to the digits that are written, which are so many.
-    Truncated(usize),
+    Cut(usize),
     /// h is so many numbers of its type away from the nearest one.
     Ulps(u64),
     /// w differs from the right digits as by a slip in typing.
@@ -102,7 +102,7 @@ impl Verdict {
     #[must_use]
     pub fn is_accepted(self) -> bool {
         match self {
-            Verdict::Nearest | Verdict::Rounded(_) | Verdict::Truncated(_) => true,
+            Verdict::Nearest | Verdict::Rounded(_) | Verdict::Cut(_) => true,
             Verdict::Ulps(units) => units <= 4,
             _ => false,
         }
@@ -113,7 +113,7 @@ impl Verdict {
     pub fn outcome(self) -> Outcome {
         match self {
             Verdict::Nearest => Outcome::Nearest,
-            Verdict::Rounded(_) | Verdict::Truncated(_) => Outcome::Cut,
+            Verdict::Rounded(_) | Verdict::Cut(_) => Outcome::Cut,
             Verdict::Ulps(_) => Outcome::Ulps,
             Verdict::Misprint(_) => Outcome::Misprint,
             Verdict::Refuted(_) => Outcome::Refuted,

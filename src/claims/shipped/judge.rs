@@ -61,7 +61,7 @@ pub fn audit_shipped<'a>(
     let cells = (0..claim.numbers.len()).map(cell).collect::<Result<Vec<_>, Diagnostic>>()?;
     let worst = cells.iter().map(|cell| cell.verdict.outcome()).max().unwrap_or(Outcome::Nearest);
     let needs_reading = cells.iter().any(|cell| {
-        !matches!(cell.verdict, Verdict::Nearest | Verdict::Rounded(_) | Verdict::Truncated(_))
+        !matches!(cell.verdict, Verdict::Nearest | Verdict::Rounded(_) | Verdict::Cut(_))
     });
     let reading = needs_reading.then(|| reading::reading(project, claim, &cells)).flatten();
     let farthest = farthest(&cells);

@@ -30,7 +30,7 @@ fn decided(x: &RealExpression, number: &ShippedNumber, kind: NumberType) -> Opti
             return Some(Verdict::Rounded(*digits));
         }
         if *digits >= 3 && is_cut(x, value, *places)? {
-            return Some(Verdict::Truncated(*digits));
+            return Some(Verdict::Cut(*digits));
         }
     }
     let nearest = x.settled(|x| kind.nearest(x))?;

@@ -97,7 +97,7 @@ fn verdict(verdict: Verdict) -> String {
     match verdict {
         Verdict::Nearest => "nearest".to_owned(),
         Verdict::Rounded(digits) => format!("rounded {digits}"),
-        Verdict::Truncated(digits) => format!("truncated {digits}"),
+        Verdict::Cut(digits) => format!("cut {digits}"),
         Verdict::Ulps(units) => format!("ulps {units}"),
         Verdict::Misprint(slip) => format!("misprint {}", slip.name()),
         Verdict::Refuted(agree) => format!("refuted {agree}"),

@@ -28,7 +28,7 @@ pub enum Verdict {
     /// It is the exact value rounded to its digits.
     Rounded(usize),
     /// It is the exact value cut after its digits.
-    Truncated(usize),
+    Cut(usize),
     /// It is so many numbers of the type away from the nearest one.
     Ulps(u64),
     /// It was mistyped in this way.
@@ -45,7 +45,7 @@ impl fmt::Display for Verdict {
         match self {
             Verdict::Nearest | Verdict::Open => write!(f, "{outcome}"),
             Verdict::Rounded(digits) => write!(f, "rounded {digits}"),
-            Verdict::Truncated(digits) => write!(f, "truncated {digits}"),
+            Verdict::Cut(digits) => write!(f, "cut {digits}"),
             Verdict::Ulps(steps) => write!(f, "{outcome} {steps}"),
             Verdict::Misprint(kind) => write!(f, "{outcome} {kind}"),
             Verdict::Refuted(digits) => write!(f, "{outcome} {digits}"),
@@ -58,7 +58,7 @@ impl Verdict {
     pub fn outcome(self) -> Outcome {
         match self {
             Verdict::Nearest => Outcome::Nearest,
-            Verdict::Rounded(_) | Verdict::Truncated(_) => Outcome::Cut,
+            Verdict::Rounded(_) | Verdict::Cut(_) => Outcome::Cut,
             Verdict::Ulps(_) => Outcome::Ulps,
             Verdict::Open => Outcome::Open,
             Verdict::Misprint(_) => Outcome::Misprint,
@@ -88,7 +88,7 @@ pub fn verdict(x: &Ends, number: &Shipped, of: Type) -> Result<Verdict, Stop> {
             return Ok(Verdict::Rounded(written.digits));
         }
         if written.digits >= 3 && is_cut(x, written)? {
-            return Ok(Verdict::Truncated(written.digits));
+            return Ok(Verdict::Cut(written.digits));
         }
     }
     if let Some(held) = &number.held {

@@ -51,7 +51,7 @@ pub fn suite(_: &mut Random) -> Suite {
                 ("ulps 18", "ulps"),
                 ("rounded 6", "cut"),
                 ("rounded 3", "cut"),
-                ("truncated 6", "cut"),
+                ("cut 6", "cut"),
                 ("misprint exchanged", "misprint"),
                 ("misprint digit", "misprint"),
                 ("refuted 0", "refuted"),

@@ -33,12 +33,12 @@ pub(super) fn judge(
         }
         ExponentStatement::Decimal { decimal, .. } => match (rounding(hoelder, decimal), as_said) {
             (Some(Rounding::Neither), _) | (_, Some(false)) => SmoothnessVerdict::Refuted,
-            (Some(Rounding::Truncated), _) if decimal.significant_digits() == 0 => {
+            (Some(Rounding::Cut), _) if decimal.significant_digits() == 0 => {
                 SmoothnessVerdict::Refuted
             }
             (None, _) | (_, None) => SmoothnessVerdict::Open,
             (Some(Rounding::Exact | Rounding::Nearest), _) => SmoothnessVerdict::Confirmed,
-            (Some(Rounding::Truncated), _) => SmoothnessVerdict::Rounding(Direction::Cut),
+            (Some(Rounding::Cut), _) => SmoothnessVerdict::Rounding(Direction::Cut),
             (Some(Rounding::Up), _) => SmoothnessVerdict::Rounding(Direction::Away),
         },
     }

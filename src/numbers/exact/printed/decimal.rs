@@ -12,7 +12,7 @@ use crate::exact::{Enclosed, Integer, Rational, Real, RealAlgebraic};
 ///
 /// let printed = parse_decimal("0.667")?;
 /// assert_eq!(printed.rounding_of(&Rational::new(2, 3)), Rounding::Nearest);
-/// assert_eq!(parse_decimal("0.666")?.rounding_of(&Rational::new(2, 3)), Rounding::Truncated);
+/// assert_eq!(parse_decimal("0.666")?.rounding_of(&Rational::new(2, 3)), Rounding::Cut);
 /// // Nobody rounds 1/16 away from zero to 1.
 /// assert_eq!(parse_decimal("1")?.rounding_of(&Rational::new(1, 16)), Rounding::Neither);
 /// # Ok::<(), subcert::exact::NumberError>(())
@@ -33,7 +33,7 @@ pub enum Rounding {
     /// The nearest decimal of its length; of two equally near ones, either.
     Nearest,
     /// Not the nearest; cut towards zero.
-    Truncated,
+    Cut,
     /// Not the nearest; rounded away from zero, and not to one unit of the last place.
     Up,
     /// None of these.
@@ -141,7 +141,7 @@ impl Decimal {
             return Rounding::Neither;
         }
         if value.magnitude() < exact.magnitude() {
-            return Rounding::Truncated;
+            return Rounding::Cut;
         }
         // Nobody rounds a value below half a unit away from zero to one unit: 1/16 is no 1.
         if self.is_one_unit() { Rounding::Neither } else { Rounding::Up }

@@ -127,9 +127,9 @@ pub struct Number<'a> {
     pub shipped: &'a str,
     /// Its line in the source file; null where it is typed into the claim file.
     pub line: Option<usize>,
-    /// `nearest`, `rounded`, `truncated`, `ulps`, `misprint`, `refuted` or `open`.
+    /// `nearest`, `rounded`, `cut`, `ulps`, `misprint`, `refuted` or `open`.
     pub verdict: &'static str,
-    /// The digits that are written, of `rounded` and `truncated`; those that agree, of `refuted`; null otherwise.
+    /// The digits that are written, of `rounded` and `cut`; those that agree, of `refuted`; null otherwise.
     pub digits: Option<u64>,
     /// How many units in the last place, of `ulps`; null otherwise.
     pub ulps: Option<u64>,
@@ -268,7 +268,7 @@ fn parts(verdict: Verdict) -> (&'static str, Option<u64>, Option<u64>, Option<&'
     match verdict {
         Verdict::Nearest => ("nearest", None, None, None),
         Verdict::Rounded(digits) => ("rounded", u64::try_from(digits).ok(), None, None),
-        Verdict::Truncated(digits) => ("truncated", u64::try_from(digits).ok(), None, None),
+        Verdict::Cut(digits) => ("cut", u64::try_from(digits).ok(), None, None),
         Verdict::Ulps(units) => ("ulps", None, Some(units), None),
         Verdict::Misprint(slip) => (Word::Misprint.name(), None, None, Some(slip.name())),
         Verdict::Refuted(agree) => (Word::Refuted.name(), Some(u64::from(agree)), None, None),

@@ -76,7 +76,7 @@ type Column = (&'static str, fn(Verdict) -> bool);
 const COLUMNS: [Column; 7] = [
     ("✓ nearest", |verdict| verdict == Verdict::Nearest),
     ("≈ rounded", |verdict| matches!(verdict, Verdict::Rounded(_))),
-    ("≈ cut", |verdict| matches!(verdict, Verdict::Truncated(_))),
+    ("≈ cut", |verdict| matches!(verdict, Verdict::Cut(_))),
     ("≈ last\nplaces", |verdict| matches!(verdict, Verdict::Ulps(_))),
     ("± mis-\nprint", |verdict| matches!(verdict, Verdict::Misprint(_))),
     ("✗ other", |verdict| matches!(verdict, Verdict::Refuted(_))),

@@ -63,7 +63,7 @@ pub fn headline(finding: &ShippedFinding<'_>) -> String {
         (finding.count(|verdict| matches!(verdict, Verdict::Misprint(_))), misprints(finding)),
         (finding.count(|verdict| verdict == Verdict::Open), "not decided".to_owned()),
         (finding.count(|verdict| matches!(verdict, Verdict::Ulps(_))), ulps(finding)),
-        (finding.count(|verdict| matches!(verdict, Verdict::Truncated(_))), "cut".to_owned()),
+        (finding.count(|verdict| matches!(verdict, Verdict::Cut(_))), "cut".to_owned()),
         (
             finding.count(|verdict| matches!(verdict, Verdict::Rounded(_))),
             "rounded to the digits that are written".to_owned(),
@@ -186,7 +186,7 @@ fn grid(sheet: &mut Sheet, finding: &ShippedFinding<'_>, all: bool) {
 fn is_off(finding: &ShippedFinding<'_>, place: usize) -> bool {
     !matches!(
         finding.cells[place].verdict,
-        Verdict::Nearest | Verdict::Rounded(_) | Verdict::Truncated(_)
+        Verdict::Nearest | Verdict::Rounded(_) | Verdict::Cut(_)
     )
 }
 

@@ -35,7 +35,7 @@ pub(super) fn verdict(cell: &ShippedCell, kind: NumberType, written: Option<usiz
     match cell.verdict {
         Verdict::Nearest => format!("the nearest {}", type_name(kind)),
         Verdict::Rounded(digits) => format!("rounded to {digits} digits"),
-        Verdict::Truncated(digits) => format!("cut after {digits} digits"),
+        Verdict::Cut(digits) => format!("cut after {digits} digits"),
         Verdict::Ulps(1) => "1 unit in the last place away".to_owned(),
         Verdict::Ulps(units) => format!("{units} units in the last place away"),
         Verdict::Misprint(slip) => format!("misprint: {}", slip_text(slip)),
