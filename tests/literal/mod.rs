@@ -120,6 +120,43 @@ fn macros() {
     }
 }
 
+/// Macros in a table are replaced by their values, as the preprocessor does: `-W` of `1.0/4 + 1` is −1/4 + 1.
+#[test]
+fn macros_in_a_table() {
+    let text = "#define W0 0.5f\n#define OPEN 1.0/4 + 1\n#define DEEP W1\n# define W1 (3 * \\\n W0) // half\n\
+                static const float table[] = {W0, -OPEN, 2*OPEN,\n DEEP, vec2(W0, 0.125f) };\n#define W2 7\n";
+    let found = read(Language::C, text, &[6]).expect("a table");
+    let held: Vec<f64> = found.entries.iter().map(|one| one.held(Precision::Single)).collect();
+    assert_eq!(held, [0.5, 0.75, 1.5, 1.5, 0.5, 0.125]);
+    let texts: Vec<&str> = found.entries.iter().map(|one| &found.source.text[one.span()]).collect();
+    assert_eq!(texts[..4], ["0.5f", "-1.0 / 4 + 1", "2*1.0 / 4 + 1", "( 3 * 0.5f )"]);
+    let lines: Vec<usize> = found.entries.iter().map(subcert::literal::Entry::line).collect();
+    assert_eq!(lines, [6, 6, 6, 7, 7, 7]);
+    // In a macro that is a table the others may follow.
+    let list = "#define table {A, B}\n#define A 0.5\n#define B 0.25\n";
+    assert_eq!(self::held(Language::C, list, &[2], Precision::Single), [0.5, 0.25]);
+    let table = "double table[1] = {W};\n";
+    for (before, after, words) in [
+        ("", "", "the name `W` is no number, and has no `#define`"),
+        ("#define W\n", "", "has no value here, or has several"),
+        ("#define W 1.0\n#define W 2.0\n", "", "has no value here, or has several"),
+        ("#define W(x) 1.0\n", "", "has arguments"),
+        ("#define W 1.0\n#undef W\n", "", "is removed"),
+        ("#ifdef A\n#define W 1.0\n#endif\n", "", "depends on a conditional"),
+        ("", "#define W 1.0\n", "is defined only after this place"),
+        ("#define W W2\n", "", "the name `W2` is no number"),
+        ("#define W W\n", "", "more than 16 deep"),
+        ("#define W V + V\n#define V W + W\n", "", "more than 16 deep"),
+    ] {
+        let text = format!("{before}{table}{after}");
+        let error = read(Language::C, &text, &[1]).expect_err(&text);
+        assert!(error.message.contains(words), "{text}: {}", error.message);
+    }
+    // Other languages have no macros.
+    let error = read(Language::JavaScript, "const table = [W];", &[1]).expect_err("a name");
+    assert!(error.message.ends_with("the name `W` is no number"), "{}", error.message);
+}
+
 /// A literal of HLSL and WGSL may be rounded to a double first: where that gives another float, it depends on the compiler.
 #[test]
 fn what_a_compiler_rounds_twice() {

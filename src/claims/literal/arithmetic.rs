@@ -81,7 +81,13 @@ impl Reader<'_> {
             }
             Some(Kind::Directive) => Err(self.wrong("a line for the preprocessor".to_owned())),
             Some(Kind::Name) => {
-                Err(self.wrong(format!("the name `{}` is no number", self.text(self.at))))
+                let name = self.text(self.at);
+                let missing = if self.language.has_preprocessor() {
+                    ", and has no `#define`".to_owned()
+                } else {
+                    String::new()
+                };
+                Err(self.wrong(format!("the name `{name}` is no number{missing}")))
             }
             Some(_) => Err(self.wrong(format!("`{}` is no number", self.text(self.at)))),
             None => Err(self.wrong("a number is missing at the end".to_owned())),

@@ -57,6 +57,10 @@ pub(super) fn conditional(
     open.into_iter().rev().find(|(_, guard)| !guard).map(|(span, _)| span)
 }
 
+/// What helps where a macro has no one value.
+pub(super) const TYPED: &str =
+    "type the numbers that the program holds into the claim file, as `cells`";
+
 /// A macro with a value.
 pub(super) struct Macro {
     /// Its line among the words of the file.
@@ -67,20 +71,18 @@ pub(super) struct Macro {
     pub(super) tokens: Vec<Token>,
 }
 
-/// The macros of this name that have a value: `#define W0 0.0625`.
+/// The macros of this name among these lines that have a value: `#define W0 0.0625`.
 ///
 /// # Errors
-/// When a macro of this name has arguments, or is removed, or a sum or product in it is in no brackets: what it is
-/// depends on what stands beside it where it is used.
-pub(super) fn macros(
+/// When a macro of this name has arguments, or is removed.
+pub(super) fn macros<'t>(
     source: &Arc<SourceText>,
     language: Language,
-    tokens: &[Token],
+    lines: impl Iterator<Item = (usize, &'t Token)>,
     name: &str,
 ) -> Result<Vec<Macro>, Diagnostic> {
     let mut macros = Vec::new();
-    for (at, token) in tokens.iter().enumerate().filter(|(_, token)| token.kind == Kind::Directive)
-    {
+    for (at, token) in lines.filter(|(_, token)| token.kind == Kind::Directive) {
         let kind = match words(source, token)[..] {
             [kind @ ("define" | "undef"), first, ..] if first == name => kind,
             _ => continue,
@@ -89,11 +91,7 @@ pub(super) fn macros(
         let begin = line.find(kind).unwrap_or(0) + kind.len();
         let begin = token.span.start + begin + line[begin..].find(name).unwrap_or(0);
         let span = begin..begin + name.len();
-        let wrong = |message: String| {
-            Err(Diagnostic::new(source, span.clone(), message).with_help(
-                "type the numbers that the program holds into the claim file, as `cells`",
-            ))
-        };
+        let wrong = |message| Err(Diagnostic::new(source, span.clone(), message).with_help(TYPED));
         if kind == "undef" {
             return wrong(format!("the macro `{name}` is removed here"));
         }
@@ -105,11 +103,6 @@ pub(super) fn macros(
         while let Some(token) = inner.next()? {
             value.push(token);
         }
-        if is_open(&value) {
-            return wrong(format!(
-                "the value of `{name}` is in no brackets, so that what stands beside it where it is used comes first"
-            ));
-        }
         if !value.is_empty() {
             macros.push(Macro { at, name: span, tokens: value });
         }
@@ -118,7 +111,7 @@ pub(super) fn macros(
 }
 
 /// Whether a sign of arithmetic stands between two values outside all brackets.
-fn is_open(tokens: &[Token]) -> bool {
+pub(super) fn is_open(tokens: &[Token]) -> bool {
     let mut depth = 0_usize;
     tokens.iter().enumerate().any(|(at, token)| {
         match token.kind {

@@ -1,11 +1,12 @@
 //! Where the numbers of a table stand in a file.
 
 use super::declared::{Typed, declared, statement};
-use super::directive::{Macro, conditional, macros, words};
+use super::directive::{Macro, TYPED, conditional, is_open, macros, words};
 use super::language::Language;
 use super::place::{Place, Use};
 use super::token::{Kind, Token, Tokens};
 use crate::diagnostic::{Diagnostic, SourceText};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -20,20 +21,103 @@ pub(super) struct Initialiser {
     pub(super) directives: Vec<Token>,
 }
 
-/// The words after the name `after`, up to the end of its initialiser: what follows `=`, or the first brace,
-/// where nothing else but a type and brackets stands before. Places where the name is only used are passed over.
+/// How deep macros may be nested.
+const MAX_ROUNDS: usize = 16;
+
+/// How many bytes macros may add to a file.
+const MAX_ADDED: usize = 1 << 20;
+
+/// The initialiser after the name `after`, in the source where each macro in it is replaced by its value, as the preprocessor
+/// does.
 pub(super) fn initialiser(
     source: &Arc<SourceText>,
     language: Language,
     after: &str,
-) -> Result<Initialiser, Diagnostic> {
-    let mut tokens = Tokens::new(source, language);
-    let mut all = Vec::new();
-    while let Some(token) = tokens.next()? {
-        all.push(token);
+) -> Result<(Arc<SourceText>, Initialiser), Diagnostic> {
+    let mut written = Arc::clone(source);
+    for _ in 0..MAX_ROUNDS {
+        let found = located(&written, language, after)?;
+        match replaced(&written, language, &found)? {
+            None => return Ok((written, found)),
+            Some(next) if next.text.len() > source.text.len() + MAX_ADDED => break,
+            Some(next) => written = next,
+        }
     }
+    let message = format!(
+        "the macros in `{after}` are more than {MAX_ROUNDS} deep, or make it longer by {MAX_ADDED} bytes"
+    );
+    let Initialiser { name, .. } = located(source, language, after)?;
+    Err(Diagnostic::new(source, name, message).with_help(TYPED))
+}
+
+/// The source with the values of the macros that an initialiser names in their places; `None` where it names none.
+fn replaced(
+    source: &Arc<SourceText>,
+    language: Language,
+    found: &Initialiser,
+) -> Result<Option<Arc<SourceText>>, Diagnostic> {
+    let named = |token: &&Token| token.kind == Kind::Name;
+    if found.directives.is_empty() || !found.tokens.iter().any(|token| named(&token)) {
+        return Ok(None);
+    }
+    let all = words_of(source, language)?;
+    let mut lines: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for (at, token) in all.iter().enumerate().filter(|(_, one)| one.kind == Kind::Directive) {
+        if let ["define" | "undef", name, ..] = words(source, token)[..] {
+            lines.entry(name).or_default().push(at);
+        }
+    }
+    let in_macro = found.directives.iter().any(|line| line.span.contains(&found.name.start));
+    let (mut text, mut end) = (String::new(), 0);
+    for token in found.tokens.iter().filter(named) {
+        if text.len() > source.text.len() + MAX_ADDED {
+            break;
+        }
+        let name = &source.text[token.span.clone()];
+        let Some(lines) = lines.get(name) else { continue };
+        let directives = lines.iter().map(|at| (*at, &all[*at]));
+        let [one] = &macros(source, language, directives, name)?[..] else {
+            let message = format!("the macro `{name}` has no value here, or has several");
+            return Err(Diagnostic::new(source, token.span.clone(), message).with_help(TYPED));
+        };
+        not_conditional(source, &all, one.at, None)?;
+        if one.name.start > token.span.start && !in_macro {
+            let message = format!("the macro `{name}` is defined only after this place");
+            return Err(Diagnostic::new(source, token.span.clone(), message)
+                .with_place(one.name.clone(), "here")
+                .with_help("define it before the table, as a compiler needs it"));
+        }
+        let words = one.tokens.iter().map(|token| &source.text[token.span.clone()]);
+        text += &source.text[end..token.span.start];
+        text += &words.collect::<Vec<&str>>().join(" ");
+        end = token.span.end;
+    }
+    text += &source.text[end..];
+    Ok((end > 0).then(|| SourceText::new(source.name.clone(), text)))
+}
+
+/// The words of a file.
+fn words_of(source: &Arc<SourceText>, language: Language) -> Result<Vec<Token>, Diagnostic> {
+    let mut tokens = Tokens::new(source, language);
+    std::iter::from_fn(|| tokens.next().transpose()).collect()
+}
+
+/// The words after the name `after`, up to the end of its initialiser: what follows `=`, or the first brace,
+/// where nothing else but a type and brackets stands before. Places where the name is only used are passed over.
+fn located(
+    source: &Arc<SourceText>,
+    language: Language,
+    after: &str,
+) -> Result<Initialiser, Diagnostic> {
+    let all = words_of(source, language)?;
     let text = |token: &Token| &source.text[token.span.clone()];
-    let macros = macros(source, language, &all, after)?;
+    let macros = macros(source, language, all.iter().enumerate(), after)?;
+    if let Some(open) = macros.iter().find(|one| is_open(&one.tokens)) {
+        let message = format!(
+            "the value of `{after}` is in no brackets, so that what stands beside it where it is used comes first"
+        );
+        return Err(Diagnostic::new(source, open.name.clone(), message).with_help(TYPED));
+    }
     let named = |token: &Token| token.kind == Kind::Name && text(token) == after;
     let enclosed = enclosed(&all);
     let mut found: Vec<(usize, Range<usize>)> = Vec::new();

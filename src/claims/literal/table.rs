@@ -12,6 +12,8 @@ use std::sync::Arc;
 /// The numbers of a table, the last index running fastest.
 #[derive(Clone, Debug)]
 pub struct LiteralTable {
+    /// The file, where each macro in the table is replaced by its value: what the places here refer to.
+    pub source: Arc<SourceText>,
     /// The number of values of each index; empty for one number.
     pub shape: Vec<usize>,
     /// The numbers.
@@ -25,10 +27,11 @@ pub struct LiteralTable {
 
 /// Reads the numbers that the name `after` gets in a source file, such as `gregoryToLoopMatrix`. Nested
 /// brackets are taken as they come, as are constructors that keep their numbers, such as `vec3(…)` or `np.array(…, dtype=np.float64)`; the numbers
-/// have to fill `shape`, in the order in which they stand. A table of one number has the shape `[]`.
+/// have to fill `shape`, in the order in which they stand. A table of one number has the shape `[]`. A macro in the table is replaced by
+/// its value, `#define W0 0.5f`, as the preprocessor does.
 ///
 /// # Errors
-/// At its place in the file, whatever is no number: a name, a macro, another call, a preprocessor line, an unknown suffix, a comma
+/// At its place in the file, whatever is no number: a name, a macro without a value or with several, another call, a preprocessor line, an unknown suffix, a comma
 /// without a number. Also when the name does not occur, gets no value or two, or is changed; when a conditional of the preprocessor stands
 /// around it; when the types that the source gives to the numbers are several, or do not hold one of them; and when there are more or fewer numbers than the
 /// shape has, or more than [`MAX_ENTRIES`].
@@ -54,7 +57,9 @@ pub fn read_literals(
         let message = format!("a shape of no numbers, or of more than {MAX_ENTRIES}: {shape:?}");
         return Err(Diagnostic::new(source, 0..0, message));
     };
-    let Initialiser { tokens, name, mut types, directives } = initialiser(source, language, after)?;
+    let (source, found) = initialiser(source, language, after)?;
+    let Initialiser { tokens, name, mut types, directives } = found;
+    let source = &source;
     let mut reader = Reader::new(source, language, &tokens);
     let mut entries = Vec::new();
     reader.items(&mut entries, 0)?;
@@ -76,5 +81,6 @@ pub fn read_literals(
             "of constants with one number each, give a list of names: after = [\"W0\", \"W1\"]";
         return Err(if one { error.with_help(help) } else { error });
     }
-    Ok(LiteralTable { shape: shape.to_vec(), entries, name, declared })
+    let source = Arc::clone(source);
+    Ok(LiteralTable { source, shape: shape.to_vec(), entries, name, declared })
 }

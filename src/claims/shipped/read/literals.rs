@@ -110,8 +110,9 @@ impl Reader<'_> {
         for name in names {
             let shape = if several { &[] } else { &shape[..] };
             let table = read_literals(&source, language, name.get_ref(), shape)?;
-            has_type(&table, name.get_ref(), kind, &source)?;
-            entries.extend(table.entries);
+            has_type(&table, name.get_ref(), kind)?;
+            let source = table.source;
+            entries.extend(table.entries.into_iter().map(|entry| (entry, Arc::clone(&source))));
         }
         let described = entries.get(skipped..).and_then(|rest| rest.get(..wanted));
         let entries = described.ok_or_else(|| {
@@ -122,13 +123,12 @@ impl Reader<'_> {
             self.error(from.span(), message)
                 .with_help("let the indices run over numbers that the table has")
         })?;
-        let read = |entry: &Entry| {
-            number(entry, &source, kind)
-                .map_err(|why| Diagnostic::new(&source, entry.span(), format!("this {why}")))
+        let read = |(entry, source): &(Entry, Arc<SourceText>)| {
+            let read = number(entry, source, kind)
+                .map_err(|why| Diagnostic::new(source, entry.span(), format!("this {why}")))?;
+            Ok(ShippedNumber { line: Some(entry.line()), ..read })
         };
-        let numbers = entries
-            .iter()
-            .map(|entry| Ok(ShippedNumber { line: Some(entry.line()), ..read(entry)? }));
+        let numbers = entries.iter().map(read);
         numbers.collect()
     }
 
@@ -162,12 +162,7 @@ fn precision(kind: NumberType) -> Option<Precision> {
 }
 
 /// Checks that a source gives no other type to the numbers of a table.
-fn has_type(
-    table: &LiteralTable,
-    name: &str,
-    kind: NumberType,
-    source: &Arc<SourceText>,
-) -> Result<(), Diagnostic> {
+fn has_type(table: &LiteralTable, name: &str, kind: NumberType) -> Result<(), Diagnostic> {
     let (Some(wanted), Some((held, span))) = (precision(kind), &table.declared) else {
         return Ok(());
     };
@@ -181,7 +176,7 @@ fn has_type(
     let help = format!(
         "write type = \"{held}\" in the claim file; where the program converts them later, type the numbers into it, as `cells`"
     );
-    Err(Diagnostic::new(source, span.clone(), message).with_help(help))
+    Err(Diagnostic::new(&table.source, span.clone(), message).with_help(help))
 }
 
 /// The number of an entry. The error says why it has none.
