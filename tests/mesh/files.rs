@@ -61,6 +61,135 @@ fn ply(big: bool) -> Vec<u8> {
     bytes
 }
 
+/// The bytes of an integer of this type.
+fn integer(kind: &str, value: i64, big: bool) -> Vec<u8> {
+    let size = match kind {
+        "char" | "uchar" => 1,
+        "short" | "ushort" => 2,
+        _ => 4,
+    };
+    let mut bytes = value.to_le_bytes()[..size].to_vec();
+    if big {
+        bytes.reverse();
+    }
+    bytes
+}
+
+/// Strips over the four points, with the lengths as given, and a byte before each; in both orders of bytes, and as text.
+fn strips(types: [&str; 2], element: &str, lists: &[(i64, &[i64])]) -> [Vec<u8>; 3] {
+    ["binary_little_endian", "binary_big_endian", "ascii"].map(|form| {
+        let big = form == "binary_big_endian";
+        let [length, index] = types;
+        let head = format!(
+            "ply\nformat {form} 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+             element {element} {}\nproperty uchar tag\nproperty list {length} {index} vertex_indices\nend_header\n",
+            lists.len()
+        );
+        let mut bytes = head.into_bytes();
+        for [x, y, z] in POINTS {
+            if form == "ascii" {
+                bytes.extend(format!("{:.27} {:.27} {:.27}\n", f64::from(x), f64::from(y), f64::from(z)).into_bytes());
+            } else {
+                let float = |x: f32| if big { x.to_be_bytes() } else { x.to_le_bytes() };
+                bytes.extend([x, y, z].map(float).concat());
+            }
+        }
+        for (count, list) in lists {
+            if form == "ascii" {
+                let list = list.iter().map(i64::to_string).collect::<Vec<_>>().join(" ");
+                bytes.extend(format!("9 {count} {list}\n").into_bytes());
+            } else {
+                bytes.push(9);
+                bytes.extend(integer(length, *count, big));
+                list.iter().for_each(|index_| bytes.extend(integer(index, *index_, big)));
+            }
+        }
+        bytes
+    })
+}
+
+fn bytes_or_text(bytes: &[u8]) -> Result<MeshFile, Diagnostic> {
+    match read_binary_mesh("a.ply", bytes, None) {
+        Some(file) => file,
+        None => read(MeshFormat::Ply, &String::from_utf8_lossy(bytes)),
+    }
+}
+
+/// -1 ends a strip, and the next one begins with a triangle that is not turned: by hand, four triangles of a tetrahedron.
+#[test]
+fn strips_of_triangles_in_bytes_are_those_of_the_text() {
+    let faces = [[0, 1, 2], [2, 1, 3], [3, 1, 0], [2, 3, 0]].map(|face: [usize; 3]| face.to_vec());
+    let expected = PolygonMesh::new(POINTS.iter().map(exact).collect(), faces.to_vec());
+    let expected = expected.expect("a surface");
+    let list: &[i64] = &[0, 1, 2, -1, 2, 1, 3, 0];
+    for length in ["uchar", "char", "ushort", "short", "uint", "int"] {
+        for index in ["char", "short", "int"] {
+            let lists = [(8, list), (5, &[-1, 2, 3, 0, -1])];
+            for bytes in strips([length, index], "tristrips", &lists) {
+                let file = bytes_or_text(&bytes).unwrap_or_else(|error| panic!("{error}"));
+                assert_eq!(*file.mesh(), expected, "{length} {index}");
+            }
+        }
+    }
+    // A reader that passed over -1 would not see this mesh.
+    for bytes in
+        strips(["int", "int"], "tristrips", &[(7, &[0, 1, 2, 2, 1, 3, 0]), (3, &[2, 3, 0])])
+    {
+        assert!(
+            bytes_or_text(&bytes)
+                .is_err_and(|error| error.to_string().contains("orientations differ"))
+        );
+    }
+}
+
+#[test]
+fn strips_that_are_cut_off_or_lie_are_refused() {
+    let list: &[i64] = &[0, 1, 2, 3, -1, 2, 3, 0, 1];
+    let [little, big, text] = strips(["uint", "int"], "tristrips", &[(9, list)]);
+    for whole in [&little, &big] {
+        let end = b"end_header\n";
+        let start = whole.windows(end.len()).position(|part| part == end).expect("a header");
+        for length in start + end.len()..whole.len() {
+            let error = bytes_or_text(&whole[..length]).map(|_| ()).expect_err("cut off");
+            assert!(
+                error.to_string().contains("missing") || error.to_string().contains("ends before")
+            );
+        }
+        assert_eq!(survives(MeshFormat::Ply, whole), Ok(true));
+    }
+    assert_eq!(bytes_or_text(&little).unwrap().mesh(), bytes_or_text(&text).unwrap().mesh());
+    let refused = |types, element, lists: &[(i64, &[i64])], parts: [&str; 3]| {
+        for (bytes, part) in strips(types, element, lists).iter().zip(parts) {
+            let error = bytes_or_text(bytes).map(|_| ()).expect_err(part).to_string();
+            assert!(error.contains(part), "{part}: {error}");
+        }
+    };
+    let most = i64::from(u32::MAX);
+    let many = "has 4294967295 numbers, and the file ends before them";
+    refused(
+        ["uint", "int"],
+        "tristrips",
+        &[(most, list)],
+        [many, many, "a face of 4294967295 vertices"],
+    );
+    // -1 is no number of vertices, nor -2 a vertex, nor 2^32 - 1, nor -1 of a face.
+    let missing = "`vertex_indices` is missing, or no number of its type";
+    refused(["int", "int"], "tristrips", &[(-1, list)], [missing, missing, "-1"]);
+    refused(["int", "int"], "tristrips", &[(4, &[0, 1, 2, -2])], [missing, missing, "-2"]);
+    refused(["int", "uint"], "tristrips", &[(4, &[0, 1, 2, most])], ["4294967295"; 3]);
+    refused(["int", "int"], "face", &[(4, &[0, 1, 2, -1])], [missing, missing, "-1"]);
+    // The header tells of 2^32 - 1 strips, and one is there.
+    for bytes in [little, big] {
+        let head = b"element tristrips 1\n";
+        let at = bytes.windows(head.len()).position(|part| part == head).expect("the header");
+        let mut long = bytes[..at].to_vec();
+        long.extend(format!("element tristrips {most}\n").into_bytes());
+        long.extend(&bytes[at + head.len()..]);
+        let error = bytes_or_text(&long).map(|_| ()).expect_err("one strip").to_string();
+        assert!(error.contains("is missing"), "{error}");
+    }
+}
+
 fn stl() -> Vec<u8> {
     let mut bytes = vec![b's'; 80];
     bytes.extend(4_u32.to_le_bytes());
