@@ -33,6 +33,36 @@ fn paper(text: &str) -> Paper {
     read_paper(&SourceText::new("test", text)).expect("a claim file")
 }
 
+/// The checker reads a mask in one text as the program does: the rules are those by hand.
+#[test]
+fn masks_in_one_text() {
+    let text = "key = 'k'\n[paper]\nauthors = ['A B']\ntitle = 't'\nvenue = 'v'\nyear = '2026'\n\
+        [[scheme]]\nname = 'two'\nparameters.w = {}\nmask = '{w, 1 - w, 1 - w, quarter}'\n[scheme.let]\nquarter = 'w'\n\
+        [[scheme]]\nname = 'three'\nmask = '1/9 * [1 3 6 7 6 3 1]'\n\
+        [[equation]]\nid = 'two'\nlocus = 'l'\nscheme = 'two:w=1/4'\n\
+        indices = [{ name = 'i', values = ['0', '1', '2', '3'] }]\nleft = ['1/4', '3/4', '3/4', '1/4']\n\
+        right = 'mask(floor(i/2), mod(i, 2) + floor(i/2))'\n\
+        [[equation]]\nid = 'three'\nlocus = 'l'\nscheme = 'three'\n\
+        indices = [{ name = 'i', values = ['0', '1', '2'] }]\nleft = ['1/9', '7/9', '1/9']\nright = 'mask(0, i)'\n";
+    let paper = paper(text);
+    let audit = audit(&paper).expect("an audit");
+    for finding in &audit.equations {
+        assert!(matches!(finding.verdict, EquationVerdict::Holds { .. }), "{finding:?}");
+        assert!(valid(&audit, &finding.equation.id), "{}", finding.id);
+    }
+    for wrong in ["'[1, 3, 3, 1]/5'", "'[1, 3, 3, 1'", "'1/4'"] {
+        let text = text.replace("'1/9 * [1 3 6 7 6 3 1]'", wrong);
+        assert!(read_paper(&SourceText::new("test", &text[..])).is_err(), "{wrong}");
+        let written = certificate(&audit).text;
+        let report = check(&text, &[&written]);
+        let accepted = |report: Report| {
+            let mut claims = report.claims.into_iter();
+            claims.any(|(_, id, outcome)| id == "three" && outcome == Outcome::Valid)
+        };
+        assert!(!report.is_ok_and(accepted), "{wrong}");
+    }
+}
+
 #[test]
 fn the_committed_certificates_are_valid_and_as_written() {
     assert_eq!(AUDITS.len(), embedded().len());

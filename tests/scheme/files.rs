@@ -42,6 +42,40 @@ fn a_file_is_a_scheme_with_parameters() {
     std::fs::remove_file(path).unwrap();
 }
 
+/// The mask in one text is that of the command line, with names of the file in it.
+#[test]
+fn a_mask_in_one_text() {
+    let text = "name = 'corner'\nparameters.w = { default = '1/8' }\nmask = '[cut, 1 - cut, 1 - cut, cut]'\n\
+                [let]\ncut = '2*w'\n";
+    let path = write("text.toml", text.as_bytes()).display().to_string();
+    assert_eq!(mask(&path), mask("[1, 3, 3, 1]/4"));
+    assert_eq!(mask(&format!("{path}:w=1/16")), mask("[1, 7, 7, 1]/8"));
+    for (mask, part) in [
+        ("'[1, 3, 3]/4'", "the coefficients of a mask of arity n"),
+        ("'[1, 3, , 1]/4'", "a coefficient is missing"),
+        ("'[1, 3, 3, 1]/4 + 1'", "a sum behind the list"),
+        ("'[gone, 1 - gone, 1 - gone, gone]'", "unknown name `gone`"),
+        ("\"[1, 3, 3, 1]\\u002f4\"", "without escapes"),
+        ("'[1, 3, 3, 1]/4'\noffset = '1'", "has its offset"),
+        ("'[1, 3, 3, 1]/4'\narity = '2'", "either `mask`, or"),
+        ("'chaikin'", "not a list of coefficients"),
+        ("''", "not a list of coefficients"),
+        ("['1', '3']", "invalid type"),
+        ("'[0.33, 0.33, 0.33]'", "write 100/33*[0.33, 0.33, 0.33]"),
+    ] {
+        let text = format!("name = 'x'\nmask = {mask}\n");
+        let error = read(&text).and_then(|scheme| {
+            let none = BTreeMap::<String, Rational>::new();
+            scheme.mask(&none).map(|_| ()).map_err(|error| match error {
+                SchemeError::File(error) => *error,
+                other => panic!("{mask}: {other}"),
+            })
+        });
+        let error = error.expect_err(mask);
+        assert!(error.to_string().contains(part), "{mask}: {error}");
+    }
+}
+
 #[test]
 fn files_that_cannot_be_read() {
     let latin = write("latin.toml", b"name = 'caf\xe9'");

@@ -213,7 +213,7 @@ impl<'a> Library<'a> {
             _ => find_in_catalogue(name).map_err(|error| match error {
                 SchemeError::Unknown { name, mut known } => {
                     known.splice(0..0, self.paper.schemes.keys().cloned());
-                    SchemeError::Unknown { name, known }
+                    SchemeError::UnknownInPaper { name, known }
                 }
                 other => other,
             }),

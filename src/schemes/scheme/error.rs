@@ -68,6 +68,18 @@ pub enum SchemeError {
         /// The names that exist.
         known: Vec<String>,
     },
+    /// There is none in a claim file, nor in the catalogue.
+    #[error(
+        "unknown scheme `{name}`{}; a scheme of the paper's own stands in the claim file as [[scheme]], with a `name` and \
+         mask = '[1, 3, 3, 1]/4'",
+        names(.name, .known.iter().map(String::as_str))
+    )]
+    UnknownInPaper {
+        /// The name.
+        name: String,
+        /// The names that exist.
+        known: Vec<String>,
+    },
     /// A parameter has neither a value nor a default.
     #[error("`{scheme}` needs its parameter `{parameter}`: write `{scheme}:{parameter}=…`")]
     MissingParameter {

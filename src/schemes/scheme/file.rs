@@ -8,16 +8,43 @@ use super::local_file::{EdgeTable, OrbitTable, WeightTable, ring};
 use super::local_formulas::{LocalFormulas, NEW_INDEX, OLD_INDEX};
 use super::spanned::Spanned;
 use super::toml_file::from_toml;
+use super::typed::{self, Typed};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::LocatedFormula;
 use serde::Deserialize;
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{SeqAccess, Visitor};
 use std::collections::BTreeMap;
+use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The rules of a mask as lists of formulas. The mask, each rule and each formula has its
-/// place.
-type MaskTable = Spanned<Vec<Spanned<Vec<Spanned<String>>>>>;
+/// A mask: lists of formulas, one for each rule, or one text. The mask, each rule and each formula has its place.
+#[derive(Debug)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
+enum MaskTable {
+    Rules(Vec<Spanned<Vec<Spanned<String>>>>),
+    Text(String),
+}
+
+impl<'de> Deserialize<'de> for MaskTable {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<MaskTable, D::Error> {
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = MaskTable;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a list of rules, or a mask in quotes such as '[1, 3, 3, 1]/4'")
+            }
+            fn visit_str<E>(self, text: &str) -> Result<MaskTable, E> {
+                Ok(MaskTable::Text(text.to_owned()))
+            }
+            fn visit_seq<S: SeqAccess<'de>>(self, rules: S) -> Result<MaskTable, S::Error> {
+                Vec::deserialize(SeqAccessDeserializer::new(rules)).map(MaskTable::Rules)
+            }
+        }
+        deserializer.deserialize_any(Either)
+    }
+}
 
 /// A scheme in TOML, as a whole file or as an entry `[[scheme]]`.
 #[derive(Debug, Deserialize)]
@@ -49,8 +76,8 @@ pub struct SchemeTable {
     width: Option<Spanned<String>>,
     /// One formula for all coefficients, in alpha and r.
     entry: Option<Spanned<String>>,
-    /// The rules: `[['3/4', '1/4'], ['1/4', '3/4']]`.
-    mask: Option<MaskTable>,
+    /// The rules: `[['3/4', '1/4'], ['1/4', '3/4']]`, or the mask in one text: `'[1, 3, 3, 1]/4'`.
+    mask: Option<Spanned<MaskTable>>,
     /// Of a ring: the number of points of each orbit.
     orbits: Option<OrbitTable>,
     /// Of a ring: for each orbit of new points, the weights of the orbits of old points.
@@ -125,6 +152,9 @@ impl SchemeTable {
             let spec = ParameterSpec { default, least, about: table.about.clone() };
             parameters.insert(identifier(source, name)?, spec);
         }
+        let definitions = definitions(source, &self.definitions)?;
+        let stated = self.offset.as_ref().map(|text| formula(source, text)).transpose()?;
+        let (own, coefficients) = self.coefficients(source, &definitions)?;
         Ok(SchemeDefinition {
             name: self.name.get_ref().clone(),
             title: self.title.clone(),
@@ -132,9 +162,9 @@ impl SchemeTable {
             samples: self.samples.clone(),
             parameters,
             facts: CatalogueFacts::default(),
-            definitions: definitions(source, &self.definitions)?,
-            offset: self.offset.as_ref().map(|text| formula(source, text)).transpose()?,
-            coefficients: self.coefficients(source)?,
+            definitions,
+            offset: own.or(stated),
+            coefficients,
         })
     }
 
@@ -142,7 +172,12 @@ impl SchemeTable {
         self.orbits.is_some() || self.weights.is_some() || self.edges.is_some()
     }
 
-    fn coefficients(&self, source: &Arc<SourceText>) -> Result<Coefficients, Diagnostic> {
+    /// The coefficients, and the offset of a mask that is one text.
+    fn coefficients(
+        &self,
+        source: &Arc<SourceText>,
+        definitions: &BTreeMap<String, LocatedFormula>,
+    ) -> Result<(Option<LocatedFormula>, Coefficients), Diagnostic> {
         if let Some(other) = &self.r#use {
             return Err(Diagnostic::new(
                 source,
@@ -152,16 +187,23 @@ impl SchemeTable {
             .with_help("write `name` and `use` only, or the scheme's own mask"));
         }
         if self.is_ring() {
-            return self.ring(source).map(|formulas| Coefficients::LocalRules(Box::new(formulas)));
+            let formulas = self.ring(source)?;
+            return Ok((None, Coefficients::LocalRules(Box::new(formulas))));
         }
         match (&self.mask, &self.arity, &self.width, &self.entry) {
-            (Some(mask), None, None, None) => listed(source, mask).map(Coefficients::Listed),
+            (Some(mask), None, None, None) => match mask.get_ref() {
+                MaskTable::Rules(rules) => {
+                    Ok((None, Coefficients::Listed(listed(source, mask.span(), rules)?)))
+                }
+                MaskTable::Text(text) => self.text(source, mask.span(), text, definitions),
+            },
             (None, Some(arity), Some(width), Some(entry)) => {
-                Ok(Coefficients::Rule(Box::new(RuleFormulas {
+                let formulas = RuleFormulas {
                     arity: formula(source, arity)?,
                     width: formula(source, width)?,
                     entry: formula(source, entry)?,
-                })))
+                };
+                Ok((None, Coefficients::Rule(Box::new(formulas))))
             }
             _ => Err(Diagnostic::new(
                 source,
@@ -169,8 +211,8 @@ impl SchemeTable {
                 "a scheme needs either `mask`, or `arity`, `width` and `entry`",
             )
             .with_help(
-                "mask = [['3/4', '1/4'], ['1/4', '3/4']] lists the rules; `entry` is one formula \
-                 for all coefficients, in alpha = 0..arity-1 and r = 0..width-1; a ring has \
+                "mask = '[1, 3, 3, 1]/4' is the mask in one text, and mask = [['3/4', '1/4'], \
+                 ['1/4', '3/4']] lists the rules; `entry` is one formula for all coefficients, in alpha = 0..arity-1 and r = 0..width-1; a ring has \
                  `orbits`, `weights` and `edges` instead",
             )),
         }
@@ -178,6 +220,32 @@ impl SchemeTable {
 }
 
 impl SchemeTable {
+    /// The mask in one text, which has its offset.
+    fn text(
+        &self,
+        source: &Arc<SourceText>,
+        span: Range<usize>,
+        text: &str,
+        definitions: &BTreeMap<String, LocatedFormula>,
+    ) -> Result<(Option<LocatedFormula>, Coefficients), Diagnostic> {
+        if let Some(offset) = &self.offset {
+            let message =
+                "a mask in one text has its offset: point 0 stays at the coefficient in its middle";
+            return Err(Diagnostic::new(source, offset.span(), message).with_help(
+                "leave out `offset`, or list the rules: mask = [['3/4', '1/4'], ['1/4', '3/4']]",
+            ));
+        }
+        let Some(start) = source.text[span.clone()].find(text) else {
+            let message = "a mask in one text is written without escapes";
+            return Err(Diagnostic::new(source, span, message)
+                .with_help("write it in single quotes: mask = '[1, 3, 3, 1]/4'"));
+        };
+        let start = span.start + start;
+        let Typed { offset, rows, .. } =
+            typed::mask(source, start..start + text.len(), definitions)?;
+        Ok((Some(offset), Coefficients::Listed(rows)))
+    }
+
     fn ring(&self, source: &Arc<SourceText>) -> Result<LocalFormulas, Diagnostic> {
         let at_name = |message: &str| Diagnostic::new(source, self.name.span(), message);
         let of_mask = [&self.offset, &self.arity, &self.width, &self.entry];
@@ -209,14 +277,15 @@ impl SchemeTable {
 
 fn listed(
     source: &Arc<SourceText>,
-    mask: &MaskTable,
+    whole: Range<usize>,
+    rules: &[Spanned<Vec<Spanned<String>>>],
 ) -> Result<Vec<Vec<LocatedFormula>>, Diagnostic> {
     let empty = |span: Range<usize>| {
         Diagnostic::new(source, span, "a mask needs at least one coefficient in each rule")
             .with_help("write a rule as ['3/4', '1/4']")
     };
-    if mask.get_ref().is_empty() {
-        return Err(empty(mask.span()));
+    if rules.is_empty() {
+        return Err(empty(whole));
     }
     let rule = |row: &Spanned<Vec<Spanned<String>>>| {
         if row.get_ref().is_empty() {
@@ -224,5 +293,5 @@ fn listed(
         }
         row.get_ref().iter().map(|text| formula(source, text)).collect()
     };
-    mask.get_ref().iter().map(rule).collect()
+    rules.iter().map(rule).collect()
 }

@@ -2,6 +2,7 @@
 
 use super::products::Products;
 use super::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Scheme};
+use super::typed;
 use crate::formulas::{Definitions, Indices, Reading, Scope, formula, formulas, free};
 use crate::numbers::{Meter, Value};
 use crate::text::{Stop, Toml};
@@ -223,6 +224,15 @@ impl<'a> Library<'a> {
             None => wrong(name, "`mask` or `entry` is missing"),
         };
         let offset = if table.get("offset").is_some() { integer("offset", MAX_OFFSET)? } else { 0 };
+        if let Some(text) = table.text("mask") {
+            if table.get("offset").is_some() {
+                return wrong(name, "a mask in one text has its offset");
+            }
+            let (offset, mask) = typed::mask(text, &scope)?;
+            let scheme = Rc::new(Scheme::new(mask, offset)?);
+            self.schemes.borrow_mut().insert(key, Rc::clone(&scheme));
+            return Ok(scheme);
+        }
         let mask: Result<Vec<Vec<Value>>, Stop> = if table.get("mask").is_some() {
             let entry = |entry: &Toml| scope.value(&formula(entry.as_text().unwrap_or(""))?);
             let rows = table.list("mask").iter();

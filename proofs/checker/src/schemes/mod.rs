@@ -8,6 +8,7 @@ mod orbits;
 mod powers;
 mod products;
 mod scheme;
+mod typed;
 
 pub use catalogue::catalogue;
 pub use convolution::{Convolution, MAX_LENGTH, Product, Sequence, Sums};

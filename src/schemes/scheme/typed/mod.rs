@@ -1,11 +1,12 @@
 //! A mask that is typed in place of a name: `[1, 3, 3, 1]/4`.
 
-use super::definition::{CatalogueFacts, Coefficients, ParameterSpec, SchemeDefinition};
+use super::definition::{CatalogueFacts, Coefficients, ParameterSpec, ROUNDED, SchemeDefinition};
 use super::rules::MAX_ARITY;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{AlgebraicNumber, Rational, Scalar as _};
-use crate::formula::{FreeNames, LocatedFormula, Parameters, evaluate};
+use crate::formula::{FreeNames, LocatedFormula, Scope, evaluate};
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::sync::Arc;
 use sum::Sum;
 
@@ -20,25 +21,14 @@ const SOURCE: &str = "SCHEME";
 /// Where a parameter may have any value, it has this one.
 const ANY: (i64, i64) = (355, 113);
 
-/// The scheme with the mask a_0, …, a_L of the text `[a_0, …, a_L]`, each times what stands before the bracket, such as `1/4*`,
-/// and behind it, such as `/4`. Braces do too, and round brackets.
-///
-/// It is x'_m = Σ_j a_{m − nj + h} x_j with h = ⌊L/2⌋, so that a_h is where a point stays. The coefficients of a mask of
-/// arity n add up to n, which gives n. Names in the formulas are parameters.
+/// The scheme with the mask of the text; names in its formulas are parameters.
 ///
 /// # Errors
-/// When the text has another form, a coefficient is no formula, or the sum is no arity.
+/// As [`mask`].
 pub(super) fn typed(text: &str) -> Result<SchemeDefinition, Diagnostic> {
     let source = SourceText::new(SOURCE, text);
-    let coefficients = text::coefficients(&source)?;
-    let whole = 0..text.len();
-    let none = BTreeMap::new();
-    let mut free = FreeNames::new(&none);
-    let names: BTreeSet<String> =
-        coefficients.iter().flat_map(|formula| free.of(&formula.expr)).collect();
-    let arity = arity(&source, &coefficients, &names)?;
-    let number = |value: isize| LocatedFormula::read(&source, whole.clone(), &value.to_string());
-    let (first, rows) = rules(&coefficients, arity, &number(0)?);
+    let definitions = BTreeMap::new();
+    let Typed { offset, rows, names } = mask(&source, 0..text.len(), &definitions)?;
     let open = ParameterSpec { default: None, least: None, about: String::new() };
     Ok(SchemeDefinition {
         name: text.to_owned(),
@@ -47,10 +37,41 @@ pub(super) fn typed(text: &str) -> Result<SchemeDefinition, Diagnostic> {
         samples: Vec::new(),
         parameters: names.into_iter().map(|name| (name, open.clone())).collect(),
         facts: CatalogueFacts::default(),
-        definitions: BTreeMap::new(),
-        offset: Some(number(first)?),
+        definitions,
+        offset: Some(offset),
         coefficients: Coefficients::Listed(rows),
     })
+}
+
+/// A mask that is one text.
+pub(super) struct Typed {
+    pub(super) offset: LocatedFormula,
+    pub(super) rows: Vec<Vec<LocatedFormula>>,
+    /// The free names in its formulas.
+    names: BTreeSet<String>,
+}
+
+/// The mask a_0, …, a_L of the text `[a_0, …, a_L]` in this range, each times what stands before the bracket, such as `1/4*`,
+/// and behind it, such as `/4`. Braces do too, and round brackets.
+///
+/// It is x'_m = Σ_j a_{m − nj + h} x_j with h = ⌊L/2⌋, so that a_h is where a point stays. The coefficients of a mask of
+/// arity n add up to n, which gives n.
+///
+/// # Errors
+/// When the text has another form, a coefficient is no formula, or the sum is no arity.
+pub(super) fn mask(
+    source: &Arc<SourceText>,
+    range: Range<usize>,
+    definitions: &BTreeMap<String, LocatedFormula>,
+) -> Result<Typed, Diagnostic> {
+    let coefficients = text::coefficients(source, range.clone())?;
+    let mut free = FreeNames::new(definitions);
+    let names: BTreeSet<String> =
+        coefficients.iter().flat_map(|formula| free.of(&formula.expr)).collect();
+    let arity = arity((source, &range), &coefficients, definitions, &names)?;
+    let number = |value: isize| LocatedFormula::read(source, range.clone(), &value.to_string());
+    let (first, rows) = rules(&coefficients, arity, &number(0)?);
+    Ok(Typed { offset: number(first)?, rows, names })
 }
 
 /// The sum of the coefficients, which is the arity of a mask, at any values of the parameters.
@@ -58,18 +79,20 @@ pub(super) fn typed(text: &str) -> Result<SchemeDefinition, Diagnostic> {
 /// # Errors
 /// When it is no arity. Where some factor makes it one, the error says which.
 fn arity(
-    source: &Arc<SourceText>,
+    (source, range): (&Arc<SourceText>, &Range<usize>),
     coefficients: &[LocatedFormula],
+    definitions: &BTreeMap<String, LocatedFormula>,
     names: &BTreeSet<String>,
 ) -> Result<usize, Diagnostic> {
     let any = AlgebraicNumber::from_rational(&Rational::new(ANY.0, ANY.1));
-    let values = Parameters(names.iter().map(|name| (name.clone(), any.clone())).collect());
+    let values = names.iter().map(|name| (name.clone(), any.clone())).collect();
+    let scope = Scope::new(definitions, &()).with_all(&values);
     let value = |formula: &LocatedFormula| {
-        evaluate(&formula.expr, &values).map_err(|error| formula.diagnostic(&error))
+        evaluate(&formula.expr, &scope).map_err(|error| formula.diagnostic(&error))
     };
     let values: Vec<AlgebraicNumber> =
         coefficients.iter().map(value).collect::<Result<_, Diagnostic>>()?;
-    let wrong = |message: String| Diagnostic::new(source, 0..source.text.len(), message);
+    let wrong = |message: String| Diagnostic::new(source, range.clone(), message);
     let sum = Sum::of(&values).map_err(|error| wrong(error.to_string()).with_cap(error.cap()))?;
     let arity = sum.arity();
     let is_known = names.is_empty();
@@ -79,11 +102,13 @@ fn arity(
     match (arity, &factors[..], words) {
         (_, [_, ..], Some(words)) => {
             let write = |(n, factor): &(usize, String)| {
-                format!("write {factor}*{} for the arity {n}", source.text)
+                format!("write {factor}*{} for the arity {n}", &source.text[range.clone()])
             };
             let write: Vec<String> = factors.iter().map(write).collect();
             let write = write.join(", or ");
-            Err(wrong(format!("the coefficients add up to {words}; {write}")))
+            let error = wrong(format!("the coefficients add up to {words}; {write}"));
+            let decimal = coefficients.iter().any(|one| one.text.contains('.'));
+            Err(if decimal { error.with_help(ROUNDED) } else { error })
         }
         (Some(arity), ..) => Ok(arity),
         (None, _, words) => {

@@ -29,15 +29,20 @@ pub(in crate::scheme) fn is_typed(name: &str) -> bool {
         || groups(name).is_ok_and(|groups| groups.iter().any(listed))
 }
 
-/// The places of the coefficients, and the formula of each with the factors.
-pub(super) fn coefficients(source: &Arc<SourceText>) -> Result<Vec<LocatedFormula>, Diagnostic> {
-    let text = &source.text;
-    let wrong =
-        |span: Range<usize>, message: &str| Diagnostic::new(source, span, message).with_help(HELP);
+/// The places of the coefficients of the mask that stands in this range, and the formula of each with the factors.
+pub(super) fn coefficients(
+    source: &Arc<SourceText>,
+    range: Range<usize>,
+) -> Result<Vec<LocatedFormula>, Diagnostic> {
+    let text = &source.text[range.clone()];
+    let place = |span: Range<usize>| range.start + span.start..range.start + span.end;
+    let wrong = |span: Range<usize>, message: &str| {
+        Diagnostic::new(source, place(span), message).with_help(HELP)
+    };
     let list = list(text).map_err(|(span, message)| wrong(span, message))?;
-    let (before, behind) = (&text[..list.span.start], &text[list.span.end..]);
-    let before = factor_before(source, before)?;
-    factor_behind(source, list.span.end..text.len())?;
+    let behind = &text[list.span.end..];
+    let before = factor_before(source, place(0..list.span.start))?;
+    factor_behind(source, place(list.span.end..text.len()))?;
     let inside = inner(&list);
     let mut coefficients = Vec::new();
     for span in pieces(text, inside.clone()).map_err(|message| wrong(inside, message))? {
@@ -52,9 +57,9 @@ pub(super) fn coefficients(source: &Arc<SourceText>) -> Result<Vec<LocatedFormul
             ));
         }
         // A mistake in the coefficient itself is said of the coefficient alone.
-        LocatedFormula::read(source, span.clone(), piece)?;
+        LocatedFormula::read(source, place(span.clone()), piece)?;
         let whole = format!("{before}({piece}){}", behind.trim());
-        coefficients.push(LocatedFormula::read(source, span, &whole)?);
+        coefficients.push(LocatedFormula::read(source, place(span), &whole)?);
     }
     Ok(coefficients)
 }
@@ -171,8 +176,9 @@ fn pieces(text: &str, inside: Range<usize>) -> Result<Vec<Range<usize>>, &'stati
 }
 
 /// The factor before the list, in brackets and with `*`.
-fn factor_before(source: &Arc<SourceText>, before: &str) -> Result<String, Diagnostic> {
-    let wrong = |message: &str| Diagnostic::new(source, 0..before.len(), message).with_help(HELP);
+fn factor_before(source: &Arc<SourceText>, span: Range<usize>) -> Result<String, Diagnostic> {
+    let before = &source.text[span.clone()];
+    let wrong = |message: &str| Diagnostic::new(source, span.clone(), message).with_help(HELP);
     if before.trim().is_empty() {
         return Ok(String::new());
     }
@@ -181,7 +187,7 @@ fn factor_before(source: &Arc<SourceText>, before: &str) -> Result<String, Diagn
         return Err(wrong("a number over a list of coefficients has no meaning"));
     }
     let factor = factor.strip_suffix(TIMES).unwrap_or(factor).trim();
-    let formula = LocatedFormula::read(source, 0..before.len(), factor)?;
+    let formula = LocatedFormula::read(source, span.clone(), factor)?;
     if is_sum(&formula) {
         return Err(wrong("a sum before the list: write it in brackets, and `*` behind it"));
     }

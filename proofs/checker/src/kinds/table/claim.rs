@@ -219,7 +219,9 @@ impl<'a> Table<'a> {
             self.schemes().into_iter().chain(uses).flat_map(names).collect();
         schemes.iter().any(|scheme| {
             let has = |key: &str| scheme.get(key).is_some();
-            let mask = (has("mask") || has("entry")) && !has("offset");
+            // A mask in one text has its offset.
+            let listed = !scheme.list("mask").is_empty();
+            let mask = (listed || has("entry")) && !has("offset");
             mask && scheme.text("name").is_some_and(|name| named.contains(name))
         })
     }
