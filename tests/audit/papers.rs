@@ -13,6 +13,7 @@ use subcert::certificate::certificate;
 use subcert::claim::{Kind, embedded, read_paper};
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Rational, RealCyclotomic, parse_decimal};
+use subcert::report::{Background, explain_sheet};
 
 fn exact(p: i64, q: i64) -> RealCyclotomic {
     Rational::new(p, q).into()
@@ -557,4 +558,38 @@ fn many_cases_are_compared_in_good_time() {
     assert_eq!((*cases, failures.len()), (1000, 1));
     assert_eq!(failures[0].at, "i = 1000");
     assert_eq!(mends.len(), 0, "{mends:?}");
+}
+
+/// A printed decimal that is the exact value, rounded or cut, is told as such, and no change of a symbol is proposed: 7/99 is 0.0707….
+#[test]
+fn equations_with_rounded_decimals_are_told_as_such() {
+    let equation = |left: &str, right: &str| {
+        let text = format!(
+            "[[equation]]\nid = 'e'\nlocus = 'l'\nscheme = 'ternary-four-point:mu=1/11'\n\
+             indices = [{{ name = 'i', values = ['0', '1', '2', '3'] }}]\nleft = {left}\nright = '{right}'\n"
+        );
+        let paper = paper(&text);
+        let audit = judged(&paper);
+        let finding = &audit.equations[0];
+        let EquationVerdict::Fails { mends, .. } = &finding.verdict else { panic!("{finding:?}") };
+        let sheet =
+            explain_sheet(std::slice::from_ref(&audit), "k:e", Background::default(), false);
+        let words = sheet.expect("a report").to_markdown();
+        assert!(!finding.verdict.is_rounded() || mends.is_empty());
+        (finding.verdict.is_rounded(), words)
+    };
+    let (rounded, words) = equation("['-0.07', '0.77', '0.34', '-0.04']", "mask(1, i)");
+    assert!(
+        rounded
+            && words.contains("The printed decimals are the exact values, rounded to the nearest"),
+        "{words}"
+    );
+    let (rounded, words) = equation("['-0.07', '0.76', '0.34', '-0.04']", "mask(1, i)");
+    assert!(rounded && words.contains("are the exact values, rounded or cut"), "{words}");
+    // 0.75 is neither, 1 has no digits behind a point, and a product is no printed decimal.
+    for wrong in ["0.75", "1", "0.77*1"] {
+        let left = format!("['-0.07', '{wrong}', '0.34', '-0.04']");
+        let (rounded, words) = equation(&left, "mask(1, i)");
+        assert!(!rounded && !words.contains("exact value"), "{wrong}: {words}");
+    }
 }

@@ -3,7 +3,7 @@
 use super::judgement::{Harm, Judgement};
 use crate::cap::Cap;
 use crate::claim::Equation;
-use crate::exact::{Polynomial, Rational};
+use crate::exact::{Polynomial, Rational, Rounding};
 use crate::verdict::Word;
 
 /// The finding about an equation.
@@ -58,6 +58,13 @@ impl EquationVerdict {
             EquationVerdict::NotCheckable | EquationVerdict::BeyondCap(_) => Word::NotCheckable,
         }
     }
+
+    /// Whether it fails only since the decimals that are printed are rounded or cut.
+    #[must_use]
+    pub fn is_rounded(&self) -> bool {
+        let EquationVerdict::Fails { failures, .. } = self else { return false };
+        failures.iter().all(|failure| failure.rounding.is_some())
+    }
 }
 
 /// A case in which the two sides differ.
@@ -71,6 +78,8 @@ pub struct Failure {
     pub left: Polynomial,
     /// The right side.
     pub right: Polynomial,
+    /// Where one side is one decimal and the other side a number: how the decimal came from it.
+    pub rounding: Option<Rounding>,
 }
 
 impl Failure {

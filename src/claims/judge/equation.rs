@@ -5,9 +5,9 @@ use crate::claim::{Equation, EquationBody, Identity, Index, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::evaluation::shape::Shapes;
-use crate::exact::Rational;
+use crate::exact::{Polynomial, Rational, Rounding, parse_decimal};
 use crate::finding::{EquationFinding, EquationVerdict, Failure};
-use crate::formula::{LocatedFormula, Parameters, evaluate};
+use crate::formula::{LocatedFormula, Parameters, Value as _, evaluate};
 use crate::judge::comparison::{Case, Comparison};
 use crate::judge::kind::JudgeAlone;
 use crate::judge::mend;
@@ -54,9 +54,9 @@ fn compare(
         Comparison { paper, identity, shapes: Shapes::new(library), spent: Cell::new(0) };
     let (mut failures, mut failing) = (Vec::new(), Vec::new());
     for (i, case) in cases.iter().enumerate() {
-        let left = identity.left.formula(i);
+        let printed = identity.left.formula(i);
         let (left, right) = Diagnostic::both(
-            comparison.value(left, &left.expr, case),
+            comparison.value(printed, &printed.expr, case),
             comparison.value(&identity.right, &identity.right.expr, case),
         )?;
         if comparison.spent.get() > MAX_WORK {
@@ -64,15 +64,32 @@ fn compare(
         }
         if left != right {
             let indices = case.values.iter().map(|(_, value)| value.clone()).collect();
-            failures.push(Failure { at: case.text.clone(), indices, left, right });
+            let rounding = rounding(printed, &right).or_else(|| rounding(&identity.right, &left));
+            failures.push(Failure { at: case.text.clone(), indices, left, right, rounding });
             failing.push(i);
         }
     }
     if failures.is_empty() {
         return Ok(EquationVerdict::Holds { cases: cases.len() });
     }
-    let mends = mend::search(&comparison, &cases, &failing);
+    let mends = if failures.iter().all(|failure| failure.rounding.is_some()) {
+        Vec::new()
+    } else {
+        mend::search(&comparison, &cases, &failing)
+    };
     Ok(EquationVerdict::Fails { cases: cases.len(), failures, mends })
+}
+
+/// How a side that is one decimal came from the number on the other side: rounded to the nearest, or, with 2 digits or more, cut or
+/// rounded away from zero.
+fn rounding(printed: &LocatedFormula, other: &Polynomial) -> Option<Rounding> {
+    let decimal = parse_decimal(&printed.text).ok().filter(|decimal| decimal.exponent() < 0)?;
+    let rounding = decimal.rounding_of(&other.as_rational()?);
+    match rounding {
+        Rounding::Nearest => Some(rounding),
+        Rounding::Cut | Rounding::Up => (decimal.significant_digits() >= 2).then_some(rounding),
+        Rounding::Exact | Rounding::Neither => None,
+    }
 }
 
 /// Every combination of the indices, the first one slowest.

@@ -3,7 +3,7 @@
 use super::function::beyond;
 use crate::audit::{EquationFinding, EquationVerdict};
 use crate::claim::{EquationBody, Identity, Index, Left};
-use crate::exact::Rational;
+use crate::exact::{Rational, Rounding};
 
 /// How many cases a failing equation shows.
 const MAX_FAILURES: usize = 2;
@@ -30,11 +30,25 @@ pub(crate) fn outcome(finding: &EquationFinding<'_>) -> String {
                     if failure.at.is_empty() { String::new() } else { format!("{}: ", failure.at) };
                 lines.push(format!("{at}left − right = {}", failure.difference()));
             }
+            lines.extend(rounded(&finding.verdict));
             lines.extend(mends.iter().map(|mend| format!("It holds with one side as {mend}")));
             lines.extend(finding.equation.note.clone());
             lines.join("\n")
         }
     }
+}
+
+/// How the decimals of an equation came about that fails since they are rounded.
+pub(crate) fn rounded(verdict: &EquationVerdict) -> Option<String> {
+    let EquationVerdict::Fails { failures, .. } = verdict else { return None };
+    let nearest = failures.iter().all(|failure| failure.rounding == Some(Rounding::Nearest));
+    let how = if nearest { "to the nearest" } else { "or cut" };
+    let words = if failures.len() == 1 {
+        "The printed decimal is the exact value"
+    } else {
+        "The printed decimals are the exact values"
+    };
+    verdict.is_rounded().then(|| format!("{words}, rounded {how}"))
 }
 
 /// `, N = 3…10, i = 2…N-1`: the index values at which an equation was compared. Others were not

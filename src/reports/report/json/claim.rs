@@ -2,6 +2,7 @@
 
 use super::exact::Named;
 use crate::audit::{self, EndFinding, KernelProof};
+use crate::exact::Rounding;
 use crate::report::json::smooth::smoothness::SmoothnessDetails;
 use crate::report::json::tables::cell::{AsRead, CellSound};
 use crate::report::json::theorems::theorem::Trial;
@@ -128,6 +129,9 @@ pub struct Failure<'a> {
     pub right: String,
     /// The left side less the right one.
     pub difference: String,
+    /// Of one decimal on one side: `nearest`, `cut` or `away`, as it came from the other side; missing otherwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rounding: Option<&'static str>,
 }
 
 /// An end of a printed range.
@@ -205,6 +209,11 @@ impl<'a> Failure<'a> {
             left: failure.left.to_string(),
             right: failure.right.to_string(),
             difference: failure.difference().to_string(),
+            rounding: failure.rounding.map(|rounding| match rounding {
+                Rounding::Cut => "cut",
+                Rounding::Up => "away",
+                _ => "nearest",
+            }),
         }
     }
 }

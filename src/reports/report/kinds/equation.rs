@@ -110,7 +110,8 @@ impl<'a> Told<'a> for EquationFinding<'a> {
         facts.push(("fails".to_owned(), lines.join("\n")));
         let mends =
             mends.iter().map(|mend| format!("one symbol: it holds with one side as {mend}"));
-        (facts, mends.chain(origin).collect())
+        let rounded = equation::rounded(&self.verdict).into_iter();
+        (facts, rounded.chain(mends).chain(origin).collect())
     }
 
     fn difference(&self) -> [String; 2] {
@@ -130,7 +131,7 @@ impl<'a> Told<'a> for EquationFinding<'a> {
     fn origin(&self) -> Option<String> {
         let EquationVerdict::Fails { mends, .. } = &self.verdict else { return None };
         let mend = mends.first().map(|mend| format!("it holds with one side as {mend}"));
-        mend.or_else(|| self.equation.note.clone())
+        equation::rounded(&self.verdict).or(mend).or_else(|| self.equation.note.clone())
     }
 
     fn contents(&self, _: &Context<'_, '_>) -> Result<Markup, Diagnostic> {

@@ -50,6 +50,7 @@ impl<'a> Told<'a> for FunctionFinding<'a> {
                     left: example.left.to_string(),
                     right: example.right.to_string(),
                     difference: (&example.left - &example.right).to_string(),
+                    rounding: None,
                 };
                 (Some([failure]), Some(larger.to_string()), Some(smaller.to_string()))
             }
