@@ -13,9 +13,11 @@ use subcert::exact::{Enclosed, Interval, Rational, RealCyclotomic, RealExpressio
 use subcert::float::nearest;
 use subcert::joint::{MatrixSet, joint_radius};
 use subcert::report::{verdict_name, verdict_reason};
-use subcert::scheme::{names_ring, open_parameters, parse_parametric};
+use subcert::scheme::{names_ring, notes, open_parameters, parse_parametric};
 use subcert::smoothness::{Hoelder, Smoothness, smooth_range as computed};
-use subcert::spectrum::{Curvature, Sector, Spectrum, SpectrumError, surroundings};
+use subcert::spectrum::{
+    ComplexEigenvalues, Curvature, Sector, Spectrum, SpectrumError, surroundings,
+};
 
 /// A real number: exactly as text, as a fraction if it is one, and the nearest float.
 type Real = (String, Option<Fraction>, f64);
@@ -42,16 +44,21 @@ type Eigenvalue = (Real, Option<Real>, usize, Vec<usize>);
 /// The weight of each point.
 type Stencil = Vec<(String, Real)>;
 
-/// Order, eigenvalues, whether 1 is simple, λ, μ, the curvature, the limit, the tangents.
+/// The blocks of complex eigenvalues that are not computed, and two numbers around the greatest of their absolute values.
+type Complex = (Vec<usize>, Fraction, Fraction);
+
+/// Order, eigenvalues, complex ones, whether 1 is simple, λ, μ, the curvature, the limit, the tangents, notes.
 type Spectral = (
     usize,
     Vec<Eigenvalue>,
+    Vec<Complex>,
     bool,
     Option<Real>,
     Option<Real>,
     Option<&'static str>,
     Option<Stencil>,
     Option<Vec<Stencil>>,
+    Vec<String>,
 );
 
 /// λ, its comparison with 1/2, whether block 2 has an eigenvalue above 1/2, the tangent.
@@ -165,8 +172,11 @@ pub fn spectrum(py: Python<'_>, scheme: String, valence: Option<usize>) -> PyRes
         || (),
         move || {
             let rings = surroundings(&scheme, valence).map_err(|error| of_rules(&error))?;
-            let Spectrum { order, eigenvalues, conditions, limit, tangents, .. } =
-                rings.spectrum().map_err(plain)?;
+            let Spectrum { order, eigenvalues, complex, conditions, limit, tangents } =
+                rings.known_spectrum().map_err(plain)?;
+            let complex = complex.into_iter().map(|ComplexEigenvalues { blocks, greatest }| {
+                (blocks, fraction(&greatest[0]), fraction(&greatest[1]))
+            });
             let names = |values: Vec<Real>| -> Stencil {
                 let named = values.into_iter().enumerate();
                 named.map(|(point, value)| (rings.ring.name(point), value)).collect()
@@ -174,6 +184,7 @@ pub fn spectrum(py: Python<'_>, scheme: String, valence: Option<usize>) -> PyRes
             Ok((
                 order,
                 eigenvalues.iter().map(of_eigenvalue).collect(),
+                complex.collect(),
                 conditions.simple_one,
                 conditions.subdominant.as_ref().map(of_expression),
                 conditions.next.as_ref().map(of_expression),
@@ -182,6 +193,7 @@ pub fn spectrum(py: Python<'_>, scheme: String, valence: Option<usize>) -> PyRes
                 tangents.map(|both| {
                     both.iter().map(|one| names(one.iter().map(of_expression).collect())).collect()
                 }),
+                notes(&scheme),
             ))
         },
     )

@@ -43,6 +43,24 @@ def test_spectrum_of_catmull_clark():
         assert sum(weight.fraction for _, weight in found.limit) == 1
 
 
+def test_spectra_with_complex_eigenvalues():
+    for valence in (3, 4, 5, 7):
+        found = Scheme("kobbelt").spectrum(valence)
+        # 1 + 6n points, each with an eigenvalue.
+        counted = sum(one.multiplicity * (1 if one.imaginary is None else 2) for one in found.eigenvalues)
+        assert counted + sum(len(one.blocks) for one in found.complex) <= 1 + 6 * valence
+        assert found.simple_one and 0.4 < float(found.subdominant) < 0.6
+        assert all(0 < one.lower <= one.upper < Fraction(1, 3) for one in found.complex)
+    assert Scheme("kobbelt").spectrum(5).complex and not Scheme("loop").spectrum(5).complex
+    found = Scheme("kobbelt").smoothness(5)
+    assert found.continuous is None and "polynomials" in found.reason
+
+
+def test_notes_of_schemes_of_several_steps():
+    assert "2 steps" in Scheme("sqrt3").spectrum(5).notes[0]
+    assert Scheme("loop").spectrum(5).notes == []
+
+
 def test_sectors():
     for faces in range(2, 9):
         found = Scheme("catmull-clark").sector(faces)

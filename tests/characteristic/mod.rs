@@ -7,7 +7,7 @@ use slow::{Kind, Net};
 use std::f64::consts::PI;
 use std::io::Write as _;
 use subcert::characteristic::{
-    Family, Hypothesis, Refutation, Verdict, Vertex, regular_for_all_valences, vertex_range,
+    Family, Hypothesis, Reason, Refutation, Verdict, Vertex, regular_for_all_valences, vertex_range,
 };
 use subcert::exact::format::short;
 use subcert::exact::{Interval, Rational, RealCyclotomic};
@@ -356,6 +356,20 @@ fn other_regular_parts_are_open_with_what_the_eigenvalues_say() {
     }
     let vertex = Vertex::of("mid-edge", Some(5)).expect("a spectrum");
     assert!(matches!(vertex.verdict, Verdict::Open(_)) && vertex.hypothesis.is_none());
+}
+
+/// Kobbelt's rules have complex eigenvalues that are not computed, and are below λ.
+#[test]
+fn complex_eigenvalues_below_the_subdominant_one_do_not_decide() {
+    for n in [3, 4, 5, 6, 9] {
+        let vertex = Vertex::of("kobbelt", Some(n)).expect("a spectrum");
+        assert!(matches!(vertex.verdict, Verdict::Open(Reason::RegularPart)), "{n}");
+        assert_eq!(vertex.hypothesis, None, "{n}");
+        let between = vertex.between().expect("a number below λ");
+        let most = vertex.spectrum.complex.iter().map(|one| &one.greatest[1]);
+        assert!(most.into_iter().all(|modulus| *modulus <= between), "{n}");
+        assert!(n == 4 || !vertex.spectrum.complex.is_empty(), "{n}");
+    }
 }
 
 /// Rules of their own for edge points: eigenvalues of the blocks 1, 2, and of all others, are chosen.

@@ -12,6 +12,7 @@ Fraction(89, 128)
 from . import _native
 from ._analysis import (
     Across,
+    ComplexEigenvalues,
     Eigenvalue,
     Exponent,
     JointRadius,
@@ -58,6 +59,7 @@ __all__ = [
     "Across",
     "Algebraic",
     "Audit",
+    "ComplexEigenvalues",
     "Constants",
     "Depth",
     "Eigenvalue",

@@ -142,6 +142,23 @@ class Eigenvalue:
 
 
 @dataclass(frozen=True)
+class ComplexEigenvalues:
+    """Complex eigenvalues that are not computed, of these Fourier blocks, each as often as it has one.
+
+    The greatest of their absolute values is at least ``lower`` and at most ``upper``.
+
+    >>> from subcert import Scheme
+    >>> found = Scheme("kobbelt").spectrum(5)
+    >>> found.complex[0].blocks, float(found.complex[0].upper)
+    ([2, 2, 3, 3], 0.198672)
+    """
+
+    blocks: List[int]
+    lower: Fraction
+    upper: Fraction
+
+
+@dataclass(frozen=True)
 class Spectrum(Table):
     """The eigenvalues of rules around a vertex or on a face, and stencils: pairs of a point and a weight.
 
@@ -154,8 +171,10 @@ class Spectrum(Table):
     """
 
     valence: int
-    #: All eigenvalues, in descending order of the absolute value.
+    #: All eigenvalues, in descending order of the absolute value, but for those of ``complex``.
     eigenvalues: List[Eigenvalue]
+    #: Complex eigenvalues that are not computed; they are below λ.
+    complex: List[ComplexEigenvalues]
     #: Whether 1 is simple, and all others are below 1 in absolute value.
     simple_one: bool
     #: The double eigenvalue λ of the blocks 1 and n − 1, if it exceeds all later ones; None without one.
@@ -167,6 +186,8 @@ class Spectrum(Table):
     limit: Optional[List[Tuple[str, Real]]]
     #: Two stencils of tangents, whose cross product is a normal.
     tangents: Optional[List[List[Tuple[str, Real]]]]
+    #: What is to be told of the numbers, such as that they are those of two steps.
+    notes: List[str]
 
     def rows(self) -> List[Dict[str, Any]]:
         """A row for each eigenvalue.
@@ -298,19 +319,21 @@ def of_vertex(text: str, valence: Optional[int]) -> VertexSmoothness:
 
 
 def spectrum(text: str, valence: Optional[int]) -> Spectrum:
-    order, eigenvalues, simple, subdominant, following, curvature, limit, tangents = (
+    order, eigenvalues, others, simple, subdominant, following, curvature, limit, tangents, notes = (
         _native.spectrum(text, valence)
     )
 
     return Spectrum(
         order,
         _eigenvalues(eigenvalues),
+        [ComplexEigenvalues(blocks, Fraction(*low), Fraction(*high)) for blocks, low, high in others],
         simple,
         subdominant and _real(subdominant),
         following and _real(following),
         curvature,
         None if limit is None else _stencil(limit),
         None if tangents is None else [_stencil(one) for one in tangents],
+        notes,
     )
 
 

@@ -69,12 +69,14 @@ def spectrum(
 ) -> Tuple[
     int,
     List[Tuple[_Real, Optional[_Real], int, List[int]]],
+    List[Tuple[List[int], _Fraction, _Fraction]],
     bool,
     Optional[_Real],
     Optional[_Real],
     Optional[str],
     Optional[_Stencil],
     Optional[List[_Stencil]],
+    List[str],
 ]: ...
 def sector(
     scheme: str, faces: int, corner: bool

@@ -1,7 +1,7 @@
 //! The Hölder exponent of the first derivatives.
 
 use crate::exact::{Enclosed, Enclosure, Rational, RealExpression, Scalar as _, natural_logarithm};
-use crate::spectrum::{Curvature, Eigenvalue, Spectrum};
+use crate::spectrum::{ComplexEigenvalues, Curvature, Eigenvalue, Spectrum};
 
 /// The surface is C^{1,α} at the vertex for the α of the interval, by the eigenvalues; more smoothness is not
 /// asked for.
@@ -33,6 +33,13 @@ pub(super) fn exponent(spectrum: &Spectrum) -> Option<Exponent> {
     let shape = |block: usize| {
         let own = |one: &&Eigenvalue| one.blocks.contains(&block);
         let found = spectrum.eigenvalues[1..].iter().find(own)?;
+        let hides = |one: &ComplexEigenvalues| {
+            one.blocks.contains(&block)
+                && RealExpression::from(one.greatest[1].clone()) >= found.modulus
+        };
+        if spectrum.complex.iter().any(hides) {
+            return None;
+        }
         let square = value.times(value);
         let size = conditions.longest(|k| k == block, &found.modulus);
         Some((found.modulus.clone(), Curvature::of(&found.modulus, size, &square)?))

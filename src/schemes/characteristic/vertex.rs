@@ -84,7 +84,7 @@ impl Vertex {
 
     fn judged(rules: Rules) -> Result<Vertex, SpectrumError> {
         let Rules { family, reason, own, ring, wider } = rules;
-        let spectrum = Spectrum::within(&ring, wider.as_ref())?;
+        let spectrum = Spectrum::known(&ring, wider.as_ref())?;
         let (found, mut net) = (second(&spectrum), None);
         let verdict = match (family, reason, &found) {
             (Some(family), None, Ok(second)) => {
@@ -183,6 +183,8 @@ impl Vertex {
         let high = size.enclosure(2).lower().clone();
         let low =
             next.map_or_else(Rational::zero, |next| next.modulus.enclosure(2).upper().clone());
+        let others = self.spectrum.complex.iter().map(|one| one.greatest[1].clone());
+        let low = others.fold(low, Rational::max);
         let middle = (&low + &high) / Rational::from(2);
         let rounded = |places: u32| {
             let scale = Rational::from(Integer::one().shifted_left(places));

@@ -71,7 +71,8 @@ pub fn verdict_reason(verdict: &Verdict) -> String {
         Verdict::Fails(hypothesis) => failing(*hypothesis),
         Verdict::Open(reason) => match reason {
             Reason::RegularPart => {
-                "the orbits declare no regular part that is known here, or there are too many points"
+                "the orbits declare no regular part whose limits are polynomials in pieces (bicubic, quartic box splines or biquadratic), \
+                 or there are too many points"
             }
             Reason::InnerRules => {
                 "rules other than those of the vertex differ from the regular part: declare the points around them, too"
