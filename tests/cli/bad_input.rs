@@ -52,7 +52,13 @@ fn numbers_and_flags() {
     assert_parts(&refused(["audit", "nowhere.toml"]), &["cannot read `nowhere.toml`"]);
     assert_parts(
         &refused(["explain", "khan2019-newton:table-9"]),
-        &["has no claim `table-9`; did you mean `table-"],
+        &[
+            "has no claim `table-9`; `subcert explain khan2019-newton` lists its claims; did you mean `table-",
+        ],
+    );
+    assert_parts(
+        &refused(["constants", "four-point:w="]),
+        &["the value of `w` is missing", "write `six-point:w=3/256`"],
     );
     assert_parts(&refused(["frobnicate"]), &["frobnicate"]);
 }
@@ -69,7 +75,10 @@ fn rings() {
         (&["constants", "doo-sabin:n=5", "--forward"], &["--forward", "a ring", "leave it out"]),
         (&["constants", "doo-sabin:n=7/2"], &["points of `face` is 7/2", "from 1 to 600"]),
         (&["constants", "doo-sabin:n=2"], &["needs n >= 3, and n is 2", "vertices of the face"]),
-        (&["constants", "catmull-clark:N=2"], &["needs N >= 3, and N is 2; its meaning: valence"]),
+        (
+            &["constants", "catmull-clark:N=2"],
+            &["needs N >= 3, and N is 2; its meaning: the valence"],
+        ),
         (&["constants", "doo-sabin:n=601"], &["from 1 to 600"]),
         (&["constants", "catmull-clark:N=300"], &["a ring of 601 points"]),
         (&["constants", "bajaj:N=cos(pi/5)"], &["points of `edge`", "must be an integer"]),

@@ -12,7 +12,7 @@ fn what_may_be_meant() {
             &["explain", "khan2019-newtn:table-1"],
             &["`khan2019-newtn`; did you mean `khan2019-newton`"],
         ),
-        (&["explain", "khan2019-newton:eq-3.99"], &["has no claim `eq-3.99`; did you mean `eq-3."]),
+        (&["explain", "khan2019-newton:eq-3.99"], &["lists its claims; did you mean `eq-3."]),
         (&["explain", "khan2019-newton:table-1:9:99"], &["no cell `9:99`", "a row from 1 to"]),
         (&["explain", "khan2019-newton::"], &["has no claim ``"]),
         (&["explain", "khan2019-newton:table-1:01:1"], &["has no cell `01:1`"]),

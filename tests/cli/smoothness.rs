@@ -145,7 +145,10 @@ fn other_commands_take_rational_masks_only() {
         &["constants", "chaikin x four-point:w=sqrt(2)/32"],
     ] {
         let error = refused(command.iter().copied());
-        assert_parts(&error, &["is not rational", "subcert smoothness"]);
+        assert_parts(
+            &error,
+            &["is not rational", "`subcert scheme`, `smoothness`, `plot` and `table` take"],
+        );
     }
     let range = ["range", "four-point:w=sqrt(2)*v", "--param", "v"];
     assert_parts(&refused(range), &["`sqrt` and `root` are for masks without free parameters"]);

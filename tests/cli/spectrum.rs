@@ -8,6 +8,43 @@ fn json(scheme: &str, valence: &str) -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
+/// Rules of two steps say so wherever their numbers are printed; others say nothing.
+#[test]
+fn what_is_of_two_steps_says_so() {
+    let note = |scheme: &str| format!("one level is 2 steps of {scheme}");
+    for scheme in ["sqrt3", "mid-edge"] {
+        let ring = &format!("{scheme}:{}=5", if scheme == "sqrt3" { "N" } else { "n" });
+        for format in ["c", "cpp", "rust", "python", "glsl", "hlsl", "wgsl", "json"] {
+            let text = written(["table", scheme, "--valences", "3..4", "--format", format]);
+            assert!(text.contains(&note(scheme)), "{format}: {text}");
+        }
+        for command in [
+            vec!["spectrum", scheme, "--valence", "5"],
+            vec!["constants", ring],
+            vec!["depth", ring, "--tolerance", "1/10"],
+            vec!["certify", ring],
+            vec!["scheme", ring],
+            vec!["smoothness", ring],
+        ] {
+            for format in ["text", "markdown", "json"] {
+                let text = written(command.iter().copied().chain(["--format", format]));
+                let text = text.replace('\n', " ").replace("  ", " ");
+                assert!(text.contains("one level is 2 steps of "), "{command:?} {format}: {text}");
+            }
+        }
+        for format in ["json", "csv", "table", "matlab"] {
+            let text = written(["oracle", ring, "--format", format, "-c", "1"]);
+            let text = text.replace("\n%   ", " ").replace("  ", " ");
+            let there = text.contains("one level is 2 steps of ");
+            // The table is for programs, and has no comments.
+            assert!(there || format == "table", "{format}: {text}");
+        }
+    }
+    for command in [["spectrum", "loop", "--valence", "5"], ["oracle", "loop:N=5", "-c", "1"]] {
+        assert!(!written(command).contains("steps"), "{command:?}");
+    }
+}
+
 #[test]
 fn spectra_as_json() {
     let found = json("catmull-clark", "4");

@@ -81,7 +81,10 @@ fn errors_say_what_is_wrong() {
     assert!(error.contains("the degree can be at most 64"), "{error}");
     for text in ["sqrt(3)", "1 + root([-2, 0, 0, 1], 1)"] {
         let error = value::<Rational>(text).expect_err(text);
-        assert!(error.contains("is not rational; only `subcert smoothness` takes"), "{error}");
+        assert!(
+            error.contains("is not rational, as the numbers have to be here; `subcert scheme`"),
+            "{error}"
+        );
     }
 }
 

@@ -11,7 +11,7 @@ use subcert::float::{
     shortest,
 };
 use subcert::report::{Grid, Sheet};
-use subcert::scheme::{AnyScheme, LocalRules, parse_any_scheme};
+use subcert::scheme::{AnyScheme, LocalRules, notes, parse_any_scheme};
 
 pub(crate) fn certify(arguments: &CertifyArguments) -> Outcome {
     let scheme = match parse_any_scheme(&arguments.scheme)? {
@@ -32,6 +32,7 @@ pub(crate) fn certify(arguments: &CertifyArguments) -> Outcome {
     let answer = Certification {
         schema: SCHEMA,
         scheme: &arguments.scheme,
+        notes: notes(&arguments.scheme),
         quantities: result.quantities.iter().map(Quantity::of).collect(),
         depths: Some(result.depths.iter().map(Depth::of).collect()),
         bounded_up_to_block: result.tracked_block,
@@ -51,6 +52,7 @@ fn ring_certificate(ring: &LocalRules, arguments: &CertifyArguments) -> Outcome 
     let answer = Certification {
         schema: SCHEMA,
         scheme: &arguments.scheme,
+        notes: notes(&arguments.scheme),
         quantities: result.quantities.iter().map(Quantity::of).collect(),
         depths: None,
         bounded_up_to_block: result.tracked_block,
@@ -66,6 +68,9 @@ pub(crate) struct Certification<'a> {
     schema: u32,
     /// The scheme as it was given.
     scheme: &'a str,
+    /// What is to be told of the numbers, such as that they are those of several steps; missing where there is nothing.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     /// The constants.
     quantities: Vec<Quantity>,
     /// The depths by the formula; missing of a ring, for which there is none.
@@ -213,6 +218,7 @@ impl Answer for Certification<'_> {
     fn sheet(&self) -> Sheet {
         let quantities = &self.quantities;
         let mut sheet = Sheet::titled(format!("{} in f64", self.scheme));
+        sheet.notes(&self.notes);
         let header = ["quantity", "f64", "exact", "error", "ulps", "proven bound", "error/bound"];
         sheet.grid(Grid::of(header, quantities.iter().map(Quantity::row), 1));
         let outside = quantities.iter().filter(|q| q.encloses == Some(false)).count();

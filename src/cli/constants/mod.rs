@@ -3,6 +3,7 @@
 mod certify;
 mod columns;
 mod delta;
+mod direction;
 pub(super) mod offset;
 mod ring;
 mod uniform;

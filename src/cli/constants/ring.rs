@@ -9,7 +9,7 @@ use serde::Serialize;
 use subcert::bound::{LocalConstants, Transport};
 use subcert::exact::{RealCyclotomic, format::short};
 use subcert::report::{Grid, Sheet};
-use subcert::scheme::LocalRules;
+use subcert::scheme::{LocalRules, notes};
 
 /// The most weights of a row that the text shows.
 const SHOWN_WEIGHTS: usize = 12;
@@ -34,6 +34,9 @@ pub(crate) struct RingConstants<'a> {
     schema: u32,
     /// The scheme as it was given.
     scheme: &'a str,
+    /// What is to be told of the numbers, such as that they are those of several steps; missing where there is nothing.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     /// The kinds of points.
     orbits: Vec<Orbit>,
     /// The edges: pairs of points.
@@ -106,6 +109,7 @@ impl<'a> RingConstants<'a> {
         RingConstants {
             schema: SCHEMA,
             scheme,
+            notes: notes(scheme),
             orbits: Orbit::all(ring.orbits()),
             edges: ring.edges(),
             weights: (0..ring.point_count()).map(row).collect(),
@@ -151,6 +155,7 @@ impl Answer for RingConstants<'_> {
 
     fn sheet(&self) -> Sheet {
         let mut sheet = Sheet::titled(self.scheme);
+        sheet.notes(&self.notes);
         sheet.facts(self.facts());
         let row = |level: &LocalLevel<'_>| {
             let [contraction, norm] = [&level.contraction, &level.norm].map(|x| x.short(10));

@@ -144,11 +144,15 @@ impl Bounds {
             }
             Sound { note, .. } => format!("none: {}", note.as_deref().unwrap_or_default()),
         };
+        let none = || {
+            let note = self.printed_formula.iter().find_map(|one| one.note.as_deref());
+            format!("none: {}", note.unwrap_or_default())
+        };
         let depths = self.printed_formula.iter().filter_map(|one| Some((one.depth?, one.c)));
         let printed = depths.min().map(|(depth, c)| format!("{}, with c = {c}", levels(depth)));
         vec![
             ("depth by the sound bound".to_owned(), sound),
-            ("by the printed formula".to_owned(), printed.unwrap_or_else(|| "none".to_owned())),
+            ("by the printed formula".to_owned(), printed.unwrap_or_else(none)),
         ]
     }
 

@@ -17,7 +17,7 @@ use subcert::limit::{
 };
 use subcert::report::Sheet;
 use subcert::report::html::{LevelLine, Levels, Picture};
-use subcert::scheme::LocalRules;
+use subcert::scheme::{LocalRules, notes};
 
 pub(super) fn ring_depth(
     ring: &LocalRules,
@@ -45,6 +45,7 @@ pub(super) fn ring_depth(
     let answer = LocalReport {
         schema: SCHEMA,
         scheme: &arguments.scheme,
+        notes: notes(&arguments.scheme),
         tolerance: Text(tolerance),
         spread: Text(spread),
         depth,
@@ -65,6 +66,9 @@ pub(crate) struct LocalReport<'a> {
     schema: u32,
     /// The scheme as it was given.
     scheme: &'a str,
+    /// What is to be told of the numbers, such as that they are those of several steps; missing where there is nothing.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     /// The tolerance ε.
     tolerance: Text<Rational>,
     /// The spread β.
@@ -184,6 +188,7 @@ impl Answer for LocalReport<'_> {
         let mut sheet = Sheet::default();
         let [tolerance, spread] = self.given;
         sheet.heading(1, format!("{}, ε = {tolerance}, β = {spread}", self.scheme));
+        sheet.notes(&self.notes);
         let ExactlyOfRing { depth, first, distance, witness } = match &self.depth {
             OrNone::Found(depth) => depth,
             OrNone::None { none } => {

@@ -174,7 +174,7 @@ impl Depth<'_> {
             facts.push(("as papers do".to_owned(), own.depth_text()));
         }
         sheet.facts(facts);
-        polygon.notes.iter().for_each(|note| sheet.text(format!("Note: {note}")));
+        sheet.notes(&polygon.notes);
     }
 }
 

@@ -27,7 +27,7 @@ pub(crate) fn oracle(arguments: &OracleArguments) -> Outcome {
         }
         return commands::reference_values(arguments, path);
     }
-    let mut notes = Vec::new();
+    let mut notes = subcert::scheme::notes(&arguments.scheme);
     let mut values = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => uniform(&scheme, arguments, &mut notes)?,
         AnyScheme::LocalRules(ring) => of_ring(&ring, arguments, &mut notes)?,

@@ -159,7 +159,7 @@ fn check(paper: &Paper, target: Target<'_>) -> Outcome {
     let Some(claim) = paper.claim(name) else {
         let meant = did_you_mean(name, paper.claims().map(Claim::id));
         return Err(Failure::Input(format!(
-            "`{key}` has no claim `{name}`{meant}; `subcert explain {key}` lists its claims"
+            "`{key}` has no claim `{name}`; `subcert explain {key}` lists its claims{meant}"
         )));
     };
     let Some(cell) = target.part else { return Ok(()) };

@@ -102,10 +102,6 @@ impl Answer for Atlas<'_> {
             "σ",
             "depths",
         ];
-        let curves =
-            self.schemes.iter().filter_map(|entry| Some((entry, entry.facts.curve.as_ref()?)));
-        let rows = curves.map(|(entry, curve)| curve_row(&entry.facts.scheme, curve));
-        sheet.grid(Grid::of(header, rows, 1));
         sheet.text(format!(
             "n is the arity. Points counts those of a rule, from the first to the last. Support is its length. \
              Reproduces has the degree of polynomials that are reproduced, at the natural shift. Depths has the \
@@ -114,6 +110,10 @@ impl Answer for Atlas<'_> {
              constants.",
             Depths::tolerance()
         ));
+        let curves =
+            self.schemes.iter().filter_map(|entry| Some((entry, entry.facts.curve.as_ref()?)));
+        let rows = curves.map(|(entry, curve)| curve_row(&entry.facts.scheme, curve));
+        sheet.grid(Grid::of(header, rows, 1));
         sheet.heading(2, "Rules around a vertex or on a face");
         let surfaces =
             self.schemes.iter().filter_map(|entry| Some((entry, entry.facts.valences.as_ref()?)));
@@ -124,8 +124,9 @@ impl Answer for Atlas<'_> {
             })
         });
         let header = std::iter::once("scheme").chain(VALENCE_HEADER).map(str::to_owned);
-        sheet.grid(Grid::of(header, rows, 1));
         sheet.text(valence_note());
+        self.schemes.iter().for_each(|entry| sheet.notes(&entry.facts.notes));
+        sheet.grid(Grid::of(header, rows, 1));
         sheet
     }
 }

@@ -172,6 +172,7 @@ impl Comparison {
         header.insert(1, "scheme");
         sheet.grid(Grid::of(header, valences.into_iter().flat_map(at), 2));
         sheet.text(valence_note());
+        self.schemes.iter().for_each(|one| sheet.notes(&one.notes));
     }
 }
 

@@ -42,6 +42,7 @@ fn write_family(family: &FamilyFacts, sheet: &mut Sheet) {
 
 pub(crate) fn sheet(facts: &FactsForm, family: Option<&FamilyFacts>) -> Sheet {
     let mut sheet = Sheet::titled(facts.scheme.clone());
+    sheet.notes(&facts.notes);
     if let Some(curve) = &facts.curve {
         write_curve(curve, &mut sheet);
     }

@@ -12,6 +12,7 @@ use subcert::report::json::VertexForm;
 use subcert::report::{
     Grid, SCOPE, Sheet, VERTEX_HEADER, verdict_name, verdict_reason, vertex_facts, vertex_row,
 };
+use subcert::scheme::notes;
 
 pub(crate) fn vertex(arguments: &SmoothnessArguments, to: &Destination) -> Outcome {
     let scheme = &arguments.scheme;
@@ -40,6 +41,7 @@ pub(crate) fn vertex(arguments: &SmoothnessArguments, to: &Destination) -> Outco
     let answer = Vertices {
         schema: SCHEMA,
         scheme,
+        notes: notes(scheme),
         scope: SCOPE,
         all_valences: all.map(|(_, holds)| holds),
         valences: found.iter().map(VertexForm::of).collect(),
@@ -57,6 +59,9 @@ pub(crate) struct Vertices<'a> {
     schema: u32,
     /// The scheme as it was given.
     scheme: &'a str,
+    /// What is to be told of the numbers, such as that they are those of several steps; missing where there is nothing.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     /// What «C¹» means here.
     scope: &'static str,
     /// Whether the surface is proved C¹ at all valences from 3 on; absent unless asked for.
@@ -78,6 +83,7 @@ impl Answer for Vertices<'_> {
     fn sheet(&self) -> Sheet {
         let mut sheet =
             Sheet::titled(format!("{}: smoothness at the vertex or on the face", self.scheme));
+        sheet.notes(&self.notes);
         if let Some((family, holds)) = self.family.zip(self.all_valences) {
             let verdict = if holds { "proved for all valences n >= 3" } else { "open" };
             let map = "all Bernstein coefficients of the Jacobian and of the half-plane are positive, as polynomials \

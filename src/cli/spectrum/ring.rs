@@ -11,6 +11,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 use subcert::exact::{Scalar as _, format::short};
 use subcert::report::Sheet;
+use subcert::scheme::notes;
 use subcert::spectrum::{
     self, ComplexEigenvalues, Curvature, SpectrumError, Surroundings, surroundings,
 };
@@ -53,6 +54,9 @@ pub(crate) struct Spectrum<'a> {
     schema: u32,
     /// The scheme as it was given.
     scheme: &'a str,
+    /// What is to be told of the numbers, such as that they are those of several steps; missing where there is nothing.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     /// The order n of the rotation.
     valence: usize,
     /// The orbits of the ring of the stencils.
@@ -130,6 +134,7 @@ impl<'a> Spectrum<'a> {
         Spectrum {
             schema: SCHEMA,
             scheme,
+            notes: notes(scheme),
             valence: *order,
             orbits: Orbit::all(rings.ring.orbits()),
             neighbourhood: Orbit::all(rings.wider.as_ref().unwrap_or(&rings.ring).orbits()),
@@ -213,6 +218,7 @@ impl Answer for Spectrum<'_> {
 
     fn sheet(&self) -> Sheet {
         let mut sheet = Sheet::titled(format!("{}, valence {}", self.scheme, self.valence));
+        sheet.notes(&self.notes);
         sheet.heading(2, "Eigenvalues");
         sheet.facts(vec![("of the points".to_owned(), Orbit::words(&self.neighbourhood))]);
         sheet.grid(eigenvalue_grid(&self.eigenvalues));

@@ -89,7 +89,10 @@ pub enum FormulaErrorKind {
     #[error(transparent)]
     Cosine(#[from] crate::exact::CosineError),
     /// A root that is not a number of the type of values.
-    #[error("{0} is not rational; only `subcert smoothness` takes masks with such numbers")]
+    #[error(
+        "{0} is not rational, as the numbers have to be here; `subcert scheme`, `smoothness`, `plot` and `table` take masks with \
+         such numbers"
+    )]
     Irrational(String),
     /// A root that does not exist, or is beyond the caps.
     #[error(transparent)]

@@ -3,6 +3,7 @@
 
 use super::definition::{CatalogueFacts, SchemeDefinition};
 use super::file::read_scheme;
+use super::reference::split_name;
 use super::toml_file::from_toml;
 use crate::diagnostic::SourceText;
 use std::sync::OnceLock;
@@ -30,6 +31,26 @@ pub fn catalogue() -> &'static [Entry] {
         };
         FILES.iter().map(read).collect()
     })
+}
+
+/// What is to be told of the numbers of a scheme: that they are those of several steps, where its rules are.
+///
+/// ```
+/// use subcert::scheme::notes;
+///
+/// assert!(notes("sqrt3:N=5")[0].starts_with("one level is 2 steps of sqrt3"));
+/// assert!(notes("loop").is_empty());
+/// ```
+#[must_use]
+pub fn notes(scheme: &str) -> Vec<String> {
+    let (name, _) = split_name(scheme);
+    let steps = find(name).and_then(|entry| entry.facts.steps.as_ref());
+    let told = |steps: &String| {
+        format!(
+            "one level is {steps} steps of {name}: all weights and eigenvalues are those of {steps} steps"
+        )
+    };
+    steps.map(told).into_iter().collect()
 }
 
 /// The scheme of the catalogue with this name, if there is one.

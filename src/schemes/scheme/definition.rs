@@ -13,6 +13,10 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
+/// What helps where decimals do not add up.
+pub(super) const ROUNDED: &str =
+    "if the coefficients are rounded, write the exact ones, such as 1/3 for 0.33";
+
 /// A parameter of a scheme.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParameterSpec {
@@ -35,6 +39,8 @@ pub struct CatalogueFacts {
     pub ordered: Option<String>,
     /// The rules between sharp edges: `catmull-clark` or `loop`.
     pub sector: Option<String>,
+    /// How many steps of the scheme these rules are, where one step turns the points: a whole number as text.
+    pub steps: Option<String>,
 }
 
 /// A scheme as defined in a file: a mask or a ring, as formulas over parameters.
@@ -269,7 +275,11 @@ impl SchemeDefinition {
             ) => (&rows[*rule][0].source, extent(&rows[*rule..=*rule])),
             _ => self.whole(),
         };
-        Diagnostic::new(source, span, error.to_string()).with_cap(error.cap())
+        let diagnostic = Diagnostic::new(source, span.clone(), error.to_string());
+        let decimal = source.text.get(span).is_some_and(|text| text.contains('.'));
+        let affine = matches!(error, MaskError::NotAffine { .. });
+        let helped = if affine && decimal { diagnostic.with_help(ROUNDED) } else { diagnostic };
+        helped.with_cap(error.cap())
     }
 
     /// The place that spans all coefficients.

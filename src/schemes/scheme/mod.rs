@@ -27,7 +27,7 @@ mod toml_file;
 mod typed;
 
 pub use axes::{Axes, Scheme};
-pub use catalogue::{Entry, catalogue, find};
+pub use catalogue::{Entry, catalogue, find, notes};
 pub use definition::{CatalogueFacts, ParameterSpec, SchemeDefinition};
 pub use error::{ReferenceError, SchemeError};
 pub use fields::{definitions, formula, identifier};

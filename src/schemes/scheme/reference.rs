@@ -43,7 +43,7 @@ impl Reference {
     /// # Errors
     /// When the text has another form, or a parameter's value is not a formula.
     pub fn parse(text: &str) -> Result<Reference, ReferenceError> {
-        let form = |reason| ReferenceError::form(text, reason);
+        let form = |reason: &str| ReferenceError::form(text, reason);
         if text.len() > MAX_REFERENCE_LENGTH {
             return Err(form("it is too long"));
         }
@@ -62,6 +62,9 @@ impl Reference {
                 let (parameter, value) = (parameter.trim(), value.trim());
                 if !is_identifier(parameter) {
                     return Err(form("a parameter's name is a letter, then letters and digits"));
+                }
+                if value.is_empty() {
+                    return Err(form(&format!("the value of `{parameter}` is missing")));
                 }
                 let expr = parse(value)
                     .map_err(|error| ReferenceError::Formula { text: value.to_owned(), error })?;

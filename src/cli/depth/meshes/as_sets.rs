@@ -259,7 +259,7 @@ impl Answer for SetDepth<'_> {
         let SetDepth { scheme, mesh, kind, found, a_priori, .. } = self;
         let of = if self.relative.is_some() { " of the diagonal" } else { "" };
         sheet.heading(1, format!("{mesh}, {scheme}, ε = {}{of}", self.given));
-        self.notes.iter().for_each(|note| sheet.text(format!("Note: {note}")));
+        sheet.notes(&self.notes);
         let name = kind.name();
         let mut facts = vec![(format!("depth of the {name}"), found.words(""))];
         if self.relative.is_some() {

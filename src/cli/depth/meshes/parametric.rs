@@ -213,7 +213,7 @@ impl Answer for ParametricDepth<'_> {
         let mut sheet = Sheet::default();
         let ParametricDepth { scheme, mesh, a_priori, kind, .. } = self;
         sheet.heading(1, format!("{mesh}, {scheme}, ε = {}", self.given));
-        self.notes.iter().for_each(|note| sheet.text(format!("Note: {note}")));
+        sheet.notes(&self.notes);
         let mut facts = Vec::new();
         if let Some(level) = self.level {
             let few = few_text(level, self.too_few);

@@ -26,7 +26,7 @@ pub(in crate::cli) fn explain(arguments: &ExplainArguments, projects: Vec<Projec
     let Some(claim) = project.shipped.iter().find(|claim| claim.id == name) else {
         let meant = did_you_mean(&name, project.shipped.iter().map(|claim| claim.id.as_str()));
         return Err(Failure::Input(format!(
-            "`{key}` has no table `{name}`{meant}; `subcert explain {key} {}` lists its tables",
+            "`{key}` has no table `{name}`; `subcert explain {key} {}` lists its tables{meant}",
             project.source.name
         )));
     };

@@ -10,6 +10,7 @@ use crate::facts::{
 use crate::limit::{Functional, TwoSidedDepth};
 use crate::report::json::smooth::smoothness::HoelderForm;
 use crate::report::json::smooth::vertex::VertexForm;
+use crate::scheme::notes;
 use crate::smoothness::Coefficient;
 use serde::Serialize;
 
@@ -61,6 +62,9 @@ pub struct Order {
 pub struct FactsForm {
     /// The scheme as it was given.
     pub scheme: String,
+    /// What is to be told of the numbers, such as that they are those of several steps; missing where there is nothing.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// The facts of a mask.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub curve: Option<CurveForm>,
@@ -222,7 +226,7 @@ impl FactsForm {
             SchemeFacts::Algebraic(curve) => (Some(CurveForm::of(curve)), None),
             SchemeFacts::Surface(all) => (None, Some(all.iter().map(ValenceForm::of).collect())),
         };
-        FactsForm { scheme: scheme.to_owned(), curve, valences }
+        FactsForm { scheme: scheme.to_owned(), notes: notes(scheme), curve, valences }
     }
 }
 

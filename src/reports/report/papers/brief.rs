@@ -21,8 +21,8 @@ pub fn brief_sheet(audits: &[PaperAudit<'_>], width: Option<usize>) -> Sheet {
     let mut sheet = Sheet::default();
     let differences: Vec<_> = audits.iter().map(lines).collect();
     sheet.text(format!(
-        "{} papers: {} differences between what they print and the exact values. Of each, what does most harm: what \
-         is printed → what is right, or why it is false.",
+        "{} papers: {} differences between what they print and the exact values. Below stand the differences of each \
+         paper that do most harm, in the form: what is printed → what is right, or why it is false.",
         audits.len(),
         differences.iter().map(Vec::len).sum::<usize>(),
     ));

@@ -51,6 +51,13 @@ impl Sheet {
         self.blocks.push(Block::Text(text.into()));
     }
 
+    /// Appends notes, each as a paragraph.
+    pub fn notes(&mut self, notes: &[String]) {
+        for note in notes {
+            self.text(format!("Note: {note}"));
+        }
+    }
+
     /// Appends names with values.
     pub fn facts(&mut self, facts: Vec<(String, String)>) {
         self.blocks.push(Block::Facts(facts));

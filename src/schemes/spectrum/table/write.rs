@@ -5,7 +5,7 @@ use super::language::Language;
 use super::real::RealType;
 use super::rows::{Row, TableError};
 use super::writer::Writer;
-use crate::scheme::split_name;
+use crate::scheme::{notes, split_name};
 
 /// What the header of a table says of where it comes from.
 #[derive(Clone, Copy, Debug)]
@@ -102,6 +102,7 @@ fn header(rows: &[Row], real: RealType, origin: &Origin<'_>) -> Vec<String> {
         "Weights and stencils of {} by valence n = {first}, ..., {last}.",
         origin.scheme
     )];
+    lines.extend(notes(origin.scheme).iter().map(|note| format!("Note: {note}.")));
     lines.extend(number_lines(real, origin));
     let row = if are_consecutive(rows) {
         format!("Row n - {first} of a table is that of valence n.")
