@@ -269,6 +269,8 @@ fn ends_of_ranges_have_their_names() {
     let inside = &json(range)["inside"][0];
     let exact = ["low", "high"].map(|end| inside[end]["exact"].as_str().expect("an end"));
     assert_eq!(exact, ["-262133/524288", "262131/524288"]);
+    let cubic = written(["audit", "proofs/claims/smoothness/hechler2009.toml", "--all"]);
+    assert_parts(&cubic, &["0.192729249264… is a root of -1 + 4w + 32w³."]);
     let paper = ["audit", "proofs/claims/smoothness/rossignac2008.toml", "--all"];
     let audit = written(paper);
     assert_parts(&audit, &["the limits are C¹ for -2 < s < 6, proved up to 6.2·10⁻⁵ of the ends"]);

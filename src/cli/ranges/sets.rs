@@ -5,8 +5,8 @@ use subcert::exact::{
     Enclosed as _, IntervalSet, Rational, RealAlgebraic, SturmSequence,
     format::{fixed, short},
 };
-use subcert::report::json::{Interval, root_polynomial as polynomial};
-use subcert::report::{Sheet, found_texts, interval_texts, number, proved_texts};
+use subcert::report::json::Interval;
+use subcert::report::{Sheet, found_texts, interval_texts, number, polynomial, proved_texts};
 
 /// A set of values of a parameter, by its name: intervals in JSON.
 pub(crate) struct Set(pub(crate) IntervalSet, String);

@@ -31,5 +31,5 @@ pub use told::Background;
 pub use words::look::legend;
 pub use words::notation::unicode;
 pub use words::numbers::{down, up};
-pub use words::set::{found_texts, interval_texts, number, proved_texts};
+pub use words::set::{found_texts, interval_texts, number, polynomial, proved_texts};
 pub use words::sheet::{Block, Grid, Sheet};

@@ -35,7 +35,7 @@ pub use facts::{
     ValenceForm, WeightForm,
 };
 pub use offset::BetterOffset;
-pub use sets::{Interval, Number as RootNumber, polynomial as root_polynomial};
+pub use sets::{Interval, Number as RootNumber};
 pub use shipped::{
     ExplainedTable, Number, ProjectReport, ProjectsReport, ShippedTable, SplitValues, Sums,
     Tolerance as AcceptedError,

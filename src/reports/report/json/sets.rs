@@ -1,7 +1,8 @@
 //! Sets of values of a parameter, as JSON.
 
 use super::exact::Exact;
-use crate::exact::{self, Integer, IntervalSet, RationalPolynomial, RealAlgebraic};
+use crate::exact::{self, IntervalSet, RealAlgebraic};
+use crate::report::words::set::polynomial;
 use serde::Serialize;
 use std::ops::Bound;
 
@@ -55,15 +56,4 @@ impl Number {
             enclosure: [low.to_string(), high.to_string()],
         }
     }
-}
-
-/// The minimal polynomial of a number, or one that may have factors, which the text says.
-#[must_use]
-pub fn polynomial(number: &RealAlgebraic, parameter: &str) -> String {
-    let (polynomial, note) = match number.minimal_polynomial() {
-        Some(minimal) => (minimal, ""),
-        None => (number.polynomial(), ", which may have factors"),
-    };
-    let polynomial = RationalPolynomial::over(&polynomial, &Integer::one());
-    format!("{}{note}", polynomial.describe(parameter))
 }

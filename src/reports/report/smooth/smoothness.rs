@@ -13,7 +13,7 @@ use crate::claim::{
 use crate::exact::{Enclosed as _, IntervalSet, Rational, RationalPolynomial};
 use crate::report::formulas::function::beyond;
 use crate::report::words::numbers::{down, up};
-use crate::report::words::set::{proved_text, set_text};
+use crate::report::words::set::{proved_text, roots, set_text};
 use crate::report::words::sheet::Sheet;
 use crate::smoothness::{Hoelder, SmoothRange};
 
@@ -262,6 +262,7 @@ fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<Strin
                 ),
                 format!("{} for {}", not_smooth(*m), set(&sets.outside)),
             ];
+            lines.extend(roots(&[&sets.inside, &sets.outside], variable, &lines));
             if sets.but_finitely_many && !sets.outside.is_empty() {
                 lines.push(format!("with finitely many exceptions of {variable}"));
             }

@@ -2,8 +2,8 @@
 
 use super::radical::radical;
 use crate::exact::{
-    Enclosed as _, Integer, Interval, IntervalSet, Rational, RealAlgebraic, format::fixed,
-    format::short,
+    Enclosed as _, Integer, Interval, IntervalSet, Rational, RationalPolynomial, RealAlgebraic,
+    format::fixed, format::short,
 };
 use std::ops::Bound;
 
@@ -220,4 +220,33 @@ pub fn number(place: &RealAlgebraic) -> String {
         let cut = place.step(|value| (value * &unit).trunc());
         format!("{}…", fixed(&(Rational::from(cut) / unit), PLACES))
     })
+}
+
+/// The minimal polynomial of a number, or one that may have factors, which the text says.
+#[must_use]
+pub fn polynomial(number: &RealAlgebraic, parameter: &str) -> String {
+    let (polynomial, note) = match number.minimal_polynomial() {
+        Some(minimal) => (minimal, ""),
+        None => (number.polynomial(), ", which may have factors"),
+    };
+    let polynomial = RationalPolynomial::over(&polynomial, &Integer::one());
+    format!("{}{note}", polynomial.describe(parameter))
+}
+
+/// Of which polynomials the ends of these sets are roots, of which these texts have decimals that are cut.
+pub(crate) fn roots(sets: &[&IntervalSet], variable: &str, texts: &[String]) -> Vec<String> {
+    let mut ends: Vec<&RealAlgebraic> =
+        sets.iter().flat_map(|set| set.ends()).map(|(end, _)| end).collect();
+    ends.sort();
+    ends.dedup();
+    let root = |end: &RealAlgebraic| {
+        let name = number(end);
+        let is_said = name.ends_with('…') && texts.iter().any(|text| text.contains(&name));
+        let polynomial = polynomial(end, variable);
+        // Letters stand beside their coefficients.
+        let letter = variable.chars().count() == 1;
+        let polynomial = if letter { polynomial.replace('*', "") } else { polynomial };
+        is_said.then(|| format!("{name} is a root of {polynomial}."))
+    };
+    ends.into_iter().filter(|end| end.as_rational().is_none()).filter_map(root).collect()
 }
