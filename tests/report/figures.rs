@@ -14,7 +14,7 @@ const TABLE: &str = "[[table]]\nid = 't'\nlocus = 'T'\ntitle = 't'\nvalue = 'w*c
 
 fn figure(figures: &str) -> Vec<Piece> {
     let paper = paper(&format!("{TABLE}figures = {figures}\n"));
-    let pieces = read(&audit_page(&judged(&paper), None).expect("a page"));
+    let pieces = read(&audit_page(&judged(&paper), None, None).expect("a page"));
     let title = "Figure 1: as printed, and as it should be";
     let place = pieces.iter().position(|piece| *piece == Piece::Text(title.to_owned()));
     within(&pieces[place.expect("a figure") - 2..], |piece| piece.attribute("role") == Some("img"))

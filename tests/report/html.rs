@@ -14,7 +14,7 @@ use subcert::report::html::{audit_page, index_page};
 const MAX_BYTES: usize = 2_000_000;
 
 fn page(audit: &PaperAudit<'_>) -> String {
-    audit_page(audit, None).unwrap_or_else(|error| panic!("{error}"))
+    audit_page(audit, None, None).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Checks what every page keeps: well-formed, one element for each anchor, links that lead somewhere, and
@@ -100,7 +100,7 @@ fn text_of_claim_files_is_no_markup() {
     let paper =
         read_paper(&SourceText::new("k.toml", file)).unwrap_or_else(|error| panic!("{error}"));
     let audit = judged(&paper);
-    let page = audit_page(&audit, Some("/tmp/<b>'.toml")).expect("a page");
+    let page = audit_page(&audit, Some("/tmp/<b>'.toml"), None).expect("a page");
     let pieces = check(&page);
     let shown = text(&pieces);
     assert!(shown.matches(evil).count() >= 10, "{shown}");

@@ -89,7 +89,7 @@ fn a_table_of_orders_and_exponents_has_its_shape_and_a_verdict_in_each_cell() {
     assert!(explained.contains("- scheme: four-point:w=w, w = 3/64"), "{explained}");
     let errata = errata_sheet(&audits).to_markdown();
     assert!(errata.contains("## 1. Table 1 (DD4, order) · ✗ refuted"), "{errata}");
-    let page = audit_page(&audits[0], None).expect("a page");
+    let page = audit_page(&audits[0], None, None).expect("a page");
     assert!(
         page.contains("<td class=\"cell wrong\"><a class=\"leads\" href=\"#t.2.order\">C² "),
         "{page}"

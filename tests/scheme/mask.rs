@@ -71,6 +71,6 @@ fn symbolic_sums_are_identities() {
     let error = Mask::new(vec![row, vec![one, w]], 0).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "rule 1 sums to 1 + w, not to 1: its excess is w; the coefficients of every rule must sum to 1"
+        "rule 1 sums to 1 + w, not to 1: its excess is w; the coefficients of every rule must sum to 1; rules are counted from 0"
     );
 }

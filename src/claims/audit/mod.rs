@@ -6,7 +6,7 @@ mod jobs;
 pub use crate::digest::{
     Beyond, BeyondCap, Cause, CellErratum, CellGroup, CellOutcome, CellStanding, CellSummary,
     ClaimVerdict, Consequences, Coverage, CoverageState, Errata, Erratum, HowRead, KernelCounts,
-    NotSharp, Share, Subject, Unchecked,
+    NotSharp, Opposed, Share, Subject, Unchecked,
 };
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{

@@ -1,9 +1,10 @@
 //! Claims about a free parameter: closed forms and ranges.
 
+use super::domain::Domain;
 use super::table::{LocatedReference, Printed};
 use crate::formula::LocatedFormula;
 
-/// left = right, as functions of one free parameter.
+/// left = right, as functions of one free parameter, for its values in an interval.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FunctionClaim {
     /// Its id within the paper.
@@ -20,6 +21,8 @@ pub struct FunctionClaim {
     pub left: LocatedFormula,
     /// The formula that it is said to equal.
     pub right: LocatedFormula,
+    /// The values of the parameter for which it is said to.
+    pub domain: Domain,
     /// A note for the reader.
     pub note: Option<String>,
 }

@@ -6,6 +6,7 @@
 //! numbers are rounded.
 
 mod contents;
+mod domain;
 mod embedded;
 mod equation;
 mod function;
@@ -19,6 +20,8 @@ mod target;
 mod theorem;
 
 pub use contents::{Item, Label, MAX_LABELS};
+pub(crate) use domain::is_rounded;
+pub use domain::{Domain, Ends, RangeEnd};
 pub(crate) use embedded::embedded_paper;
 pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
 pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
@@ -30,10 +33,9 @@ pub use paper::{Alternative, Bibliography, Paper, SchemeSource};
 pub use read::paper_schema;
 pub use read::{MAX_CLAIM_FILE_BYTES, is_id, read_paper, read_paper_file, read_whole_paper};
 pub use regularity::{RegularityCell, RegularityTable};
-pub(crate) use smoothness::is_rounded;
 pub use smoothness::{
-    Ends, ExponentStatement, PrintedExponent, PrintedValences, RangeEnd, SmoothRangeStatement,
-    SmoothnessBody, SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
+    ExponentStatement, PrintedExponent, PrintedValences, SmoothRangeStatement, SmoothnessBody,
+    SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
 };
 pub use table::{
     Axis, AxisEntry, Cell, Figure, Headers, LocatedReference, Printed, Promise, Table,

@@ -10,6 +10,7 @@ mod errata;
 pub(crate) mod kernel;
 mod luck;
 pub(crate) mod offset;
+mod opposed;
 pub(crate) mod premises;
 mod summary;
 
@@ -21,4 +22,5 @@ pub use errata::{
     Beyond, CellErratum, Consequences, Errata, Erratum, NotSharp, Subject, Unchecked,
 };
 pub use kernel::{KernelCounts, Share};
+pub use opposed::Opposed;
 pub use summary::{CellGroup, CellOutcome, CellStanding, CellSummary};

@@ -245,8 +245,19 @@ pub struct CellFinding {
     /// For curves and nets, if it is not shown to keep its promise with the points at i/n^k:
     /// whether it does with each point at its natural parameter.
     pub kept_naturally: Option<Kept>,
+    /// The natural parameters of the points then, along each direction; empty without such a result.
+    pub natural: Vec<PointsAt>,
     /// What Coq's kernel accepts of this, for papers that are part of the program.
     pub by_kernel: Vec<KernelProof>,
+}
+
+/// The points of level k along a direction stand at the parameters (i + s)/n^k.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PointsAt {
+    /// n.
+    pub arity: usize,
+    /// s.
+    pub shift: Rational,
 }
 
 impl CellFinding {

@@ -22,7 +22,9 @@ mod witness;
 mod working;
 
 pub use by_hand::{ByHand, HandCell, HandConstant, LeftOut};
-pub use cell::{AsRead, Assumed, CellFinding, CellKind, Direction, Missing, Slip, Sound, Verdict};
+pub use cell::{
+    AsRead, Assumed, CellFinding, CellKind, Direction, Missing, PointsAt, Slip, Sound, Verdict,
+};
 pub use consistency::{Contradiction, Needed, Side, TablePart};
 pub use equation::{EquationFinding, EquationVerdict, Failure};
 pub use function::{Example, FunctionFinding, FunctionVerdict};

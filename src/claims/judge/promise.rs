@@ -11,10 +11,11 @@ use crate::evaluation::quantity::Quantities;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Rational, RealCyclotomic};
-use crate::finding::{Broken, CellFinding, Kept, Reason, Sound};
+use crate::finding::{Broken, CellFinding, Kept, PointsAt, Reason, Sound};
 use crate::formula::{FormulaErrorKind, LocatedFormula};
 use crate::judge::distance::{KnownDistances, Schemes};
 use crate::limit::{Comparison, Parametrisation};
+use crate::scheme::Mask;
 use std::rc::Rc;
 
 /// The highest level at which a bound is computed.
@@ -57,6 +58,18 @@ struct Promised {
     scheme: PromisedScheme,
     spread: Rational,
     of: PromiseKind,
+}
+
+impl Promised {
+    /// The natural parameters of the points of masks.
+    fn natural(&self) -> Vec<PointsAt> {
+        let PromisedScheme::Masks(scheme, offset) = &self.scheme else { return Vec::new() };
+        let at = |mask: &Mask| PointsAt {
+            arity: mask.arity(),
+            shift: Parametrisation::Natural.shift(mask),
+        };
+        scheme.at(*offset).masks().into_iter().map(at).collect()
+    }
 }
 
 /// A scheme whose points are compared with their limit.
@@ -127,6 +140,9 @@ impl Evaluator<'_> {
                 if kept.as_ref() != Some(&Kept::Yes) {
                     let natural = Parametrisation::Natural;
                     finding.kept_naturally = Self::kept(&promised, &printed, distances, natural);
+                    if finding.kept_naturally.is_some() {
+                        finding.natural = promised.natural();
+                    }
                 }
                 finding.kept = kept;
             }

@@ -222,6 +222,7 @@ impl Evaluator<'_> {
             kept_by_sound: None,
             kept: None,
             kept_naturally: None,
+            natural: Vec::new(),
             by_kernel: Vec::new(),
         };
         let (needed, outcome) = self.needed(row, column)?;

@@ -1,6 +1,19 @@
 //! What `--help` shows after the arguments of each command.
 
 pub(super) const AUDIT: &str = "\
+Without files, three findings of each embedded paper are shown, those that do most harm; with --full, all.
+
+A promise is what a printed depth or error bound asserts: that every control polygon is so near to its
+limit. It is kept, broken or open, whatever the digits of the number are. Of the digits, and of other claims:
+  confirmed, holds, exact, proved  right
+  reproduced                       right at a value that the paper does not state
+  rounding, misprint               rounded differently; one slip of the pen away
+  other-reading                    what another reading of the printed definition gives
+  refuted, fails, inexact          wrong
+  not-checkable, open              neither is shown
+Of constants that programs ship: nearest (of its type), cut (to the digits written), ulps (units in the last
+place away), otherwise (another table than the file says). docs/verdicts.md and docs/programs.md have the rest.
+
 Examples:
   subcert audit
   subcert audit --full
@@ -12,7 +25,7 @@ pub(super) const EXPLAIN: &str = "\
 Examples:
   subcert explain khan2019-newton
   subcert explain mustafa2020-nary:table-2:4:7
-  subcert explain doe2026-corner:eq-3 examples/my-paper.toml
+  subcert explain eq-3 examples/my-paper.toml
   subcert explain khan2022-doo-sabin:theorem-3 --format html -o theorem-3.html";
 
 pub(super) const ERRATA: &str = "\

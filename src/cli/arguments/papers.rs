@@ -23,7 +23,7 @@ pub(in crate::cli) struct AuditArguments {
     /// Say for each claim whether its certificate is valid
     #[arg(long)]
     pub(in crate::cli) certified: bool,
-    /// Exit with code 1 when a claim has one of these verdicts, or a promise is `broken`
+    /// Exit with code 1 when a claim has one of these verdicts, explained below, or a promise is `broken`
     #[arg(long, value_name = "VERDICT,…", value_delimiter = ',', value_parser = verdicts())]
     pub(in crate::cli) deny: Vec<Word>,
     /// Output format; without it, the ending of the file decides
@@ -83,7 +83,7 @@ where
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ExplainArguments {
     /// The id: `key:table-1`, `key:table-1:2:3` (row, column), `key:eq-3.8` or `key:theorem-1`;
-    /// a key alone lists the claims of its paper
+    /// a key alone lists the claims of its paper. With the claim file of one paper, `key:` may be left out
     pub(in crate::cli) id: String,
     /// Claim files, `-` for the standard input; without any, the embedded papers
     pub(in crate::cli) files: Vec<PathBuf>,

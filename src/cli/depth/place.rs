@@ -2,8 +2,10 @@
 
 use crate::cli::console::quantity::Text;
 use serde::Serialize;
+use subcert::audit::PointsAt;
 use subcert::exact::Rational;
 use subcert::limit::{Parametrisation, natural_shift};
+use subcert::report::parameters;
 use subcert::scheme::Mask;
 
 /// The parameters of the points, for each direction.
@@ -50,14 +52,11 @@ impl Place {
 
     /// `(i − 1/2)/2^k`.
     pub(super) fn parameters(&self) -> String {
-        let at =
-            |(Text(shift), (arity, index)): (&Text<Rational>, (&usize, &str))| match shift.sign() {
-                0 => format!("{index}/{arity}^k"),
-                1 => format!("({index} + {shift})/{arity}^k"),
-                _ => format!("({index} − {})/{arity}^k", shift.abs()),
-            };
-        let places = self.shifts.iter().zip(self.arities.iter().zip(["i", "j"])).map(at);
-        places.collect::<Vec<String>>().join(" and ")
+        let at = |(Text(shift), arity): (&Text<Rational>, &usize)| PointsAt {
+            arity: *arity,
+            shift: shift.clone(),
+        };
+        parameters(&self.shifts.iter().zip(&self.arities).map(at).collect::<Vec<PointsAt>>())
     }
 
     /// `(i − 1/2)/2^k, where lines stay where they are`.

@@ -3,7 +3,7 @@
 use super::audit_output::Destination;
 use super::certified::Certified;
 use super::claim_files::{Claims, claims};
-use super::judged::{judge_all, select};
+use super::judged::{files_of, judge_all, select};
 use super::pages;
 use super::projects;
 use crate::cli::arguments::{AuditArguments, FindingFormat, Format, Output, is_of_papers};
@@ -11,7 +11,8 @@ use crate::cli::console::answer::{Answer, show};
 use crate::cli::console::output::{Failure, Outcome, none_denied};
 use crate::cli::console::quantity::written;
 use crate::cli::console::terminal;
-use subcert::audit::{PaperAudit, Word};
+use std::path::PathBuf;
+use subcert::audit::{CellFinding, PaperAudit, TableFinding, Word};
 use subcert::exact::format::short;
 use subcert::report::json::AuditReport;
 use subcert::report::{Grid, Sheet, audit_sheet, brief_sheet, legend, overview_sheet};
@@ -34,7 +35,7 @@ pub(crate) fn audit(arguments: &AuditArguments) -> Outcome {
     match to {
         Destination::Output(to) => {
             let shown = Shown::of(arguments, &to);
-            show(&to, &Audit { audits: &audits, shown, certified })?;
+            show(&to, &Audit { audits: &audits, files: &arguments.files, shown, certified })?;
         }
         Destination::Pages(folder) => {
             pages::pages(&audits, certified.as_ref(), arguments.files.is_empty(), folder)?;
@@ -50,6 +51,8 @@ pub(crate) fn audit(arguments: &AuditArguments) -> Outcome {
 /// The audits of papers.
 pub(crate) struct Audit<'a> {
     audits: &'a [PaperAudit<'a>],
+    /// The claim files; none for embedded papers.
+    files: &'a [PathBuf],
     shown: Shown,
     certified: Option<Certified>,
 }
@@ -96,13 +99,17 @@ impl Answer for Audit<'_> {
                 brief_sheet(self.audits, terminal::width()),
                 "`subcert audit --full` is the whole report, `subcert explain KEY` lists the claims of a paper, \
                  and `subcert explain KEY:ID` says how one was judged. `subcert audit FILE` judges a paper of yours, \
-                 and `subcert new` begins its claim file.",
+                 and `subcert new` begins its claim file."
+                    .to_owned(),
             ),
             Shown::Report { all, .. } => (
                 audit_sheet(self.audits, all),
-                "Under a cell: the exact value of the printed definition, and the sound value where the printed one \
-                 is not shown to keep its promise. `--all` shows every table, `subcert explain KEY:ID` one claim, \
-                 whose ID ends its heading.",
+                format!(
+                    "Under a cell: the exact value of the printed definition, of a promise rounded up, and the sound \
+                     value where the printed one is not shown to keep its promise. `--all` shows every table, \
+                     `{}` one claim, whose ID ends its heading.",
+                    self.explain()
+                ),
             ),
         };
         sheet.text(format!("{}. {more}", legend()));
@@ -120,15 +127,38 @@ impl Answer for Audit<'_> {
 
     /// The cells of the tables: one row for each, with its verdict.
     fn grid(&self) -> Option<Grid> {
-        let tables = self.audits.iter().flat_map(|audit| &audit.tables);
-        let rows = tables.flat_map(|table| table.cells.iter().flatten()).map(|cell| {
+        let row = |audit: &PaperAudit<'_>, table: &TableFinding<'_>, cell: &CellFinding| {
             let printed = cell.printed.clone().unwrap_or_default();
             let exact = cell.exact.as_ref();
             let decimal = exact.map(|exact| short(exact, DIGITS)).unwrap_or_default();
             let exact = exact.map(ToString::to_string).unwrap_or_default();
-            vec![cell.id.clone(), printed, exact, decimal, cell.verdict.word().name().to_owned()]
-        });
-        Some(Grid::of(["id", "printed", "exact", "decimal", "verdict"], rows, 5))
+            let verdict = cell.verdict.word().name().to_owned();
+            let certificate =
+                self.certified.as_ref().map(|all| all.of_claim(audit, &table.table.id).certificate);
+            [vec![cell.id.clone(), printed, exact, decimal, verdict], Vec::from_iter(certificate)]
+                .concat()
+        };
+        let mut rows = Vec::new();
+        for audit in self.audits {
+            for table in &audit.tables {
+                rows.extend(table.cells.iter().flatten().map(|cell| row(audit, table, cell)));
+            }
+        }
+        let mut header = vec!["id", "printed", "exact", "decimal", "verdict"];
+        header.extend(self.certified.as_ref().map(|_| "certificate"));
+        Some(Grid::of(header, rows, 5))
+    }
+}
+
+impl Audit<'_> {
+    /// The command that shows one claim.
+    fn explain(&self) -> String {
+        let file = match (self.audits, self.files) {
+            (_, []) => return "subcert explain KEY:ID".to_owned(),
+            ([audit], _) => files_of(audit.paper, self.files),
+            _ => return "subcert explain KEY:ID FILE".to_owned(),
+        };
+        format!("subcert explain ID{file}")
     }
 }
 

@@ -65,17 +65,15 @@ impl Certified {
         });
         sheet.grid(Grid::of(header, rows, 1));
         for paper in &self.papers {
-            let mut others: BTreeMap<String, Vec<&str>> = BTreeMap::new();
+            let mut states: BTreeMap<String, Vec<&str>> = BTreeMap::new();
             for (id, state) in &paper.claims {
-                if *state != State::Certified {
-                    others.entry(state.words()).or_default().push(id);
-                }
+                states.entry(state.words()).or_default().push(id);
             }
             let fact = |(why, ids): (String, Vec<&str>)| {
                 (paper.key.clone(), format!("{why}: {}", ids.join(", ")))
             };
-            if !others.is_empty() {
-                sheet.facts(others.into_iter().map(fact).collect());
+            if !states.is_empty() {
+                sheet.facts(states.into_iter().map(fact).collect());
             }
         }
     }
@@ -87,18 +85,37 @@ impl Certified {
                 checked.claims.iter().map(|(id, state)| (id.as_str(), state)).collect();
             for claim in &mut paper.claims {
                 let state = states.get(Target::of(claim.id).claim).copied();
-                claim.certificate = Some(json::Certificate {
-                    certified: state == Some(&State::Certified),
-                    certificate: match state {
-                        Some(State::Certified) => "valid".to_owned(),
-                        Some(State::Cited(statement)) => format!("cited: {statement}"),
-                        Some(State::Rejected(why)) => format!("invalid: {why}"),
-                        Some(State::Incomplete(why)) => format!("incomplete: {why}"),
-                        None => "incomplete: no certificate".to_owned(),
-                    },
-                });
+                claim.certificate = Some(form(state));
             }
         }
+    }
+
+    /// What is known of the certificate of a claim.
+    pub(crate) fn of_claim(&self, audit: &PaperAudit<'_>, id: &str) -> json::Certificate {
+        form(self.states(audit).find(|(own, _)| own == id).map(|(_, state)| state))
+    }
+
+    /// The same of all claims of a paper, by their ids.
+    pub(crate) fn of_paper(&self, audit: &PaperAudit<'_>) -> BTreeMap<String, json::Certificate> {
+        self.states(audit).map(|(id, state)| (id.clone(), form(Some(state)))).collect()
+    }
+
+    fn states(&self, audit: &PaperAudit<'_>) -> impl Iterator<Item = &(String, State)> {
+        let paper = self.papers.iter().find(|paper| paper.key == audit.paper.key);
+        paper.into_iter().flat_map(|paper| &paper.claims)
+    }
+}
+
+fn form(state: Option<&State>) -> json::Certificate {
+    json::Certificate {
+        certified: state == Some(&State::Certified),
+        certificate: match state {
+            Some(State::Certified) => "valid".to_owned(),
+            Some(State::Cited(statement)) => format!("cited: {statement}"),
+            Some(State::Rejected(why)) => format!("invalid: {why}"),
+            Some(State::Incomplete(why)) => format!("incomplete: {why}"),
+            None => "incomplete: no certificate".to_owned(),
+        },
     }
 }
 

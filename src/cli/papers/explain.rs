@@ -1,7 +1,7 @@
 //! `subcert explain`.
 
 use super::claim_files::{Claims, claims};
-use super::judged::{judge_claim, select};
+use super::judged::{files_of, judge_claim, select};
 use super::listing::Listing;
 use super::projects;
 use crate::cli::arguments::{ExplainArguments, FindingFormat};
@@ -9,6 +9,7 @@ use crate::cli::console::answer::{Answer, deliver, show};
 use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::quantity::written;
+use std::path::PathBuf;
 use subcert::audit::{self, Finding, PaperAudit, by_hand, readings};
 use subcert::claim::{Claim, Paper, RegularityCell, Target};
 use subcert::report::html::explain_page;
@@ -17,14 +18,14 @@ use subcert::report::{Background, Sheet, corrected_table, explain_sheet, table_o
 use subcert::suggestion::did_you_mean;
 
 pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
-    let id = &arguments.id;
-    let mut target = Target::of(id);
-    let key = target.key;
     check_order(arguments)?;
     let papers = match claims(&arguments.files)? {
         Claims::Papers(papers) => papers,
         Claims::Projects(projects) => return projects::explain(arguments, projects),
     };
+    let id = &whole_id(&arguments.id, &arguments.files, &papers);
+    let mut target = Target::of(id);
+    let key = target.key;
     let chosen = select(papers, Some(key))?;
     let [paper] = &chosen[..] else { return Ok(()) };
     if target.names_paper() {
@@ -33,7 +34,7 @@ pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
     if let Some(claim) = cell_of_smoothness(paper, target) {
         target = Target { key, claim, part: None };
     }
-    check(paper, target)?;
+    check(paper, target, &arguments.files)?;
     let id = &target.to_string();
     let to = Destination::of(&arguments.output, &id.replace(':', "."))?;
     let bar = arguments.output.format != FindingFormat::Json;
@@ -105,6 +106,20 @@ impl Answer for Explanation<'_> {
     }
 }
 
+/// The id with the key of its paper: where the files have one paper, the key may be left out.
+fn whole_id(id: &str, files: &[PathBuf], papers: &[Paper]) -> String {
+    match papers {
+        [paper] if !files.is_empty() => {
+            let Target { key: first, .. } = Target::of(id);
+            let is_claim = paper.claim(first).is_some()
+                || paper.smoothness.iter().any(|claim| claim.is_cell_of(first));
+            let bare = first != paper.key && (is_claim || !id.contains(':'));
+            if bare { format!("{}:{id}", paper.key) } else { id.to_owned() }
+        }
+        _ => id.to_owned(),
+    }
+}
+
 /// Refuses a claim file in the place of the claim.
 fn check_order(arguments: &ExplainArguments) -> Outcome {
     let ExplainArguments { id, files, .. } = arguments;
@@ -126,7 +141,9 @@ fn check_order(arguments: &ExplainArguments) -> Outcome {
 /// Lists the claims of a paper.
 fn list(paper: &Paper, arguments: &ExplainArguments) -> Outcome {
     match Destination::of(&arguments.output, &paper.key)? {
-        Destination::Output(to) => show(&to, &Listing::of_paper(paper)),
+        Destination::Output(to) => {
+            show(&to, &Listing::of_paper(paper, files_of(paper, &arguments.files)))
+        }
         _ => Err(Failure::Input(format!(
             "a list of claims is no page; name a claim, or write the pages of all of them with \
              `subcert audit --paper {} --format html -o DIR`",
@@ -147,19 +164,20 @@ fn cell_of_smoothness<'a>(paper: &'a Paper, target: Target<'_>) -> Option<&'a st
 }
 
 /// Checks that the paper has this claim, before all of its claims are judged.
-fn check(paper: &Paper, target: Target<'_>) -> Outcome {
+fn check(paper: &Paper, target: Target<'_>, files: &[PathBuf]) -> Outcome {
     let (key, name) = (&paper.key, target.claim);
+    let file = files_of(paper, files);
     if paper.smoothness.iter().any(|claim| claim.is_cell_of(name)) {
         return target.part.map_or(Ok(()), |cell| {
             Err(Failure::Input(format!(
-                "`{key}:{name}` has no statement in a cell `{cell}`; `subcert explain {key}:{name}` has all of them"
+                "`{key}:{name}` has no statement in a cell `{cell}`; `subcert explain {key}:{name}{file}` has all of them"
             )))
         });
     }
     let Some(claim) = paper.claim(name) else {
         let meant = did_you_mean(name, paper.claims().map(Claim::id));
         return Err(Failure::Input(format!(
-            "`{key}` has no claim `{name}`; `subcert explain {key}` lists its claims{meant}"
+            "`{key}` has no claim `{name}`; `subcert explain {key}{file}` lists its claims{meant}"
         )));
     };
     let Some(cell) = target.part else { return Ok(()) };

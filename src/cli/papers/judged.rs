@@ -6,6 +6,7 @@ use crate::cli::console::progress::Progress;
 use std::path::PathBuf;
 use subcert::audit::{PaperAudit, audit_claim, audit_whole, claims_needed};
 use subcert::claim::Paper;
+use subcert::report::html::shell_word;
 use subcert::suggestion::known as names;
 
 /// The papers of claim files, for a command that is about papers alone; without any, the embedded ones.
@@ -38,6 +39,17 @@ pub(crate) fn chosen<T>(
         return Err(Failure::Input(format!("no paper has the key `{key}`{known}")));
     }
     Ok(chosen)
+}
+
+/// What follows a command about a paper: its claim file, unless it is embedded.
+pub(crate) fn files_of(paper: &Paper, files: &[PathBuf]) -> String {
+    let own = files.iter().find(|file| file.display().to_string() == paper.source.name);
+    match own {
+        Some(file) => format!(" {}", shell_word(&file.display().to_string())),
+        None if files.is_empty() => String::new(),
+        // The standard input.
+        None => " -".to_owned(),
+    }
 }
 
 /// Judges a claim of a paper and the claims that it needs, on all cores. With `bar`, a bar shows

@@ -22,7 +22,7 @@ pub(crate) struct Listing<'a> {
 }
 
 enum Source<'a> {
-    Paper(&'a Paper),
+    Paper(&'a Paper, String),
     Project(&'a Project),
 }
 
@@ -41,7 +41,8 @@ struct Claim<'a> {
 }
 
 impl<'a> Listing<'a> {
-    pub(crate) fn of_paper(paper: &'a Paper) -> Listing<'a> {
+    /// The claims of a paper, whose claim file stands in `file` unless it is embedded: ` FILE`.
+    pub(crate) fn of_paper(paper: &'a Paper, file: String) -> Listing<'a> {
         let kind = |claim| match claim {
             claim::Claim::Smoothness(claim) => claim.kind.name(),
             other => other.kind().name(),
@@ -53,7 +54,7 @@ impl<'a> Listing<'a> {
             title: one.title(),
         };
         let claims = paper.claims().map(claim).collect();
-        Listing { schema: SCHEMA, key: &paper.key, claims, source: Source::Paper(paper) }
+        Listing { schema: SCHEMA, key: &paper.key, claims, source: Source::Paper(paper, file) }
     }
 
     pub(crate) fn of_project(project: &'a Project) -> Listing<'a> {
@@ -74,11 +75,11 @@ impl Answer for Listing<'_> {
     fn sheet(&self) -> Sheet {
         let (key, claims) = (self.key, self.claims.iter());
         let row = |texts: [&str; 4]| texts.map(str::to_owned).to_vec();
-        let (name, grid, note) = match self.source {
-            Source::Paper(paper) => {
+        let (name, grid, note) = match &self.source {
+            Source::Paper(paper, file) => {
                 let rows = claims.map(|one| row([one.id, one.kind, one.locus, one.title]));
                 let note = format!(
-                    "`subcert explain {key}:ID` explains one claim, `subcert explain {key}:ID:ROW:COLUMN` one \
+                    "`subcert explain {key}:ID{file}` explains one claim, `subcert explain {key}:ID:ROW:COLUMN{file}` one \
                      cell of a table; rows and columns are counted from 1."
                 );
                 let grid = Grid::of(["id", "kind", "where", "what"], rows, 4);

@@ -62,7 +62,8 @@ pub(crate) fn write_pages(
     }
     let page = |audit: &PaperAudit<'_>| {
         let file = (!embedded).then_some(audit.paper.source.name.as_str());
-        Ok(audit_page(audit, file)?)
+        let checked = certified.map(|certified| certified.of_paper(audit));
+        Ok(audit_page(audit, file, checked.as_ref())?)
     };
     let index = index_page(audits, &more);
     write_all("paper", audits, |audit| &audit.paper.key, page, &index, folder)

@@ -58,10 +58,15 @@ impl Collected {
         items.into_iter().filter_map(|item| self.take(read(item))).collect()
     }
 
-    /// Adds an error, unless it is there already.
+    /// Adds an error, unless there is one at its place already: of two, the one that needs no label, as it holds for all
+    /// values of parameters, and else the first.
     pub fn add(&mut self, error: Diagnostic) {
-        if !self.0.contains(&error) {
-            self.0.push(error);
+        let is_there =
+            |known: &&mut Diagnostic| (&known.source, &known.span) == (&error.source, &error.span);
+        match self.0.iter_mut().find(is_there) {
+            Some(known) if known.label.is_some() && error.label.is_none() => *known = error,
+            Some(_) => {}
+            None => self.0.push(error),
         }
     }
 

@@ -18,11 +18,11 @@ impl Certified for FunctionFinding<'_> {
         block.restate("right", &claim.right.text);
         match &self.verdict {
             FunctionVerdict::Holds => {
-                pieces(&mut block, &IntervalSet::default(), &IntervalSet::default());
+                pieces(&mut block, &self.below, &self.above);
                 block.line(Word::Holds);
             }
-            FunctionVerdict::Fails { larger, smaller, example } => {
-                pieces(&mut block, smaller, larger);
+            FunctionVerdict::Fails { example, .. } => {
+                pieces(&mut block, &self.below, &self.above);
                 block.line(format!("fails {} {} {}", example.at, example.left, example.right));
             }
             FunctionVerdict::BeyondCap(cap) => block.give_up(cap.to_string()),

@@ -28,6 +28,7 @@ pub use smooth::vertex::{
 };
 pub use tables::eye::{Eye, to_the_eye};
 pub use told::Background;
+pub use words::data::parameters;
 pub use words::look::legend;
 pub use words::notation::unicode;
 pub use words::numbers::{down, up};

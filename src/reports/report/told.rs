@@ -38,6 +38,11 @@ pub(crate) trait Told<'a>: Found<'a> {
     /// The claims of its JSON form: of a table, its cells.
     fn form<'s>(&'s self, audit: &'s PaperAudit<'_>) -> Vec<json::Claim<'s>>;
 
+    /// Whether it is wrong with points at i/n^k, and not at their natural parameters.
+    fn is_right_naturally(&self) -> bool {
+        false
+    }
+
     /// What else there is to say where it is shown in full.
     fn details(&self) -> Facts {
         Vec::new()

@@ -21,7 +21,7 @@ pub enum MaskError {
     /// A rule that is not an affine combination.
     #[error(
         "rule {rule} sums to {sum}, not to 1: its excess is {excess}; \
-         the coefficients of every rule must sum to 1"
+         the coefficients of every rule must sum to 1; rules are counted from 0"
     )]
     NotAffine {
         /// The number of the rule, counted from 0.

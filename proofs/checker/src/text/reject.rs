@@ -106,6 +106,7 @@ reasons! {
     Case "there is no such case here; they are listed in order"
     Difference(said: Text, found: Text) "the certificate says {said}, and the difference of the sides is {found}"
     NoDifference "the two sides do not differ"
+    NotStated(at: Text) "the claim does not state that the two sides are equal at {at}, whatever its rounded ends stand for"
     Verdict(said: Text, found: Text) "the certificate says {said}, and the verdict is {found}"
     Breaks "the breaks do not increase"
     Signs(said: Text, found: Text) "the certificate says {said}, and the signs are {found}"

@@ -20,6 +20,9 @@ pub(super) struct UnclaimedTable {
 
 const HELP: &str = "numbered = [\"(1)-(37)\", \"Theorem 1-2\"] in [paper] lists them all";
 
+/// How many lists of numbered items an error repeats.
+const MAX_LISTS: usize = 3;
+
 impl Reader<'_> {
     /// The numbered items of the paper, each with the claims whose locus names it or
     /// with the reason that there is none. A paper without a list has no items.
@@ -30,6 +33,11 @@ impl Reader<'_> {
         unclaimed: &[UnclaimedTable],
     ) -> Result<Vec<Item>, Diagnostic> {
         let mut items: Vec<Item> = Vec::new();
+        let lists = numbered.iter().take(MAX_LISTS).map(|list| format!("\"{}\", ", list.get_ref()));
+        let help = format!(
+            "add it to the list in [paper], numbered = [{}…], or mend this place",
+            lists.collect::<String>()
+        );
         for list in numbered {
             for label in self.labels(list, Label::list)? {
                 if items.iter().any(|item| item.label == label) {
@@ -41,7 +49,7 @@ impl Reader<'_> {
         if !items.is_empty() {
             for CommonFields { id, locus, .. } in claims {
                 for label in self.labels(locus, Label::in_locus)? {
-                    for item in self.covered(&mut items, &label, locus.span())? {
+                    for item in self.covered(&mut items, &label, locus.span(), &help)? {
                         if item.claims.last() != Some(id.get_ref()) {
                             item.claims.push(id.get_ref().clone());
                         }
@@ -51,7 +59,7 @@ impl Reader<'_> {
         }
         for UnclaimedTable { locus, reason } in unclaimed {
             for label in self.labels(locus, Label::list)? {
-                for item in self.covered(&mut items, &label, locus.span())? {
+                for item in self.covered(&mut items, &label, locus.span(), &help)? {
                     if let Some(id) = item.claims.first() {
                         let message = format!("{} is claimed, by `{id}`", item.label);
                         return Err(self.error(locus.span(), message));
@@ -80,12 +88,13 @@ impl Reader<'_> {
         items: &'i mut [Item],
         label: &Label,
         span: Range<usize>,
+        help: &str,
     ) -> Result<Vec<&'i mut Item>, Diagnostic> {
         let covered: Vec<&mut Item> =
             items.iter_mut().filter(|item| label.covers(&item.label)).collect();
         if covered.is_empty() {
             let message = format!("{label} is not among the numbered items of the paper");
-            return Err(self.error(span, message).with_help(HELP));
+            return Err(self.error(span, message).with_help(help));
         }
         Ok(covered)
     }

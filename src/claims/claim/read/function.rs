@@ -4,8 +4,8 @@ use super::fields::{NumberField, claim_table};
 use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
 use crate::claim::{
-    FunctionClaim, Limit, Paper, RangeClaim, RangeEnd, SmoothRangeStatement, SmoothnessClaim,
-    SmoothnessKind, SmoothnessStatement,
+    Domain, FunctionClaim, Limit, Paper, RangeClaim, RangeEnd, SmoothRangeStatement,
+    SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
 };
 use crate::diagnostic::Diagnostic;
 use crate::exact::{RealAlgebraic, RealCyclotomic, parse_decimal};
@@ -20,6 +20,12 @@ claim_table!(FunctionTable {
     left: Spanned<String>,
     /// What it is said to equal.
     right: Spanned<String>,
+    /// The printed lower end of the values for which it is said to.
+    from: Option<Spanned<NumberField>>,
+    /// The printed upper end.
+    to: Option<Spanned<NumberField>>,
+    /// Whether the ends belong to these values.
+    closed: Option<Spanned<bool>>,
 });
 
 claim_table!(RangeTable {
@@ -38,7 +44,7 @@ claim_table!(RangeTable {
     /// The printed upper end.
     to: Option<Spanned<NumberField>>,
     /// Whether the ends belong to the range.
-    closed: Option<bool>,
+    closed: Option<Spanned<bool>>,
     /// Whether the paper says that the limits are C^m for no other values.
     only: Option<Spanned<bool>>,
     /// Of rules around a vertex or on a face: for which valences, `'5'`, `'3..50'` or `'all'`.
@@ -84,7 +90,22 @@ impl Reader<'_> {
         let variable = identifier(self.source, &table.variable)?;
         let left = formula(self.source, &table.left)?;
         let right = formula(self.source, &table.right)?;
-        Ok(FunctionClaim { id, locus, title, variable, scheme, left, right, note })
+        let domain = self.domain([&table.from, &table.to], table.closed.as_ref())?;
+        if domain.from.is_none()
+            && domain.to.is_none()
+            && let Some(closed) = &table.closed
+        {
+            return Err(self
+                .error(
+                    closed.span(),
+                    "`closed` is about the ends of an interval, and there are none",
+                )
+                .with_help(format!(
+                    "add `from`, `to` or both: the printed ends of the values of `{variable}`; \
+                     or remove `closed`"
+                )));
+        }
+        Ok(FunctionClaim { id, locus, title, variable, scheme, left, right, domain, note })
     }
 
     /// The range of a parameter for which the limits are C^m.
@@ -100,29 +121,35 @@ impl Reader<'_> {
                     "remove `below` and `at_most`, or say `value` in place of `smoothness`",
                 ));
         }
-        let end = |field: &Option<Spanned<NumberField>>| {
-            field.as_ref().map(|field| self.range_end(field)).transpose()
-        };
-        let (from, to) = (end(&table.from)?, end(&table.to)?);
-        if from.is_none() && to.is_none() {
+        if table.from.is_none() && table.to.is_none() {
             return Err(self.no_ends(table));
-        }
-        if let (Some(from), Some(to)) = (&from, &to)
-            && from.value >= to.value
-        {
-            return Err(self.ends_exchanged(&to.text, to.span.clone()));
         }
         let statement = SmoothRangeStatement {
             variable: identifier(self.source, &table.variable)?,
             m: self.order(m)?,
-            from,
-            to,
-            closed: table.closed.unwrap_or(false),
+            domain: self.domain([&table.from, &table.to], table.closed.as_ref())?,
             only: table.only.as_ref().is_some_and(|only| *only.get_ref()),
             valences: table.valences.as_ref().map(|text| self.valences(text)).transpose()?,
         };
         let statement = Ok(SmoothnessStatement::Range(Box::new(statement)));
         self.about_limits(table.common(), SmoothnessKind::Range, statement)
+    }
+
+    /// An interval of a free parameter, from its ends.
+    fn domain(
+        &self,
+        ends: [&Option<Spanned<NumberField>>; 2],
+        closed: Option<&Spanned<bool>>,
+    ) -> Result<Domain, Diagnostic> {
+        let [from, to] =
+            ends.map(|end| end.as_ref().map(|field| self.range_end(field)).transpose());
+        let (from, to) = (from?, to?);
+        if let (Some(from), Some(to)) = (&from, &to)
+            && from.value >= to.value
+        {
+            return Err(self.ends_exchanged(&to.text, to.span.clone()));
+        }
+        Ok(Domain { from, to, closed: closed.is_some_and(|closed| *closed.get_ref()) })
     }
 
     /// An end that is printed as a decimal or as a closed formula.
@@ -200,7 +227,8 @@ impl Reader<'_> {
         }
         let Head { id, locus, title, scheme, note } = self.head(table.common())?;
         let variable = identifier(self.source, &table.variable)?;
-        let (value, closed) = (formula(self.source, value)?, table.closed);
+        let value = formula(self.source, value)?;
+        let closed = table.closed.as_ref().map(|closed| *closed.get_ref());
         Ok(RangeClaim { id, locus, title, variable, scheme, value, limit, from, to, closed, note })
     }
 }

@@ -12,6 +12,7 @@ mod exponent;
 mod fields;
 mod figure;
 mod file;
+mod foreign;
 mod function;
 mod indices;
 mod kind;

@@ -2,6 +2,7 @@
 
 use super::fields::{CommonFields, Formulas};
 use super::file::{AlternativeTable, PaperFile};
+use super::foreign::foreign;
 use super::reader::Reader;
 use super::regularity::RegularityFile;
 use crate::claim::{Alternative, Paper, SchemeSource};
@@ -50,8 +51,10 @@ pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
 /// ```
 pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
     let begun = source.text.lines().any(|line| line.trim_start().starts_with(['[', 'p']));
-    let mut file: PaperFile = from_toml(source)
-        .map_err(|error| Errors::from(if begun { error } else { error.with_help(BEGIN) }))?;
+    let mut file: PaperFile = from_toml(source).map_err(|error| {
+        let plain = || if begun { error } else { error.with_help(BEGIN) };
+        Errors::from(foreign(source).unwrap_or_else(plain))
+    })?;
     let reader = Reader { source, ids: Default::default() };
     let mut errors = Collected::default();
     let mut regularity = Vec::new();

@@ -99,7 +99,10 @@ impl<'de> Deserialize<'de> for CellsField {
                 if text == "lost" {
                     return Ok(CellsField::Lost);
                 }
-                Err(E::invalid_value(serde::de::Unexpected::Str(text), &self))
+                Err(E::custom(
+                    "a text is no cells, and a file is not read: write them here, in rows such as \
+                     [['0.68', '0.31'], …], or \"lost\"",
+                ))
             }
             fn visit_seq<S: serde::de::SeqAccess<'de>>(
                 self,

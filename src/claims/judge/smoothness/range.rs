@@ -45,7 +45,7 @@ pub(super) fn judge(
         outside: sets.outside.clone(),
         but_finitely_many: sets.but_finitely_many,
     };
-    let printed = statement.interval(Ends::Printed);
+    let printed = statement.domain.interval(Ends::Printed);
     let mut trial = Trial { statement, sides: sets.as_ref().map(sides), at: &at };
     let mut sets = sets;
     if let Some(sets) = &mut sets

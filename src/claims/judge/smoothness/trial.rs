@@ -53,13 +53,14 @@ fn simple(interval: &Interval) -> Option<Rational> {
 impl<W> Trial<'_, W> {
     /// Judges the range.
     pub(super) fn judged(&self) -> Result<Judged<W>, Diagnostic> {
-        let whole = self.statement.interval(Ends::Printed);
+        let whole = self.statement.domain.interval(Ends::Printed);
         let undecided = self.undecided(&whole, &whole);
         let right = self.witness(&whole, &whole)?.is_none() && !self.excludes(&whole);
         let (witness, verdict) = if right && undecided.is_empty() {
             (None, SmoothnessVerdict::Confirmed)
         } else {
-            let [less, more] = [Ends::Least, Ends::Most].map(|ends| self.statement.interval(ends));
+            let [less, more] =
+                [Ends::Least, Ends::Most].map(|ends| self.statement.domain.interval(ends));
             match self.witness(&less, &more)? {
                 Some(witness) => (Some(witness), SmoothnessVerdict::Refuted),
                 None if self.excludes(&less) => (None, SmoothnessVerdict::Refuted),

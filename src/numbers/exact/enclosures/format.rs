@@ -74,6 +74,34 @@ pub fn short(value: &impl Enclosed, digits: u32) -> String {
     value.step(|value| short_rational(value, digits))
 }
 
+/// The least decimal with `places` digits after the point that is not below `value`; for negative `places`, the least
+/// multiple of 10^−places.
+///
+/// ```
+/// use subcert::exact::{Rational, format::raised};
+///
+/// assert_eq!(raised(&Rational::new(12_841, 1_000_000), 4), Rational::new(129, 10_000));
+/// assert_eq!(raised(&Rational::new(1, 4), 2), Rational::new(1, 4));
+/// ```
+#[must_use]
+pub fn raised(value: &impl Enclosed, places: i32) -> Rational {
+    let unit = Rational::power_of_ten(places);
+    value.step(|value| Rational::from((value * &unit).ceil()) / &unit)
+}
+
+/// The least decimal with `digits` significant digits that is not below `value`.
+///
+/// ```
+/// use subcert::exact::{Rational, format::{raised_digits, short}};
+///
+/// assert_eq!(short(&raised_digits(&Rational::new(1, 3000), 3), 3), "0.000334");
+/// ```
+#[must_use]
+pub fn raised_digits(value: &impl Enclosed, digits: u32) -> Rational {
+    let exponent = |value: &Rational| if value.is_zero() { 0 } else { floor_log10(&value.abs()) };
+    raised(value, clamp_exponent(i64::from(digits) - 1 - value.step(exponent)))
+}
+
 fn short_rational(value: &Rational, digits: u32) -> String {
     if value.is_zero() {
         return "0".to_owned();

@@ -7,7 +7,7 @@ use crate::audit::{
 use crate::claim::{Printed, Table};
 use crate::exact::{
     RealCyclotomic,
-    format::{fixed, scientific, short},
+    format::{fixed, raised, raised_digits, scientific, short},
 };
 use crate::report::papers::audit::{assumed, spelled_out};
 use crate::report::papers::summary::words;
@@ -78,9 +78,13 @@ fn reproduced(cells: &CellErratum<'_, '_>) -> String {
 
 /// The cells in the shape of their table: printed and correct.
 pub(super) fn grid(cells: &CellErratum<'_, '_>) -> Grid {
+    let promised = cells.finding.table.promise.is_some();
     shaped(cells.finding, &cells.cells, |cell, printed| {
-        let correct =
-            if cells.as_defined { sound(cell) } else { correct(cell.exact.as_ref(), printed) };
+        let correct = if cells.as_defined {
+            sound(cell)
+        } else {
+            correct(cell.exact.as_ref(), printed, promised)
+        };
         format!("{} → {correct}", printed.text)
     })
 }
@@ -89,26 +93,34 @@ pub(super) fn grid(cells: &CellErratum<'_, '_>) -> Grid {
 pub(super) fn sound(cell: &CellFinding) -> String {
     match &cell.sound {
         Some(Sound::Depth { level, .. } | Sound::Least(level)) => level.to_string(),
-        Some(Sound::Bound(bound)) => short(bound, 6),
+        Some(Sound::Bound(bound)) => short(&raised_digits(bound, 6), 6),
         Some(Sound::None(_)) | None => "no sound value".to_owned(),
     }
 }
 
 /// An exact value in the form of the printed number: rounded to its last place or, if only zeros
-/// remain, to as many digits.
-pub(crate) fn correct(exact: Option<&RealCyclotomic>, printed: &Printed) -> String {
+/// remain, to as many digits. A number that promises something is rounded up: a smaller bound or level
+/// would promise more than the definition.
+pub(crate) fn correct(exact: Option<&RealCyclotomic>, printed: &Printed, promised: bool) -> String {
     let Some(exact) = exact else { return "no value".to_owned() };
     let digits = u32::try_from(printed.decimal.significant_digits()).unwrap_or(1).clamp(1, 40);
-    let places = u32::try_from(-printed.decimal.exponent()).unwrap_or(0);
+    let places = u32::try_from(-printed.decimal.exponent()).unwrap_or(0).min(60);
+    let of_digits = |digits: u32| {
+        if promised { raised_digits(exact, digits).into() } else { exact.clone() }
+    };
     if printed.decimal.is_fraction() {
-        return exact.as_rational().map_or_else(|| short(exact, 10), ToString::to_string);
+        return exact.as_rational().map_or_else(|| short(&of_digits(10), 10), ToString::to_string);
     }
     if printed.text.contains(['e', 'E']) {
-        return scientific(exact, digits);
+        return scientific(&of_digits(digits), digits);
     }
-    let text = fixed(exact, places.min(60));
+    let text = fixed(exact, places);
     let shows = text.contains(|c: char| c.is_ascii_digit() && c != '0');
-    if shows || exact.sign() == 0 { text } else { short(exact, digits) }
+    match (shows || exact.sign() == 0, promised) {
+        (true, true) => fixed(&raised(exact, places.cast_signed()), places),
+        (true, false) => text,
+        (false, _) => short(&of_digits(digits), digits),
+    }
 }
 
 /// Some cells of a table in the table's shape; other cells are dots.
@@ -223,7 +235,8 @@ pub(super) fn unchecked(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
         let differing: Vec<(usize, usize)> = group.cells.iter().filter(differs).copied().collect();
         if !differing.is_empty() {
             sheet.grid(shaped(group.finding, &differing, |cell, printed| {
-                format!("{} | {}", printed.text, correct(cell.exact.as_ref(), printed))
+                let exact = correct(cell.exact.as_ref(), printed, table.promise.is_some());
+                format!("{} | {exact}", printed.text)
             }));
         }
     }

@@ -215,7 +215,8 @@ fn numbers(cells: &CellErratum<'_, '_>, harm: Harm) -> [String; 2] {
     let Some(printed) = cells.finding.table.cells[row][column].printed() else {
         return Default::default();
     };
-    let by_definition = cells::correct(cell.exact.as_ref(), printed);
+    let promised = cells.finding.table.promise.is_some();
+    let by_definition = cells::correct(cell.exact.as_ref(), printed, promised);
     let exact = match harm {
         Harm::Broken | Harm::Unshown => {
             format!("{by_definition} by definition; sound: {}", cells::sound(cell))

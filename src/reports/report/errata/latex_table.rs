@@ -2,13 +2,13 @@
 
 use crate::audit::{CellFinding, Sound, TableFinding, Verdict};
 use crate::claim::Cell;
-use crate::exact::{Rational, RealCyclotomic, format::short};
+use crate::exact::{
+    Rational, RealCyclotomic,
+    format::{raised_digits, short},
+};
 use crate::report::errata::cells::correct;
 use crate::report::output::latex::escape;
 use std::fmt::Write as _;
-
-/// The most decimals of a bound.
-const MAX_PLACES: i32 = 60;
 
 /// A number of a corrected table.
 enum Corrected {
@@ -95,13 +95,13 @@ fn corrected(cell: &CellFinding, printed: &Cell, promises: bool) -> Corrected {
         Some(_) if is_right && (!promises || cell.keeps_promise() == Some(true)) => {
             Corrected::Printed(text)
         }
-        Some(exact) if !promises => Corrected::Defined(correct(Some(exact), number)),
+        Some(exact) if !promises => Corrected::Defined(correct(Some(exact), number, promises)),
         Some(exact) => match &cell.sound {
             None | Some(Sound::None(_)) => Corrected::Open(text),
             Some(Sound::Depth { level, .. } | Sound::Least(level)) => {
                 let is_enough = is_at_least(exact, &Rational::from(*level));
                 if is_enough && !is_right {
-                    Corrected::Defined(correct(Some(exact), number))
+                    Corrected::Defined(correct(Some(exact), number, promises))
                 } else {
                     Corrected::Kept(level.to_string())
                 }
@@ -118,15 +118,9 @@ fn is_at_least(value: &RealCyclotomic, least: &Rational) -> bool {
     value.as_rational().is_some_and(|value| value >= least)
 }
 
-/// A positive number rounded up, with six significant digits or one more.
+/// A positive number rounded up, with six significant digits.
 fn above(bound: &Rational) -> String {
-    let mut places = 0_i32;
-    while places < MAX_PLACES && bound * Rational::power_of_ten(places) < Rational::from(100_000) {
-        places += 1;
-    }
-    let unit = Rational::power_of_ten(places);
-    let rounded = Rational::from((bound * &unit).ceil()) / unit;
-    short(&rounded, 40)
+    short(&raised_digits(bound, 6), 40)
 }
 
 impl Corrected {

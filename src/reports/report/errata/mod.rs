@@ -41,7 +41,13 @@ fn paper(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
         sheet.text(capital(&said));
     }
     if errata.errata.is_empty() {
-        sheet.text("Nothing wrong was found.");
+        let judged = audit.findings().next().is_some();
+        let said = if judged {
+            "Nothing wrong was found."
+        } else {
+            "There is nothing to check: the claim file has no claims."
+        };
+        sheet.text(said);
     } else {
         sheet.text(
             "An arrow leads from what is printed to what the definition gives as it is printed; \
@@ -123,7 +129,8 @@ fn group(sheet: &mut Sheet, alike: &[Entry]) {
     let [first, .., last] = alike else {
         for Entry { number, heading, title, facts, causes, grid } in alike {
             sheet.heading(2, format!("{number}. {heading}"));
-            let says = title.clone().map(|title| ("says".to_owned(), title));
+            let says = title.clone().filter(|title| !title.is_empty());
+            let says = says.map(|title| ("says".to_owned(), title));
             sheet.facts(says.into_iter().chain(facts.clone()).chain(causes.clone()).collect());
             sheet.blocks.extend(grid.clone().map(Block::Grid));
         }
@@ -143,33 +150,37 @@ fn changes(subject: &Subject<'_, '_>, consequences: &Consequences<'_, '_>) -> St
     let Consequences { smaller, larger, broken_by_formula, kept, broken, open, .. } = consequences;
     let mut lines = Vec::new();
     if let Subject::Cells(cells) = subject {
-        let what = match cells.finding.table.promise {
-            Some(Promise::Depth { .. }) => "depths",
-            Some(Promise::Bound { .. }) => "bounds",
-            None => "numbers",
-        };
         let all = cells.cells.len();
+        let what = match (&cells.finding.table.promise, all) {
+            (Some(Promise::Depth { .. }), 1) => "depth",
+            (Some(Promise::Depth { .. }), _) => "depths",
+            (Some(Promise::Bound { .. }), 1) => "bound",
+            (Some(Promise::Bound { .. }), _) => "bounds",
+            (None, 1) => "number",
+            (None, _) => "numbers",
+        };
         if smaller + larger > 0 {
+            let is = if *smaller == 1 { "is" } else { "are" };
             lines.push(format!(
-                "Of {all} printed {what}, {smaller} are smaller than the definition's and {larger} \
+                "Of {all} printed {what}, {smaller} {is} smaller than the definition's and {larger} \
                  larger."
             ));
         }
-        if *broken_by_formula > 0 {
-            lines.push(format!(
-                "{broken_by_formula} of {all} printed {what} do not keep their promise by the \
-                 printed formula."
-            ));
-        }
         let promises = [
-            (kept, "keep their promise for all control data"),
-            (broken, "break their promise for some control data"),
-            (open, "are not shown to keep their promise, nor to break it"),
+            (
+                broken_by_formula,
+                ["does not keep its", "do not keep their"],
+                "by the printed formula",
+            ),
+            (kept, ["keeps its", "keep their"], "for all control data"),
+            (broken, ["breaks its", "break their"], "for some control data"),
+            (open, ["may keep its", "may keep their"], "or break it: neither is shown"),
         ];
-        let promises = promises.into_iter().filter(|(count, _)| **count > 0);
-        lines.extend(
-            promises.map(|(count, do_what)| format!("{count} of {all} printed {what} {do_what}.")),
-        );
+        let promises = promises.into_iter().filter(|(count, ..)| **count > 0);
+        lines.extend(promises.map(|(count, words, how)| {
+            let does = words[usize::from(*count != 1)];
+            format!("{count} of {all} printed {what} {does} promise {how}.")
+        }));
     }
     if !consequences.used_by.is_empty() {
         lines.push(format!("It is used by {}.", consequences.used_by.join("; ")));

@@ -4,7 +4,7 @@ use crate::audit::{
     EndFinding, EndRelation, FoundRange, FunctionFinding, FunctionVerdict, RangeFinding,
     RangeVerdict,
 };
-use crate::claim::LocatedReference;
+use crate::claim::{Domain, Ends, LocatedReference};
 use crate::exact::format::short;
 use crate::report::words::set::{interval_texts, number};
 
@@ -17,7 +17,7 @@ pub(crate) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
     let variable = &finding.claim.variable;
     let (larger, smaller, example) = match &finding.verdict {
         FunctionVerdict::Fails { larger, smaller, example } => (larger, smaller, example),
-        FunctionVerdict::Holds => return vec![format!("holds for every {variable}")],
+        FunctionVerdict::Holds => return vec![holds(finding)],
         FunctionVerdict::BeyondCap(cap) => return vec![beyond(cap)],
     };
     let mut lines = Vec::new();
@@ -34,11 +34,35 @@ pub(crate) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
     lines
 }
 
+<<<<<<< HEAD
 /// The exact set in words.
 pub(crate) fn exactly(found: &FoundRange, variable: &str) -> String {
     match &interval_texts(&found.exact, variable)[..] {
         [] => format!("no {variable}"),
         texts => texts.join(" or "),
+=======
+/// For which values it holds.
+fn holds(finding: &FunctionFinding<'_>) -> String {
+    let claim = finding.claim;
+    match finding.compared() {
+        Ends::Least => format!(
+            "holds for {}, and beyond these not; the ends may be rounded",
+            claim.domain.interval(Ends::Least).describe(&claim.variable)
+        ),
+        _ => format!("holds for {}", domain(&claim.variable, &claim.domain)),
+    }
+}
+
+/// An interval as printed: `0 < w < 1/2`, or `every w`.
+pub(crate) fn domain(variable: &str, domain: &Domain) -> String {
+    let Domain { from, to, closed } = domain;
+    let equal = if *closed { "=" } else { "" };
+    match (from, to) {
+        (None, None) => format!("every {variable}"),
+        (Some(from), None) => format!("{} <{equal} {variable}", from.text),
+        (None, Some(to)) => format!("{variable} <{equal} {}", to.text),
+        (Some(from), Some(to)) => format!("{} <{equal} {variable} <{equal} {}", from.text, to.text),
+>>>>>>> b3af410a (Closed forms are stated for some values, promises are rounded up, and hints work for one's own files)
     }
 }
 

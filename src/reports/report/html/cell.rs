@@ -8,6 +8,8 @@ use super::sheet::facts;
 use super::typeset::typeset;
 use super::verdict::{BROKEN, Look, badge};
 use crate::audit::CellFinding;
+use crate::claim::Table;
+use crate::report::papers::audit::below;
 use crate::report::papers::explain::cell_facts;
 use maud::{Markup, html};
 
@@ -19,10 +21,11 @@ pub(super) fn anchor(table: &str, row: usize, column: usize) -> String {
 /// The cell at a place of a table; its panel is shown where the address ends with its anchor.
 pub(super) fn cell(
     context: &Context<'_, '_>,
-    table: &str,
+    table: &Table,
     (row, column): (usize, usize),
     cell: &CellFinding,
 ) -> Markup {
+    let (table, promised) = (&table.id, table.promise.is_some());
     let anchor = anchor(table, row, column);
     let look = Look::of(cell.verdict.word());
     let broken = if is_broken(cell) { BROKEN } else { "" };
@@ -45,6 +48,7 @@ pub(super) fn cell(
                     span.flag aria-hidden="true" { "⚑" }
                     span.hidden { ", promise broken" }
                 }
+                @for line in below(cell, promised) { small.exact { (line) } }
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use super::command::quoted;
 use super::context::Context;
+use crate::report::json::Certificate;
 use maud::{Markup, html};
 
 /// The most characters of them on a page.
@@ -10,10 +11,19 @@ const MAX_HELD: usize = 20_000;
 /// The lines about the claim of this id, behind a word that unfolds them, and the command that writes the whole
 /// certificate; nothing of a claim that no certificate is about.
 pub(super) fn certified(context: &Context<'_, '_>, id: &str) -> Markup {
-    match context.certificate.get(id) {
-        None => html! {},
-        Some(Err(why)) => html! { p.command { "No certificate: " (why) } },
-        Some(Ok(lines)) => folded(context, lines),
+    let checked = context.checked.and_then(|checked| checked.get(id));
+    html! {
+        @if let Some(Certificate { certified, certificate }) = checked {
+            p.command {
+                @if *certified { "✓ subcert-check has found the certificate valid." }
+                @else { "By subcert-check, the certificate is " (certificate) "." }
+            }
+        }
+        @match context.certificate.get(id) {
+            None => {}
+            Some(Err(why)) => p.command { "No certificate: " (why) }
+            Some(Ok(lines)) => (folded(context, lines))
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::audit::PaperAudit;
 use crate::certificate::certificate_lines;
+use crate::report::json::Certificate;
 use std::collections::BTreeMap;
 
 /// An audit, and what certifies it.
@@ -13,12 +14,14 @@ pub(crate) struct Context<'p, 'a> {
     pub(crate) is_whole: bool,
     /// For each claim the lines of its certificate, or why there are none.
     pub(crate) certificate: BTreeMap<String, Result<String, String>>,
+    /// What the checker has found of the certificates, by the ids of the claims.
+    pub(crate) checked: Option<&'p BTreeMap<String, Certificate>>,
 }
 
 impl<'p, 'a> Context<'p, 'a> {
     pub(crate) fn new(audit: &'p PaperAudit<'a>, file: Option<&'p str>) -> Context<'p, 'a> {
         let claims = certificate_lines(audit).into_iter();
         let certificate = claims.map(|claim| (claim.id, claim.lines)).collect();
-        Context { audit, file, is_whole: false, certificate }
+        Context { audit, file, is_whole: false, certificate, checked: None }
     }
 }

@@ -80,7 +80,7 @@ fn grid(context: &Context<'_, '_>, finding: &TableFinding<'_>) -> Markup {
                                 @if let Some(rows) = &table.rows { (typeset(&rows.entries[row].printed)) }
                             }
                             @for (column, one) in cells.iter().enumerate() {
-                                (cell(context, &table.id, (row, column), one))
+                                (cell(context, table, (row, column), one))
                             }
                         }
                     }

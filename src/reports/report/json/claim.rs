@@ -87,6 +87,8 @@ pub enum Details<'a> {
     Function {
         /// The parameter.
         variable: &'a str,
+        /// The values of the parameter for which the closed form is stated, if not all.
+        domain: Option<String>,
         /// A value of the parameter at which the sides differ.
         failures: Option<[Failure<'a>; 1]>,
         /// Where the printed form is larger.

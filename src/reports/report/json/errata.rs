@@ -251,6 +251,7 @@ impl<'a> Detail<'a> {
 
 impl<'a> WrongCells<'a> {
     fn of(cells: &CellErratum<'a, 'a>) -> WrongCells<'a> {
+        let promised = cells.finding.table.promise.is_some();
         let cell = |&(row, column): &(usize, usize)| {
             let finding = &cells.finding.cells[row][column];
             let printed = cells.finding.table.cells[row][column].printed();
@@ -258,7 +259,8 @@ impl<'a> WrongCells<'a> {
                 id: &finding.id,
                 locus: &finding.locus,
                 printed: finding.printed.as_deref(),
-                by_definition: printed.map(|printed| correct(finding.exact.as_ref(), printed)),
+                by_definition: printed
+                    .map(|printed| correct(finding.exact.as_ref(), printed, promised)),
             }
         };
         WrongCells {

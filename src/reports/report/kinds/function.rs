@@ -2,6 +2,7 @@
 
 use super::equation::EQUATIONS;
 use crate::audit::{FunctionFinding, FunctionVerdict, PaperAudit};
+use crate::claim::{Domain, FunctionClaim};
 use crate::diagnostic::Diagnostic;
 use crate::report::formulas::function;
 use crate::report::html::context::Context;
@@ -12,6 +13,13 @@ use crate::report::json::{Claim, Details, Failure, joined};
 use crate::report::told::{Counted, Facts, Told};
 use crate::report::words::parts::definitions;
 use maud::{Markup, html};
+
+/// For which values it is stated, if not for all.
+fn stated(claim: &FunctionClaim) -> Option<(String, String)> {
+    let Domain { from, to, .. } = &claim.domain;
+    let ends = from.is_some() || to.is_some();
+    ends.then(|| ("for".to_owned(), function::domain(&claim.variable, &claim.domain)))
+}
 
 impl<'a> Told<'a> for FunctionFinding<'a> {
     fn heading(&self) -> [&'static str; 2] {
@@ -31,6 +39,7 @@ impl<'a> Told<'a> for FunctionFinding<'a> {
         let mut facts = function::head(&claim.variable, claim.scheme.as_ref());
         facts.push(("left".to_owned(), claim.left.text.clone()));
         facts.push(("right".to_owned(), claim.right.text.clone()));
+        facts.extend(stated(claim));
         facts.extend(definitions(audit, &claim.left));
         facts
     }
@@ -61,7 +70,9 @@ impl<'a> Told<'a> for FunctionFinding<'a> {
             }
         };
         let variable = &claim.variable;
-        let details = Details::Function { variable, failures, printed_larger, printed_smaller };
+        let domain = stated(claim).map(|(_, values)| values);
+        let details =
+            Details::Function { variable, domain, failures, printed_larger, printed_smaller };
         let verdict = self.verdict.word().name();
         let plain = Claim::plain(&self.id, &claim.locus, "function", printed, verdict, details);
         vec![Claim { note: joined(cap, claim.note.as_deref()), ..plain }]
@@ -69,15 +80,12 @@ impl<'a> Told<'a> for FunctionFinding<'a> {
 
     fn erratum(&self) -> (Facts, Vec<String>) {
         let claim = self.claim;
-        let facts = [
-            ("left", claim.left.text.clone()),
-            ("right", claim.right.text.clone()),
-            ("fails", self.outcome()),
-        ];
-        (
-            facts.map(|(name, text)| (name.to_owned(), text)).to_vec(),
-            Vec::from_iter(claim.note.clone()),
-        )
+        let fact = |name: &str, text: String| (name.to_owned(), text);
+        let sides = [("left", &claim.left), ("right", &claim.right)];
+        let mut facts = Vec::from(sides.map(|(name, side)| fact(name, side.text.clone())));
+        facts.extend(stated(claim));
+        facts.push(fact("fails", self.outcome()));
+        (facts, Vec::from_iter(claim.note.clone()))
     }
 
     fn difference(&self) -> [String; 2] {
@@ -90,6 +98,7 @@ impl<'a> Told<'a> for FunctionFinding<'a> {
         Ok(html! {
                 dl.formulas {
                     div { dt { "printed" } dd { (formula(&own.left.expr)) " = " (formula(&own.right.expr)) } }
+                    @if let Some((name, values)) = stated(own) { div { dt { (name) } dd { (values) } } }
                     (statement::definitions(context.audit, &own.left))
                 }
                 p.outcome { (lines(&self.outcome())) }

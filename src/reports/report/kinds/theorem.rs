@@ -1,6 +1,6 @@
 //! Theorems in reports.
 
-use crate::audit::{PaperAudit, TheoremFinding, Word, by_hand};
+use crate::audit::{Naturally, PaperAudit, TheoremFinding, Word, by_hand};
 use crate::claim::{Quantity, Statement};
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
@@ -38,6 +38,11 @@ impl<'a> Told<'a> for TheoremFinding<'a> {
 
     fn outcome(&self) -> String {
         theorem::outcome(self)
+    }
+
+    fn is_right_naturally(&self) -> bool {
+        let natural = self.refutation.as_ref().and_then(|refutation| refutation.natural.as_ref());
+        matches!(natural, Some(Naturally::Holds))
     }
 
     fn states(&self, audit: &PaperAudit<'_>) -> Facts {

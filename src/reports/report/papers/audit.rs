@@ -4,7 +4,7 @@ use super::consistency;
 use super::overview::overview;
 use crate::audit::{CellFinding, Direction, PaperAudit, TableFinding, Verdict, Word};
 use crate::claim::Kind;
-use crate::exact::{Rational, format::short};
+use crate::exact::{Rational, RealCyclotomic, format::raised_digits, format::short};
 use crate::report::smooth::regularity;
 use crate::report::tables::headers;
 use crate::report::tables::promise;
@@ -130,27 +130,41 @@ pub fn table_values(finding: &TableFinding<'_>) -> Grid {
     let rows = finding.cells.iter().enumerate().map(|(row, cells)| {
         let label = table.rows.as_ref().map(|rows| rows.entries[row].printed.clone());
         let label = label.unwrap_or_default();
-        std::iter::once(label).chain(cells.iter().map(cell_text)).collect()
+        let cells = cells.iter().map(|cell| cell_text(cell, table.promise.is_some()));
+        std::iter::once(label).chain(cells).collect()
     });
     Grid::of(header, rows, 1)
 }
 
-fn cell_text(cell: &CellFinding) -> String {
+fn cell_text(cell: &CellFinding, promised: bool) -> String {
     let printed = cell.shown();
     // A cell that another reading reproduces gets a second mark: the value below it is that of the
     // printed definition.
     let otherwise = cell.verdict == Verdict::Reproduced && cell.as_read.is_some();
     let otherwise = if otherwise { Word::OtherReading.mark() } else { "" };
     let mut lines = vec![format!("{printed} {}{otherwise}", cell.verdict.word().mark())];
+    lines.extend(below(cell, promised));
+    lines.join("\n")
+}
+
+/// What stands below a cell: the exact value of the definition unless the cell is confirmed, and the sound value where a
+/// promise is broken or open. What is `promised` is rounded up.
+pub(crate) fn below(cell: &CellFinding, promised: bool) -> Vec<String> {
+    let mut lines = Vec::new();
     if cell.verdict != Verdict::Confirmed {
         match (&cell.exact, &cell.undefined) {
-            (Some(exact), _) => lines.push(short(exact, digits_beside(cell))),
+            (Some(exact), _) => lines.push(beside(exact, digits_beside(cell), promised)),
             (None, Some(_)) => lines.push("no value".to_owned()),
             (None, None) => {}
         }
     }
     lines.extend(promise::line(cell));
-    lines.join("\n")
+    lines
+}
+
+/// The value below a cell; of a number that promises something it is rounded up.
+fn beside(exact: &RealCyclotomic, digits: u32, promised: bool) -> String {
+    if promised { short(&raised_digits(exact, digits), digits) } else { short(exact, digits) }
 }
 
 /// As many digits as the printed text has, but from 4 to 12; 6 where nothing is printed.

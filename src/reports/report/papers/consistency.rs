@@ -1,11 +1,28 @@
 //! Where the tables of a paper need different readings.
 
-use crate::audit::{Contradiction, PaperAudit, Side, TablePart};
+use crate::audit::{Contradiction, Opposed, PaperAudit, Side, TablePart};
 use crate::report::tables::reading::place;
+use crate::report::words::parts::titled;
 use crate::report::words::sheet::Sheet;
 
-/// The section on contradictions between tables, when there are any.
+/// The sections on contradictions between claims, when there are any.
 pub(crate) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
+    let opposed = audit.opposed();
+    if !opposed.is_empty() {
+        sheet.heading(2, "Claims that contradict each other");
+        let said = |Opposed { smooth, m, rough, fails }: Opposed<'_, '_>| {
+            let [smooth, rough] =
+                [smooth, rough].map(|one| titled(&[&one.claim.locus, &one.claim.id]));
+            format!(
+                "{smooth} says that the limits are C^{m}, and {rough}, of the same mask, that not all are C^{fails}."
+            )
+        };
+        opposed.into_iter().map(said).for_each(|line| sheet.text(line));
+    }
+    tables(sheet, audit);
+}
+
+fn tables(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
     if audit.contradictions.is_empty() {
         return;
     }

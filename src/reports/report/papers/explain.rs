@@ -3,7 +3,7 @@
 use super::audit::assumed;
 use crate::audit::{CellFinding, Finding, PaperAudit, Sound, TableFinding, Verdict};
 use crate::claim::{Table, Target};
-use crate::exact::format::short;
+use crate::exact::format::{raised_digits, short};
 use crate::report::smooth::smoothness;
 use crate::report::tables::eye;
 use crate::report::tables::headers;
@@ -120,7 +120,7 @@ pub(crate) fn cell_facts(cell: &CellFinding) -> Vec<(String, String)> {
             fact("sound depth", format!("{level}, with c = {block}"));
         }
         Some(Sound::Least(level)) => fact("least level, exactly", level.to_string()),
-        Some(Sound::Bound(bound)) => fact("sound bound", short(bound, 17)),
+        Some(Sound::Bound(bound)) => fact("sound bound", short(&raised_digits(bound, 17), 17)),
         Some(Sound::None(why)) => fact("sound value", format!("none: {why}")),
         None => {}
     }

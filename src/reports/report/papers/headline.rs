@@ -1,6 +1,6 @@
 //! The findings of an audit, in a few sentences for each paper.
 
-use crate::audit::{CellFinding, PaperAudit, Tally, UnstatedOffset, Verdict, Word};
+use crate::audit::{CellFinding, Finding, Kept, PaperAudit, Tally, UnstatedOffset, Verdict, Word};
 use crate::bound::BetterOffset;
 use crate::exact::format::short;
 use crate::report::tables::reading::capital;
@@ -15,6 +15,9 @@ const MAX_PLACE_WORDS: usize = 12;
 
 /// The verdicts of cells that are not what the paper's own definition gives.
 const WRONG_CELLS: [Word; 3] = [Word::Refuted, Word::Misprint, Word::OtherReading];
+
+/// The points with which theorems and promises are judged first.
+const WITH_INDICES: &str = " with points at i/n^k";
 
 /// What does most harm: every refuted theorem and every table whose promises are broken, or, without any, what else is
 /// wrong, in up to 25 words. Then the counts: of the cells of a paper, of their promises, and of the other claims.
@@ -66,10 +69,22 @@ fn broken(audit: &PaperAudit<'_>) -> Option<String> {
     let counts = audit.promise_counts();
     let tables = audit.tables.iter().filter(|table| table.promise_counts().broken > 0);
     let tables = all_places(tables.map(|table| table.table.locus.as_str()));
+    let broken = |cell: &&CellFinding| cell.keeps_promise() == Some(false);
+    let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
+    let otherwise =
+        cells.filter(broken).filter(|cell| cell.kept_naturally == Some(Kept::Yes)).count();
+    let naturally = match otherwise {
+        0 => String::new(),
+        some if some == counts.broken => format!("{WITH_INDICES}, and kept at natural parameters"),
+        some => format!("{WITH_INDICES}; at natural parameters {} kept", are(some)),
+    };
     match counts.broken {
         0 => None,
-        1 => Some(format!("a promise in {tables} is broken: 1 of {}.", counts.all())),
-        broken => Some(format!("promises in {tables} are broken: {broken} of {}.", counts.all())),
+        1 => Some(format!("a promise in {tables} is broken{naturally}: 1 of {}.", counts.all())),
+        broken => Some(format!(
+            "promises in {tables} are broken{naturally}: {broken} of {}.",
+            counts.all()
+        )),
     }
 }
 
@@ -104,12 +119,32 @@ fn first(audit: &PaperAudit<'_>, mut groups: Vec<Group>) -> (String, Vec<Group>)
 
 /// `(32) and (37) are refuted: 2 of 7 theorems.`
 fn wrong(audit: &PaperAudit<'_>, (kind, count, all): Group, every: bool) -> String {
-    let wrong = audit.findings().filter(|finding| {
-        told(*finding).counted() == Some(kind) && finding.verdicts().of(kind.wrong) > 0
-    });
-    let loci = wrong.map(|finding| finding.claim().locus());
+    let wrong: Vec<Finding<'_, '_>> = audit
+        .findings()
+        .filter(|finding| {
+            told(*finding).counted() == Some(kind) && finding.verdicts().of(kind.wrong) > 0
+        })
+        .collect();
+    let otherwise: Vec<&str> = wrong
+        .iter()
+        .filter(|finding| told(**finding).is_right_naturally())
+        .map(|finding| finding.claim().locus())
+        .collect();
+    let loci = wrong.iter().map(|finding| finding.claim().locus());
     let places = if every { all_places(loci) } else { places(loci, kind.one) };
-    format!("{places} {}: {count} of {all} {}.", is_wrong(kind, count), kind.several)
+    let naturally = match otherwise.len() {
+        0 => String::new(),
+        some if some == count => format!("{WITH_INDICES}, and not at natural parameters"),
+        1 => format!(
+            "{WITH_INDICES}; at natural parameters {} is not",
+            all_places(otherwise.into_iter())
+        ),
+        _ => format!(
+            "{WITH_INDICES}; at natural parameters {} are not",
+            all_places(otherwise.into_iter())
+        ),
+    };
+    format!("{places} {}{naturally}: {count} of {all} {}.", is_wrong(kind, count), kind.several)
 }
 
 /// All of them: `Theorem 4; Theorem 5; (27), (28)`. Of a place with more than one name the first, where that is enough.

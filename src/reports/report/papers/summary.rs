@@ -22,11 +22,24 @@ pub(crate) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
     let mut facts = vec![("cells".to_owned(), summary.cells().to_string())];
     for standing in STANDINGS {
         if summary.count(standing) > 0 {
-            let name = format!("{} {}", standing_mark(standing), standing.name());
+            let name = format!("{} {}", marks(&summary, standing), standing.name());
             facts.push((name, lines(&summary, standing).join("\n")));
         }
     }
     sheet.facts(facts);
+}
+
+/// The marks that the cells of a standing have in their tables: explained ones are rounded, or read differently.
+fn marks(summary: &CellSummary, standing: CellStanding) -> String {
+    let mark = |cause: &Option<Cause>| match cause {
+        Some(Cause::Rounded(_)) => Word::Rounding.mark(),
+        _ => standing_mark(standing),
+    };
+    let groups = summary.groups.iter().filter(|group| group.outcome.standing == standing);
+    let mut marks: Vec<&str> = groups.map(|group| mark(&group.outcome.cause)).collect();
+    marks.sort_unstable();
+    marks.dedup();
+    marks.concat()
 }
 
 pub(crate) fn standing_mark(standing: CellStanding) -> &'static str {

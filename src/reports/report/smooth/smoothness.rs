@@ -11,7 +11,7 @@ use crate::claim::{
     SmoothnessStatement, Target,
 };
 use crate::exact::{Enclosed as _, IntervalSet, Rational, RationalPolynomial};
-use crate::report::formulas::function::beyond;
+use crate::report::formulas::function::{beyond, domain};
 use crate::report::words::numbers::{down, up};
 use crate::report::words::set::{proved_text, roots, set_text};
 use crate::report::words::sheet::Sheet;
@@ -138,10 +138,7 @@ fn not_smooth(m: usize) -> String {
 
 /// The range as printed.
 pub(crate) fn printed(range: &SmoothRangeStatement) -> String {
-    let relation = if range.closed { "<=" } else { "<" };
-    let from = range.from.as_ref().map(|from| format!("{} {relation} ", from.text));
-    let to = range.to.as_ref().map(|to| format!(" {relation} {}", to.text));
-    format!("{}{}{}", from.unwrap_or_default(), range.variable, to.unwrap_or_default())
+    domain(&range.variable, &range.domain)
 }
 
 /// What is known, in lines.

@@ -4,8 +4,8 @@ use crate::audit::{
     Broken, CellFinding, Control, Kept, Place, PromiseCounts, Sound, TableFinding, Word,
 };
 use crate::claim::Promise;
-use crate::exact::format::short;
-use crate::report::words::data::name;
+use crate::exact::format::{raised_digits, short};
+use crate::report::words::data::{name, parameters};
 
 /// The longest polygon that is shown in a table's remarks.
 const MAX_SHOWN_POINTS: usize = 24;
@@ -29,7 +29,9 @@ pub(crate) fn line(cell: &CellFinding) -> Option<String> {
     Some(match &cell.sound {
         Some(Sound::Depth { level, .. }) => format!("{word}, sound {level}"),
         Some(Sound::Least(level)) => format!("{word}, least {level}"),
-        Some(Sound::Bound(bound)) => format!("{word}, sound {}", short(bound, 4)),
+        Some(Sound::Bound(bound)) => {
+            format!("{word}, sound {}", short(&raised_digits(bound, 4), 4))
+        }
         _ => word.into(),
     })
 }
@@ -56,10 +58,7 @@ pub(crate) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
         by_sound.unwrap_or_default()
     );
     let PromiseCounts { kept, broken, open } = finding.promise_counts();
-    let parts = [(kept, "keep it"), (broken, "do not"), (open, "are open")];
-    let parts = parts.iter().filter(|(count, _)| *count > 0);
-    let parts: Vec<String> = parts.map(|(count, what)| format!("{count} {what}")).collect();
-    let exactly = format!("Exactly, {}.", parts.join(", "));
+    let exactly = format!("Exactly, {}.", counted([kept, broken, open]));
     // Data that break a promise also at the natural parameters come first.
     let natural_example = cells().find_map(|cell| match &cell.kept_naturally {
         Some(Kept::No(broken)) => Some((cell, broken)),
@@ -73,18 +72,7 @@ pub(crate) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
         Some(Kept::No(broken)) => Some((cell, broken)),
         _ => None,
     });
-    let natural: Vec<&Kept> = cells().filter_map(|cell| cell.kept_naturally.as_ref()).collect();
-    let elsewhere = (!natural.is_empty()).then(|| {
-        let count = |of: fn(&Kept) -> bool| natural.iter().filter(|kept| of(kept)).count();
-        let kept = count(|kept| *kept == Kept::Yes);
-        let broken = count(|kept| matches!(kept, Kept::No(_)));
-        format!(
-            "With each point at its natural parameter, {kept} of the other {} keep it, and {broken} \
-             do not either.",
-            natural.len()
-        )
-    });
-    let text = [Some(by_formula), Some(exactly), elsewhere];
+    let text = [Some(by_formula), Some(exactly), elsewhere(finding)];
     let text = text.into_iter().flatten().collect::<Vec<String>>().join(" ");
     let open = cells().find_map(|cell| match &cell.kept {
         Some(Kept::Open(why)) => Some(format!("Open at {}: {why}.", cell.locus)),
@@ -93,6 +81,45 @@ pub(crate) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     let example =
         broken.map(|(cell, broken)| format!("Broken at {}: {}.", cell.locus, sentence(broken)));
     [Some(text), naturally, example, open].into_iter().flatten().collect()
+}
+
+/// How many of the cells that do not keep their promise, or are open, keep it with the points at their natural
+/// parameters. Where all do, the claim file may have other points than the paper.
+fn elsewhere(finding: &TableFinding<'_>) -> Option<String> {
+    let judged = || {
+        let cells = finding.cells.iter().flatten();
+        cells.filter_map(|cell| Some((&cell.natural, cell.kept_naturally.as_ref()?)))
+    };
+    let (first, _) = judged().next()?;
+    let count = |of: fn(&Kept) -> bool| judged().filter(|(_, kept)| of(kept)).count();
+    let (kept, broken) =
+        (count(|kept| *kept == Kept::Yes), count(|kept| matches!(kept, Kept::No(_))));
+    let all = judged().count();
+    let alike = judged().all(|(natural, _)| natural == first);
+    let at = if alike { format!(", {}", parameters(first)) } else { String::new() };
+    let others = if all == 1 {
+        "The one that is not shown to keep it is".to_owned()
+    } else {
+        format!("The {all} that are not shown to keep it are")
+    };
+    let counts = counted([kept, broken, all - kept - broken]);
+    // The data may be compared where the paper does not.
+    let hint = if kept == all {
+        " If the paper compares there, the order of its rules or its `offset` is not that of the claim file."
+    } else {
+        ""
+    };
+    Some(format!(
+        "{others} judged again with each point at its natural parameter{at}: {counts}.{hint}"
+    ))
+}
+
+/// `12 keep it, 1 does not, 2 are open`.
+fn counted(counts: [usize; 3]) -> String {
+    let words = [["keeps it", "keep it"], ["does not", "do not"], ["is open", "are open"]];
+    let parts = counts.into_iter().zip(words).filter(|(count, _)| *count > 0);
+    let parts = parts.map(|(count, words)| format!("{count} {}", words[usize::from(count != 1)]));
+    parts.collect::<Vec<String>>().join(", ")
 }
 
 /// The data, their distance and the promise.
@@ -158,7 +185,9 @@ pub(crate) fn facts(cell: &CellFinding) -> Vec<(String, String)> {
     }
     match &cell.kept_naturally {
         None => {}
-        Some(Kept::Yes) => fact("at natural parameters", "kept".to_owned()),
+        Some(Kept::Yes) => {
+            fact("at natural parameters", format!("kept, at {}", parameters(&cell.natural)));
+        }
         Some(Kept::Open(why)) => fact("at natural parameters", format!("open: {why}")),
         Some(Kept::No(broken)) => {
             let Broken { level, distance, most, .. } = &**broken;

@@ -36,6 +36,31 @@ pub(crate) fn in_order<'r>(
     readings
 }
 
+/// The readings, and of each the number of those after it that give the same value at a place and are left out. Only
+/// the values of the readings that are shown are compared.
+fn grouped<'r>(
+    finding: &TableFinding<'_>,
+    readings: &[&'r Explanation],
+    at: Option<Place>,
+) -> Vec<(&'r Explanation, usize)> {
+    let mut groups: Vec<(&Explanation, usize)> = Vec::new();
+    for reading in readings {
+        let alike = at.and_then(|at| {
+            let same = |(first, _): &&mut (&Explanation, usize)| {
+                let [own, other] = [reading, first].map(|one| &one.values[at.0][at.1]);
+                let luck = [reading, first].map(|one| finding.is_by_luck(one, at));
+                own == other && luck[0] == luck[1]
+            };
+            groups.iter_mut().take(MAX_SHOWN).find(same)
+        });
+        match alike {
+            Some((_, others)) => *others += 1,
+            None => groups.push((reading, 0)),
+        }
+    }
+    groups
+}
+
 /// Each reading with the number of cells that it explains; for a cell, also with its value there.
 pub(crate) fn section(
     sheet: &mut Sheet,
@@ -55,13 +80,18 @@ pub(crate) fn section(
         return;
     }
     let readings = in_order(finding, readings, at);
-    let shown = if all { readings.len() } else { MAX_SHOWN };
-    let row = |reading: &&Explanation| {
+    let groups = grouped(finding, &readings, at.filter(|_| !all));
+    let shown = if all { groups.len() } else { MAX_SHOWN };
+    let row = |(reading, others): &(&Explanation, usize)| {
         let differs = match reading.differs() {
             nothing if nothing.is_empty() => "as printed".to_owned(),
             differs => differs,
         };
-        let mut row = vec![differs];
+        let mut row = vec![match others {
+            0 => differs,
+            1 => format!("{differs} (and 1 more with this value)"),
+            others => format!("{differs} (and {others} more with this value)"),
+        }];
         if let Some((row_place, column)) = at {
             let explained = reading.explained[row_place][column];
             let verdict = if explained { Word::Confirmed } else { Word::Refuted };
@@ -78,11 +108,12 @@ pub(crate) fn section(
         Some(_) => vec!["reading", "value here", "cells explained"],
     };
     sheet.text(ORDER);
-    if at.is_some_and(|at| readings.iter().take(shown).any(|one| finding.is_by_luck(one, at))) {
+    if at.is_some_and(|at| groups.iter().take(shown).any(|(one, _)| finding.is_by_luck(one, at))) {
         sheet.text(ON_LUCK);
     }
-    sheet.grid(Grid::of(header, readings.iter().take(shown).map(row), 1));
-    let more = readings.len().saturating_sub(shown);
+    sheet.grid(Grid::of(header, groups.iter().take(shown).map(row), 1));
+    let told: usize = groups.iter().take(shown).map(|(_, others)| 1 + others).sum();
+    let more = readings.len() - told;
     if more > 0 {
         sheet.text(format!("And {more} more, none of them better: `--all` shows them."));
     }

@@ -1,7 +1,7 @@
 //! Control data, and the places where they exceed a bound, in words.
 
 use super::numbers::points;
-use crate::audit::{Control, Place, Violation};
+use crate::audit::{Control, Place, PointsAt, Violation};
 use crate::claim::Quantity;
 
 /// `x_-2, …, x_1 = 0, 1, 2, 1`.
@@ -37,6 +37,17 @@ pub(crate) fn value_name(violation: &Violation) -> String {
         (place, Quantity::Step) => format!("step of {} after level {k}", name(place)),
         (place, Quantity::Difference) => format!("difference {} at level {k}", name(place)),
     }
+}
+
+/// The parameters of the points of level k along each direction: `(i − 1/2)/2^k`.
+#[must_use]
+pub fn parameters(points: &[PointsAt]) -> String {
+    let at = |(PointsAt { arity, shift }, index): (&PointsAt, &str)| match shift.sign() {
+        0 => format!("{index}/{arity}^k"),
+        1 => format!("({index} + {shift})/{arity}^k"),
+        _ => format!("({index} − {})/{arity}^k", shift.abs()),
+    };
+    points.iter().zip(["i", "j"]).map(at).collect::<Vec<String>>().join(" and ")
 }
 
 /// A place in a few words.

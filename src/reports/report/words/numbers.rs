@@ -1,6 +1,8 @@
 //! Numbers and polygons in words.
 
-use crate::exact::{Integer, Rational, RealCyclotomic, format::fixed, format::short};
+use crate::exact::{
+    Integer, Rational, RealCyclotomic, format::fixed, format::raised, format::short,
+};
 use crate::limit::ExtremalPolygon;
 use std::fmt::Display;
 
@@ -20,8 +22,7 @@ pub fn down(x: &Rational) -> String {
 /// A decimal of 12 places that is not below the number.
 #[must_use]
 pub fn up(x: &Rational) -> String {
-    let unit = Rational::from(Integer::power_of_ten(PLACES));
-    fixed(&(Rational::from((x * &unit).ceil()) / unit), PLACES)
+    fixed(&raised(x, PLACES.cast_signed()), PLACES)
 }
 
 /// `x_-2, …, x_1 = 0, 1, 2, 1`.

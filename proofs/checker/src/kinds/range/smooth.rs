@@ -1,24 +1,21 @@
 //! The rule `range` of smoothness: the values of a parameter for which the limits of a scheme are C^m.
 
-use crate::claims::{Paper, printed};
-use crate::formulas::{Scope, formula};
+use crate::claims::Paper;
+use crate::formulas::Scope;
 use crate::kinds::smoothness::{order, scope, valences, vertex};
+use crate::lines::domain::{Domain, Ends};
 use crate::lines::limits::{LimitProof, mask};
 use crate::lines::pieces::Free;
-use crate::numbers::{Decimal, Meter, Q, Root, Value, int, is_rounded, read_rational};
+use crate::numbers::{Meter, Q, Root, Value, int, read_rational};
 use crate::schemes::{Convolution, MAX_LENGTH, Sequence};
 use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, require};
 use crate::vertex::Found;
-use std::cmp::Ordering;
 
 /// The most levels of a contraction.
 const MAX_LEVELS: u32 = 16;
 
 /// The most coefficients of a polynomial that reduces the symbol.
 const MAX_COEFFICIENTS: usize = 65;
-
-/// The most halvings of an interval.
-const MAX_HALVINGS: usize = 1_000;
 
 /// Checks a range.
 pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
@@ -29,14 +26,9 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let free = Free::read(paper, claim, block)?;
     block.restates("smoothness", claim.text("smoothness"))?;
     let m = order(claim.text("smoothness").unwrap_or_default())?;
-    let [closed, only] = ["closed", "only"].map(|key| claim.is_set(key));
-    let printed = [end(paper, claim, "from")?, end(paper, claim, "to")?];
-    let ends = printed.each_ref().map(|end| end.as_ref().map(|end| end.value.clone()));
-    require(ends.iter().any(Option::is_some), Reason::Malformed("an end"))?;
-    if let [Some(from), Some(to)] = &ends {
-        // In an empty range everything holds.
-        require(from.compare(to)?.is_lt(), Reason::Malformed("an end `to` above `from`"))?;
-    }
+    let only = claim.is_set("only");
+    let domain = Domain::read(paper, claim)?;
+    require(domain.has_ends(), Reason::Malformed("an end"))?;
     let valences = valences(claim)?;
     if valences.is_some() {
         require(rules, Reason::Malformed("rules around a vertex"))?;
@@ -58,7 +50,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
             norm(paper, (scope, reference), (m, levels), &reduction)?.minus(&Value::int(1))
         };
         let pieces = free.pieces(block, &above)?;
-        let within = covered(&pieces.breaks, &pieces.signs, &ends, closed, paper.library.meter)?;
+        let within = domain.all(Ends::Printed, &pieces, |sign| sign < 0, paper.library.meter)?;
         require(within, Reason::Uncovered)?;
         return block.verdict(Verdict::Confirmed);
     }
@@ -79,99 +71,10 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         let shown = LimitProof::read(paper, mask(paper, claim, &scope)?, block)?;
         (shown.not_continuous(m), shown.continuous(m))
     };
-    let [inside, outside] = sides(&at, &printed, closed)?;
+    let [inside, outside] = domain.sides(&at)?;
     let refutes = inside && fails || outside && only && holds;
     require(refutes, Reason::NoRefutation(Text(said.to_string())))?;
     block.verdict(Verdict::Refuted)
-}
-
-/// An end of the printed range, and the unit of its last place if it may be rounded.
-struct End {
-    value: Value,
-    unit: Option<Q>,
-}
-
-fn end(paper: &Paper<'_>, claim: &Toml, key: &str) -> Checked<Option<End>> {
-    let Some((_, read)) = claim.get(key).and_then(printed) else { return Ok(None) };
-    Ok(Some(match Decimal::read(read) {
-        Some(decimal) => {
-            let unit = is_rounded(&decimal).then_some(decimal.unit);
-            End { value: decimal.value.into(), unit }
-        }
-        None => End { value: paper.library.closed().value(&formula(read)?)?, unit: None },
-    }))
-}
-
-/// Whether a number is inside the range, and whether it is outside, whatever its rounded ends stand for.
-fn sides(at: &Q, ends: &[Option<End>; 2], closed: bool) -> Result<[bool; 2], Stop> {
-    let moved = |side: usize, units: i64| {
-        let Some(End { value, unit }) = &ends[side] else { return Ok(None) };
-        let by = unit.as_ref().map_or_else(|| int(0), |unit| unit * int(units));
-        value.plus(if side == 0 { 1 } else { -1 }, &Value::from(by)).map(Some)
-    };
-    let room = match (moved(0, 1)?, moved(1, 1)?) {
-        (Some(from), Some(to)) => from.compare(&to)?.is_lt(),
-        _ => true,
-    };
-    let (mut inside, mut outside) = (true, false);
-    for (side, beyond) in [(0, Ordering::Less), (1, Ordering::Greater)] {
-        let rounded = room && ends[side].as_ref().is_some_and(|end| end.unit.is_some());
-        let order = |units: i64| {
-            let end = moved(side, if rounded { units } else { 0 })?;
-            end.map(|end| Value::from(at.clone()).compare(&end)).transpose()
-        };
-        let (Some(least), Some(most)) = (order(1)?, order(-1)?) else { continue };
-        inside &= least != beyond && (rounded || closed || least.is_ne());
-        outside |= most == beyond || most.is_eq() && (rounded || !closed);
-    }
-    Ok([inside, outside])
-}
-
-/// Whether the signs are negative in the whole range.
-fn covered(
-    breaks: &[Root],
-    signs: &[i8],
-    [from, to]: &[Option<Value>; 2],
-    closed: bool,
-    meter: &Meter,
-) -> Result<bool, Stop> {
-    for (place, _) in signs.iter().enumerate().filter(|(_, sign)| **sign >= 0) {
-        // The break itself, or the piece between the break before it and this one.
-        let (at, half) = (place % 2 == 1, place / 2);
-        let low = if at { Some(&breaks[half]) } else { half.checked_sub(1).map(|i| &breaks[i]) };
-        let touching = !at || !closed;
-        let beyond = |at: Option<&Root>, end: &Option<Value>, side: Ordering| {
-            let Some((at, end)) = at.zip(end.as_ref()) else { return Ok(false) };
-            let order = against(at, end, meter)?;
-            Ok::<bool, Stop>(order == side || touching && order.is_eq())
-        };
-        let below = beyond(breaks.get(half), from, Ordering::Less)?;
-        if !below && !beyond(low, to, Ordering::Greater)? {
-            return Ok(false);
-        }
-    }
-    Ok(true)
-}
-
-/// How a root compares with a closed value.
-fn against(at: &Root, value: &Value, meter: &Meter) -> Result<Ordering, Stop> {
-    let mut terms = at.polynomial().iter().rev().cloned().map(Value::from);
-    let of_value =
-        terms.try_fold(Value::int(0), |sum: Value, term| sum.times(value)?.plus(1, &term))?;
-    let mut at = at.clone();
-    for _ in 0..MAX_HALVINGS {
-        let [low, high] = at.ends().map(|end| Value::from(end.clone()));
-        let sides = [low.compare(value)?, high.compare(value)?];
-        match sides {
-            [low, high] if low.is_eq() && high.is_eq() => return Ok(Ordering::Equal),
-            [Ordering::Greater | Ordering::Equal, _] => return Ok(Ordering::Greater),
-            [_, Ordering::Less | Ordering::Equal] => return Ok(Ordering::Less),
-            // The interval has one root of the polynomial.
-            _ if of_value.is_zero() => return Ok(Ordering::Equal),
-            _ => at = at.halved(meter)?,
-        }
-    }
-    Err(Stop::Capped("the halvings of an interval"))
 }
 
 /// ‖(n^m S_{m+1})^c‖ for the symbol n^m A/σ^{m+1} of the differences of order m + 1, after the reduction of A.

@@ -11,6 +11,7 @@ use crate::report::html::regularity as regularity_table;
 use crate::report::html::sheet::{blocks, counts};
 use crate::report::html::typeset::typeset;
 use crate::report::html::verdict::{LOOKS, Look};
+use crate::report::json::Certificate;
 use crate::report::papers::consistency;
 use crate::report::papers::headline::headline;
 use crate::report::papers::overview::overview_sheet;
@@ -26,6 +27,7 @@ use std::collections::BTreeMap;
 ///
 /// Every claim has the anchor of its id, and every cell that of its table, row and column, as in
 /// `#table-1:2:3`. `file` is the claim file of a paper that is not embedded; it stands in the commands.
+/// `checked` says by the id of a claim what a checker has found of its certificate.
 ///
 /// ```
 /// use subcert::audit::audit;
@@ -33,15 +35,19 @@ use std::collections::BTreeMap;
 /// use subcert::report::html::audit_page;
 ///
 /// let papers = embedded_papers()?;
-/// let page = audit_page(&audit(&papers[1])?, None)?;
+/// let page = audit_page(&audit(&papers[1])?, None, None)?;
 /// assert!(page.starts_with("<!DOCTYPE html>"));
 /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
 /// ```
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.
-pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, Diagnostic> {
-    let context = Context::new(audit, file);
+pub fn audit_page(
+    audit: &PaperAudit<'_>,
+    file: Option<&str>,
+    checked: Option<&BTreeMap<String, Certificate>>,
+) -> Result<String, Diagnostic> {
+    let context = Context { checked, ..Context::new(audit, file) };
     let mut sections = BTreeMap::new();
     for finding in audit.findings() {
         let section = claims::section(&context, finding)?;
