@@ -11,6 +11,7 @@ mod nets;
 mod new;
 mod offset;
 mod output;
+mod own_file;
 mod pages;
 mod plot;
 mod polygons;

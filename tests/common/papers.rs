@@ -18,8 +18,9 @@ pub static CERTIFICATES: LazyLock<Vec<Certificate>> =
     LazyLock::new(|| AUDITS.iter().map(certificate).collect());
 
 /// Their pages, in the same order.
-pub static PAGES: LazyLock<Vec<String>> =
-    LazyLock::new(|| AUDITS.iter().map(|audit| audit_page(audit, None).expect("a page")).collect());
+pub static PAGES: LazyLock<Vec<String>> = LazyLock::new(|| {
+    AUDITS.iter().map(|audit| audit_page(audit, None, None).expect("a page")).collect()
+});
 
 /// The audit of a paper.
 pub fn audit_of(key: &str) -> &'static PaperAudit<'static> {

@@ -95,7 +95,7 @@ fn reports_name_the_caps() {
     let audits = [judged(&paper)];
     // Lines may be broken anywhere between words.
     let words = |text: String| text.split_whitespace().collect::<Vec<&str>>().join(" ");
-    let page = words(audit_page(&audits[0], None).expect("a page"));
+    let page = words(audit_page(&audits[0], None, None).expect("a page"));
     let whole = words(audit_sheet(&audits, true).to_text(None));
     let json = serde_json::to_value(AuditReport::of(&audits)).expect("JSON");
     let claims = json["papers"][0]["claims"].as_array().expect("claims");

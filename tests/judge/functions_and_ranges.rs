@@ -1,6 +1,7 @@
 //! Claims about a free parameter: verdicts on mustafa2007-ternary against closed
 //! forms derived by hand, and on small papers made for the purpose.
 
+mod domain;
 mod malformed;
 
 use subcert::audit::{

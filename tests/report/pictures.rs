@@ -10,7 +10,7 @@ use subcert::report::html::audit_page;
 
 fn page(claims: &str) -> Vec<Piece> {
     let paper = paper(claims);
-    read(&audit_page(&judged(&paper), None).expect("a page"))
+    read(&audit_page(&judged(&paper), None, None).expect("a page"))
 }
 
 /// The numbers on the vertical axis of a picture, with their places.

@@ -34,20 +34,21 @@ pub(crate) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
     lines
 }
 
-<<<<<<< HEAD
 /// The exact set in words.
 pub(crate) fn exactly(found: &FoundRange, variable: &str) -> String {
     match &interval_texts(&found.exact, variable)[..] {
         [] => format!("no {variable}"),
         texts => texts.join(" or "),
-=======
+    }
+}
+
 /// For which values it holds.
 fn holds(finding: &FunctionFinding<'_>) -> String {
     let claim = finding.claim;
     match finding.compared() {
         Ends::Least => format!(
             "holds for {}, and beyond these not; the ends may be rounded",
-            claim.domain.interval(Ends::Least).describe(&claim.variable)
+            interval_texts(&claim.domain.interval(Ends::Least), &claim.variable).join(" or ")
         ),
         _ => format!("holds for {}", domain(&claim.variable, &claim.domain)),
     }
@@ -62,7 +63,6 @@ pub(crate) fn domain(variable: &str, domain: &Domain) -> String {
         (Some(from), None) => format!("{} <{equal} {variable}", from.text),
         (None, Some(to)) => format!("{variable} <{equal} {}", to.text),
         (Some(from), Some(to)) => format!("{} <{equal} {variable} <{equal} {}", from.text, to.text),
->>>>>>> b3af410a (Closed forms are stated for some values, promises are rounded up, and hints work for one's own files)
     }
 }
 
