@@ -124,7 +124,8 @@ fn files_that_are_no_claim_files() {
             &[&format!("this is {what}, and no claim file"), "subcert new", ":1:1"],
         );
     }
-    let cells = TemporaryFile::new("cells.toml", &PAPER.replace("[['0.1264', '0.031']]", "\"t.csv\""));
+    let cells =
+        TemporaryFile::new("cells.toml", &PAPER.replace("[['0.1264', '0.031']]", "\"t.csv\""));
     assert_parts(&refused(["audit", cells.path()]), &["a file is not read", "cells = \"t.csv\""]);
     let none = TemporaryFile::new("none.toml", "key = 'k'\n[paper]\ntitle = 't'\nyear = '2027'\n");
     assert_parts(&written(["errata", none.path()]), &["There is nothing to check"]);

@@ -16,8 +16,9 @@ pub(super) fn foreign(source: &Arc<SourceText>) -> Option<Diagnostic> {
         _ => return None,
     };
     let start = source.text.find(line)?;
+    let end = start.saturating_add(line.len());
     let message = format!("this is {what}, and no claim file");
-    Some(Diagnostic::new(source, start..start + line.len(), message).with_help(
+    Some(Diagnostic::new(source, start..end, message).with_help(
         "a claim file says in TOML what a paper asserts: `subcert new doe2026` writes one to start from; the \
          cells of a table stand in it as cells = [['0.68', '0.31'], …]",
     ))

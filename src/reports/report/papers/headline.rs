@@ -16,9 +16,6 @@ const MAX_PLACE_WORDS: usize = 12;
 /// The verdicts of cells that are not what the paper's own definition gives.
 const WRONG_CELLS: [Word; 3] = [Word::Refuted, Word::Misprint, Word::OtherReading];
 
-/// The points with which theorems and promises are judged first.
-const WITH_INDICES: &str = " with points at i/n^k";
-
 /// What does most harm: every refuted theorem and every table whose promises are broken, or, without any, what else is
 /// wrong, in up to 25 words. Then the counts: of the cells of a paper, of their promises, and of the other claims.
 pub(crate) fn headline(audit: &PaperAudit<'_>) -> String {
@@ -73,11 +70,7 @@ fn broken(audit: &PaperAudit<'_>) -> Option<String> {
     let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
     let otherwise =
         cells.filter(broken).filter(|cell| cell.kept_naturally == Some(Kept::Yes)).count();
-    let naturally = match otherwise {
-        0 => String::new(),
-        some if some == counts.broken => format!("{WITH_INDICES}, and kept at natural parameters"),
-        some => format!("{WITH_INDICES}; at natural parameters {} kept", are(some)),
-    };
+    let naturally = naturally(otherwise, counts.broken, "kept");
     match counts.broken {
         0 => None,
         1 => Some(format!("a promise in {tables} is broken{naturally}: 1 of {}.", counts.all())),
@@ -85,6 +78,15 @@ fn broken(audit: &PaperAudit<'_>) -> Option<String> {
             "promises in {tables} are broken{naturally}: {broken} of {}.",
             counts.all()
         )),
+    }
+}
+
+/// That some or all of what is wrong with the points at i/n^k is right at their natural parameters.
+fn naturally(some: usize, all: usize, right: &str) -> String {
+    match some {
+        0 => String::new(),
+        some if some == all => format!(" with points at i/n^k, and {right} at natural parameters"),
+        some => format!(" with points at i/n^k, and {some} of these {right} at natural parameters"),
     }
 }
 
@@ -125,25 +127,10 @@ fn wrong(audit: &PaperAudit<'_>, (kind, count, all): Group, every: bool) -> Stri
             told(*finding).counted() == Some(kind) && finding.verdicts().of(kind.wrong) > 0
         })
         .collect();
-    let otherwise: Vec<&str> = wrong
-        .iter()
-        .filter(|finding| told(**finding).is_right_naturally())
-        .map(|finding| finding.claim().locus())
-        .collect();
+    let otherwise = wrong.iter().filter(|one| told(**one).is_right_naturally()).count();
     let loci = wrong.iter().map(|finding| finding.claim().locus());
     let places = if every { all_places(loci) } else { places(loci, kind.one) };
-    let naturally = match otherwise.len() {
-        0 => String::new(),
-        some if some == count => format!("{WITH_INDICES}, and not at natural parameters"),
-        1 => format!(
-            "{WITH_INDICES}; at natural parameters {} is not",
-            all_places(otherwise.into_iter())
-        ),
-        _ => format!(
-            "{WITH_INDICES}; at natural parameters {} are not",
-            all_places(otherwise.into_iter())
-        ),
-    };
+    let naturally = naturally(otherwise, count, "not");
     format!("{places} {}{naturally}: {count} of {all} {}.", is_wrong(kind, count), kind.several)
 }
 
