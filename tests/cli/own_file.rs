@@ -61,13 +61,13 @@ fn promises_at_other_parameters() {
     assert_parts(
         &report.split_whitespace().collect::<Vec<&str>>().join(" "),
         &[
-            "judged again with each point at its natural parameter, (i − 1/2)/3^k",
+            "judged again with each point at its natural parameter, (i − 1/2)/3ᵏ",
             "not that of the claim file",
         ],
     );
     let mut words = report.split_whitespace().collect::<Vec<&str>>();
     words.truncate(40);
-    assert_parts(&words.join(" "), &["with points at i/n^k, and kept at natural parameters"]);
+    assert_parts(&words.join(" "), &["with points at i/nᵏ, and kept at natural parameters"]);
 }
 
 #[test]
@@ -152,5 +152,5 @@ fn what_is_there_twice() {
     let file = TemporaryFile::new("opposed.toml", &text);
     let report =
         written(["audit", file.path()]).split_whitespace().collect::<Vec<&str>>().join(" ");
-    assert_parts(&report, &["Claims that contradict each other", "that not all are C^2."]);
+    assert_parts(&report, &["Claims that contradict each other", "that not all are C²."]);
 }
