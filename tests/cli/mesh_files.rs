@@ -237,28 +237,33 @@ fn points_near_each_other_are_joined() {
     assert!(
         limits("catmull-clark", &file, &["--weld"])["notes"].to_string().contains("none is joined")
     );
-    let found = limits("catmull-clark", &file, &["--weld", "1e-3"]);
+    let found = limits("catmull-clark", &file, &["--weld=1e-3"]);
     assert_eq!(length(&found["points"]), 6);
     assert_eq!(found["faces"], serde_json::json!([[0, 1, 2, 3], [1, 4, 5, 2]]));
     // The lesser x stays, whatever the order is.
     assert!(found["notes"].to_string().contains("2 points at most 1/1000 from another are joined"));
     assert!(!found.to_string().contains("1001/1000"));
     // Just below the distance nothing is joined.
-    let below = limits("catmull-clark", &file, &["--weld", "0.000999"]);
+    let below = limits("catmull-clark", &file, &["--weld=0.000999"]);
     assert_eq!(length(&below["points"]), 8);
     let depth =
-        ["depth", "catmull-clark", "--tolerance", "1/10", "--mesh", file.path(), "--weld", "1e-3"];
+        ["depth", "catmull-clark", "--tolerance", "1/10", "--mesh", file.path(), "--weld=1e-3"];
     assert!(written(depth).contains("Note: "));
-    let oracle =
-        ["oracle", "catmull-clark", "--mesh", file.path(), "--weld", "1e-3", "--level", "0"];
+    let oracle = ["oracle", "catmull-clark", "--mesh", file.path(), "--weld=1e-3", "--level", "0"];
     assert!(written(oracle).contains("are joined with it"));
     for (weld, part) in
         [("-1", "below 0"), ("x", "--weld"), ("1e-30", "too small for the coordinates")]
     {
-        let asked = ["refine", "catmull-clark", "--mesh", file.path(), "--weld", weld];
+        let weld = format!("--weld={weld}");
+        let asked = ["refine", "catmull-clark", "--mesh", file.path(), &weld];
         assert_parts(&refused(asked), &[part]);
     }
     assert_parts(&refused(["depth", "chaikin", "--tolerance", "1", "--weld"]), &["--mesh"]);
+    // What follows the option is no number of it.
+    let before = written(["refine", "--weld", "catmull-clark", "--mesh", file.path()]);
+    let after =
+        written(["refine", "catmull-clark", "--mesh", file.path(), "--weld", "--level", "1"]);
+    assert_eq!(before, after);
 }
 
 /// Chains are joined, in any order, and faces lose the corners that become one.
@@ -277,7 +282,7 @@ fn chains_and_corners() {
     let reversed = reversed.join("\n") + "\n" + &faces(&|v| 8 - v) + "v 5 5 5\nf 5 8 4\n";
     for text in [plain, reversed] {
         let file = TemporaryFile::new("chain.obj", &text);
-        let found = limits("catmull-clark", &file, &["--weld", "1"]);
+        let found = limits("catmull-clark", &file, &["--weld=1"]);
         let mut points: Vec<String> = found["points"]
             .as_array()
             .expect("points")
@@ -433,4 +438,45 @@ fn endings_decide() {
         assert!(!std::path::Path::new(&file).exists() && !folder.join("none").exists());
     }
     std::fs::remove_dir_all(&folder).expect("the folder is there");
+}
+
+/// Tags count from 0.
+#[test]
+fn a_crease_at_no_vertex_says_how_tags_count() {
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nt crease 2/1/0 4 1 3\n";
+    let file = TemporaryFile::new("crease.obj", text);
+    let parts = ["vertex 4 does not exist: there are 4", "from 0"];
+    assert_parts(&refused(["refine", "loop", "--mesh", file.path()]), &parts);
+}
+
+/// The numbers of points are those of the file, and a mesh of which no face is left is refused.
+#[test]
+fn joining_points_keeps_the_numbers_of_errors() {
+    let far = SQUARES.replace("f 5 6 7 8", "f 5 6 7 22");
+    let file = TemporaryFile::new("far.obj", &far);
+    let parts = ["point 22 does not exist: there are 8 points"];
+    assert_parts(
+        &refused(["limit", "catmull-clark", "--mesh", file.path(), "--weld=1e-3"]),
+        &parts,
+    );
+    let file = TemporaryFile::new("squares.obj", SQUARES);
+    let parts = ["no face is left", "lesser distance"];
+    assert_parts(&refused(["limit", "catmull-clark", "--mesh", file.path(), "--weld=10"]), &parts);
+}
+
+/// Points with long decimals are compared as integers, and within the cap.
+#[test]
+fn points_of_many_digits_are_joined() {
+    let zeros = "0".repeat(900);
+    let mut text = String::new();
+    for i in 0..300 {
+        let _ = writeln!(text, "v {i}.{zeros}1 0 0\nv {i} 1 0");
+    }
+    for i in 0..299 {
+        let first = 2 * i + 1;
+        let _ = writeln!(text, "f {first} {} {} {}", first + 2, first + 3, first + 1);
+    }
+    let file = TemporaryFile::new("long.obj", &text);
+    let asked = ["limit", "catmull-clark", "--mesh", file.path(), "--weld=0.9", "--format", "json"];
+    assert!(written(asked).contains("none is joined"));
 }

@@ -102,7 +102,10 @@ fn json(text: &str) -> serde_json::Value {
 fn the_depth_of_a_mesh() {
     let depth = ["depth", "catmull-clark", "--tolerance", "1/100", "--distance", "parametric"];
     let text = written(of_cube(&depth));
-    assert_parts(&text, &["4 levels; 3 are too few", "a priori", "too far at level 3"]);
+    assert_parts(
+        &text,
+        &["4 levels, at equal parameters; 3 are too few", "a priori", "too far at level 3"],
+    );
     let form = json(&written(of_cube(&[&depth[..], &["--format", "json"]].concat())));
     assert_eq!((&form["level"], &form["too_few"]), (&4.into(), &3.into()));
     assert_eq!(form["formula"], serde_json::Value::Null);

@@ -1,6 +1,7 @@
 //! The program as a person runs it: real output, exit codes, bad input.
 
 mod bad_input;
+mod depth_bounds;
 mod errors;
 mod facts;
 mod flags;

@@ -140,7 +140,7 @@ fn errors_in_obj_files() {
         ("t crease 1/1/0 0 2", "pairs of vertices"),
         ("t crease 2/1/0 0 2", "`2/1/0` announces 3 values, and 2 follow"),
         ("t crease 2/1/0 0 2 -1", "the sharpness -1 is below 0"),
-        ("t crease 2/1/0 0 3 1", "there is no edge between the vertices 0 and 3"),
+        ("t crease 2/1/0 0 3 1", "vertex 3 does not exist: there are 3"),
         ("t crease 2/2/0 0 1 1 2", "one sharpness for all"),
         ("t crease 2/1 0 1 x", "`x` is not a number"),
         ("t crease x 0 1 x", "how many"),

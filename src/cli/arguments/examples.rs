@@ -122,13 +122,13 @@ pub(super) const REFINE: &str = "\
 Examples:
   subcert refine catmull-clark --mesh examples/cube.obj --level 2 -o cube2.obj
   subcert refine doo-sabin --mesh examples/cube.obj --format json
-  subcert refine 'chaikin x four-point:w=1/9' --mesh net.csv --closed u -o fine.csv
+  subcert refine 'chaikin x four-point:w=1/9' --mesh examples/roof.csv --closed u -o fine.csv
   subcert refine bajaj --mesh examples/star.vtk -o refined.vtk";
 
 pub(super) const LIMIT: &str = "\
 Examples:
   subcert limit catmull-clark --mesh examples/cube.obj
-  subcert limit loop --mesh triangles.ply --level 2 -o limit.obj
+  subcert limit catmull-clark --mesh examples/tent.obj --level 2 -o limit.obj
   subcert limit bicubic --mesh examples/vase.json -o vase.csv";
 
 pub(super) const SCHEMES: &str = "\

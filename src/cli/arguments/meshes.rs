@@ -59,9 +59,9 @@ pub(in crate::cli) enum ClosedArgument {
 #[derive(Debug, Args)]
 pub(in crate::cli) struct Weld {
     /// Join points of a polygon mesh at most so far apart, and those that a chain of such steps connects; for 0, and without
-    /// a number, only equal ones
+    /// a number, only equal ones: --weld=1e-6, or --weld
     #[arg(id = "weld", long = "weld", value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0",
-          allow_hyphen_values = true, requires = "mesh")]
+          require_equals = true, requires = "mesh")]
     pub(in crate::cli) tolerance: Option<String>,
 }
 

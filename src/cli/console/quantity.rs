@@ -4,8 +4,8 @@ use super::output::with_decimal;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 use subcert::exact::{
-    Enclosed, Enclosure, Rational, RealCyclotomic, RealExpression, Scalar as _, format::short,
-    parse_rational,
+    Enclosed, Enclosure, Integer, Rational, RealCyclotomic, RealExpression, Scalar as _,
+    format::short, parse_rational,
 };
 use subcert::float::{exact, shortest};
 use subcert::report::json::{Exact, HoelderForm};
@@ -60,16 +60,31 @@ const MOST_DIGITS: u32 = 60;
 impl Float {
     /// It as a lower bound that is [`above`] another number: rounded down.
     pub(crate) fn above(self, other: &Rational) -> String {
-        let Some(bound) = exact(self.0).filter(|bound| bound.sign() > 0) else {
+        match exact(self.0).filter(|bound| bound.sign() > 0) {
+            None => self.to_string(),
+            Some(bound) => decimal(&bound, other, |digits| self.rounded(digits, Rational::floor)),
+        }
+    }
+
+    /// Nine digits of it as a lower bound: rounded down.
+    pub(crate) fn down(self) -> String {
+        self.rounded(9, Rational::floor)
+    }
+
+    /// So many digits of it as an upper bound: rounded up.
+    pub(crate) fn up(self, digits: u32) -> String {
+        self.rounded(digits, Rational::ceil)
+    }
+
+    /// So many digits, or one more, with an integer in units of the last one.
+    fn rounded(self, digits: u32, to_integer: impl Fn(&Rational) -> Integer) -> String {
+        let Some(value) = exact(self.0).filter(|value| !value.is_zero()) else {
             return self.to_string();
         };
         #[expect(clippy::cast_possible_truncation, reason = "a power of ten of an f64")]
-        let power = self.0.log10().floor() as i32;
-        decimal(&bound, other, |digits| {
-            let unit = Rational::power_of_ten(power + 1 - i32::try_from(digits).unwrap_or(0));
-            let down = Rational::from((&bound / &unit).floor()) * unit;
-            short(&down, digits + 1)
-        })
+        let power = self.0.abs().log10().floor() as i32;
+        let unit = Rational::power_of_ten(power + 1 - i32::try_from(digits).unwrap_or(0));
+        short(&(Rational::from(to_integer(&(&value / &unit))) * unit), digits + 1)
     }
 }
 

@@ -5,6 +5,7 @@ use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::output::{Failure, Outcome, positive};
 use crate::cli::console::quantity::{Digits, Float, Number, Text};
 use serde::Serialize;
+use subcert::bound::DepthError;
 use subcert::exact::{Enclosed, Rational, Real};
 use subcert::float::{
     self, CertifyError, CertifyOptions, DepthDecision, certify as compare, certify_local_rules,
@@ -122,6 +123,9 @@ struct Depth {
     exact: Option<u32>,
     /// Why there is no k.
     note: Option<String>,
+    /// Whether it is beyond the caps.
+    #[serde(skip)]
+    too_deep: bool,
     /// Whether the two agree.
     agree: Option<bool>,
     /// How clearly k is decided.
@@ -163,14 +167,13 @@ impl Quantity {
 
     fn row(&self) -> Vec<String> {
         let Quantity { name, float, exact, error, ulps, bound, tightness, .. } = self;
-        let bound = bound.and_then(Float::number);
         vec![
             name.clone(),
             shortest(float.0),
             exact.short(17),
             digits(error.as_ref().map(|Text(error)| error), 3),
             digits(ulps.as_ref().map(|Digits(ulps)| ulps), 3),
-            digits(bound.as_ref(), 3),
+            bound.map_or_else(|| "·".to_owned(), |bound| bound.up(3)),
             digits(tightness.as_ref().map(|Digits(part)| part), 3),
         ]
     }
@@ -186,6 +189,7 @@ impl Depth {
             float: depth.float,
             exact: depth.exact.as_ref().ok().copied(),
             note: depth.exact.as_ref().err().map(ToString::to_string),
+            too_deep: depth.exact == Err(DepthError::TooDeep),
             agree: depth.agree,
             margin: depth.margin.as_ref().map(|margin| Margin {
                 at: number(&margin.at),
@@ -195,7 +199,8 @@ impl Depth {
     }
 
     fn row(&self) -> Vec<String> {
-        let level = |level: Option<u32>| level.map_or_else(|| "none".to_owned(), |k| k.to_string());
+        let none = if self.too_deep { "beyond the caps" } else { "none" };
+        let level = |level: Option<u32>| level.map_or_else(|| none.to_owned(), |k| k.to_string());
         let margin = self.margin.as_ref().map(|Margin { at, before }| {
             let numbers = std::iter::once(at).chain(before);
             numbers.map(|Digits(part)| part.short(6)).collect::<Vec<String>>().join(", ")

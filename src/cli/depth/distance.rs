@@ -70,11 +70,23 @@ impl<P> AsSets<P> {
         self.too_few.zip(self.too_far.as_ref())
     }
 
+    /// What the level says, as a sentence.
+    pub(super) fn meaning(&self) -> &'static str {
+        let below = self.level.and_then(|level| level.checked_sub(1));
+        if self.level.is_some() && self.too_few == below {
+            "The depth is the least level that is within the tolerance; nothing is said about later ones."
+        } else {
+            "The depth is the least level that is within the tolerance: it is not known exactly here, and nothing is said \
+             about the levels in between and later ones."
+        }
+    }
+
     /// The level that is enough, with `more` about it, those that are too few, and why the search ended early.
     pub(super) fn words(&self, more: &str) -> String {
         let text = match (self.level, self.too_few) {
             (Some(level), few) => {
-                format!("{}{more}{}", numbers::levels(level), numbers::few_text(level, few))
+                let most = numbers::at_most(level, few, self.ended.is_some());
+                format!("{most}{}{more}{}", numbers::levels(level), numbers::few_text(level, few))
             }
             (None, None) => format!("open{more}"),
             (None, Some(few)) => format!("more than {}{more}", numbers::levels(few)),

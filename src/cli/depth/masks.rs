@@ -219,12 +219,12 @@ impl Answer for Depth<'_> {
                 "β, and the distance and the depth at equal parameters, are the greatest of the coordinates of the \
                  points.",
             );
-            if polygon.sets.is_some() {
-                sheet.text(
+            if let Some(found) = polygon.sets.as_ref().and_then(OrNone::found) {
+                sheet.text(format!(
                     "As sets of points: no point of the polygon is farther than ε from the limit, and no point of the \
-                     limit from the polygon, in the Euclidean distance. `--certificate` writes it for subcert-check. Nothing is said about \
-                     the levels in between: the depth is the least level that is within the tolerance.",
-                );
+                     limit from the polygon, in the Euclidean distance. `--certificate` writes it for subcert-check. {}",
+                    found.meaning()
+                ));
             }
         }
         sheet.text(

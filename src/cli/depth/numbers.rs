@@ -19,6 +19,11 @@ pub(super) fn too_few(count: u32) -> String {
     format!("; {count} {} too few", if count == 1 { "is" } else { "are" })
 }
 
+/// `at most ` before a level that is enough, where the search ended early and left the level below it open.
+pub(super) fn at_most(level: u32, few: Option<u32>, ended: bool) -> &'static str {
+    if ended && few != level.checked_sub(1) { "at most " } else { "" }
+}
+
 /// Which levels are too few, after the level that is enough.
 pub(super) fn few_text(level: u32, few: Option<u32>) -> String {
     match few {

@@ -183,7 +183,7 @@ impl MeshError {
             }
             MeshError::Isolated { .. } => "remove the point, or use it in a face",
             MeshError::NoEdge { .. } => {
-                "a crease runs along an edge of a face, from vertex to vertex"
+                "a crease runs along an edge of a face, from vertex to vertex; tags count vertices from 0"
             }
             MeshError::NoVertex { .. } | MeshError::NoFace { .. } => {
                 "tags count vertices and faces from 0"

@@ -27,6 +27,7 @@ mod net;
 mod number;
 mod place;
 mod progress;
+mod range;
 mod shapes;
 mod threads;
 

@@ -19,12 +19,14 @@ use subcert::report::Sheet;
 use subcert::report::html::Picture;
 use subcert::solid::SolidBoundary;
 
-/// Whether the distance of sets is asked for, and the tolerance.
+/// Whether the distance of sets is asked for, and the tolerance. `notes` gets why equal parameters are compared where
+/// nothing asks for them.
 pub(super) fn measure(
     points: &[Point<Rational>],
     arguments: &DepthArguments,
     asked: &Rational,
     name: &str,
+    notes: &mut Vec<String>,
 ) -> Result<(bool, Rational), Failure> {
     // Equal parameters have an answer for tolerances that are too small for sets.
     let small = || {
@@ -38,6 +40,12 @@ pub(super) fn measure(
         },
         |distance| distance == DistanceArgument::Geometric,
     );
+    if !geometric && arguments.distance.is_none() {
+        notes.push(format!(
+            "the tolerance is less than 2^-{LEAST_SHARE} of the diagonal of the box around the {name}, which is too \
+             little for a distance of sets of points: points of equal parameters are compared"
+        ));
+    }
     if !arguments.relative {
         return Ok((geometric, asked.clone()));
     }
@@ -195,7 +203,11 @@ impl SetDepth<'_> {
     ) -> Result<SetDepth<'a>, Failure> {
         let Subject { scheme, name, notes, kind, arguments, tolerance, guaranteed, promised } =
             subject;
-        let Search { surface, growth, found, faces } = search;
+        let Search { surface, growth, mut found, faces } = search;
+        if found.ended.is_some() {
+            // A search that is stopped may know less than is known before it.
+            found.level = found.level.map(|level| level.min(guaranteed.level));
+        }
         let faces = faces.zip(found.level);
         match (&arguments.per_face, &faces) {
             (Some(path), Some((faces, level))) => {
@@ -289,7 +301,7 @@ impl Answer for SetDepth<'_> {
                 "{}, for all {} edges of length at most {}, at equal parameters",
                 levels(a_priori.level),
                 kind.all(),
-                a_priori.longest_edge
+                a_priori.longest_edge.up(9)
             ),
         ));
         facts.extend(self.formula.as_ref().map(|formula| formula.fact("mesh")));
@@ -314,9 +326,9 @@ impl Answer for SetDepth<'_> {
         };
         sheet.text(format!(
             "The distance is the greatest one of any point of the {name} from the limit surface, and of any \
-             point of the surface from the {name}. {certificate} Nothing is said about \
-             the levels in between: the depth is the least level that is within the tolerance. \
-             `--distance parametric` compares {compares}.{net}"
+             point of the surface from the {name}. {certificate} {} \
+             `--distance parametric` compares {compares}.{net}",
+            found.meaning()
         ));
         sheet
     }

@@ -24,14 +24,14 @@ pub(in crate::cli::depth) fn mesh_depth(
     to: &Destination,
 ) -> Outcome {
     let asked = positive("--tolerance", &arguments.tolerance)?;
-    let Given { scheme, name, file, notes } =
+    let Given { scheme, name, file, mut notes } =
         read(&arguments.scheme, path, arguments.weld.tolerance.as_deref())?;
     let file = match arguments.boundary {
         Some(DepthBoundary::Mesh(boundary)) => with_boundary(file, boundary),
         _ => file,
     };
     let mesh = file.mesh();
-    let (geometric, tolerance) = measure(mesh.points(), arguments, &asked, "mesh")?;
+    let (geometric, tolerance) = measure(mesh.points(), arguments, &asked, "mesh", &mut notes)?;
     let refused = |error| failure(&file, &error);
     let guaranteed = a_priori(mesh, scheme, &tolerance).map_err(refused)?;
     let promised = (scheme == MeshScheme::DooSabin).then(|| {

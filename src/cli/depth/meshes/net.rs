@@ -31,7 +31,8 @@ pub(in crate::cli::depth) fn net_depth(
         return Err(Failure::Input(message.to_owned()));
     }
     let NetFile { scheme, name, net } = asked.read()?;
-    let (geometric, tolerance) = measure(net.points(), arguments, &given, "net")?;
+    let mut notes = Vec::new();
+    let (geometric, tolerance) = measure(net.points(), arguments, &given, "net", &mut notes)?;
     let guaranteed = net_a_priori(&net, &scheme, &tolerance).map_err(failure)?;
     let promised = net_formula_level(&net, &scheme, &tolerance)
         .map(|level| Formula::new(NET_FORMULA_PAPER, level));
@@ -44,7 +45,7 @@ pub(in crate::cli::depth) fn net_depth(
     let subject = Subject {
         scheme: scheme.name().to_owned(),
         name,
-        notes: Vec::new(),
+        notes,
         kind: Kind::Net { faces_in_row: net.faces()[1] },
         arguments,
         tolerance,

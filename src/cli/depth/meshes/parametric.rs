@@ -7,7 +7,7 @@ use crate::cli::console::answer::{Answer, SCHEMA, deliver};
 use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::quantity::{Float, Text};
-use crate::cli::depth::numbers::{few_text, levels, point};
+use crate::cli::depth::numbers::{at_most, few_text, levels, point};
 use serde::Serialize;
 use std::sync::Arc;
 use subcert::exact::{Rational, format::short};
@@ -39,7 +39,7 @@ pub(crate) struct ParametricDepth<'a> {
     ended: Option<&'static str>,
     /// The greatest level that is certainly not sufficient.
     too_few: Option<u32>,
-    /// The distance at `level`.
+    /// The distance at `level`; null where a search that was stopped did not come to that level.
     distance: Option<Bounds>,
     /// The one-sided Hausdorff distance at `level`, of the limit from the mesh; null of a solid.
     hausdorff: Option<AtLeast>,
@@ -158,7 +158,12 @@ impl ParametricDepth<'_> {
         let Subject { scheme, name, notes, kind, arguments, tolerance, guaranteed, promised } =
             subject;
         let (found, is_stopped) = found.unzip();
+        let is_stopped = is_stopped.unwrap_or_default();
         let found = found.as_ref();
+        // A search that is stopped may know less than is known before it.
+        let level = found.map(|found| found.level);
+        let level = level.map(|level| if is_stopped { level.min(guaranteed.level) } else { level });
+        let measured = found.filter(|found| level == Some(found.level));
         let place = |place: &FarPlace| Place::of(place, kind);
         ParametricDepth {
             schema: SCHEMA,
@@ -167,22 +172,22 @@ impl ParametricDepth<'_> {
             notes,
             tolerance: Text(tolerance),
             measure: "parametric",
-            level: found.map(|found| found.level),
-            ended: is_stopped.unwrap_or_default().then_some(STOPPED),
+            level,
+            ended: is_stopped.then_some(STOPPED),
             too_few: found.and_then(|found| found.too_few),
-            distance: found.map(|found| {
+            distance: measured.map(|found| {
                 let [lower, upper] = found.distance.map(Float);
                 Bounds { lower, upper }
             }),
-            hausdorff: found
+            hausdorff: measured
                 .filter(|_| kind != Kind::Solid)
                 .map(|found| AtLeast { lower: Float(found.apart) }),
-            worst_face: found.and_then(|found| found.worst.as_ref()).map(place),
+            worst_face: measured.and_then(|found| found.worst.as_ref()).map(place),
             too_far: found.and_then(|found| found.beyond.as_ref()).map(place),
             exact_pieces: found.map(|found| found.exact_pieces),
             a_priori: guaranteed,
             formula: promised.map(|formula| match found {
-                Some(found) => formula.compared(found.too_few, Some(found.level)),
+                Some(found) => formula.compared(found.too_few, level),
                 None => formula,
             }),
             kind,
@@ -218,17 +223,21 @@ impl Answer for ParametricDepth<'_> {
         if let Some(level) = self.level {
             let few = few_text(level, self.too_few);
             let few = self.ended.map_or(few.clone(), |why| format!("{few}: {why}"));
-            let depth = format!("{}{few}", levels(level));
+            let most = at_most(level, self.too_few, self.ended.is_some());
+            let depth = format!("{most}{}, at equal parameters{few}", levels(level));
             facts.push((format!("depth of the {}", kind.name()), depth));
             let distance = self.distance.iter();
             facts.extend(distance.map(|Bounds { lower, upper }| {
-                (format!("distance at level {level}"), format!("{lower} to {upper}"))
+                (
+                    format!("distance at level {level}"),
+                    format!("{} to {}", lower.down(), upper.up(9)),
+                )
             }));
             let worst = self.worst_face.iter();
             facts.extend(worst.map(|place| ("greatest at".to_owned(), place.words(*kind))));
             let apart = self.hausdorff.iter();
             facts.extend(apart.map(|AtLeast { lower }| {
-                ("Hausdorff distance".to_owned(), format!("at least {lower}"))
+                ("Hausdorff distance".to_owned(), format!("at least {}", lower.down()))
             }));
             let few = self.too_few.zip(self.too_far.as_ref());
             facts.extend(
@@ -246,7 +255,7 @@ impl Answer for ParametricDepth<'_> {
             "{}, for all {} edges of length at most {}",
             levels(a_priori.level),
             kind.all(),
-            a_priori.longest_edge
+            a_priori.longest_edge.up(9)
         );
         facts.push(("a priori".to_owned(), text));
         facts.extend(self.formula.iter().map(|formula| {

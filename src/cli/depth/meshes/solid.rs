@@ -40,12 +40,14 @@ pub(in crate::cli::depth) fn solid_depth(
         Err(error) => return Err(refused(error)),
     };
     let points = boundary.as_ref().map_or(mesh.points(), |boundary| boundary.mesh.points());
-    let (geometric, tolerance) = measure(points, arguments, &asked, "boundary")?;
-    let promised = Formula::new(SOLID_FORMULA_PAPER, Some(solid_formula_level(mesh, &tolerance)));
+    let mut notes = Vec::new();
+    let (geometric, tolerance) = measure(points, arguments, &asked, "boundary", &mut notes)?;
+    let promised = solid_formula_level(mesh, &tolerance).map_err(refused)?;
+    let promised = Formula::new(SOLID_FORMULA_PAPER, Some(promised));
     let subject = |kind, tolerance, guaranteed: APriori| Subject {
         scheme: SOLID_SCHEME.to_owned(),
         name,
-        notes: Vec::new(),
+        notes,
         kind,
         arguments,
         tolerance,

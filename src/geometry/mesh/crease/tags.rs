@@ -106,19 +106,20 @@ impl Tags {
     /// Gives the edge between two vertices a sharpness; `None` makes it smooth.
     ///
     /// # Errors
-    /// When there is no such edge.
+    /// When there is no such vertex, or no such edge.
     pub fn crease(
         &mut self,
         connectivity: &Connectivity,
         ends: [usize; 2],
         sharpness: Option<Sharpness>,
     ) -> Result<(), MeshError> {
-        let missing = MeshError::NoEdge { ends };
-        if ends.iter().any(|end| *end >= connectivity.point_count()) {
-            return Err(missing);
+        let count = connectivity.point_count();
+        if let Some(&vertex) = ends.iter().find(|end| **end >= count) {
+            return Err(MeshError::NoVertex { vertex, count });
         }
         let star = connectivity.star(ends[0]);
-        let place = star.neighbours.iter().position(|end| *end == ends[1]).ok_or(missing)?;
+        let place = star.neighbours.iter().position(|end| *end == ends[1]);
+        let place = place.ok_or(MeshError::NoEdge { ends })?;
         self.set_edge(star.edges[place], sharpness);
         Ok(())
     }

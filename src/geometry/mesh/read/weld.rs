@@ -4,19 +4,28 @@ use super::super::point::Point;
 use super::super::polygon::PolygonMesh;
 use super::assemble::{Extras, Parts, Tag};
 use crate::diagnostic::Diagnostic;
-use crate::exact::Rational;
+use crate::exact::{CommonDenominator, Integer, Rational};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-/// The most pairs of points whose distance is compared.
-const MAX_PAIRS: usize = 20_000_000;
+/// The most pairs of points whose distance is compared. A pair counts as often as its numerators over one denominator have
+/// pairs of parts of so many bits.
+const MAX_PAIRS: u64 = 20_000_000;
+const UNIT_BITS: u64 = 1_024;
+
+/// The most bits of the common denominator, times the number of points.
+const MAX_BITS: u64 = 1 << 31;
 
 /// A cube with an edge of half the tolerance: all its points are joined, and those of cubes more than two apart are not.
 type Cube = [i64; 3];
 
 impl Parts {
     /// Joins points at most `tolerance` apart, and those that a chain of such steps connects. The point of the least x, then y,
-    /// then z stays. A number of a point that no face may have stays as it is.
+    /// then z stays. Nothing is joined where a face or a tag names a point that does not exist, which is an error of its own.
     pub(super) fn weld(&mut self, tolerance: &Rational) -> Result<(), Diagnostic> {
+        if self.has_missing_point() {
+            // An error of its own, with the numbers that points have in the file.
+            return Ok(());
+        }
         let mut sets = Sets((0..self.points.len()).collect());
         let near = if tolerance.sign() < 0 {
             Err("it is below 0".to_owned())
@@ -50,13 +59,18 @@ impl Parts {
             new.push(number);
         }
         let joined = self.points.len() - points.len();
-        let renamed = |point: usize| match new.get(point) {
-            Some(number) => *number,
-            // A point that does not exist stays one.
-            None => point.saturating_add(points.len()),
-        };
+        let renamed = |point: usize| new[point];
         let mut lost = [0_usize; 2];
         self.merge_corners(renamed, &mut lost);
+        if self.faces.is_empty() && lost[1] > 0 {
+            let message = format!(
+                "no face is left where points at most {tolerance} apart are joined: all {} have fewer than 3 corners \
+                 then",
+                lost[1]
+            );
+            return Err(Diagnostic::new(&self.places.source, 0..0, message)
+                .with_help("give a lesser distance to --weld"));
+        }
         for (tag, _) in &mut self.extras.tags {
             match tag {
                 Tag::Crease(ends, _) => *ends = ends.map(renamed),
@@ -89,6 +103,17 @@ impl Parts {
         };
         self.extras.notes.push(note);
         Ok(())
+    }
+
+    /// Whether a face or a tag names a point that does not exist.
+    fn has_missing_point(&self) -> bool {
+        let missing = |point: &usize| *point >= self.points.len();
+        let of_tags = self.extras.tags.iter().any(|(tag, _)| match tag {
+            Tag::Crease(ends, _) => ends.iter().any(missing),
+            Tag::Corner(vertex, _) => missing(vertex),
+            Tag::Hole(_) => false,
+        });
+        of_tags || self.faces.iter().flatten().any(missing)
     }
 
     /// Gives the corners of faces their new numbers, without those that are the same as the one before, and drops faces of fewer
@@ -173,13 +198,27 @@ fn join(points: &[Point<Rational>], tolerance: &Rational, sets: &mut Sets) -> Re
         }
         cubes.entry(cube).or_default().push(number);
     }
-    let square = tolerance * tolerance;
+    // As integers: fractions would be reduced for every pair.
+    let rows: Vec<Vec<Rational>> =
+        std::iter::once(vec![tolerance.clone()]).chain(points.iter().map(|p| p.to_vec())).collect();
+    let mut denominator = Integer::one();
+    for x in rows.iter().flatten() {
+        denominator = denominator.lcm(&x.denominator());
+        if denominator.bits().saturating_mul(points.len() as u64) > MAX_BITS {
+            return Err("their coordinates have too large a common denominator".to_owned());
+        }
+    }
+    let longest = points.iter().flatten().map(Rational::bits).max().unwrap_or(0);
+    let parts = (denominator.bits() + longest) / UNIT_BITS + 1;
+    let weight = parts.saturating_mul(parts);
+    let CommonDenominator { numerators, .. } = CommonDenominator::of(&rows);
+    let square = &numerators[0][0] * &numerators[0][0];
     let near = |a: usize, b: usize| {
-        let side = |i: usize| &points[a][i] - &points[b][i];
+        let side = |i: usize| &numerators[a + 1][i] - &numerators[b + 1][i];
         let sides = [side(0), side(1), side(2)];
-        sides.iter().fold(Rational::zero(), |sum, side| sum + side * side) <= square
+        sides.iter().fold(Integer::zero(), |sum, side| sum + side * side) <= square
     };
-    let mut pairs = 0_usize;
+    let mut pairs = 0_u64;
     for own in cubes.values() {
         for number in own {
             sets.join(*number, own[0]);
@@ -193,9 +232,13 @@ fn join(points: &[Point<Rational>], tolerance: &Rational, sets: &mut Sets) -> Re
             if sets.of(own[0]) == sets.of(other[0]) {
                 continue;
             }
-            pairs = pairs.saturating_add(own.len().saturating_mul(other.len()));
+            let more = (own.len() as u64).saturating_mul(other.len() as u64);
+            pairs = pairs.saturating_add(more.saturating_mul(weight));
             if pairs > MAX_PAIRS {
-                return Err(format!("more than {MAX_PAIRS} pairs of points would be compared"));
+                let most = MAX_PAIRS / weight;
+                return Err(format!(
+                    "more than {most} pairs of points of so many digits would be compared"
+                ));
             }
             if own.iter().any(|a| other.iter().any(|b| near(*a, *b))) {
                 sets.join(own[0], other[0]);

@@ -9,6 +9,7 @@ use crate::bound::Budget;
 use crate::exact::Rational;
 use crate::float::{lower, nearest};
 use crate::limit::{Limit, LimitError};
+use crate::patch::range::beyond;
 
 /// The highest level that is looked at.
 const MAX_LEVEL: u32 = 24;
@@ -69,10 +70,7 @@ impl CurveSets {
             width = width.max(&high - &low);
             middles.push(&(&low + &high) * &half);
         }
-        let shown = middles.iter().chain([&width]).map(nearest);
-        let small = nearest(&width) < f64::MIN_POSITIVE && !width.is_zero();
-        if small || shown.into_iter().any(|x| !x.is_finite()) {
-            let reason = "f64 has no numbers as large, or as small, as the coordinates".to_owned();
+        if let Some(reason) = beyond(coordinates.iter().flatten(), &width) {
             return Err(LimitError::Sets { reason });
         }
         // In units of the width, so that no number is too large or too small.

@@ -6,6 +6,7 @@ use crate::float::nearest;
 use crate::mesh::{MeshError, Point};
 use crate::net::NetError;
 use crate::patch::place::{FarPlace, Place, Verdict};
+use crate::solid::SolidError;
 
 /// How wide the enclosure of the distance is for most surfaces, relative to it.
 pub(crate) const WIDTH: f64 = 1e-3;
@@ -146,6 +147,12 @@ impl TooMuch for MeshError {
 impl TooMuch for NetError {
     fn too_much(reason: String) -> NetError {
         NetError::TooMuch(reason)
+    }
+}
+
+impl TooMuch for SolidError {
+    fn too_much(reason: String) -> SolidError {
+        SolidError::TooMuch { reason }
     }
 }
 

@@ -2,7 +2,6 @@
 //! (`proofs/THEOREMS.md`, 102), and what a paper's formula promises.
 
 use crate::exact::Rational;
-use crate::float::lower;
 use crate::mesh::MeshError;
 use crate::patch::distance::surface::{TooMuch as _, positive};
 use crate::patch::mesh::apriori::{APriori, UP, longest_edge, real};
@@ -22,7 +21,8 @@ pub const SOLID_FORMULA_PAPER: &str = "mustafa2007-bajaj";
 /// the next in the mean of many.
 ///
 /// # Errors
-/// When the tolerance is not positive, or needs more levels than bounds are computed for.
+/// When the tolerance is not positive or less than 2^−900 of the size of the solid, or needs more levels than bounds are
+/// computed for, or the coordinates are beyond 2^900, or all nearer to each other than 2^−900.
 ///
 /// ```
 /// use subcert::exact::Rational;
@@ -43,7 +43,8 @@ pub fn solid_a_priori(
     tolerance: &Rational,
 ) -> Result<APriori, MeshError> {
     positive::<MeshError>(tolerance)?;
-    let longest_edge = longest_edge(mesh.points(), mesh.edges().iter().copied());
+    let edges = mesh.edges().iter().copied();
+    let (longest_edge, allowed) = longest_edge::<MeshError>(mesh.points(), edges, tolerance)?;
     let model = &distances.model;
     let shapes: BTreeSet<usize> = model.roots.all.iter().map(|root| root.shape).collect();
     let radii: Vec<(&Shape, f64)> = shapes
@@ -65,7 +66,6 @@ pub fn solid_a_priori(
         radii.iter().map(bound).fold(0.0, f64::max)
     };
     let bound = |level: u32| if level == 0 { 0.75 + later(1) } else { later(level) };
-    let allowed = lower(tolerance) / (longest_edge * UP);
     let last = u32::try_from(LAST).unwrap_or(u32::MAX);
     let level = (0..=last).find(|level| bound(*level) * UP <= allowed).ok_or_else(|| {
         MeshError::too_much(format!(
@@ -103,14 +103,20 @@ fn radius(shape: &Shape) -> usize {
 ///
 /// That paper's proof has gaps; `proofs/THEOREMS.md`, 71, proves what it says. It says nothing of what is
 /// inside the solid.
-#[must_use]
-pub fn solid_formula_level(mesh: &HexMesh<Rational>, tolerance: &Rational) -> u32 {
+///
+/// # Errors
+/// As [`solid_a_priori`], for the coordinates and for a tolerance that is too small.
+pub fn solid_formula_level(
+    mesh: &HexMesh<Rational>,
+    tolerance: &Rational,
+) -> Result<u32, MeshError> {
+    positive::<MeshError>(tolerance)?;
     let sides = |[a, b, c, d]: [usize; 4]| [[a, b], [b, c], [c, d], [d, a]];
     let edges = mesh.boundary_faces().into_iter().flat_map(sides);
-    let allowed = lower(tolerance) / longest_edge(mesh.points(), edges);
+    let (_, allowed) = longest_edge::<MeshError>(mesh.points(), edges, tolerance)?;
     let within = |level: &u32| {
         let power = 0.75_f64.powi(i32::try_from(*level).unwrap_or(i32::MAX));
         23.0 / 12.0 * power * UP <= allowed
     };
-    (0..1_000_000).find(within).unwrap_or(1_000_000)
+    Ok((0..1_000_000).find(within).unwrap_or(1_000_000))
 }

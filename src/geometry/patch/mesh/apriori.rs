@@ -1,14 +1,17 @@
 //! What the longest edge and the valences of a mesh guarantee, wherever its points are
 //! (`proofs/THEOREMS.md`, 96).
 
+use super::model::moved;
 use crate::bound::LocalConstants;
 use crate::exact::{Enclosed, Rational, RealCyclotomic};
-use crate::float::{lower, nearest, upper};
+use crate::float::{exact, lower, nearest, upper};
 use crate::mesh::{
     INFINITE_FROM, MeshError, MeshScheme, Point, PolygonMesh, Sharpness, Stencils, check_rules,
     check_tags, ring, weighted_valences,
 };
-use crate::patch::distance::surface::{TooMuch as _, positive};
+use crate::patch::distance::surface::{TooMuch, positive};
+use crate::patch::number::squared;
+use crate::patch::range::scale;
 use std::collections::BTreeSet;
 
 /// What a mesh guarantees by its longest edge and its valences.
@@ -17,7 +20,7 @@ pub struct APriori {
     /// The level from which on every mesh with these valences, and no longer edge, is within the
     /// tolerance.
     pub level: u32,
-    /// An upper bound of the length of the longest edge, at most 1 + 10⁻⁹ times that.
+    /// An upper bound of the length of the longest edge, the least f64 or the next one.
     pub longest_edge: f64,
     /// The greatest factor by which edges of a level shrink, from some level on.
     pub ratio: f64,
@@ -28,11 +31,16 @@ const MAX_LEVEL: u32 = 100_000;
 
 /// For the rounding of a few operations.
 pub(crate) const UP: f64 = 1.0 + 1e-9;
+const DOWN: f64 = 1.0 - 1e-9;
+
+/// A tolerance is at least 2 to the power of minus this, in units of the scale.
+const LEAST_BITS: i32 = 900;
 
 /// The level that the longest edge and the valences of a mesh guarantee.
 ///
 /// # Errors
-/// When the scheme has no rules for a face or a vertex, or the tolerance is not positive.
+/// When the scheme has no rules for a face or a vertex, the tolerance is not positive or less than 2^−900 of the size of
+/// the mesh, or the coordinates are beyond 2^900, or all nearer to each other than 2^−900.
 ///
 /// # Panics
 /// Never: the catalogue has rules for all valences that are checked before.
@@ -58,13 +66,12 @@ pub fn a_priori(
     check_tags(mesh, scheme)?;
     check_rules(mesh.connectivity(), scheme)?;
     let edges = mesh.connectivity().edges().iter().map(|edge| edge.ends);
-    let longest_edge = longest_edge(mesh.points(), edges);
+    let (longest_edge, allowed) = longest_edge::<MeshError>(mesh.points(), edges, tolerance)?;
     let bound = match scheme {
         MeshScheme::CatmullClark | MeshScheme::Bajaj => bicubic(mesh, scheme),
         MeshScheme::DooSabin => doo_sabin(mesh),
         MeshScheme::Loop | MeshScheme::LoopWarren => triangles(mesh, scheme),
     };
-    let allowed = lower(tolerance) / (longest_edge * UP);
     let level = (0..MAX_LEVEL).find(|level| bound.at(*level) <= allowed).ok_or_else(|| {
         MeshError::too_much(format!(
             "the tolerance needs more than {MAX_LEVEL} levels; take a greater one"
@@ -139,24 +146,54 @@ impl Creases {
     }
 }
 
-/// The length of the longest of these edges, at most 1 + 10⁻⁹ times too large.
-pub(crate) fn longest_edge(
+/// An upper bound of the length of the longest of these edges, the least f64 or the next one; and at most the tolerance
+/// divided by it.
+pub(crate) fn longest_edge<E: TooMuch>(
     points: &[Point<Rational>],
     edges: impl IntoIterator<Item = [usize; 2]>,
+    tolerance: &Rational,
+) -> Result<(f64, f64), E> {
+    let scale = scale::<E>(points)?;
+    let longest = longest(points, &scale, edges);
+    Ok((longest * nearest(&scale), share::<E>(tolerance, &scale)? / longest * DOWN))
+}
+
+/// The first of these in units of a scale, which is above all differences of coordinates from those of the first point.
+pub(crate) fn longest(
+    points: &[Point<Rational>],
+    scale: &Rational,
+    edges: impl IntoIterator<Item = [usize; 2]>,
 ) -> f64 {
-    let points: Vec<Point<f64>> =
-        points.iter().map(|point| point.each_ref().map(nearest)).collect();
-    let size = points.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
-    if size == 0.0 {
-        return 0.0;
-    }
-    // In units of the greatest coordinate, so that no square is too large.
-    let length = |ends: [usize; 2]| {
-        let [p, q] = ends.map(|end| points[end]);
-        (0..3).map(|i| (p[i] / size - q[i] / size).powi(2)).sum::<f64>().sqrt()
+    let rounded = moved(points, scale);
+    let roughly = |[p, q]: &[usize; 2]| squared(&rounded[*p], &rounded[*q]);
+    let edges: Vec<[usize; 2]> = edges.into_iter().collect();
+    let greatest = edges.iter().map(roughly).fold(0.0_f64, f64::max);
+    // Coordinates are at most 1, and off by half a unit: squares are off by half of this.
+    let near = greatest - 32.0 * f64::EPSILON * (greatest.sqrt() + f64::EPSILON);
+    let square = |&[p, q]: &[usize; 2]| {
+        let own = |i: usize| (&points[p][i] - &points[q][i]) / scale;
+        (0..3).map(own).fold(Rational::zero(), |sum, x| sum + &x * &x)
     };
-    let longest = edges.into_iter().map(length).fold(0.0_f64, f64::max);
-    (longest + 8.0 * f64::EPSILON) * size * UP
+    let longest = edges.iter().filter(|ends| roughly(ends) >= near).map(square).max();
+    longest.map_or(0.0, |square| root_above(&square))
+}
+
+/// An f64 that is at most the tolerance in units of a scale.
+fn share<E: TooMuch>(tolerance: &Rational, scale: &Rational) -> Result<f64, E> {
+    let share = tolerance / scale;
+    if share >= Rational::from(2).pow(-LEAST_BITS) {
+        return Ok(lower(&share));
+    }
+    Err(E::too_much(format!(
+        "the tolerance is less than 2^-{LEAST_BITS} of the greatest difference of coordinates; take a greater one"
+    )))
+}
+
+/// The least f64 whose square is at least this number, at most 12; or the next one.
+fn root_above(square: &Rational) -> f64 {
+    let root = upper(square).sqrt();
+    let is_above = exact(root).is_some_and(|root| &root * &root >= *square);
+    if is_above { root } else { root.next_up() }
 }
 
 /// An f64 that is at least this.

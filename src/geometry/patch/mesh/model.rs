@@ -12,6 +12,7 @@ use crate::mesh::{
 use crate::patch::distance::judge::{Points, Rounded};
 use crate::patch::hexes::hex_roots;
 use crate::patch::number::Row;
+use crate::patch::range::scale;
 use crate::patch::shapes::library::Shapes;
 use crate::patch::shapes::rules::parts_of_face;
 use crate::patch::shapes::scheme::PieceScheme;
@@ -48,7 +49,7 @@ impl Model {
         let connectivity = control.connectivity();
         check_rules(connectivity, scheme)?;
         let stencils = Stencils::new(scheme, weighted_valences(connectivity, scheme));
-        let scale = scale(control.points());
+        let scale = scale::<MeshError>(control.points())?;
         let mesh = control.with_points(moved(control.points(), &scale));
         let next = step_with(&mesh, scheme, &stencils.map(nearest))?;
         let mut shapes = Shapes::new(PieceScheme::Surface(scheme));
@@ -65,7 +66,7 @@ impl Model {
     }
 
     /// # Errors
-    /// When there would be too many points, or there are too many shapes.
+    /// When there would be too many points, there are too many shapes, or f64 has no such coordinates.
     pub(super) fn of_solid(control: HexMesh<Rational>) -> Result<Model, SolidError> {
         let complex = control.complex();
         let (edges, faces) = (complex.edges.len(), complex.faces.len());
@@ -75,7 +76,7 @@ impl Model {
         }
         let mut shapes = Shapes::new(PieceScheme::Solid);
         let roots = hex_roots(complex, &mut shapes)?;
-        let scale = scale(control.points());
+        let scale = scale::<SolidError>(control.points())?;
         let moved = moved(control.points(), &scale);
         let rounded = solid(complex, &moved);
         let mut counts = vec![0_usize; complex.points];
@@ -161,17 +162,4 @@ pub(crate) fn moved(points: &[Point<Rational>], scale: &Rational) -> Vec<Point<f
 /// The greatest coordinate.
 fn size(points: &[Point<f64>]) -> f64 {
     points.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()))
-}
-
-/// The power of two that is just above all differences of coordinates from those of the first
-/// point.
-pub(crate) fn scale(points: &[Point<Rational>]) -> Rational {
-    let bits = |x: &Rational| {
-        let [p, q] = [x.numerator(), x.denominator()];
-        i64::try_from(p.bits()).unwrap_or(i64::MAX) - i64::try_from(q.bits()).unwrap_or(0) + 1
-    };
-    let origin = &points[0];
-    let differences = points.iter().flat_map(|point| (0..3).map(|i| &point[i] - &origin[i]));
-    let greatest = differences.filter(|x| !x.is_zero()).map(|x| bits(&x)).max().unwrap_or(0);
-    Rational::from(2).pow(i32::try_from(greatest).unwrap_or(0))
 }

@@ -1,14 +1,14 @@
 //! What the greatest differences of a net guarantee, wherever its points are.
 
 use super::constants::UP;
-use super::scaled::scaled;
 use crate::bound::{Budget, Constants, Operator, Order};
 use crate::exact::Rational;
 use crate::float::{exact, upper};
 use crate::limit::{Limit, Parametrisation, Spreads, SurfaceDistances, SurfaceError};
-use crate::mesh::Point;
 use crate::net::{Net, NetError, NetScheme};
 use crate::patch::distance::surface::positive;
+use crate::patch::mesh::apriori::longest;
+use crate::patch::range::scale;
 
 /// The most steps that the bounds of schemes with negative coefficients may take.
 const STEPS: u64 = 200_000_000;
@@ -93,24 +93,32 @@ fn surface(error: SurfaceError) -> NetError {
 /// Upper bounds of the lengths of the longest edges of both directions; each is a multiple of 2^−20 of the
 /// greater one, so that their ratio is one of small integers.
 pub(super) fn longest_edges(net: &Net) -> Result<[Rational; 2], NetError> {
-    let (points, scale) = scaled(net)?;
-    let length =
-        |p: &Point<f64>, q: &Point<f64>| (0..3).map(|c| (p[c] - q[c]).powi(2)).sum::<f64>().sqrt();
-    let [rows, columns] = net.sizes().map(|size| i64::try_from(size).unwrap_or(i64::MAX));
-    let places = || (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
-    let longest = |(p, q): (i64, i64)| {
-        let edges =
-            places().filter_map(|(i, j)| Some(length(points.at(i, j)?, points.at(i + p, j + q)?)));
-        // Coordinates are at most 1, and off by half a unit.
-        (edges.fold(0.0_f64, f64::max) + 8.0 * f64::EPSILON) * UP
+    let scale = scale::<NetError>(net.points())?;
+    let ([rows, columns], closed) = (net.sizes(), net.closed());
+    let next = |index: usize, count: usize, closed: bool| {
+        let next = index + 1;
+        if closed { Some(next % count) } else { Some(next).filter(|next| *next < count) }
     };
-    let edges = [longest((1, 0)), longest((0, 1))];
-    let greatest = exact(edges[0].max(edges[1])).unwrap_or_else(Rational::one) * scale;
-    let unit = &greatest / Rational::from(1 << 20);
-    let greatest_edge = edges[0].max(edges[1]);
+    let edges = |rightwards: bool| {
+        (0..rows * columns).filter_map(move |point| {
+            let (i, j) = (point / columns, point % columns);
+            let other = if rightwards {
+                i * columns + next(j, columns, closed.v)?
+            } else {
+                next(i, rows, closed.u)? * columns + j
+            };
+            Some([point, other])
+        })
+    };
+    let longest = |rightwards| longest(net.points(), &scale, edges(rightwards));
+    // Where all points of a direction are the same, a positive bound is needed too.
+    let edges = [longest(false), longest(true)].map(|edge| edge.max(f64::EPSILON));
+    let greatest = edges[0].max(edges[1]);
+    let unit = exact(greatest).unwrap_or_else(Rational::one) * scale / Rational::from(1 << 20);
     Ok(edges.map(|edge| {
-        let part = exact(edge / greatest_edge * UP).unwrap_or_else(Rational::one);
-        let part = (part * Rational::from(1 << 20)).ceil();
-        Rational::from(part) * &unit
+        let part = exact(edge / greatest).unwrap_or_else(Rational::one) * Rational::from(1 << 20);
+        // A quotient that is rounded to 1 is at most 1.
+        let more = if edge < greatest { Rational::new(1, 1 << 20) } else { Rational::zero() };
+        Rational::from((part + more).ceil()) * &unit
     }))
 }
