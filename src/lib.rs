@@ -43,7 +43,7 @@
 //!
 //! | crate | modules |
 //! |---|---|
-//! | [`subcert_numbers`] | [`cap`], [`exact`], [`formula`], [`diagnostic`], [`suggestion`] |
+//! | [`subcert_numbers`] | [`cap`], [`exact`], [`formula`], [`diagnostic`], [`stop`], [`suggestion`] |
 //! | [`subcert_schemes`] | [`scheme`], [`bound`], [`limit`], [`float`], [`joint`], [`smoothness`], [`spectrum`], [`characteristic`], [`facts`] |
 //! | [`subcert_geometry`] | [`mesh`], [`net`], [`solid`], [`patch`], [`oracle`] |
 //! | [`subcert_claims`] | [`literal`], [`claim`], [`shipped`], [`audit`] |
@@ -53,7 +53,7 @@ pub use subcert_claims::{audit, claim, literal, shipped};
 pub use subcert_geometry::{
     assert_slice_within_ulps, assert_within, assert_within_ulps, mesh, net, oracle, patch, solid,
 };
-pub use subcert_numbers::{cap, diagnostic, exact, formula, suggestion};
+pub use subcert_numbers::{cap, diagnostic, exact, formula, stop, suggestion};
 pub use subcert_reports::certificate;
 #[cfg(feature = "cli")]
 pub use subcert_reports::report;

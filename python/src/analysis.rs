@@ -1,16 +1,15 @@
 //! Smoothness, spectra, joint spectral radii, and where limits are smooth.
 
 use crate::algebraic::Algebraic;
-use crate::error::{plain, with_remedy};
+use crate::error::{of_scheme, plain, with_remedy};
 use crate::number::{Fraction, fraction, rationals};
+use crate::real::{Real, of_cyclotomic, of_expression};
 use crate::run::aside;
 use crate::scheme::{Ends, Native, ends};
 use pyo3::prelude::*;
-use std::fmt::Display;
 use subcert::bound::polynomial_rules;
 use subcert::characteristic::Vertex;
-use subcert::exact::{Enclosed, Interval, Rational, RealCyclotomic, RealExpression};
-use subcert::float::nearest;
+use subcert::exact::{Enclosed, Interval, RealCyclotomic};
 use subcert::joint::{MatrixSet, joint_radius};
 use subcert::report::{verdict_name, verdict_reason};
 use subcert::scheme::{names_ring, notes, open_parameters, parse_parametric};
@@ -18,9 +17,6 @@ use subcert::smoothness::{Hoelder, Smoothness, smooth_range as computed};
 use subcert::spectrum::{
     ComplexEigenvalues, Curvature, Sector, Spectrum, SpectrumError, surroundings,
 };
-
-/// A real number: exactly as text, as a fraction if it is one, and the nearest float.
-type Real = (String, Option<Fraction>, f64);
 
 /// The exponent as a formula, two numbers around it, and whether it is attained.
 type Exponent = (Option<String>, Fraction, Fraction, Option<bool>);
@@ -67,18 +63,6 @@ type Across = (Real, &'static str, bool, Option<Stencil>);
 /// Eigenvalues, the limit, the tangents along sharp edges, and what goes across.
 type Sectoral = (Vec<Eigenvalue>, Stencil, Vec<Stencil>, Option<Across>);
 
-fn real(value: &(impl Enclosed + Display), rational: Option<&Rational>) -> Real {
-    (value.to_string(), rational.map(fraction), nearest(value))
-}
-
-fn of_expression(value: &RealExpression) -> Real {
-    real(value, value.as_rational())
-}
-
-fn of_cyclotomic(value: &RealCyclotomic) -> Real {
-    real(value, value.as_rational())
-}
-
 /// The version of the program.
 #[pyfunction]
 pub fn version() -> &'static str {
@@ -88,10 +72,10 @@ pub fn version() -> &'static str {
 /// The error, with the argument that gives a valence, if that is what is missing.
 fn of_rules(error: &SpectrumError) -> PyErr {
     match error {
-        SpectrumError::Scheme(missing) if missing.asks_for_valence() => with_remedy(
-            &missing.to_string(),
-            "or give the valence apart, as in spectrum(valence=5)",
-        ),
+        SpectrumError::Scheme(missing) if missing.asks_for_valence() => {
+            with_remedy("a valence is missing", "give it as in spectrum(valence=5)")
+        }
+        SpectrumError::Scheme(error) => of_scheme(error),
         other => plain(other),
     }
 }
@@ -112,25 +96,21 @@ pub fn open_names(text: &str) -> PyResult<Vec<String>> {
 #[pyfunction]
 pub fn smoothness(py: Python<'_>, scheme: &Native) -> PyResult<Known> {
     let mask = scheme.mask()?;
-    aside(
-        py,
-        || (),
-        move || {
-            let found = Smoothness::of(&mask).map_err(plain)?;
-            let shift = found.shift.keeps_lines.then(|| fraction(&found.shift.shift));
-            let converges = found.continuity.is_some();
-            Ok((
-                mask.arity(),
-                found.sum_rules,
-                found.reproduction,
-                shift,
-                converges.then_some(found.reduced.is_none()),
-                found.continuity,
-                found.continuity_fails,
-                found.hoelder.as_ref().map(exponent),
-            ))
-        },
-    )
+    aside(py, move || {
+        let found = Smoothness::of(&mask).map_err(plain)?;
+        let shift = found.shift.keeps_lines.then(|| fraction(&found.shift.shift));
+        let converges = found.continuity.is_some();
+        Ok((
+            mask.arity(),
+            found.sum_rules,
+            found.reproduction,
+            shift,
+            converges.then_some(found.reduced.is_none()),
+            found.continuity,
+            found.continuity_fails,
+            found.hoelder.as_ref().map(exponent),
+        ))
+    })
 }
 
 fn exponent(hoelder: &Hoelder) -> Exponent {
@@ -152,51 +132,43 @@ pub fn vertex_smoothness(
     scheme: String,
     valence: Option<usize>,
 ) -> PyResult<(usize, &'static str, String)> {
-    aside(
-        py,
-        || (),
-        move || {
-            let vertex = Vertex::of(&scheme, valence).map_err(|error| of_rules(&error))?;
-            let verdict = &vertex.verdict;
-            Ok((vertex.spectrum.order, verdict_name(verdict), verdict_reason(verdict)))
-        },
-    )
+    aside(py, move || {
+        let vertex = Vertex::of(&scheme, valence).map_err(|error| of_rules(&error))?;
+        let verdict = &vertex.verdict;
+        Ok((vertex.spectrum.order, verdict_name(verdict), verdict_reason(verdict)))
+    })
 }
 
 /// The eigenvalues and stencils of rules around a vertex or on a face.
 #[pyfunction]
 #[pyo3(signature = (scheme, valence = None))]
 pub fn spectrum(py: Python<'_>, scheme: String, valence: Option<usize>) -> PyResult<Spectral> {
-    aside(
-        py,
-        || (),
-        move || {
-            let rings = surroundings(&scheme, valence).map_err(|error| of_rules(&error))?;
-            let Spectrum { order, eigenvalues, complex, conditions, limit, tangents } =
-                rings.known_spectrum().map_err(plain)?;
-            let complex = complex.into_iter().map(|ComplexEigenvalues { blocks, greatest }| {
-                (blocks, fraction(&greatest[0]), fraction(&greatest[1]))
-            });
-            let names = |values: Vec<Real>| -> Stencil {
-                let named = values.into_iter().enumerate();
-                named.map(|(point, value)| (rings.ring.name(point), value)).collect()
-            };
-            Ok((
-                order,
-                eigenvalues.iter().map(of_eigenvalue).collect(),
-                complex.collect(),
-                conditions.simple_one,
-                conditions.subdominant.as_ref().map(of_expression),
-                conditions.next.as_ref().map(of_expression),
-                conditions.curvature.map(Curvature::name),
-                limit.map(|weights| names(weights.iter().map(of_cyclotomic).collect())),
-                tangents.map(|both| {
-                    both.iter().map(|one| names(one.iter().map(of_expression).collect())).collect()
-                }),
-                notes(&scheme),
-            ))
-        },
-    )
+    aside(py, move || {
+        let rings = surroundings(&scheme, valence).map_err(|error| of_rules(&error))?;
+        let Spectrum { order, eigenvalues, complex, conditions, limit, tangents } =
+            rings.known_spectrum().map_err(plain)?;
+        let complex = complex.into_iter().map(|ComplexEigenvalues { blocks, greatest }| {
+            (blocks, fraction(&greatest[0]), fraction(&greatest[1]))
+        });
+        let names = |values: Vec<Real>| -> Stencil {
+            let named = values.into_iter().enumerate();
+            named.map(|(point, value)| (rings.ring.name(point), value)).collect()
+        };
+        Ok((
+            order,
+            eigenvalues.iter().map(of_eigenvalue).collect(),
+            complex.collect(),
+            conditions.simple_one,
+            conditions.subdominant.as_ref().map(of_expression),
+            conditions.next.as_ref().map(of_expression),
+            conditions.curvature.map(Curvature::name),
+            limit.map(|weights| names(weights.iter().map(of_cyclotomic).collect())),
+            tangents.map(|both| {
+                both.iter().map(|one| names(one.iter().map(of_expression).collect())).collect()
+            }),
+            notes(&scheme),
+        ))
+    })
 }
 
 fn of_eigenvalue(one: &subcert::spectrum::Eigenvalue) -> Eigenvalue {
@@ -207,31 +179,26 @@ fn of_eigenvalue(one: &subcert::spectrum::Eigenvalue) -> Eigenvalue {
 /// The eigenvalues and stencils between two sharp edges at a vertex.
 #[pyfunction]
 pub fn sector(py: Python<'_>, scheme: String, faces: usize, corner: bool) -> PyResult<Sectoral> {
-    aside(
-        py,
-        || (),
-        move || {
-            let found = Sector::of(&scheme, faces, corner).map_err(|error| of_rules(&error))?;
-            let named = |values: Vec<Real>| -> Stencil {
-                let named = values.into_iter().enumerate();
-                named.map(|(point, value)| (found.name(point), value)).collect()
-            };
-            let exact =
-                |weights: &[RealCyclotomic]| named(weights.iter().map(of_cyclotomic).collect());
-            let across = found.across.as_ref().map(|across| {
-                let stencil = across.stencil.as_ref();
-                let stencil = stencil.map(|one| named(one.iter().map(of_expression).collect()));
-                let value = of_expression(&across.eigenvalue);
-                (value, across.comparison(), across.second_above, stencil)
-            });
-            Ok((
-                found.eigenvalues.iter().map(of_eigenvalue).collect(),
-                exact(&found.limit),
-                found.along.iter().map(|one| exact(one)).collect(),
-                across,
-            ))
-        },
-    )
+    aside(py, move || {
+        let found = Sector::of(&scheme, faces, corner).map_err(|error| of_rules(&error))?;
+        let named = |values: Vec<Real>| -> Stencil {
+            let named = values.into_iter().enumerate();
+            named.map(|(point, value)| (found.name(point), value)).collect()
+        };
+        let exact = |weights: &[RealCyclotomic]| named(weights.iter().map(of_cyclotomic).collect());
+        let across = found.across.as_ref().map(|across| {
+            let stencil = across.stencil.as_ref();
+            let stencil = stencil.map(|one| named(one.iter().map(of_expression).collect()));
+            let value = of_expression(&across.eigenvalue);
+            (value, across.comparison(), across.second_above, stencil)
+        });
+        Ok((
+            found.eigenvalues.iter().map(of_eigenvalue).collect(),
+            exact(&found.limit),
+            found.along.iter().map(|one| exact(one)).collect(),
+            across,
+        ))
+    })
 }
 
 /// The factors of a product, its root and degree, whether the radius is that, and two numbers around the radius.
@@ -244,16 +211,12 @@ pub fn jsr(py: Python<'_>, matrices: Vec<Vec<Vec<Bound<'_, PyAny>>>>) -> PyResul
     let matrix = |matrix: &Vec<Vec<_>>| matrix.iter().map(row).collect::<PyResult<Vec<_>>>();
     let matrices = matrices.iter().map(matrix).collect::<PyResult<Vec<_>>>()?;
     let set = MatrixSet::new(matrices).map_err(plain)?;
-    aside(
-        py,
-        || (),
-        move || {
-            let radius = joint_radius(&set);
-            let around = (fraction(radius.root_enclosure().lower()), fraction(&radius.upper()));
-            let root = Algebraic(radius.root.clone());
-            Ok((radius.product.clone(), root, radius.degree, radius.exact, around))
-        },
-    )
+    aside(py, move || {
+        let radius = joint_radius(&set);
+        let around = (fraction(radius.root_enclosure().lower()), fraction(&radius.upper()));
+        let root = Algebraic(radius.root.clone());
+        Ok((radius.product.clone(), root, radius.degree, radius.exact, around))
+    })
 }
 
 /// An interval, and whether its ends belong to it.
@@ -274,20 +237,16 @@ pub fn smooth_range(
 ) -> PyResult<SmoothSets> {
     let mask = parse_parametric(text, parameter).map_err(plain)?;
     let rules = polynomial_rules(mask.rules(), parameter).map_err(plain)?;
-    aside(
-        py,
-        || (),
-        move || {
-            let found = computed(&rules, m, levels).map_err(plain)?;
-            let of = |set: &[Interval]| set.iter().map(placed).collect();
-            Ok((
-                of(found.inside.intervals()),
-                of(found.outside.intervals()),
-                found.but_finitely_many,
-                found.gap.as_ref().map(fraction),
-            ))
-        },
-    )
+    aside(py, move || {
+        let found = computed(&rules, m, levels).map_err(plain)?;
+        let of = |set: &[Interval]| set.iter().map(placed).collect();
+        Ok((
+            of(found.inside.intervals()),
+            of(found.outside.intervals()),
+            found.but_finitely_many,
+            found.gap.as_ref().map(fraction),
+        ))
+    })
 }
 
 fn placed(interval: &Interval) -> Placed {

@@ -7,6 +7,7 @@ use std::path::Path;
 use subcert::audit::audit_whole;
 use subcert::claim::{Paper, embedded, embedded_papers, read_paper_file};
 use subcert::report::json::AuditReport;
+use subcert::suggestion::known;
 
 /// The keys of the papers that come with the module.
 #[pyfunction]
@@ -18,26 +19,25 @@ pub fn paper_keys() -> Vec<&'static str> {
 #[pyfunction]
 pub fn audit_json(py: Python<'_>, what: Vec<String>) -> PyResult<String> {
     let papers = what.iter().map(|word| paper(word)).collect::<PyResult<Vec<Paper>>>()?;
-    aside(
-        py,
-        || (),
-        move || {
-            let audits = audit_whole(&papers, &|| ()).map_err(|errors| located(&errors.first()))?;
-            serde_json::to_string(&AuditReport::of(&audits)).map_err(plain)
-        },
-    )
+    aside(py, move || {
+        let audits = audit_whole(&papers, &|| ()).map_err(|errors| located(&errors.first()))?;
+        serde_json::to_string(&AuditReport::of(&audits)).map_err(plain)
+    })
 }
 
 fn paper(word: &str) -> PyResult<Paper> {
-    let known = embedded_papers().map_err(|error| located(&error))?;
-    if let Some(paper) = known.iter().find(|paper| paper.key == word) {
+    let papers = embedded_papers().map_err(|error| located(&error))?;
+    if let Some(paper) = papers.iter().find(|paper| paper.key == word) {
         return Ok(paper.clone());
     }
     let path = Path::new(word);
+    if word.contains('\n') {
+        let remedy = "write the claims into a file, and give its path";
+        return Err(with_remedy("a text of several lines is no path of a claim file", remedy));
+    }
     if !path.exists() {
-        let keys = paper_keys().join(", ");
-        let message = format!("`{word}` is no claim file, and no key of a paper");
-        return Err(with_remedy(&message, &format!("the papers that are known: {keys}")));
+        let names = known(word, paper_keys());
+        return Err(plain(format!("`{word}` is no claim file, and no key of a paper{names}")));
     }
     match read_paper_file(path).map_err(plain)? {
         Ok(paper) => Ok(paper),

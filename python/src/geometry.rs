@@ -4,11 +4,10 @@ use crate::error::plain;
 use crate::number::{Fraction, fraction, rational};
 use crate::run::aside;
 use pyo3::prelude::*;
-use std::sync::Arc;
 use subcert::exact::{Enclosed, Rational, RealCyclotomic};
 use subcert::float::nearest;
 use subcert::mesh::Point;
-use subcert::patch::{FarPlace, GeometricDepth, MeshDepth, MeshWork};
+use subcert::patch::{FarPlace, GeometricDepth, MeshDepth};
 
 /// Points as Python has them.
 pub(crate) type Points<'py> = Vec<[Bound<'py, PyAny>; 3]>;
@@ -62,27 +61,23 @@ pub(crate) fn known_level<P>(found: &GeometricDepth<P>) -> PyResult<u32> {
 /// A depth as sets of points that is found beside Python.
 pub(crate) fn surface_depth_aside(
     py: Python<'_>,
-    find: impl FnOnce(Arc<MeshWork>) -> PyResult<GeometricDepth> + Send + 'static,
+    find: impl FnOnce() -> PyResult<GeometricDepth> + Send + 'static,
 ) -> PyResult<SurfaceDepth> {
-    let work = Arc::<MeshWork>::default();
-    let shared = Arc::clone(&work);
     let surface = move || {
-        let found = find(shared)?;
+        let found = find()?;
         let level = known_level(&found)?;
         let place = found
             .beyond
             .map(|place| (place.from.name().to_owned(), place.face, place.point, place.distance));
         Ok((level, found.too_few, place))
     };
-    aside(py, || work.stop(), surface)
+    aside(py, surface)
 }
 
-/// A depth that is found beside Python. Ctrl-C stops the search through the work that it is given.
+/// A depth that is found beside Python.
 pub(crate) fn depth_aside(
     py: Python<'_>,
-    find: impl FnOnce(Arc<MeshWork>) -> PyResult<MeshDepth> + Send + 'static,
+    find: impl FnOnce() -> PyResult<MeshDepth> + Send + 'static,
 ) -> PyResult<Depth> {
-    let work = Arc::<MeshWork>::default();
-    let shared = Arc::clone(&work);
-    aside(py, || work.stop(), move || Ok(depth(find(shared)?)))
+    aside(py, move || Ok(depth(find()?)))
 }

@@ -13,6 +13,7 @@ mod geometry;
 mod mesh;
 mod net;
 mod number;
+mod real;
 mod run;
 mod scheme;
 mod solid;
@@ -40,6 +41,10 @@ mod _native {
     use crate::mesh::{mesh_depth, mesh_geometric_depth, mesh_limit, mesh_refine};
     #[pymodule_export]
     use crate::net::{net_depth, net_geometric_depth, net_limit, net_refine};
+    #[pymodule_export]
+    use crate::number::exact;
+    #[pymodule_export]
+    use crate::real::{compare_reals, real, real_as_algebraic};
     #[pymodule_export]
     use crate::scheme::{Native, parameter_range, scheme_names};
     #[pymodule_export]

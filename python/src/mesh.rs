@@ -39,8 +39,8 @@ pub fn mesh_depth(
 ) -> PyResult<Depth> {
     let (scheme, mesh) = mesh(scheme, &vertices, faces, &tags)?;
     let tolerance = rational(tolerance)?;
-    depth_aside(py, move |work| {
-        let distances = MeshDistances::new(mesh, scheme).map_err(plain)?.with_work(work);
+    depth_aside(py, move || {
+        let distances = MeshDistances::new(mesh, scheme).map_err(plain)?;
         distances.depth(&tolerance).map_err(plain)
     })
 }
@@ -62,8 +62,8 @@ pub fn mesh_geometric_depth(
     let surface = all.into_iter().find(|surface| surface.name() == faces_are).ok_or_else(|| {
         with_remedy(&format!("faces_are is {faces_are:?}"), "it is \"bilinear\" or \"fan\"")
     })?;
-    surface_depth_aside(py, move |work| {
-        let distances = MeshDistances::new(mesh, scheme).map_err(plain)?.with_work(work);
+    surface_depth_aside(py, move || {
+        let distances = MeshDistances::new(mesh, scheme).map_err(plain)?;
         distances.geometric_depth(&tolerance, surface).map_err(plain)
     })
 }
@@ -79,16 +79,12 @@ pub fn mesh_refine(
     levels: u32,
 ) -> PyResult<Rounded> {
     let (scheme, mesh) = mesh(scheme, &vertices, faces, &tags)?;
-    aside(
-        py,
-        || (),
-        move || {
-            let exact = mesh.map(|x| subcert::exact::RealCyclotomic::from(x.clone()));
-            let refined = refine_mesh(&exact, scheme, levels).map_err(plain)?;
-            let tags = said(refined.tags(), refined.connectivity());
-            Ok((rounded(refined.points()), refined.faces().to_vec(), tags))
-        },
-    )
+    aside(py, move || {
+        let exact = mesh.map(|x| subcert::exact::RealCyclotomic::from(x.clone()));
+        let refined = refine_mesh(&exact, scheme, levels).map_err(plain)?;
+        let tags = said(refined.tags(), refined.connectivity());
+        Ok((rounded(refined.points()), refined.faces().to_vec(), tags))
+    })
 }
 
 /// The f64 limit points of the vertices, and the exact ones where they are rational; `None` where the
@@ -102,13 +98,9 @@ pub fn mesh_limit(
     tags: Said<Bound<'_, PyAny>>,
 ) -> PyResult<Vec<Option<Limit>>> {
     let (scheme, mesh) = mesh(scheme, &vertices, faces, &tags)?;
-    aside(
-        py,
-        || (),
-        move || {
-            let exact = mesh.map(|x| subcert::exact::RealCyclotomic::from(x.clone()));
-            let limits = limit_points(&exact, scheme).map_err(plain)?;
-            Ok(limits.iter().map(|found| found.as_ref().map(|it| limit(&it.position))).collect())
-        },
-    )
+    aside(py, move || {
+        let exact = mesh.map(|x| subcert::exact::RealCyclotomic::from(x.clone()));
+        let limits = limit_points(&exact, scheme).map_err(plain)?;
+        Ok(limits.iter().map(|found| found.as_ref().map(|it| limit(&it.position))).collect())
+    })
 }

@@ -45,8 +45,8 @@ pub fn net_depth(
 ) -> PyResult<Depth> {
     let (scheme, net) = net(scheme, given)?;
     let tolerance = rational(tolerance)?;
-    depth_aside(py, move |work| {
-        let distances = NetDistances::new(net, &scheme).map_err(refused)?.with_work(work);
+    depth_aside(py, move || {
+        let distances = NetDistances::new(net, &scheme).map_err(refused)?;
         distances.depth(&tolerance).map_err(plain)
     })
 }
@@ -61,8 +61,8 @@ pub fn net_geometric_depth(
 ) -> PyResult<SurfaceDepth> {
     let (scheme, net) = net(scheme, given)?;
     let tolerance = rational(tolerance)?;
-    surface_depth_aside(py, move |work| {
-        let distances = NetDistances::new(net, &scheme).map_err(refused)?.with_work(work);
+    surface_depth_aside(py, move || {
+        let distances = NetDistances::new(net, &scheme).map_err(refused)?;
         distances.geometric_depth(&tolerance).map_err(plain)
     })
 }
@@ -76,26 +76,18 @@ pub fn net_refine(
     levels: u32,
 ) -> PyResult<(Vec<Point<f64>>, usize)> {
     let (scheme, net) = net(scheme, given)?;
-    aside(
-        py,
-        || (),
-        move || {
-            let refined = refine_net(&net, &scheme, levels).map_err(refused)?;
-            Ok((rounded(refined.points()), refined.columns()))
-        },
-    )
+    aside(py, move || {
+        let refined = refine_net(&net, &scheme, levels).map_err(refused)?;
+        Ok((rounded(refined.points()), refined.columns()))
+    })
 }
 
 /// The limit of each point, row by row; `None` where the limit does not reach it.
 #[pyfunction]
 pub fn net_limit(py: Python<'_>, scheme: &str, given: Given<'_>) -> PyResult<Vec<Option<Limit>>> {
     let (scheme, net) = net(scheme, given)?;
-    aside(
-        py,
-        || (),
-        move || {
-            let limits = net_limits(&net, &scheme).map_err(refused)?;
-            Ok(limits.iter().map(|limit| limit.as_ref().map(rational_limit)).collect())
-        },
-    )
+    aside(py, move || {
+        let limits = net_limits(&net, &scheme).map_err(refused)?;
+        Ok(limits.iter().map(|limit| limit.as_ref().map(rational_limit)).collect())
+    })
 }

@@ -1,9 +1,9 @@
 //! Numbers of Python, exactly.
 
-use crate::error::{plain, with_remedy};
+use crate::error::{SubcertError, plain, with_remedy};
 use num_bigint::BigInt;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyFloat, PyInt, PyString};
+use pyo3::types::{PyBool, PyInt, PyString};
 use subcert::exact::{Integer, Rational, parse_rational};
 
 /// A fraction in lowest terms as Python's integers.
@@ -42,7 +42,7 @@ pub(crate) fn fraction(value: &Rational) -> Fraction {
 }
 
 /// An `int`, a `Fraction`, a `Decimal`, a `str` such as `"3/256"` or `"0.1"`, or a `float`, which is the dyadic number that
-/// it is; and what numpy has of these.
+/// it is; what numpy has of these, also as an array without axes; and what has an `as_integer_ratio`.
 pub(crate) fn rational(value: &Bound<'_, PyAny>) -> PyResult<Rational> {
     if let Ok(text) = value.cast::<PyString>() {
         let text = text.to_string();
@@ -51,24 +51,40 @@ pub(crate) fn rational(value: &Bound<'_, PyAny>) -> PyResult<Rational> {
     if value.is_instance_of::<PyBool>() {
         return Err(with_remedy("a bool is no number here", "write 0 or 1"));
     }
-    if let Ok(float) = value.cast::<PyFloat>()
-        && !float.value().is_finite()
-    {
-        return Err(with_remedy(&format!("{value} is no number"), "give a finite number"));
-    }
     if value.is_instance_of::<PyInt>() {
         return integer(value).map(Rational::from);
     }
     let parts = if let Ok(numerator) = value.getattr("numerator") {
         (numerator, value.getattr("denominator")?)
-    } else if let Ok(parts) = value.call_method0("as_integer_ratio") {
-        parts.extract()?
+    } else if let Ok(ratio) = value.getattr("as_integer_ratio") {
+        match ratio.call0() {
+            Ok(parts) => parts.extract()?,
+            Err(error) if error.is_instance_of::<SubcertError>(value.py()) => return Err(error),
+            // It is infinite, or no number.
+            Err(_) => {
+                return Err(with_remedy(&format!("{value} is no number"), "give a finite number"));
+            }
+        }
     } else {
-        let kind = value.get_type().name()?;
-        let message = format!("a {kind} is no number");
-        return Err(with_remedy(&message, "give an int, a Fraction or a decimal as text"));
+        // An array without axes, or a number of numpy that Python has as well.
+        let single = value.getattr("shape").is_ok_and(|shape| shape.is_empty().unwrap_or(false));
+        let item = single.then(|| value.call_method0("item")).transpose()?;
+        let kind = value.get_type();
+        return match item {
+            Some(item) if !item.get_type().is(&kind) => rational(&item),
+            _ => {
+                let message = format!("a {} is no number", kind.name()?);
+                Err(with_remedy(&message, "give an int, a Fraction or a decimal as text"))
+            }
+        };
     };
     quotient(&parts)
+}
+
+/// What is read as an exact number, as a fraction.
+#[pyfunction]
+pub fn exact(value: &Bound<'_, PyAny>) -> PyResult<Fraction> {
+    rational(value).map(|value| fraction(&value))
 }
 
 /// The quotient of two integers.

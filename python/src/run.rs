@@ -6,6 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
+use subcert::stop::Stop;
 
 /// How often signals are looked at.
 const TICK: Duration = Duration::from_millis(50);
@@ -25,19 +26,21 @@ pub(crate) fn at_once<T>(work: impl FnOnce() -> PyResult<T>) -> PyResult<T> {
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err(panicked()))
 }
 
-/// Work in a thread of its own. On Ctrl-C `stop` is called, and the thread is left behind.
+/// Work in a thread of its own. On Ctrl-C it is stopped, and the thread is left behind: it ends soon.
+/// It must not touch Python, which may have ended by then.
 ///
 /// # Errors
 /// That of the work, of Ctrl-C, or of a panic.
 pub(crate) fn aside<T: Send + 'static>(
     py: Python<'_>,
-    stop: impl Fn(),
     work: impl FnOnce() -> PyResult<T> + Send + 'static,
 ) -> PyResult<T> {
     let (sender, mut receiver) = mpsc::channel();
+    let stop = Stop::default();
+    let own = stop.clone();
     let guarded = move || {
         // Nobody may be waiting any more.
-        let _ = sender.send(catch_unwind(AssertUnwindSafe(work)));
+        let _ = sender.send(catch_unwind(AssertUnwindSafe(|| own.run(work))));
     };
     thread::Builder::new().stack_size(STACK).spawn(guarded).map_err(PyErr::from)?;
     loop {
@@ -47,9 +50,11 @@ pub(crate) fn aside<T: Send + 'static>(
         });
         receiver = back;
         match answer {
-            Ok(answer) => return answer.unwrap_or_else(|_| Err(panicked())),
+            // It is stopped only where nobody waits.
+            Ok(Ok(Ok(answer))) => return answer,
+            Ok(_) => return Err(panicked()),
             Err(RecvTimeoutError::Disconnected) => return Err(panicked()),
-            Err(RecvTimeoutError::Timeout) => py.check_signals().inspect_err(|_| stop())?,
+            Err(RecvTimeoutError::Timeout) => py.check_signals().inspect_err(|_| stop.stop())?,
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Schemes.
 
 use crate::algebraic::Algebraic;
-use crate::error::{plain, with_remedy};
+use crate::error::{of_scheme, plain, with_remedy};
+use crate::facts::written;
 use crate::geometry::known_level;
 use crate::number::{Fraction, fraction, quotient, rational, rationals};
 use crate::run::{aside, at_once};
@@ -13,12 +14,15 @@ use subcert::bound::{
     surface_factor,
 };
 use subcert::exact::{Interval, Rational, RealAlgebraic};
+use subcert::facts::{CurveFacts, LimitFacts, SchemeFacts};
 use subcert::float::{CertifyOptions, certify};
 use subcert::limit::{
-    ControlPolygon, Distances, Limit, LimitError, Parametrisation, TwoSidedDepth, natural_shift,
+    ControlPolygon, Distances, Functional, Limit, LimitError, Parametrisation, TwoSidedDepth,
+    natural_shift,
 };
 use subcert::oracle::{Boundary, refine_polygon};
-use subcert::patch::{CurveSets, MAX_CURVE_PIECES, SetKind};
+use subcert::patch::{CurveSets, SetKind};
+use subcert::report::json::FactsForm;
 use subcert::scheme::{AnyScheme, Mask, Scheme, catalogue, parse_any_scheme, parse_parametric};
 
 /// Constants of at most so many classes times coefficients are computed without a thread.
@@ -53,6 +57,9 @@ type Distance = (Fraction, Fraction, Option<Fraction>);
 /// Level, the greatest level that is too few, the distance at the level.
 type Depth = (u32, Option<u32>, Distance);
 
+/// A parameter, and the control points with their weights in the limit there.
+type Stencil = (Fraction, Vec<(i64, Fraction)>);
+
 /// Name, f64 value, exact value, proven bound of the error.
 type Quantity = (String, f64, Fraction, Option<f64>);
 
@@ -85,10 +92,9 @@ impl Native {
             let known = self.constants.lock().unwrap_or_else(PoisonError::into_inner);
             return at_once(|| Ok(fraction(&constant(&known, c)?)));
         }
-        let budget = Budget::unlimited();
-        let new = |mask: &Mask| Constants::new(mask.clone()).with_budget(budget.clone());
+        let new = |mask: &Mask| Constants::new(mask.clone());
         let fresh: Vec<Constants> = self.scheme.masks().into_iter().map(new).collect();
-        aside(py, || budget.stop(), move || Ok(fraction(&constant(&fresh, c)?)))
+        aside(py, move || Ok(fraction(&constant(&fresh, c)?)))
     }
 
     pub(crate) fn mask(&self) -> PyResult<Mask> {
@@ -107,7 +113,7 @@ impl Native {
     /// The scheme that a text names, as on the command line.
     #[staticmethod]
     fn named(text: &str) -> PyResult<Native> {
-        match parse_any_scheme(text).map_err(plain)? {
+        match parse_any_scheme(text).map_err(|error| of_scheme(&error))? {
             AnyScheme::Uniform(scheme) => Ok(Native::of(scheme)),
             AnyScheme::LocalRules(_) => Err(with_remedy(
                 &format!("`{text}` is a scheme around a vertex or on a face"),
@@ -190,6 +196,31 @@ impl Native {
         self.scheme.masks().into_iter().map(shift).collect()
     }
 
+    /// Where the limit is a combination of control points, and their weights: at 0, and at the natural shift, where
+    /// x_0 tends to.
+    fn limit_stencils(&self, py: Python<'_>) -> PyResult<Vec<Stencil>> {
+        let mask = self.mask()?;
+        aside(py, move || {
+            let limit = Limit::new(&mask).map_err(plain)?;
+            let LimitFacts { at_zero, at_shift } = LimitFacts::of(&limit).map_err(plain)?;
+            let weights = |stencil: &Functional| {
+                stencil.terms().map(|(i, weight)| (i, fraction(weight))).collect()
+            };
+            let zero = (fraction(&Rational::zero()), weights(&at_zero));
+            let moved = at_shift.map(|(at, stencil)| (fraction(&at), weights(&stencil)));
+            Ok([zero].into_iter().chain(moved).collect())
+        })
+    }
+
+    /// All facts of the mask of a curve, as the JSON that `subcert scheme` writes, under this name.
+    fn facts_json(&self, py: Python<'_>, name: String) -> PyResult<String> {
+        let mask = self.mask()?;
+        aside(py, move || {
+            let facts = SchemeFacts::Rational(Box::new(CurveFacts::of_rational(&mask)));
+            written(&FactsForm::of(&name, &facts), None)
+        })
+    }
+
     /// The depth of all control polygons of this spread.
     fn depth(
         &self,
@@ -199,19 +230,13 @@ impl Native {
         natural: bool,
     ) -> PyResult<Depth> {
         let (tolerance, spread, mask) = (rational(tolerance)?, rational(spread)?, self.mask()?);
-        let budget = Budget::new(STEPS);
-        let own = budget.clone();
-        aside(
-            py,
-            || budget.stop(),
-            move || {
-                let distances = distances(&mask, natural, own)?;
-                let depth = distances.depth(&spread, &tolerance).map_err(plain)?;
-                let width = &tolerance / &(&spread * &Rational::from(1000));
-                let distance = distances.constant(depth.upper, &width);
-                found(depth, distance, &spread)
-            },
-        )
+        aside(py, move || {
+            let distances = distances(&mask, natural)?;
+            let depth = distances.depth(&spread, &tolerance).map_err(plain)?;
+            let width = &tolerance / &(&spread * &Rational::from(1000));
+            let distance = distances.constant(depth.upper, &width);
+            found(depth, distance, &spread)
+        })
     }
 
     /// The depth of one control polygon: one list for each coordinate.
@@ -230,26 +255,20 @@ impl Native {
         };
         let polygons: Vec<ControlPolygon> =
             coordinates.iter().map(polygon).collect::<PyResult<_>>()?;
-        let budget = Budget::new(STEPS);
-        let own = budget.clone();
-        aside(
-            py,
-            || budget.stop(),
-            move || {
-                let distances = distances(&mask, natural, own)?;
-                let depth = distances.depth_of_points(&polygons, &tolerance).map_err(plain)?;
-                let width = &tolerance / &Rational::from(1000);
-                let of = |polygon| distances.of_polygon(polygon, depth.upper, &width);
-                let greatest = polygons.iter().map(of).reduce(|left, right| {
-                    let (left, right) = (left?, right?);
-                    let first = left.enclosure.lower() >= right.enclosure.lower();
-                    Ok(if first { left } else { right })
-                });
-                let greatest =
-                    greatest.ok_or_else(|| plain("a control polygon without coordinates"))?;
-                found(depth, greatest, &Rational::one())
-            },
-        )
+        aside(py, move || {
+            let distances = distances(&mask, natural)?;
+            let depth = distances.depth_of_points(&polygons, &tolerance).map_err(plain)?;
+            let width = &tolerance / &Rational::from(1000);
+            let of = |polygon| distances.of_polygon(polygon, depth.upper, &width);
+            let greatest = polygons.iter().map(of).reduce(|left, right| {
+                let (left, right) = (left?, right?);
+                let first = left.enclosure.lower() >= right.enclosure.lower();
+                Ok(if first { left } else { right })
+            });
+            let greatest =
+                greatest.ok_or_else(|| plain("a control polygon without coordinates"))?;
+            found(depth, greatest, &Rational::one())
+        })
     }
 
     /// The depth of one control polygon by the distance of sets: one list for each coordinate.
@@ -266,23 +285,17 @@ impl Native {
         if coordinates.len() < 2 {
             return Err(plain("points of two coordinates or more have a distance of sets"));
         }
-        let budget = Budget::new(MAX_CURVE_PIECES);
-        let own = budget.clone();
-        aside(
-            py,
-            move || budget.stop(),
-            move || {
-                let limit = Limit::new(&mask).map_err(plain)?;
-                let sets = CurveSets::new(&limit, &coordinates, closed).map_err(plain)?;
-                let found = sets.with_budget(own).depth(&tolerance).map_err(plain)?;
-                let level = known_level(&found)?;
-                let place = found.beyond.map(|place| {
-                    let of = if place.from == SetKind::Mesh { "polygon" } else { "limit" };
-                    (of.to_owned(), fraction(&place.parameter), place.point, place.distance)
-                });
-                Ok((level, found.too_few, place))
-            },
-        )
+        aside(py, move || {
+            let limit = Limit::new(&mask).map_err(plain)?;
+            let mut sets = CurveSets::new(&limit, &coordinates, closed).map_err(plain)?;
+            let found = sets.depth(&tolerance).map_err(plain)?;
+            let level = known_level(&found)?;
+            let place = found.beyond.map(|place| {
+                let of = if place.from == SetKind::Mesh { "polygon" } else { "limit" };
+                (of.to_owned(), fraction(&place.parameter), place.point, place.distance)
+            });
+            Ok((level, found.too_few, place))
+        })
     }
 
     /// The points of a polygon after some levels: one list for each coordinate.
@@ -305,31 +318,27 @@ impl Native {
             };
             coordinates.iter().map(refined).collect()
         };
-        if small { at_once(work) } else { aside(py, || (), work) }
+        if small { at_once(work) } else { aside(py, work) }
     }
 
     /// The f64 constants beside the exact ones.
     fn certify(&self, py: Python<'_>, levels: u32) -> PyResult<Vec<Quantity>> {
         let scheme = self.scheme.clone();
-        aside(
-            py,
-            || (),
-            move || {
-                let options = CertifyOptions { max_block: levels, ..Default::default() };
-                let found = certify(&scheme, &options).map_err(plain)?;
-                let quantity =
-                    |x: subcert::float::Quantity| (x.name, x.value, fraction(&x.exact), x.bound);
-                Ok(found.quantities.into_iter().map(quantity).collect())
-            },
-        )
+        aside(py, move || {
+            let options = CertifyOptions { max_block: levels, ..Default::default() };
+            let found = certify(&scheme, &options).map_err(plain)?;
+            let quantity =
+                |x: subcert::float::Quantity| (x.name, x.value, fraction(&x.exact), x.bound);
+            Ok(found.quantities.into_iter().map(quantity).collect())
+        })
     }
 }
 
-fn distances(mask: &Mask, natural: bool, budget: Budget) -> PyResult<Distances> {
+fn distances(mask: &Mask, natural: bool) -> PyResult<Distances> {
     let placed = if natural { Parametrisation::Natural } else { Parametrisation::Indexed };
     let limit = Limit::new(mask).map_err(plain)?;
     let distances = Distances::placed(&limit, placed).map_err(plain)?;
-    Ok(distances.with_cells(u32::MAX).with_budget(budget))
+    Ok(distances.with_cells(u32::MAX).with_budget(Budget::new(STEPS)))
 }
 
 /// A depth with the distance there, times a factor.
@@ -362,16 +371,12 @@ pub fn parameter_range(
 ) -> PyResult<(Vec<Vec<Ends>>, Vec<Ends>)> {
     let difference = parse_parametric(text, parameter).map_err(plain)?.difference();
     let difference = polynomial_rules(&difference, parameter).map_err(plain)?;
-    aside(
-        py,
-        || (),
-        move || {
-            let range = ParameterRange::new(&difference, levels).map_err(plain)?;
-            let of = |intervals: &[Interval]| intervals.iter().map(ends).collect::<Vec<Ends>>();
-            let each = range.levels.iter().map(|set| of(set.intervals())).collect();
-            Ok((each, of(range.union.intervals())))
-        },
-    )
+    aside(py, move || {
+        let range = ParameterRange::new(&difference, levels).map_err(plain)?;
+        let of = |intervals: &[Interval]| intervals.iter().map(ends).collect::<Vec<Ends>>();
+        let each = range.levels.iter().map(|set| of(set.intervals())).collect();
+        Ok((each, of(range.union.intervals())))
+    })
 }
 
 pub(crate) fn ends(interval: &Interval) -> Ends {

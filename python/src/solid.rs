@@ -30,8 +30,8 @@ pub fn solid_depth(
 ) -> PyResult<Depth> {
     let solid = solid(&given, &cells)?;
     let tolerance = rational(tolerance)?;
-    depth_aside(py, move |work| {
-        let distances = MeshDistances::of_solid(solid).map_err(plain)?.with_work(work);
+    depth_aside(py, move || {
+        let distances = MeshDistances::of_solid(solid).map_err(plain)?;
         distances.depth(&tolerance).map_err(plain)
     })
 }
@@ -47,9 +47,8 @@ pub fn solid_geometric_depth(
 ) -> PyResult<SurfaceDepth> {
     let boundary = solid(&given, &cells)?.boundary().map_err(plain)?;
     let tolerance = rational(tolerance)?;
-    surface_depth_aside(py, move |work| {
+    surface_depth_aside(py, move || {
         let distances = MeshDistances::new(boundary.mesh, MeshScheme::Bajaj).map_err(plain)?;
-        let distances = distances.with_work(work);
         let mut depth =
             distances.geometric_depth(&tolerance, FaceSurface::Bilinear).map_err(plain)?;
         if let Some(place) = &mut depth.beyond {
@@ -68,14 +67,10 @@ pub fn solid_refine(
     levels: u32,
 ) -> PyResult<Rounded> {
     let solid = solid(&given, &cells)?;
-    aside(
-        py,
-        || (),
-        move || {
-            let refined = refine_solid(&solid, levels).map_err(plain)?;
-            Ok((rounded(refined.points()), refined.cells()))
-        },
-    )
+    aside(py, move || {
+        let refined = refine_solid(&solid, levels).map_err(plain)?;
+        Ok((rounded(refined.points()), refined.cells()))
+    })
 }
 
 /// The limit of each point.
@@ -86,5 +81,5 @@ pub fn solid_limit(
     cells: Vec<[usize; 8]>,
 ) -> PyResult<Vec<Limit>> {
     let solid = solid(&given, &cells)?;
-    aside(py, || (), move || Ok(solid_limit_points(&solid).iter().map(rational_limit).collect()))
+    aside(py, move || Ok(solid_limit_points(&solid).iter().map(rational_limit).collect()))
 }

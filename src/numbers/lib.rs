@@ -7,6 +7,7 @@
 //! | [`suggestion`] | what a misspelt name may have meant |
 //! | [`exact`] | integers, rationals, cyclotomic and algebraic numbers, polynomials |
 //! | [`machine`] | f64: conversion from and to exact numbers |
+//! | [`stop`] | an end to work from another thread |
 //! | [`formula`] | the expression language of masks and claims |
 
 pub mod cap;
@@ -14,4 +15,5 @@ pub mod diagnostic;
 pub mod exact;
 pub mod formula;
 pub mod machine;
+pub mod stop;
 pub mod suggestion;

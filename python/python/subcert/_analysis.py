@@ -2,29 +2,69 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _native
 from ._answer import Answer, Table
+from ._errors import SubcertError
 from ._html import facts
-from ._numbers import Algebraic, Number, coprime, pair
+from ._numbers import (
+    IRRATIONAL,
+    Algebraic,
+    Array,
+    ExactField,
+    ExactNumber,
+    Rows,
+    coprime,
+    exact,
+    listed,
+    pair,
+)
 
 
-@dataclass(frozen=True)
-class Real:
-    """A real number: exactly as text, as a fraction if it is one, and the nearest float.
+@dataclass(frozen=True, eq=False)
+class Real(ExactField):
+    """A real number: exactly as text, as a fraction if it is one, and the nearest float. Comparisons and arithmetic
+    are exact.
 
     >>> from subcert import Scheme
     >>> value = Scheme("catmull-clark").spectrum(5).subdominant
-    >>> float(value), value.fraction
-    (0.5499883545182972, None)
+    >>> float(value), value.fraction, f"{value:.3f}"
+    (0.5499883545182972, None, '0.550')
+    >>> value > Fraction(1, 2), (value - value).fraction
+    (True, Fraction(0, 1))
     """
 
     text: str
     fraction: Optional[Fraction]
     value: float
+
+    def as_fraction(self) -> Optional[Fraction]:
+        """The fraction.
+
+        >>> Real("1/2", Fraction(1, 2), 0.5).as_fraction()
+        Fraction(1, 2)
+        """
+        return self.fraction
+
+    def _compare(self, other: Any) -> int:
+        if isinstance(other, Algebraic):
+            return Algebraic(_native.real_as_algebraic(self.text))._compare(other)
+        if isinstance(other, Real) and self.text == other.text:
+            return 0
+        return _native.compare_reals(self.text, _formula(other))
+
+    def _plus(self, other: Any) -> Any:
+        return _real(_native.real(f"({self.text}) + ({_formula(other)})"))
+
+    def _times(self, other: Any) -> Any:
+        return _real(_native.real(f"({self.text}) * ({_formula(other)})"))
+
+    def _reciprocal(self) -> Any:
+        return _real(_native.real(f"1 / ({self.text})"))
 
     def __float__(self) -> float:
         """The nearest float.
@@ -38,8 +78,14 @@ class Real:
         return self.text if len(self.text) <= 60 else repr(self.value)
 
 
-@dataclass(frozen=True)
-class Exponent:
+def _formula(value: Any) -> str:
+    if isinstance(value, Algebraic):
+        raise SubcertError(IRRATIONAL, remedy="take float() of both")
+    return value.text if isinstance(value, Real) else str(value)
+
+
+@dataclass(frozen=True, eq=False)
+class Exponent(ExactNumber):
     """A Hölder exponent: a formula where it is known exactly, and two numbers around it.
 
     >>> from subcert import Scheme
@@ -61,6 +107,47 @@ class Exponent:
         2.0
         """
         return float((self.low + self.high) / 2)
+
+    def as_fraction(self) -> Optional[Fraction]:
+        """The exponent, where the two numbers around it are one.
+
+        >>> Exponent("2", Fraction(2), Fraction(2), False).as_fraction()
+        Fraction(2, 1)
+        """
+        return self.low if self.low == self.high else None
+
+    def _order(self, other: Any) -> Any:
+        if isinstance(other, Exponent):
+            low, high = other.low, other.high
+            if self.formula is not None and self.formula == other.formula:
+                return 0
+        elif isinstance(other, float) and not math.isfinite(other):
+            return super()._order(other)
+        elif isinstance(other, str):
+            return None
+        else:
+            try:
+                low = high = exact(other)
+            except SubcertError:
+                return None
+        if self.low > high or self.high < low:
+            return 1 if self.low > high else -1
+        if self.low == self.high == low == high:
+            return 0
+        raise SubcertError(
+            f"this exponent is between {float(self.low)!r} and {float(self.high)!r}: the comparison is open",
+            remedy="compare low and high",
+        )
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, Exponent):
+            mine = self.formula, self.low, self.high, self.attained
+            return mine == (other.formula, other.low, other.high, other.attained)
+        return super().__eq__(other)
+
+    def __hash__(self) -> int:
+        rational = self.as_fraction()
+        return hash((self.formula, self.low, self.high)) if rational is None else hash(rational)
 
 
 @dataclass(frozen=True)
@@ -287,14 +374,14 @@ class JointRadius(Answer):
         return facts("Joint spectral radius", rows)
 
 
-def jsr(matrices: Sequence[Sequence[Sequence[Number]]]) -> JointRadius:
+def jsr(matrices: Union[Sequence[Rows], Array]) -> JointRadius:
     """The joint spectral radius of square matrices: lists, or numpy arrays, of exact numbers.
 
     >>> found = jsr([[[1, 1], [0, 1]], [[0.5, 0], [0, 0.5]]])
     >>> found.interval[0]
     Fraction(1, 1)
     """
-    rows = [[list(row) for row in matrix] for matrix in matrices]
+    rows = [[list(listed(row)) for row in listed(matrix)] for matrix in listed(matrices)]
     product, root, degree, exact, (low, high) = _native.jsr(rows)
     interval = coprime(*low), coprime(*high)
     return JointRadius(product, Algebraic(root), degree, exact, interval)

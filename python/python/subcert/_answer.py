@@ -8,7 +8,7 @@ from typing import Any, Dict, List, Sequence
 
 from . import _html
 from ._errors import SubcertError
-from ._numbers import Algebraic
+from ._numbers import Algebraic, decimal
 
 
 def shown(value: Any) -> str:
@@ -26,7 +26,7 @@ def shown(value: Any) -> str:
         text = str(value) if value.numerator.bit_length() + value.denominator.bit_length() < 80 else ""
         if value.denominator == 1 and text:
             return text
-        near = shown(float(value))
+        near = decimal(value)
         return f"{text} = {near}" if text else near
     if isinstance(value, float):
         return f"{value:.6g}"
@@ -85,11 +85,15 @@ class Table(Answer):
 
 
 def frame(rows: List[Dict[str, Any]]) -> Any:
-    """A DataFrame of these rows."""
+    """A DataFrame of these rows; what is missing is NaN."""
     try:
         import pandas
     except ImportError:
         raise SubcertError(
             "pandas is not installed", remedy="pip install pandas, or take rows()"
         ) from None
-    return pandas.DataFrame(rows)
+    found = pandas.DataFrame(rows)
+    for name in found:
+        if found[name].dtype == object and found[name].isna().any():
+            found[name] = found[name].where(found[name].notna(), float("nan"))
+    return found

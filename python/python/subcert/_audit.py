@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import json
 from dataclasses import asdict, dataclass, field
 from fractions import Fraction
@@ -10,7 +9,7 @@ from pathlib import Path
 from typing import Any, Dict, Iterator, List, Optional, Union
 
 from . import _native
-from ._answer import frame
+from ._answer import Table, frame, shown
 
 
 @dataclass(frozen=True)
@@ -34,7 +33,8 @@ class Finding:
     #: The exact value as a formula or fraction, and as a decimal.
     exact_text: Optional[str]
     decimal: Optional[str]
-    #: The reading under which the printed value comes out, where it is not the printed one.
+    #: In which choices the reading under which the printed value comes out differs from the paper; what
+    #: it gives stands in ``data``.
     reading: Optional[str]
     note: Optional[str]
     #: All that the program says, as `subcert audit --format json` does.
@@ -57,19 +57,19 @@ class Finding:
             exact=exact,
             exact_text=exact_text,
             decimal=claim.get("decimal"),
-            reading=reading if reading is None or isinstance(reading, str) else json.dumps(reading),
+            reading=reading["differs"] if isinstance(reading, dict) else reading,
             note=claim.get("note"),
             data=claim,
         )
 
 
-@dataclass(frozen=True)
-class Audit:
+@dataclass(frozen=True, repr=False)
+class Audit(Table):
     """The findings of one paper.
 
-    >>> found = audit("khan2022-doo-sabin")
+    >>> found = audit("khan2019-newton")
     >>> found.key, len(found) == len(list(found))
-    ('khan2022-doo-sabin', True)
+    ('khan2019-newton', True)
     """
 
     key: str
@@ -100,20 +100,21 @@ class Audit:
         """
         return [{k: v for k, v in asdict(x).items() if k != "data"} for x in self.findings]
 
-    def _repr_html_(self) -> str:
-        def cell(value: Any) -> str:
-            return f"<td>{'' if value is None else html.escape(str(value))}</td>"
+    def _counts(self) -> str:
+        return ", ".join(f"{count} {name}" for name, count in self.summary.items() if count)
 
-        counts = ", ".join(f"{count} {name}" for name, count in self.summary.items() if count)
-        rows = "".join(
-            "<tr>" + "".join(map(cell, (x.locus, x.printed, x.decimal, x.verdict, x.reading))) + "</tr>"
-            for x in self.findings
-        )
-        heads = "".join(f"<th>{x}</th>" for x in ("where", "printed", "exact", "verdict", "reading"))
-        return (
-            f"<table><caption>{html.escape(self.key)}: {html.escape(counts)}</caption>"
-            f"<thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table>"
-        )
+    def _caption(self) -> str:
+        return f"{self.key}: {self._counts()}"
+
+    def _heads(self) -> List[str]:
+        return ["where", "printed", "exact", "verdict", "reading"]
+
+    def _cells(self) -> List[List[str]]:
+        each = ((x.locus, x.printed, x.decimal, x.verdict, x.reading) for x in self.findings)
+        return [list(map(shown, row)) for row in each]
+
+    def __repr__(self) -> str:
+        return f"Audit({self.key!r}, {len(self)} findings: {self._counts()})"
 
 
 def papers() -> List[str]:

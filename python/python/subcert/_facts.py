@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
-from typing import Any, Dict, List, Optional
+from os import PathLike
+from typing import Any, Dict, List, Optional, Union
 
 from . import _html, _native
+from ._errors import SubcertError
 from ._numbers import Number
-from ._scheme import _text
+from ._scheme import Scheme, _text
 
 
 @dataclass(frozen=True)
@@ -45,15 +47,23 @@ class Facts:
         return "".join(parts)
 
 
-def scheme(name: str, **parameters: Number) -> Facts:
-    """All facts of a scheme of the catalogue, a file, or a mask as text.
+def scheme(name: Union[str, PathLike[str], Scheme], **parameters: Number) -> Facts:
+    """All facts of a scheme of the catalogue, a file, or a mask as text; or of a ``Scheme``.
 
     >>> scheme("chaikin").curve["stencils"][0]["weights"][0]["exact"]
     '1/2'
     >>> [row["valence"] for row in scheme("loop").valences]
     [3, 4, 5, 6, 7, 8, 9, 10, 11, 12]
+    >>> scheme(Scheme(mask=[["3/4", "1/4"], ["1/4", "3/4"]])).curve["continuity"]
+    1
     """
-    data = json.loads(_native.facts_json(_text(str(name), parameters)))
+    found = name if isinstance(name, Scheme) else Scheme(name)
+    if found._text is None:
+        if parameters:
+            raise SubcertError("a mask has no parameters")
+        data = json.loads(found._native.facts_json(repr(found)))
+    else:
+        data = json.loads(_native.facts_json(_text(found._text, parameters)))
     return Facts(data["scheme"], data.get("curve"), data.get("valences"), data["ranges"], data)
 
 
@@ -85,13 +95,17 @@ class Plot:
         return self.svg
 
 
-def plot(name: str, **parameters: Number) -> Plot:
+def plot(name: Union[str, PathLike[str], Scheme], **parameters: Number) -> Plot:
     """What ``subcert plot`` draws of a scheme of the catalogue, a file, or a mask as text.
 
     >>> "φ″ is not drawn" in plot("four-point", w="1/16").svg
     True
     """
-    text = _text(str(name), parameters)
+    named = name if isinstance(name, Scheme) else Scheme(name)
+    if named._text is None:
+        remedy = 'give its symbol as text, as in plot("[1, 3, 3, 1]/4")'
+        raise SubcertError("a mask without a name is not drawn", remedy=remedy)
+    text = _text(named._text, parameters)
     return Plot(text, _native.plot_svg(text))
 
 

@@ -3,15 +3,58 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
-from typing import Any, List, Optional, Sequence, Tuple
+from operator import index
+from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
+from . import _html
 from ._answer import Answer
 from ._errors import SubcertError
-from ._numbers import coprime, exact
+from ._numbers import Array, Rows, coprime, listed
+
+if TYPE_CHECKING:
+    from ._scheme import Scheme
 
 Point = Tuple[float, float, float]
+
+#: A scheme for meshes or nets.
+Named = Union[str, "Scheme"]
+
+#: Points, row by row; faces or cells by the indices of their points.
+Points = Rows
+Faces = Union[Sequence[Union[Sequence[int], Array]], Array]
+
+
+class Cells(Answer):
+    """Points, and faces or cells."""
+
+    def _sizes(self) -> List[Tuple[str, int]]:
+        names = [one.name for one in fields(self)][:2]  # type: ignore[arg-type]
+        return [(name, len(getattr(self, name))) for name in names]
+
+    def rows(self) -> List[Dict[str, Any]]:
+        """A row for each point.
+
+        >>> from subcert import refine_mesh
+        >>> refine_mesh("loop", [(0, 0, 0), (4, 0, 0), (0, 4, 0)], [[0, 1, 2]]).rows()[0]
+        {'x': 0.5, 'y': 0.5, 'z': 0.0}
+        """
+        points = getattr(self, self._sizes()[0][0])
+        return [dict(zip("xyz", map(float, point))) for point in points]
+
+    def __eq__(self, other: object) -> bool:
+        if type(self) is not type(other):
+            return NotImplemented
+        pairs = [(getattr(self, x.name), getattr(other, x.name)) for x in fields(self)]  # type: ignore[arg-type]
+        return all(listed(mine) == listed(theirs) for mine, theirs in pairs)
+
+    def __repr__(self) -> str:
+        sizes = ", ".join(f"{size} {name}" for name, size in self._sizes())
+        return f"{type(self).__name__}({sizes})"
+
+    def _repr_html_(self) -> str:
+        return _html.facts(type(self).__name__, self._sizes())
 
 
 @dataclass(frozen=True)
@@ -97,16 +140,30 @@ def rows_of(given: Any) -> List[Any]:
     if isinstance(given, (str, os.PathLike)):
         remedy = "the command line reads files of meshes, nets and solids"
         raise SubcertError(f"{given!r} is no list of points", remedy=remedy)
-    return given.tolist() if hasattr(given, "tolist") else list(given)
+    return list(listed(given))
 
 
 def points_of(rows: Sequence[Any], name: str) -> List[List[Any]]:
     """Points for the native part; `name` says what they are called in messages."""
-    rows = [row.tolist() if hasattr(row, "tolist") else row for row in rows]
+    rows = [listed(row) for row in rows]
     for i, row in enumerate(rows):
         if not isinstance(row, (list, tuple)) or len(row) != 3:
             raise SubcertError(f"{name} {i} is {row!r}", remedy=f"a {name} has three coordinates")
-    return [[exact(x) if isinstance(x, float) else x for x in row] for row in rows]
+    return [list(row) for row in rows]
+
+
+def name_of(scheme: Any) -> str:
+    """The name of a scheme, which may be a ``Scheme``.
+
+    >>> from subcert import Scheme
+    >>> name_of(Scheme("loop")), name_of("loop")
+    ('loop', 'loop')
+    """
+    name = scheme if isinstance(scheme, str) else getattr(scheme, "_text", None)
+    if name is None:
+        kind = "a scheme without a name" if hasattr(scheme, "_text") else f"a {type(scheme).__name__}"
+        raise SubcertError(f"{kind} has no rules for meshes and nets", remedy='name one, such as "loop"')
+    return name
 
 
 def as_given(points: List[Any], given: Any, shape: Tuple[int, ...]) -> Any:
@@ -123,11 +180,16 @@ def as_given(points: List[Any], given: Any, shape: Tuple[int, ...]) -> Any:
 
 def indices(rows: Any, name: str, member: str) -> List[List[int]]:
     """Faces or cells for the native part."""
-    lists = [list(row) for row in (rows.tolist() if hasattr(rows, "tolist") else rows)]
-    for i, row in enumerate(lists):
-        for index in row:
-            if not isinstance(index, int) or isinstance(index, bool) or index < 0:
-                raise SubcertError(
-                    f"{name} {i} has the {member} {index!r}", remedy="indices are counted from 0"
-                )
+    lists: List[List[int]] = []
+    for i, row in enumerate(listed(rows)):
+        row = listed(row)
+        if not isinstance(row, Iterable) or isinstance(row, str):
+            remedy = f"a {name} is a list of the indices of its {member} points"
+            raise SubcertError(f"{name} {i} is {row!r}", remedy=remedy)
+        lists.append([])
+        for given in row:
+            if not hasattr(given, "__index__") or isinstance(given, bool) or given < 0:
+                remedy = "indices are ints, counted from 0"
+                raise SubcertError(f"{name} {i} has the {member} {given!r}", remedy=remedy)
+            lists[-1].append(index(given))
     return lists

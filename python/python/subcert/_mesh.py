@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, List, Optional, Sequence, Tuple
+from typing import Any, List, Optional, Tuple
 
 from . import _native
 from ._errors import SubcertError
 from ._geometry import (
+    Cells,
+    Faces,
     LimitPoint,
     MeshDepth,
+    Named,
+    Points,
     SurfaceDepth,
     as_given,
     depth_of,
     indices,
     limit_of,
+    name_of,
     points_of,
     rows_of,
     surface_depth_of,
@@ -25,13 +30,13 @@ from ._tags import found as tags_of
 from ._tags import given as given_tags
 
 
-@dataclass(frozen=True)
-class RefinedMesh:
+@dataclass(frozen=True, eq=False, repr=False)
+class RefinedMesh(Cells):
     """A refined mesh: each coordinate is the float nearest to the exact one.
 
     >>> found = refine_mesh("loop", [(0, 0, 0), (4, 0, 0), (0, 4, 0)], [[0, 1, 2]])
-    >>> len(found.vertices), len(found.faces)
-    (6, 4)
+    >>> found, found.faces[0]
+    (RefinedMesh(6 vertices, 4 faces), [0, 3, 5])
     """
 
     vertices: Any
@@ -41,16 +46,16 @@ class RefinedMesh:
 
 
 def mesh_depth(
-    scheme: str,
-    vertices: Any,
-    faces: Sequence[Sequence[int]],
+    scheme: Named,
+    vertices: Points,
+    faces: Faces,
     tolerance: Number,
     *,
     tags: Optional[Tags] = None,
 ) -> MeshDepth:
-    """How many levels bring a mesh within a tolerance of its limit surface. Schemes are
-    "catmull-clark", "doo-sabin", "loop" and "loop-warren". Floats are the numbers that they are.
-    ``tags`` say what is sharp.
+    """How many levels bring a mesh within a tolerance of its limit surface. Schemes for meshes are
+    "catmull-clark", "doo-sabin", "loop" and "loop-warren", and no others of the catalogue; a ``Scheme`` with such a
+    name is one too. Floats are the numbers that they are. ``tags`` say what is sharp.
 
     >>> cube = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
     >>> faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
@@ -58,13 +63,13 @@ def mesh_depth(
     >>> found.level, found.too_few
     (4, 3)
     """
-    return depth_of(_native.mesh_depth(scheme, *_mesh(vertices, faces, tags), tolerance))
+    return depth_of(_native.mesh_depth(name_of(scheme), *_mesh(vertices, faces, tags), tolerance))
 
 
 def mesh_geometric_depth(
-    scheme: str,
-    vertices: Any,
-    faces: Sequence[Sequence[int]],
+    scheme: Named,
+    vertices: Points,
+    faces: Faces,
     tolerance: Number,
     *,
     faces_are: str = "bilinear",
@@ -80,13 +85,13 @@ def mesh_geometric_depth(
     (2, 1, 'limit')
     """
     mesh = _mesh(vertices, faces, tags)
-    return surface_depth_of(_native.mesh_geometric_depth(scheme, *mesh, tolerance, faces_are))
+    return surface_depth_of(_native.mesh_geometric_depth(name_of(scheme), *mesh, tolerance, faces_are))
 
 
 def refine_mesh(
-    scheme: str,
-    vertices: Any,
-    faces: Sequence[Sequence[int]],
+    scheme: Named,
+    vertices: Points,
+    faces: Faces,
     levels: int = 1,
     *,
     tags: Optional[Tags] = None,
@@ -100,14 +105,14 @@ def refine_mesh(
     (26, 24)
     """
     mesh = _mesh(vertices, faces, tags)
-    points, refined, sharp = _native.mesh_refine(scheme, *mesh, count(levels, "levels"))
+    points, refined, sharp = _native.mesh_refine(name_of(scheme), *mesh, count(levels, "levels"))
     return RefinedMesh(as_given(points, vertices, (len(points),)), refined, tags_of(sharp))
 
 
 def limit_points(
-    scheme: str,
-    vertices: Any,
-    faces: Sequence[Sequence[int]],
+    scheme: Named,
+    vertices: Points,
+    faces: Faces,
     *,
     tags: Optional[Tags] = None,
 ) -> List[Optional[LimitPoint]]:
@@ -118,7 +123,7 @@ def limit_points(
     >>> limit_points("catmull-clark", cube, faces)[0].exact
     (Fraction(-1, 2), Fraction(-1, 2), Fraction(-1, 2))
     """
-    found = _native.mesh_limit(scheme, *_mesh(vertices, faces, tags))
+    found = _native.mesh_limit(name_of(scheme), *_mesh(vertices, faces, tags))
     return [limit_of(limit) for limit in found]
 
 

@@ -2,26 +2,31 @@
 
 from __future__ import annotations
 
-from typing import Any, List, Optional, Sequence, Tuple
+from typing import Any, List, Optional, Sequence, Tuple, Union
 
 from . import _native
 from ._errors import SubcertError
 from ._geometry import (
     LimitPoint,
     MeshDepth,
+    Named,
     SurfaceDepth,
     as_given,
     depth_of,
     limit_of,
+    name_of,
     points_of,
     rows_of,
     surface_depth_of,
 )
-from ._numbers import Number, count
+from ._numbers import Array, Number, Rows, count, listed
+
+#: Rows of points.
+Net = Union[Sequence[Rows], Array]
 
 
 def net_depth(
-    scheme: str, points: Any, tolerance: Number, *, closed: str = "none"
+    scheme: Named, points: Net, tolerance: Number, *, closed: str = "none"
 ) -> MeshDepth:
     """How many levels bring a net within a tolerance of its limit surface. Schemes are tensor products such
     as "chaikin x four-point:w=1/16"; ``closed`` says in which directions the net is closed: "none", "u"
@@ -32,11 +37,11 @@ def net_depth(
     >>> found.level, found.too_few
     (2, 1)
     """
-    return depth_of(_native.net_depth(scheme, _given(points, closed), tolerance))
+    return depth_of(_native.net_depth(name_of(scheme), _given(points, closed), tolerance))
 
 
 def net_geometric_depth(
-    scheme: str, points: Any, tolerance: Number, *, closed: str = "none"
+    scheme: Named, points: Net, tolerance: Number, *, closed: str = "none"
 ) -> SurfaceDepth:
     """How many levels bring a net, bilinear between its points, within a tolerance of its limit surface as a set of points.
 
@@ -45,10 +50,10 @@ def net_geometric_depth(
     >>> found.level, found.too_few
     (2, 1)
     """
-    return surface_depth_of(_native.net_geometric_depth(scheme, _given(points, closed), tolerance))
+    return surface_depth_of(_native.net_geometric_depth(name_of(scheme), _given(points, closed), tolerance))
 
 
-def refine_net(scheme: str, points: Any, levels: int = 1, *, closed: str = "none") -> Any:
+def refine_net(scheme: Named, points: Net, levels: int = 1, *, closed: str = "none") -> Any:
     """The net after some levels, computed exactly and rounded once: rows of points, an array where
     ``points`` is one.
 
@@ -57,14 +62,14 @@ def refine_net(scheme: str, points: Any, levels: int = 1, *, closed: str = "none
     [(1.0, 1.0, 0.0), (1.0, 3.0, 0.0), (1.0, 5.0, 0.0), (1.0, 7.0, 0.0)]
     """
     refined, columns = _native.net_refine(
-        scheme, _given(points, closed), count(levels, "levels")
+        name_of(scheme), _given(points, closed), count(levels, "levels")
     )
     rows = len(refined) // columns if columns else 0
     return as_given(refined, points, (rows, columns))
 
 
 def limit_net(
-    scheme: str, points: Any, *, closed: str = "none"
+    scheme: Named, points: Net, *, closed: str = "none"
 ) -> List[List[Optional[LimitPoint]]]:
     """Where each point of the net tends to, row by row; None where the limit does not reach it.
 
@@ -73,14 +78,14 @@ def limit_net(
     (Fraction(4, 1), Fraction(4, 1), Fraction(0, 1))
     """
     given = _given(points, closed)
-    limits = [limit_of(limit) for limit in _native.net_limit(scheme, given)]
+    limits = [limit_of(limit) for limit in _native.net_limit(name_of(scheme), given)]
     columns = given[1]
     return [limits[i : i + columns] for i in range(0, len(limits), columns)]
 
 
 def _given(points: Any, closed: str) -> Tuple[List[List[Any]], int, str]:
     rows: Sequence[Any] = rows_of(points)
-    rows = [row.tolist() if hasattr(row, "tolist") else row for row in rows]
+    rows = [listed(row) for row in rows]
     for i, row in enumerate(rows):
         if not isinstance(row, (list, tuple)):
             raise SubcertError(f"row {i} is {row!r}", remedy="a net is a list of rows of points")

@@ -3,18 +3,35 @@
 from __future__ import annotations
 
 import math
-from decimal import Decimal
+from decimal import Context, Decimal
 from fractions import Fraction
-from functools import total_ordering
 from operator import index
-from typing import Any, List, Optional, Tuple, Union
+from typing import Any, Callable, List, Optional, Protocol, Sequence, SupportsIndex, Tuple, Union
 
 from . import _native
 from ._errors import SubcertError
 
+
+class Ratio(Protocol):
+    """What knows the fraction that it is: floats of numpy, and numbers of this module that are rational."""
+
+    def as_integer_ratio(self) -> Tuple[int, int]: ...
+
+
+class Array(Protocol):
+    """Arrays of numpy, and tables of pandas."""
+
+    @property
+    def shape(self) -> Any: ...
+
+
 #: What is read as an exact number: an int, a Fraction, a Decimal, text such as "3/256" or "0.1", or a float,
-#: which is the dyadic number that it is.
-Number = Union[int, Fraction, Decimal, str, float]
+#: which is the dyadic number that it is; numpy's numbers too.
+Number = Union[int, Fraction, Decimal, str, float, SupportsIndex, Ratio]
+
+#: Numbers, such as a rule of a mask or a point, and rows of them.
+Numbers = Union[Sequence[Number], Array]
+Rows = Union[Sequence[Numbers], Array]
 
 
 def exact(value: Any) -> Fraction:
@@ -25,13 +42,36 @@ def exact(value: Any) -> Fraction:
     >>> exact(0.1)
     Fraction(3602879701896397, 36028797018963968)
     """
+    return coprime(*_native.exact(value))
+
+
+def decimal(value: Fraction, digits: int = 6) -> str:
+    """The first digits of a fraction, also where it is beyond floats.
+
+    >>> decimal(Fraction(1, 3)), decimal(Fraction(10**400, 3))
+    ('0.333333', '3.33333e+399')
+    """
     try:
-        finite = not isinstance(value, float) or math.isfinite(value)
-        if finite and not isinstance(value, bool):
-            return Fraction(value)
-    except (TypeError, ValueError, ZeroDivisionError):
+        near = float(value)
+        if math.isfinite(near) and (near or not value):
+            return f"{near:.{digits}g}"
+    except OverflowError:
         pass
-    raise SubcertError(f"{value!r} is no number", remedy="give a finite number")
+    context = Context(prec=digits, Emax=10**9, Emin=-(10**9))
+    return f"{context.divide(Decimal(value.numerator), Decimal(value.denominator)):.{digits}g}"
+
+
+def listed(given: Any) -> Any:
+    """Lists of what is in an array or in a table of pandas; other things as they are.
+
+    >>> listed([1, 2]), listed((1, 2))
+    ([1, 2], (1, 2))
+    """
+    if hasattr(given, "to_numpy"):
+        given = given.to_numpy()
+    if getattr(given, "shape", ()) and hasattr(given, "tolist"):
+        return given.tolist()
+    return given
 
 
 #: The greatest count that the native part takes.
@@ -44,7 +84,10 @@ def count(value: Any, name: str, least: int = 0) -> int:
     >>> count(3, "levels")
     3
     """
-    number = index(value)
+    try:
+        number = index(value)
+    except TypeError:
+        raise TypeError(f"{name} is {value!r}; give an int from {least} on") from None
     if number < least:
         raise SubcertError(f"{name} is {number}", remedy=f"give an int from {least} on")
     if number > _MOST:
@@ -65,17 +108,179 @@ def pair(value: Optional[Tuple[int, int]]) -> Optional[Fraction]:
     return None if value is None else coprime(*value)
 
 
-@total_ordering
-class Algebraic:
+def _is_nan(value: Any) -> bool:
+    return isinstance(value, float) and math.isnan(value)
+
+
+IRRATIONAL = "this is not computed of two irrational numbers, of which one is a root of a polynomial"
+
+#: Numbers of digits that are tried one after the other.
+_DIGITS = (20, 100, 1_000, 10_000)
+
+
+class ExactNumber:
+    """What exact numbers have in common: they compare by their values, and are rounded and formatted as the
+    float nearest to them."""
+
+    __slots__ = ()
+
+    def as_fraction(self) -> Optional[Fraction]:
+        raise NotImplementedError
+
+    def _compare(self, other: Any) -> int:
+        """-1, 0 or 1, where the nearest floats are the same."""
+        raise NotImplementedError
+
+    def as_integer_ratio(self) -> Tuple[int, int]:
+        """Numerator and denominator, as a float has them; an error where the number is irrational."""
+        rational = self.as_fraction()
+        if rational is None:
+            raise SubcertError(f"{self} is irrational", remedy="take its float()")
+        return rational.numerator, rational.denominator
+
+    def __float__(self) -> float:
+        raise NotImplementedError
+
+    def __format__(self, spec: str) -> str:
+        return format(float(self), spec) if spec else str(self)
+
+    def __round__(self, digits: Optional[int] = None) -> Any:
+        return round(float(self), digits)
+
+    def _order(self, other: Any) -> Any:
+        """-1, 0 or 1; None beside what is no number."""
+        if not isinstance(other, ExactNumber):
+            # A text is no number here: it would have another hash.
+            if isinstance(other, str) or _is_nan(other):
+                return None
+            if isinstance(other, float) and math.isinf(other):
+                return -1 if other > 0 else 1
+            try:
+                other = exact(other)
+            except SubcertError:
+                return None
+        try:
+            # To round keeps the order.
+            mine, theirs = float(self), float(other)
+            if mine != theirs:
+                return -1 if mine < theirs else 1
+        except OverflowError:
+            pass
+        rational = self.as_fraction()
+        if rational is not None and isinstance(other, Fraction):
+            return (rational > other) - (rational < other)
+        return self._compare(other)
+
+    def _ordered(self, other: Any, holds: Callable[[int], bool]) -> bool:
+        order = self._order(other)
+        if order is None:
+            return False if _is_nan(other) else NotImplemented
+        return holds(order)
+
+    def __eq__(self, other: object) -> bool:
+        order = self._order(other)
+        return NotImplemented if order is None else order == 0
+
+    def __lt__(self, other: Any) -> bool:
+        return self._ordered(other, lambda order: order < 0)
+
+    def __le__(self, other: Any) -> bool:
+        return self._ordered(other, lambda order: order <= 0)
+
+    def __gt__(self, other: Any) -> bool:
+        return self._ordered(other, lambda order: order > 0)
+
+    def __ge__(self, other: Any) -> bool:
+        return self._ordered(other, lambda order: order >= 0)
+
+    def __hash__(self) -> int:
+        rational = self.as_fraction()
+        return hash(float(self)) if rational is None else hash(rational)
+
+
+class ExactField(ExactNumber):
+    """Arithmetic, which stays exact."""
+
+    __slots__ = ()
+
+    def _plus(self, other: Any) -> Any:
+        raise NotImplementedError
+
+    def _times(self, other: Any) -> Any:
+        raise NotImplementedError
+
+    def _reciprocal(self) -> Any:
+        raise NotImplementedError
+
+    def _with(self, other: Any, compute: Callable[[Any], Any]) -> Any:
+        if isinstance(other, str):
+            return NotImplemented
+        rational = other.as_fraction() if isinstance(other, ExactField) else None
+        if rational is not None:
+            other = rational
+        elif not isinstance(other, ExactField):
+            try:
+                other = exact(other)
+            except SubcertError:
+                return NotImplemented
+        return compute(other)
+
+    def __add__(self, other: Any) -> Any:
+        return self._with(other, self._plus)
+
+    __radd__ = __add__
+
+    def __mul__(self, other: Any) -> Any:
+        return self._with(other, self._times)
+
+    __rmul__ = __mul__
+
+    def __neg__(self) -> Any:
+        return self._times(Fraction(-1))
+
+    def __pos__(self) -> Any:
+        return self
+
+    def __abs__(self) -> Any:
+        return -self if self < 0 else self
+
+    def __sub__(self, other: Any) -> Any:
+        return self._with(other, lambda y: self._plus(-y))
+
+    def __rsub__(self, other: Any) -> Any:
+        return self._with(other, lambda y: (-self)._plus(y))
+
+    def __truediv__(self, other: Any) -> Any:
+        return self._with(other, lambda y: self._times(_reciprocal(y)))
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return self._with(other, lambda y: _reciprocal(self)._times(y))
+
+
+def _reciprocal(value: Any) -> Any:
+    """1/value.
+
+    >>> _reciprocal(Fraction(2))
+    Fraction(1, 2)
+    """
+    if value == 0:
+        raise ZeroDivisionError("division by zero")
+    return 1 / value if isinstance(value, Fraction) else value._reciprocal()
+
+
+class Algebraic(ExactField):
     """A real algebraic number, exactly. Numbers compare with each other and with fractions. They are
-    equal where their values are, and can be copied and pickled.
+    equal where their values are, and can be copied and pickled. Sums, products and quotients with rational numbers
+    are exact; of two irrational numbers they are not computed.
 
     >>> from subcert import Scheme
     >>> end = Scheme("four-point").range("w", levels=2)[-1].high
     >>> end.minpoly, float(end)
     ([-3, 4, 16], 0.32569390943299864)
-    >>> end < Fraction(1, 3)
-    True
+    >>> end < Fraction(1, 3), f"{end:.4f}", round(end, 2)
+    (True, '0.3257', 0.33)
+    >>> (2 * end + 1).minpoly
+    [-9, 0, 4]
     """
 
     __slots__ = ("_number",)
@@ -115,26 +320,44 @@ class Algebraic:
     def _compare(self, other: Any) -> int:
         if isinstance(other, Algebraic):
             return self._number.compare(other._number)
-        return self._number.compare(exact(other))
+        if isinstance(other, Fraction):
+            return self._number.compare(other)
+        return -other._compare(self)
 
-    # A text is no number here: it would have another hash.
+    def _plus(self, other: Any) -> Any:
+        if isinstance(other, Fraction):
+            return self._affine(Fraction(1), other)
+        return other._plus(self._rational())
 
-    def __eq__(self, other: object) -> bool:
-        if isinstance(other, str):
-            return NotImplemented
-        try:
-            return self._compare(other) == 0
-        except SubcertError:
-            return NotImplemented
+    def _times(self, other: Any) -> Any:
+        if isinstance(other, Fraction):
+            return self._affine(other, Fraction(0)) if other else _algebraic([0, 1], (0, 1), (0, 1))
+        return other._times(self._rational())
 
-    def __lt__(self, other: Any) -> bool:
-        if isinstance(other, str):
-            return NotImplemented
-        return self._compare(other) < 0
-
-    def __hash__(self) -> int:
+    def _rational(self) -> Fraction:
+        """The number, beside an irrational one."""
         rational = self.as_fraction()
-        return hash(float(self)) if rational is None else hash(rational)
+        if rational is None:
+            raise SubcertError(IRRATIONAL, remedy="take float() of both")
+        return rational
+
+    def _affine(self, factor: Fraction, shift: Fraction) -> "Algebraic":
+        """factor·x + shift, a root of p((y − shift)/factor), where x is one of p."""
+        coefficients, low, high = self._number.parts()
+        found: List[Fraction] = []
+        for coefficient in reversed(coefficients):
+            # Horner's rule: times (y − shift)/factor.
+            moved = [Fraction(0), *found]
+            found = [(a - shift * b) / factor for a, b in zip(moved, [*found, Fraction(0)])] or [Fraction(0)]
+            found[0] += coefficient
+        scale = math.lcm(*(x.denominator for x in found))
+        ends = sorted(factor * coprime(*end) + shift for end in (low, high))
+        return _algebraic([int(x * scale) for x in found], *(end.as_integer_ratio() for end in ends))
+
+    def _reciprocal(self) -> "Algebraic":
+        coefficients, _, _ = self._number.parts()
+        low, high = next(ends for ends in map(self.interval, _DIGITS) if ends[0] > 0 or ends[1] < 0)
+        return _algebraic(coefficients[::-1], (1 / high).as_integer_ratio(), (1 / low).as_integer_ratio())
 
     def __repr__(self) -> str:
         rational = self.as_fraction()

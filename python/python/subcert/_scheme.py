@@ -5,14 +5,45 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from fractions import Fraction
 from os import PathLike
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union, overload
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    Dict,
+    Generic,
+    Iterable,
+    List,
+    Optional,
+    Sequence,
+    SupportsIndex,
+    Tuple,
+    TypeVar,
+    Union,
+    overload,
+)
 
 from . import _native
 from ._analysis import Sector, Smoothness, Spectrum, VertexSmoothness, of_curve, of_vertex, sector, spectrum
 from ._answer import Answer, Table, shown
 from ._errors import SubcertError
 from ._html import facts, table
-from ._numbers import Algebraic, Number, coprime, count, exact, pair
+from ._numbers import (
+    Algebraic,
+    Array,
+    Number,
+    Numbers,
+    Rows,
+    coprime,
+    count,
+    decimal,
+    exact,
+    listed,
+    pair,
+)
+
+if TYPE_CHECKING:
+    import numpy
+
+    NDArray = numpy.ndarray[Any, numpy.dtype[Any]]
 
 
 @dataclass(frozen=True)
@@ -65,7 +96,7 @@ class Depth(Answer):
     parameter: Optional[Fraction]
 
     def _repr_html_(self) -> str:
-        low, high = map(float, self.distance)
+        low, high = map(decimal, self.distance)
         return facts(
             "Depth",
             [
@@ -256,8 +287,11 @@ class Quantities(List[Quantity], Table):
         return ["name", "value", "exact", "bound", "error"]
 
 
-@dataclass(frozen=True)
-class Refined(Answer):
+P = TypeVar("P")
+
+
+@dataclass(frozen=True, repr=False)
+class Refined(Answer, Generic[P]):
     """Points of a refined polygon.
 
     ``exact`` has the points as fractions (tuples of them where points have several coordinates),
@@ -267,10 +301,12 @@ class Refined(Answer):
     >>> found = Scheme("chaikin").refine([0.0, 4.0])
     >>> found.points, found.error
     ([1.0, 3.0, 3.0, 1.0], 0.0)
+    >>> Scheme("chaikin").refine([0, 4, 8])
+    Refined(6 points: 1, 3, 5, …, error=0.0)
     """
 
     #: They are not compared: ``exact`` has them too.
-    points: Any = field(compare=False)
+    points: P = field(compare=False)
     exact: List[Any]
     error: float
 
@@ -280,23 +316,65 @@ class Refined(Answer):
         >>> Scheme("chaikin").refine([0, 4]).rows()[0]
         {'point': 1.0, 'exact': Fraction(1, 1)}
         """
-        return [{"point": point, "exact": exact} for point, exact in zip(self.points, self.exact)]
+        points: Any = self.points
+        return [{"point": point, "exact": exact} for point, exact in zip(points, self.exact)]
+
+    def _first(self, many: int) -> List[str]:
+        """The first points as text, and a sign that there are more."""
+        points: Any = self.points
+        rows = [listed(point) for point in points[:many]]
+        texts = [f"({', '.join(map(shown, row))})" if isinstance(row, (list, tuple)) else shown(float(row)) for row in rows]
+        return texts + ["…"] * (len(self.exact) > many)
 
     def _repr_html_(self) -> str:
-        return facts("Refined", [("points", len(self.exact)), ("error at most", self.error)])
+        caption = f"{len(self.exact)} points, error at most {shown(self.error)}"
+        return table(caption, ["", "point"], enumerate(self._first(12)))
 
     def __repr__(self) -> str:
-        return f"Refined({len(self.exact)} points, error={self.error!r})"
+        return f"Refined({len(self.exact)} points: {', '.join(self._first(3))}, error={self.error!r})"
+
+
+@dataclass(frozen=True)
+class LimitStencil(Table):
+    """The limit at a parameter as a combination of control points.
+
+    >>> print(Scheme("[1, 4, 6, 4, 1]/8").limit_stencils()[0])
+    The limit at 0
+    index  weight
+    -1     1/6 = 0.166667
+    0      2/3 = 0.666667
+    1      1/6 = 0.166667
+    """
+
+    at: Fraction
+    #: The weight of each control point, by its index.
+    weights: Dict[int, Fraction]
+
+    def rows(self) -> List[Dict[str, Any]]:
+        """A row for each control point.
+
+        >>> Scheme("four-point").limit_stencils()[0].rows()
+        [{'index': 0, 'weight': Fraction(1, 1)}]
+        """
+        return [{"index": i, "weight": weight} for i, weight in self.weights.items()]
+
+    def _caption(self) -> str:
+        return f"The limit at {shown(self.at)}"
 
 
 class Scheme:
     """A subdivision scheme: one of the catalogue with its parameters, or a mask.
 
     A mask has one row of coefficients for each rule; ``offset`` is the index of the first point that
-    a rule takes. Numbers are ints, Fractions, Decimals, text such as "3/256", or floats, which are the
-    numbers that they are: 0.375 is 3/8, but 0.1 is not 1/10. numpy arrays are taken too.
+    a rule takes, and 0 if it is left out, which most masks of papers are not: natural parameters do not depend on it, but σ
+    and ``depth(natural=False)`` do. A mask without rows, ``Scheme([Fraction(1, 4), …])``, is the symbol, as on the command
+    line: its sum is the arity, and it has an offset of its own. Numbers are ints, Fractions, Decimals, text such as
+    "3/256", or floats, which are the numbers that they are: 0.375 is 3/8, but 0.1 is not 1/10. numpy arrays and tables
+    of pandas are taken too. A parameter without a value has its default, if the catalogue has one: w = 1/16 of
+    "four-point".
 
-    Schemes are equal where they are named alike, or have a mask each, and their masks are the same. They can be copied and
+    Schemes are equal where they are named alike, or are masks, also as text, and their masks and offsets are the same.
+    They can be copied and
     pickled: a copy has its masks with it, and asks for a file only where a parameter is open, or for
     rules around a vertex.
 
@@ -304,16 +382,18 @@ class Scheme:
     Fraction(89, 128)
     >>> Scheme(mask=[["3/4", "1/4"], ["1/4", "3/4"]]).contraction(2)
     Fraction(1, 4)
+    >>> Scheme([0.25, 0.75, 0.75, 0.25]) == Scheme("[1, 3, 3, 1]/4")
+    True
     >>> Scheme("chaikin").depth("1/100", spread=1).level
     3
     """
 
     def __init__(
         self,
-        name: Optional[str] = None,
+        name: Union[str, PathLike[str], Numbers, Rows, None] = None,
         *,
-        mask: Optional[Sequence[Sequence[Number]]] = None,
-        offset: int = 0,
+        mask: Union[Numbers, Rows, Iterable[Any], None] = None,
+        offset: Optional[int] = None,
         **parameters: Number,
     ) -> None:
         if (name is None) == (mask is None):
@@ -323,21 +403,16 @@ class Scheme:
         self._text: Optional[str] = None
         self._known: Any = None
         self._key: Any = None
-        if mask is not None:
-            if parameters:
-                raise SubcertError("a mask has no parameters")
-            rows = _rows(mask)
-            try:
-                self._known = _native._Native.of_mask(rows, offset)
-            except SubcertError as error:
-                if error.remedy is None and any(isinstance(x, float) for row in rows for x in row):
-                    remedy = 'a float is the number that it is: write "0.1" for 1/10'
-                    raise SubcertError(error.message, remedy=remedy) from None
-                raise
-        elif isinstance(name, (str, PathLike)):
-            self._text = _text(str(name), parameters)
+        given = name if mask is None else mask
+        if isinstance(given, (str, PathLike)):
+            if offset is not None:
+                remedy = "an offset belongs to a mask of rules"
+                raise SubcertError(f"{str(given)!r} has an offset of its own", remedy=remedy)
+            self._text = _text(str(given), parameters)
+        elif parameters:
+            raise SubcertError("a mask has no parameters")
         else:
-            raise SubcertError(f"a {type(name).__name__} is no name of a scheme", remedy=_MASKS)
+            self._known = _of_mask(given, offset)
 
     @property
     def _native(self) -> Any:
@@ -369,7 +444,9 @@ class Scheme:
             masks = [
                 (tuple(map(tuple, rows)), offset) for rows, offset in self._given() or ()
             ]
-            self._key = self._text, tuple(masks)
+            # A mask as text is that mask.
+            text = None if masks and self._text is not None and _is_mask(self._text) else self._text
+            self._key = text, tuple(masks)
         return self._key
 
     @property
@@ -418,7 +495,7 @@ class Scheme:
         tolerance: Number,
         *,
         spread: Optional[Number] = None,
-        polygon: Any = None,
+        polygon: Union[Numbers, Rows, None] = None,
         closed: bool = True,
         natural: bool = True,
     ) -> Depth:
@@ -444,7 +521,7 @@ class Scheme:
         return Depth(level, too_few, (coprime(*low), coprime(*high)), pair(parameter))
 
     def geometric_depth(
-        self, tolerance: Number, polygon: Any, *, closed: bool = True
+        self, tolerance: Number, polygon: Rows, *, closed: bool = True
     ) -> GeometricDepth:
         """The least level whose polygon is within a tolerance of the limit curve as a set of points.
 
@@ -460,8 +537,16 @@ class Scheme:
         of, parameter, point, distance = place
         return GeometricDepth(level, too_few, of, coprime(*parameter), tuple(point), distance)
 
-    def smoothness(self, valence: Optional[int] = None) -> Union[Smoothness, VertexSmoothness]:
-        """How smooth the limits are: of curves, or of surfaces at a vertex or on a face.
+    @overload
+    def smoothness(self, valence: None = None) -> Smoothness: ...
+
+    @overload
+    def smoothness(self, valence: SupportsIndex) -> VertexSmoothness: ...
+
+    def smoothness(self, valence: Optional[SupportsIndex] = None) -> Any:
+        """How smooth the limits are: of curves, or of surfaces at a vertex or on a face. Checkers of types take the
+        answer without a valence for that of a curve; where the name has the valence, as in ``Scheme("loop", N=5)``, it is
+        a ``VertexSmoothness`` too.
 
         >>> Scheme("chaikin").smoothness().continuity
         1
@@ -562,7 +647,35 @@ class Scheme:
         quantities = self._native.certify(count(levels, "levels"))
         return Quantities(Quantity(name, value, coprime(*p), bound) for name, value, p, bound in quantities)
 
-    def refine(self, points: Any, levels: int = 1, *, closed: bool = True) -> Refined:
+    def limit_stencils(self) -> List[LimitStencil]:
+        """The limit as a combination of control points, exactly: at the parameter 0, where its weights are values of the
+        basic limit function, and at the natural shift, where point 0 tends to.
+
+        >>> [(x.at, x.weights) for x in Scheme("chaikin").limit_stencils()]
+        [(Fraction(0, 1), {-1: Fraction(1, 2), 0: Fraction(1, 2)}), (Fraction(1, 2), {-1: Fraction(1, 8), 0: Fraction(3, 4), 1: Fraction(1, 8)})]
+        """
+        return [
+            LimitStencil(coprime(*at), {i: coprime(*weight) for i, weight in weights})
+            for at, weights in self._native.limit_stencils()
+        ]
+
+    @overload
+    def refine(self, points: NDArray, levels: int = 1, *, closed: bool = True) -> Refined[NDArray]: ...
+
+    @overload
+    def refine(
+        self, points: Sequence[Sequence[Number]], levels: int = 1, *, closed: bool = True
+    ) -> Refined[List[Tuple[float, ...]]]: ...
+
+    @overload
+    def refine(
+        self, points: Sequence[Number], levels: int = 1, *, closed: bool = True
+    ) -> Refined[List[float]]: ...
+
+    @overload
+    def refine(self, points: Array, levels: int = 1, *, closed: bool = True) -> Refined[Any]: ...
+
+    def refine(self, points: Any, levels: int = 1, *, closed: bool = True) -> Refined[Any]:
         """The polygon after some levels: numbers, points as tuples, or a numpy array of either.
 
         Floats of an array are taken for the numbers that they are.
@@ -605,7 +718,7 @@ def _rebuilt(kind: Any, text: Optional[str], masks: Any) -> Scheme:
     return scheme
 
 
-def _valence(valence: Optional[int]) -> Optional[int]:
+def _valence(valence: Optional[SupportsIndex]) -> Optional[int]:
     return None if valence is None else count(valence, "valence", 1)
 
 
@@ -637,15 +750,54 @@ _MASKS = (
 )
 
 
-def _rows(mask: Any) -> List[List[Any]]:
-    """The coefficients of a mask, rule by rule."""
+def _of_mask(given: Any, offset: Optional[int]) -> Any:
+    """The native scheme of a mask: rules, or the symbol."""
+    mask = listed(given)
+    if not isinstance(mask, Iterable):
+        raise SubcertError(f"a {type(mask).__name__} is no mask", remedy=_MASKS)
+    rows = [listed(row) for row in mask]
+    flat = [isinstance(row, str) or not isinstance(row, Iterable) for row in rows]
+    if any(flat) and not all(flat):
+        raise SubcertError("some of the rules of the mask are lists, and some are numbers", remedy=_MASKS)
+    symbol = bool(rows) and all(flat)
+    if symbol and offset is not None:
+        remedy = "a mask of rules has an offset: one list for each rule"
+        raise SubcertError("a symbol has an offset of its own", remedy=remedy)
+    rows = [rows] if symbol else [list(row) for row in rows]
     try:
-        rows = [row if isinstance(row, str) else list(row) for row in mask]
-    except TypeError:
-        rows = [""]
-    if any(isinstance(row, str) for row in rows):
-        raise SubcertError("a mask is a list of rules, and a rule a list of coefficients", remedy=_MASKS)
-    return rows
+        if symbol:
+            return _native._Native.named(f"[{', '.join(str(exact(x)) for x in rows[0])}]")
+        return _native._Native.of_mask(rows, 0 if offset is None else offset)
+    except SubcertError as error:
+        remedy = error.remedy or _of_floats(rows, symbol, hasattr(given, "astype"))
+        raise SubcertError(error.message, error.place, remedy) from None
+
+
+def _of_floats(rows: List[List[Any]], symbol: bool, array: bool) -> Optional[str]:
+    """What is meant by floats with a wrong sum, which has a remedy where decimals or simple fractions have a right one."""
+    if not any(isinstance(x, float) for row in rows for x in row):
+        return None
+
+    def sums(number: Any) -> bool:
+        each = (sum(number(x) if isinstance(x, float) else exact(x) for x in row) for row in rows)
+        return all(x.denominator == 1 if symbol else x == 1 for x in each)
+
+    say = "floats are the numbers that they are: "
+    if sums(lambda x: Fraction(str(x))):
+        text = "mask.astype(str)" if array else "str(x) for each x"
+        return f"{say}for the decimals that are printed, take {text}"
+    if sums(lambda x: Fraction(x).limit_denominator(1000)):
+        return f"{say}for simple fractions, take Fraction(x).limit_denominator(1000) for each x"
+    return None
+
+
+def _is_mask(text: str) -> bool:
+    """Whether a name is a mask as text, and not a file or a product.
+
+    >>> _is_mask("[1, 3, 3, 1]/4"), _is_mask("chaikin"), _is_mask("[1].toml")
+    (True, False, False)
+    """
+    return ("[" in text or "{" in text) and ".toml" not in text and " x " not in text
 
 
 def _text(name: str, parameters: Dict[str, Number]) -> str:
@@ -663,23 +815,16 @@ def _coordinates(points: Any) -> Tuple[List[List[Any]], bool, Any]:
             f"{str(points)!r} is text, and no list of points",
             remedy='read a file first: numpy.loadtxt("polygon.csv", delimiter=",")',
         )
-    if hasattr(points, "dtype") and hasattr(points, "tolist"):
+    if hasattr(points, "shape"):
         import numpy
 
         array = numpy.asarray
-        if points.ndim not in (1, 2):
+        if len(points.shape) not in (1, 2):
             raise SubcertError(
-                f"an array with {points.ndim} axes is no polygon",
+                f"an array with {len(points.shape)} axes is no polygon",
                 remedy="give one number or one row of coordinates for each point",
             )
-        if points.dtype.kind == "f":
-            points = [
-                [exact(x) for x in row] if isinstance(row, list) else exact(row)
-                for row in points.tolist()
-            ]
-        else:
-            points = points.tolist()
-    points = [x.tolist() if getattr(x, "ndim", 0) else x for x in points]
+    points = [listed(x) for x in listed(points)]
     if not points:
         raise SubcertError("there are no points")
     tuples = isinstance(points[0], (tuple, list))

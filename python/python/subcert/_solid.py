@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, List, Sequence
+from typing import Any, List
 
 from . import _native
 from ._errors import SubcertError
 from ._geometry import (
+    Cells,
+    Faces,
     LimitPoint,
     MeshDepth,
+    Points,
     SurfaceDepth,
     as_given,
     depth_of,
@@ -22,8 +25,8 @@ from ._geometry import (
 from ._numbers import Number, count
 
 
-@dataclass(frozen=True)
-class RefinedSolid:
+@dataclass(frozen=True, eq=False, repr=False)
+class RefinedSolid(Cells):
     """A refined solid: each coordinate is the float nearest to the exact one.
 
     >>> cube = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
@@ -35,7 +38,7 @@ class RefinedSolid:
     cells: List[List[int]]
 
 
-def solid_depth(points: Any, cells: Sequence[Sequence[int]], tolerance: Number) -> MeshDepth:
+def solid_depth(points: Points, cells: Faces, tolerance: Number) -> MeshDepth:
     """How many levels of the scheme of Bajaj and others bring a solid within a tolerance of its limit. A
     cell has eight points in the order of VTK: around a face, then around the opposite one.
     ``worst_face`` is a cell.
@@ -49,7 +52,7 @@ def solid_depth(points: Any, cells: Sequence[Sequence[int]], tolerance: Number) 
 
 
 def solid_geometric_depth(
-    points: Any, cells: Sequence[Sequence[int]], tolerance: Number
+    points: Points, cells: Faces, tolerance: Number
 ) -> SurfaceDepth:
     """How many levels bring the boundary of a solid, bilinear between its points, within a tolerance of the boundary of
     its limit as a set of points. ``face`` is a cell.
@@ -64,7 +67,7 @@ def solid_geometric_depth(
     )
 
 
-def refine_solid(points: Any, cells: Sequence[Sequence[int]], levels: int = 1) -> RefinedSolid:
+def refine_solid(points: Points, cells: Faces, levels: int = 1) -> RefinedSolid:
     """The solid after some levels, computed exactly and rounded once.
 
     >>> cube = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
@@ -77,7 +80,7 @@ def refine_solid(points: Any, cells: Sequence[Sequence[int]], levels: int = 1) -
     return RefinedSolid(as_given(refined, points, (len(refined),)), [list(cell) for cell in hexahedra])
 
 
-def solid_limit_points(points: Any, cells: Sequence[Sequence[int]]) -> List[LimitPoint]:
+def solid_limit_points(points: Points, cells: Faces) -> List[LimitPoint]:
     """Where each point of the solid tends to.
 
     >>> cube = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]

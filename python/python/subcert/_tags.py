@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, List, Mapping, Optional, Sequence, SupportsIndex, Tuple
 
 from ._geometry import indices
 from ._numbers import Number, coprime, exact
@@ -26,9 +26,9 @@ class Tags:
     [Fraction(1, 2), Fraction(1, 2), Fraction(10, 1), Fraction(10, 1)]
     """
 
-    creases: Mapping[Tuple[int, int], Number] = field(default_factory=dict)
-    corners: Mapping[int, Number] = field(default_factory=dict)
-    holes: Sequence[int] = ()
+    creases: Mapping[Tuple[SupportsIndex, SupportsIndex], Number] = field(default_factory=dict)
+    corners: Mapping[SupportsIndex, Number] = field(default_factory=dict)
+    holes: Sequence[SupportsIndex] = ()
     boundary: str = "edge"
     creasing: str = "uniform"
 

@@ -1,9 +1,11 @@
 //! Work that is spread over all cores.
 
+use crate::stop::inherited;
 use std::num::NonZero;
+use std::panic::resume_unwind;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicIsize, AtomicUsize, Ordering};
-use std::thread::{self, available_parallelism};
+use std::thread::{self, ScopedJoinHandle, available_parallelism};
 
 /// The cores that have nothing to do.
 fn idle() -> &'static AtomicIsize {
@@ -15,6 +17,15 @@ fn idle() -> &'static AtomicIsize {
 /// Takes an idle core, if there is one.
 fn taken() -> bool {
     idle().fetch_update(Ordering::AcqRel, Ordering::Acquire, |n| (n > 0).then_some(n - 1)).is_ok()
+}
+
+/// A core that is taken; when this is dropped, it is idle.
+struct Core;
+
+impl Drop for Core {
+    fn drop(&mut self) {
+        idle().fetch_add(1, Ordering::AcqRel);
+    }
 }
 
 /// The results of all jobs, in the order of the jobs, whichever thread does them. A job may call
@@ -39,15 +50,14 @@ pub fn map<J: Sync, T: Send>(jobs: &[J], run: impl Fn(&J) -> T + Sync) -> Vec<T>
             jobs.get(place).map(|job| (place, run(job)))
         };
         let helper = move || {
-            let done: Vec<(usize, T)> = std::iter::from_fn(job).collect();
-            idle().fetch_add(1, Ordering::AcqRel);
-            done
+            let _core = Core;
+            std::iter::from_fn(job).collect::<Vec<(usize, T)>>()
         };
         let (mut done, mut helpers) = (Vec::new(), Vec::new());
         loop {
             // A core may have become idle since the last job.
             while next.load(Ordering::Relaxed) + 1 < jobs.len() && taken() {
-                helpers.push(scope.spawn(helper));
+                helpers.push(scope.spawn(inherited(helper)));
             }
             let Some(one) = job() else { break };
             done.push(one);
@@ -56,14 +66,12 @@ pub fn map<J: Sync, T: Send>(jobs: &[J], run: impl Fn(&J) -> T + Sync) -> Vec<T>
             idle().fetch_add(1, Ordering::AcqRel);
         }
         let waits = !helpers.is_empty();
-        for helper in helpers {
-            match helper.join() {
-                Ok(others) => done.extend(others),
-                Err(panic) => std::panic::resume_unwind(panic),
-            }
-        }
+        let others: Vec<_> = helpers.into_iter().map(ScopedJoinHandle::join).collect();
         if waits {
             idle().fetch_sub(1, Ordering::AcqRel);
+        }
+        for others in others {
+            done.extend(others.unwrap_or_else(|panic| resume_unwind(panic)));
         }
         done
     });

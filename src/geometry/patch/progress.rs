@@ -1,5 +1,6 @@
 //! How far a search has come, and an end to it, for whoever waits for it.
 
+use crate::stop::check;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 
 /// The level that is looked at, and how many of its pieces have been; shared between threads.
@@ -33,6 +34,7 @@ impl MeshWork {
     /// Whether it was stopped.
     #[must_use]
     pub fn is_stopped(&self) -> bool {
+        check();
         self.stopped.load(Ordering::Relaxed)
     }
 

@@ -1,5 +1,7 @@
 //! Work on many items in all cores, with results that do not depend on how many there are.
 
+use crate::stop::{check, inherited};
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The most items of a round.
@@ -33,6 +35,7 @@ pub(super) fn in_threads_until<S: Send, T: Sync, R: Send>(
         let mut own = Vec::new();
         loop {
             let i = next.fetch_add(1, Ordering::Relaxed);
+            check();
             // What is before the last one is done in any case.
             let Some(item) = items.get(i).filter(|_| i <= last.load(Ordering::Relaxed)) else {
                 return own;
@@ -49,8 +52,11 @@ pub(super) fn in_threads_until<S: Send, T: Sync, R: Send>(
         [state] => run(state),
         _ => std::thread::scope(|scope| {
             let handles: Vec<_> =
-                states.iter_mut().map(|state| scope.spawn(|| run(state))).collect();
-            handles.into_iter().flat_map(|own| own.join().expect("it does not panic")).collect()
+                states.iter_mut().map(|state| scope.spawn(inherited(|| run(state)))).collect();
+            handles
+                .into_iter()
+                .flat_map(|own| own.join().unwrap_or_else(|panic| resume_unwind(panic)))
+                .collect()
         }),
     };
     all.sort_unstable_by_key(|(i, _)| *i);

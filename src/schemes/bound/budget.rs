@@ -1,5 +1,6 @@
 //! A common cap on the work of several computations.
 
+use crate::stop::check;
 use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -80,6 +81,7 @@ impl Budget {
 
     /// Whether [`stop`](Budget::stop) was called. Searches that run look at it now and then.
     pub(crate) fn is_stopped(&self) -> bool {
+        check();
         self.stopped.load(Ordering::Relaxed)
     }
 
@@ -92,6 +94,7 @@ impl Budget {
     /// ```
     #[must_use]
     pub fn take(&self, steps: u64) -> bool {
+        check();
         // In one step, so that a stop in another thread is not lost.
         let take = |left: u64| left.checked_sub(steps);
         self.left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, take).is_ok()

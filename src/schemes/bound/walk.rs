@@ -3,6 +3,7 @@
 use super::power::MAX_LEVELS;
 use crate::exact::{Integer, IntegerPolynomial, Rational, Real, common_denominator};
 use crate::scheme::Rules;
+use crate::stop::check;
 
 /// The operations on numbers that the walk needs.
 pub(super) trait Kernel: Clone {
@@ -245,6 +246,7 @@ pub(super) fn walk_rows<T: Kernel, const K: usize>(
     let mut digits = vec![0_usize; levels];
     let mut depth = 0;
     loop {
+        check();
         while depth < levels {
             let (upper, lower) = stack.split_at_mut(depth + 1);
             let pairs = upper[depth].iter().zip(&mut lower[0]);

@@ -2,7 +2,7 @@
 
 use crate::bound::Budget;
 use crate::exact::Rational;
-use crate::limit::{Distances, Functional, Limit, Parametrisation, TwoSidedDepth};
+use crate::limit::{Distances, Functional, Limit, LimitError, Parametrisation, TwoSidedDepth};
 use crate::scheme::Mask;
 
 /// The most steps of the search for one depth.
@@ -53,16 +53,34 @@ impl LimitFacts {
         };
         let [indexed, natural] = [Parametrisation::Indexed, Parametrisation::Natural];
         let depths = Depths { indexed: depth(&limit, indexed), natural: depth(&limit, natural) };
-        let facts = limit.at(&Rational::zero()).map_err(|error| error.to_string()).map(|at_zero| {
-            let shift = natural.shift(mask);
-            let moved = (!shift.is_zero()).then_some(shift);
-            let at_shift = moved.and_then(|shift| {
-                let stencil = limit.at(&shift).ok()?;
-                Some((shift, stencil))
-            });
-            LimitFacts { at_zero, at_shift }
+        (depths, LimitFacts::of(&limit).map_err(|error| error.to_string()))
+    }
+
+    /// The stencils of a limit.
+    ///
+    /// # Errors
+    /// When the limit has no value at 0.
+    ///
+    /// ```
+    /// use subcert::facts::LimitFacts;
+    /// use subcert::limit::Limit;
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// let scheme = parse_scheme("[1, 4, 6, 4, 1]/8")?;
+    /// let facts = LimitFacts::of(&Limit::new(scheme.masks()[0])?)?;
+    /// let values: Vec<String> = facts.values().iter().map(|(_, value)| value.to_string()).collect();
+    /// assert_eq!(values, ["1/6", "2/3", "1/6"]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of(limit: &Limit) -> Result<LimitFacts, LimitError> {
+        let at_zero = limit.at(&Rational::zero())?;
+        let shift = Parametrisation::Natural.shift(limit.mask());
+        let moved = (!shift.is_zero()).then_some(shift);
+        let at_shift = moved.and_then(|shift| {
+            let stencil = limit.at(&shift).ok()?;
+            Some((shift, stencil))
         });
-        (depths, facts)
+        Ok(LimitFacts { at_zero, at_shift })
     }
 }
 

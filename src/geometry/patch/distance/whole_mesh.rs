@@ -5,6 +5,7 @@ use super::surface::{Ball, Surface};
 use crate::mesh::Point;
 use crate::patch::number::Vector as _;
 use crate::patch::threads::in_threads;
+use crate::stop::check;
 
 /// How much less than the distance the bound may be, relative to it.
 const WIDTH: f64 = 0.01;
@@ -45,6 +46,7 @@ impl<'a, S: Surface> WholeMesh<'a, S> {
             }
             let mut stack = vec![self.model.root(root, self.level)];
             while let Some(cell) = stack.pop() {
+                check();
                 let ball = self.model.ball(&cell, self.judge, self.level);
                 if ball.on_mesh {
                     let distance = point.minus(&ball.centre);

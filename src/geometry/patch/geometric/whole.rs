@@ -7,6 +7,7 @@ use super::patch::{Patch, dot, unit};
 use super::pieces::{Hull, MeshPart, Sets};
 use super::place::SetKind;
 use crate::mesh::Point;
+use crate::stop::check;
 
 /// How many pieces are looked at for one point.
 const STEPS: u64 = 200_000;
@@ -108,6 +109,7 @@ fn all_beyond<P>(
 ) -> bool {
     let mut stack = vec![root];
     while let Some(piece) = stack.pop() {
+        check();
         if *steps == 0 {
             return false;
         }

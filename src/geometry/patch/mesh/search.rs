@@ -6,6 +6,7 @@ use crate::patch::distance::judge::{Judge, Points};
 use crate::patch::distance::surface::PieceSearch;
 use crate::patch::place::{Place, Verdict};
 use crate::patch::shapes::library::Shapes;
+use crate::stop::check;
 
 /// The highest level of pieces.
 pub(super) const MAX_PIECE_LEVEL: u32 = 64;
@@ -93,6 +94,7 @@ impl<V: Points, J: Judge<V>> PieceSearch<LevelPiece<V>, Place<u128, V>> for Sear
         }
         let mut stack = vec![self.sized(piece)];
         while let Some((size, mut cell)) = stack.pop() {
+            check();
             if self.steps == 0 {
                 return Verdict::Open;
             }
@@ -130,6 +132,7 @@ impl<V: Points, J: Judge<V>> PieceSearch<LevelPiece<V>, Place<u128, V>> for Sear
         let mut upper = 0.0_f64;
         let mut stack = vec![self.sized(piece)];
         while let Some((size, mut cell)) = stack.pop() {
+            check();
             let enough = (*best * (1.0 + width)).max(self.judge.floor());
             let stop = self.steps == 0 || cell.level >= MAX_PIECE_LEVEL;
             self.steps = self.steps.saturating_sub(cell.work());

@@ -6,6 +6,7 @@ use super::direction::{Direction, Weights};
 use crate::mesh::Point;
 use crate::patch::distance::judge::Judge;
 use crate::patch::distance::surface::PieceSearch;
+use crate::stop::check;
 
 /// Node of a cell.
 #[derive(Clone, Debug)]
@@ -87,6 +88,7 @@ impl<S: Weights, J: Judge<Point<S>>> PieceSearch<Cell<S>, Place<Node, Point<S>>>
         let mut open = false;
         let mut stack = vec![(piece, f64::INFINITY)];
         while let Some((cell, whole)) = stack.pop() {
+            check();
             if self.steps == 0 {
                 return Verdict::Open;
             }

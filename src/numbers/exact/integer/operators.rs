@@ -4,6 +4,7 @@ use super::Form::{Large, Word};
 use super::{Int, Integer};
 use crate::exact::backend;
 use crate::exact::ops::{binary_operator, computed_operator, ring_basics};
+use crate::stop::check;
 use std::cmp::Ordering;
 use std::ops::Neg;
 
@@ -23,6 +24,7 @@ macro_rules! operation {
         }
 
         fn $slow(a: &Integer, b: &Integer) -> Integer {
+            check();
             Integer::normal(match (&a.0, &b.0) {
                 (Word(x), Word(y)) => std::ops::$trait::$method(Int::from(*x), *y),
                 (Word(x), Large(y)) => Int::from(std::ops::$trait::$method(*x, y)),
@@ -43,6 +45,7 @@ macro_rules! operation {
         }
 
         fn $slow_in_place(a: &mut Integer, b: &Integer) {
+            check();
             match (&mut a.0, &b.0) {
                 (Large(x), Word(y)) => std::ops::$assign::$assign_method(x, *y),
                 (Large(x), Large(y)) => std::ops::$assign::$assign_method(x, y),

@@ -5,6 +5,7 @@ use super::{Fraction, Rational};
 use crate::exact::Integer;
 use crate::exact::ops::{binary_operator, computed_operator, ring_basics};
 use crate::exact::word;
+use crate::stop::check;
 use std::cmp::Ordering;
 use std::ops::Neg;
 
@@ -16,6 +17,7 @@ computed_operator!(Rational, rem, rem_in_place, Rem::rem, RemAssign::rem_assign)
 ring_basics!(Rational);
 
 fn add(a: &Rational, b: &Rational) -> Rational {
+    check();
     if let (Words(p, q), Words(r, s)) = (&a.0, &b.0) {
         return Rational::of_words(word::sum((i128::from(*p), *q), (i128::from(*r), *s)));
     }
@@ -24,6 +26,7 @@ fn add(a: &Rational, b: &Rational) -> Rational {
 }
 
 fn sub(a: &Rational, b: &Rational) -> Rational {
+    check();
     if let (Words(p, q), Words(r, s)) = (&a.0, &b.0) {
         return Rational::of_words(word::sum((i128::from(*p), *q), (-i128::from(*r), *s)));
     }
@@ -32,6 +35,7 @@ fn sub(a: &Rational, b: &Rational) -> Rational {
 }
 
 fn mul(a: &Rational, b: &Rational) -> Rational {
+    check();
     if let (Words(p, q), Words(r, s)) = (&a.0, &b.0) {
         return Rational::of_words(word::product((*p, *q), (*r, *s)));
     }

@@ -9,7 +9,9 @@ use super::uniform::{self, UniformBound};
 use crate::bound::budget::Budget;
 use crate::exact::{Integer, Rational};
 use crate::scheme::Rules;
+use crate::stop::inherited;
 use std::collections::BTreeMap;
+use std::panic::resume_unwind;
 
 /// ‖E^m‖ is computed for m up to this number before a bound of all norms is sought.
 const FIRST: u32 = 8;
@@ -189,8 +191,8 @@ impl Growth {
             (found, work)
         };
         let [first, second] = std::thread::scope(|scope| {
-            let second = scope.spawn(|| search(m + 1));
-            [search(m), second.join().expect("a search does not panic")]
+            let second = scope.spawn(inherited(|| search(m + 1)));
+            [search(m), second.join().unwrap_or_else(|panic| resume_unwind(panic))]
         });
         self.reach.truncate(reach);
         self.moments = moments;

@@ -6,6 +6,8 @@
 use super::descent::{Best, Descent, Node, WorkingMemory};
 use super::number::Number;
 use super::problem::Greatest;
+use crate::stop::inherited;
+use std::panic::resume_unwind;
 use std::thread;
 
 /// The number of nodes that are split at a time: until the first row is found, and after
@@ -118,9 +120,11 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
             .map(|(nodes, space)| move || descent.split(space, nodes, best));
         let results = thread::scope(|scope| {
             let first = tasks.next();
-            let others: Vec<_> = tasks.map(|task| scope.spawn(task)).collect();
+            let others: Vec<_> = tasks.map(|task| scope.spawn(inherited(task))).collect();
             let first = first.map(|mut task| task());
-            let others = others.into_iter().map(|task| task.join().expect("no panic in a search"));
+            let others = others
+                .into_iter()
+                .map(|task| task.join().unwrap_or_else(|panic| resume_unwind(panic)));
             first.into_iter().chain(others).collect::<Vec<_>>()
         });
         let mut rows = nodes.into_iter().map(|node| node.rows);

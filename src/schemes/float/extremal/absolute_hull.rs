@@ -2,6 +2,7 @@
 
 use super::row_times;
 use crate::machine::{inverse, replace};
+use crate::stop::check;
 
 /// Rows v_1, …, v_m that span the space, and a basis of d of them from which the next search starts.
 #[derive(Clone, Debug)]
@@ -79,6 +80,7 @@ impl AbsoluteHull {
     /// min Σ|c_j|, so that no first phase is needed, and the basis of the last call is a good start.
     pub fn gauge(&mut self, x: &[f64], enough: f64) -> Gauge {
         for exchanges in 0.. {
+            check();
             let coefficients = row_times(x, &self.inverse);
             let value: f64 = coefficients.iter().map(|c| c.abs()).sum();
             let done = value <= enough || exchanges >= MAX_EXCHANGES;

@@ -1,6 +1,7 @@
 //! Products of large spectral radius.
 
 use super::{Rows, norm, product, spectral_radius};
+use crate::stop::check;
 
 /// Products that have the largest ϱ(M_{w_1}⋯M_{w_l})^{1/l} of all that were looked at.
 #[derive(Clone, Debug)]
@@ -29,6 +30,7 @@ pub fn candidates(matrices: &[Rows], longest: u32, beam: usize) -> Candidates {
         let mut longer = Vec::new();
         for (word, done) in &level {
             for (i, matrix) in matrices.iter().enumerate() {
+                check();
                 let product = product(done, matrix);
                 let norm = norm(&product);
                 if norm.powf(root) < best.rate * (1.0 - NEAR) {

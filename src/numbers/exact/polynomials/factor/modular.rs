@@ -1,5 +1,7 @@
 //! Polynomials over the integers modulo a prime p < 2^31, and their factors.
 
+use crate::stop::check;
+
 /// The coefficients c_0, c_1, …, c_d with c_d ≠ 0; none for 0.
 pub(super) type Modular = Vec<u64>;
 
@@ -51,6 +53,7 @@ pub(super) fn times(f: &[u64], g: &[u64], p: u64) -> Modular {
 
 /// Quotient and remainder by a monic g.
 fn divided(f: &[u64], g: &[u64], p: u64) -> (Modular, Modular) {
+    check();
     let mut rest = f.to_vec();
     let lower = &g[..g.len() - 1];
     let mut quotient = vec![0; (rest.len() + 1).saturating_sub(g.len())];
@@ -105,6 +108,7 @@ pub(super) fn is_square_free(f: &[u64], p: u64) -> bool {
 fn are_coprime(f: Modular, g: Modular, p: u64) -> bool {
     let (mut a, mut b) = (trimmed(f), trimmed(g));
     loop {
+        check();
         if a.len() < b.len() {
             std::mem::swap(&mut a, &mut b);
         }

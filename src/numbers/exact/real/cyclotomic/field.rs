@@ -4,6 +4,7 @@ use super::error::MAX_CONDUCTOR;
 use super::fixed::cosines;
 use super::symmetric::{cyclotomic, prime_divisors, product};
 use crate::exact::Integer;
+use crate::stop::check;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -165,6 +166,7 @@ impl Field {
         };
         let right_terms = terms(right);
         for i in terms(left) {
+            check();
             for &j in &right_terms {
                 let value = &left[i] * &right[j];
                 let (first, second, times) = product(i, j);

@@ -3,6 +3,7 @@
 use super::field::Field;
 use super::symmetric::product;
 use crate::exact::Integer;
+use crate::stop::check;
 use std::sync::LazyLock;
 
 /// (A, N) with f·A = N for f ≠ 0 in `Z[θ]`. N is the norm of f. A is the product of the
@@ -65,6 +66,7 @@ fn cofactor_modulo(field: &Field, mut f: Vec<u64>, p: u64) -> Option<Vec<u64>> {
     s1[0] = 1;
     let mut norm = 1;
     while r1.len() > 1 {
+        check();
         let (high, low) = (r0.len() - 1, r1.len() - 1);
         let leading = r1[low];
         let inverse = power(leading, p - 2, p);

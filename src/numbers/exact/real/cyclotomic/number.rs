@@ -3,6 +3,7 @@
 use super::error::{CosineError, MAX_CONDUCTOR, angle};
 use super::field::Field;
 use crate::exact::{Integer, Rational};
+use crate::stop::check;
 use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
@@ -132,6 +133,7 @@ impl RealCyclotomic {
         mut numerators: Vec<Integer>,
         mut denominator: Integer,
     ) -> RealCyclotomic {
+        check();
         if numerators[1..].iter().all(Integer::is_zero) {
             return RealCyclotomic::from(Rational::new(numerators.swap_remove(0), denominator));
         }

@@ -7,6 +7,7 @@
 use super::field::Field;
 use super::number::{Form, RealCyclotomic};
 use crate::exact::{Integer, Rational};
+use crate::stop::check;
 use std::sync::Arc;
 
 /// Σ a_k·2cos(2πk/n) as the pairs (k, a_k).
@@ -92,6 +93,7 @@ fn sums<A: Arithmetic>(
     (0..columns).map(move |b| {
         let mut sum = vec![A::zero(); n / 2 + 1];
         for (w, names) in w.iter().zip(names) {
+            check();
             for (j, y) in &values[names[b] as usize] {
                 for (i, x) in w {
                     let value = A::product(x, y);

@@ -1,0 +1,116 @@
+//! An end to work from another thread.
+
+use std::cell::RefCell;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::panicking;
+
+/// Ends work that runs in another thread, whatever it is at; clones end the same work. The arithmetic of large and
+/// rational numbers looks at it, and so do long loops without it: the work is over in a fraction of a second.
+///
+/// The stack is unwound, without a message, as by a panic. What the work has not returned is lost, and caches stay as
+/// they are. A program that is compiled with `panic = "abort"` cannot do this.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::stop::{Stop, Stopped};
+///
+/// let stop = Stop::default();
+/// let other = stop.clone();
+/// let work = std::thread::spawn(move || {
+///     other.run(|| {
+///         let mut sum = Rational::zero();
+///         loop {
+///             sum = &sum + &Rational::new(1, 2);
+///         }
+///     })
+/// });
+/// stop.stop();
+/// let found: Result<(), Stopped> = work.join().unwrap();
+/// assert_eq!(found, Err(Stopped));
+/// assert_eq!(Stop::default().run(|| 2), Ok(2));
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Stop(Arc<AtomicBool>);
+
+/// The work was stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stopped;
+
+/// Whether any work was ever stopped: until then nobody looks further.
+static ANY: AtomicBool = AtomicBool::new(false);
+
+thread_local! {
+    /// What ends the work of this thread.
+    static CURRENT: RefCell<Option<Stop>> = const { RefCell::new(None) };
+}
+
+impl Stop {
+    /// Ends the work, now or as soon as it begins.
+    pub fn stop(&self) {
+        self.0.store(true, Ordering::Relaxed);
+        ANY.store(true, Ordering::Relaxed);
+    }
+
+    /// Does work that this ends.
+    ///
+    /// # Errors
+    /// When it was stopped.
+    ///
+    /// # Panics
+    /// When the work does.
+    pub fn run<T>(&self, work: impl FnOnce() -> T) -> Result<T, Stopped> {
+        let before = CURRENT.replace(Some(self.clone()));
+        let found = catch_unwind(AssertUnwindSafe(work));
+        CURRENT.set(before);
+        match found {
+            Ok(value) => Ok(value),
+            Err(payload) if payload.is::<Stopped>() => Err(Stopped),
+            Err(payload) => resume_unwind(payload),
+        }
+    }
+}
+
+/// Work for another thread, which ends with that of this one. Who joins that thread resumes its panic.
+///
+/// ```
+/// use subcert::stop::{Stop, Stopped, check, inherited};
+///
+/// let stop = Stop::default();
+/// stop.stop();
+/// let found = stop.run(|| {
+///     let work = inherited(|| loop { check() });
+///     let Err(payload) = std::thread::spawn(work).join();
+///     std::panic::resume_unwind(payload)
+/// });
+/// assert_eq!(found, Err(Stopped));
+/// ```
+pub fn inherited<T>(work: impl FnOnce() -> T) -> impl FnOnce() -> T {
+    let current = CURRENT.with_borrow(Clone::clone);
+    move || {
+        CURRENT.set(current);
+        work()
+    }
+}
+
+/// Ends the work of this thread if it was stopped. A long loop without other arithmetic than that of words calls this.
+///
+/// # Panics
+/// In stopped work, whose [`Stop::run`] then returns.
+#[inline]
+pub fn check() {
+    if ANY.load(Ordering::Relaxed) {
+        end_if_stopped();
+    }
+}
+
+#[cold]
+fn end_if_stopped() {
+    let is_stopped = |stop: &Stop| stop.0.load(Ordering::Relaxed);
+    let stopped = CURRENT.with_borrow(|stop| stop.as_ref().is_some_and(is_stopped));
+    // What is dropped meanwhile may compute.
+    if stopped && !panicking() {
+        resume_unwind(Box::new(Stopped));
+    }
+}
