@@ -92,8 +92,8 @@ def test_numbers_of_all_kinds():
     [
         (lambda: Scheme("chaikn"), "chaikin"),
         (lambda: Scheme("six-point").contraction(1), "`w`"),
-        (lambda: Scheme(mask=[1, 3, 3, 1]), r"""Scheme("[1, 3, 3, 1]/4")"""),
-        (lambda: Scheme(mask=["3/4", "1/4"]), "sum"),
+        (lambda: Scheme(mask=[1, 3, 3, 1]), "write 1/4*[1, 3, 3, 1]"),
+        (lambda: Scheme(mask=["3/4", "1/4"]), "add up to 1"),
         (lambda: Scheme(mask=7), "a int is no mask"),
         (lambda: Scheme("chaikin").refine("polygon.csv"), "read a file first"),
         (lambda: Scheme("chaikin").depth(1, polygon="polygon.csv"), "no list of points"),

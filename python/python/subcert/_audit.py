@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import asdict, dataclass, field
 from fractions import Fraction
-from pathlib import Path
+from os import PathLike, fsdecode
 from typing import Any, Dict, Iterator, List, Optional, Union
 
 from . import _native
@@ -126,7 +126,7 @@ def papers() -> List[str]:
     return _native.paper_keys()
 
 
-def audit(path: Union[str, Path]) -> Audit:
+def audit(path: Union[str, PathLike[str]]) -> Audit:
     """Audits the claims of a file, or of a paper that comes with the module.
 
     >>> found = audit("khan2019-newton")
@@ -135,6 +135,6 @@ def audit(path: Union[str, Path]) -> Audit:
     >>> found.findings[0].verdict, found.findings[0].exact
     ('confirmed', Fraction(1, 400))
     """
-    [paper] = json.loads(_native.audit_json([str(path)]))["papers"]
+    [paper] = json.loads(_native.audit_json([fsdecode(path)]))["papers"]
     findings = [Finding._of(claim) for claim in paper["claims"]]
     return Audit(paper["key"], findings, paper["summary"], paper)

@@ -47,7 +47,7 @@ class Cells(Answer):
         if type(self) is not type(other):
             return NotImplemented
         pairs = [(getattr(self, x.name), getattr(other, x.name)) for x in fields(self)]  # type: ignore[arg-type]
-        return all(listed(mine) == listed(theirs) for mine, theirs in pairs)
+        return all(_plain(mine) == _plain(theirs) for mine, theirs in pairs)
 
     def __repr__(self) -> str:
         sizes = ", ".join(f"{size} {name}" for name, size in self._sizes())
@@ -112,6 +112,12 @@ class LimitPoint(Answer):
 
     point: Point
     exact: Optional[Tuple[Fraction, Fraction, Fraction]]
+
+
+def _plain(value: Any) -> Any:
+    """Rows as lists, whether they come from an array or not."""
+    value = listed(value)
+    return [list(row) for row in value] if isinstance(value, list) else value
 
 
 def depth_of(found: Any) -> MeshDepth:
@@ -184,7 +190,7 @@ def indices(rows: Any, name: str, member: str) -> List[List[int]]:
     for i, row in enumerate(listed(rows)):
         row = listed(row)
         if not isinstance(row, Iterable) or isinstance(row, str):
-            remedy = f"a {name} is a list of the indices of its {member} points"
+            remedy = f"a {name} is a list of indices"
             raise SubcertError(f"{name} {i} is {row!r}", remedy=remedy)
         lists.append([])
         for given in row:

@@ -25,6 +25,12 @@ class Array(Protocol):
     def shape(self) -> Any: ...
 
 
+class Frame(Protocol):
+    """Tables of pandas."""
+
+    def to_numpy(self) -> Any: ...
+
+
 #: What is read as an exact number: an int, a Fraction, a Decimal, text such as "3/256" or "0.1", or a float,
 #: which is the dyadic number that it is; numpy's numbers too.
 Number = Union[int, Fraction, Decimal, str, float, SupportsIndex, Ratio]
@@ -280,7 +286,7 @@ class Algebraic(ExactField):
     >>> end < Fraction(1, 3), f"{end:.4f}", round(end, 2)
     (True, '0.3257', 0.33)
     >>> (2 * end + 1).minpoly
-    [-9, 0, 4]
+    [-1, -6, 4]
     """
 
     __slots__ = ("_number",)

@@ -28,7 +28,7 @@ from ._errors import SubcertError
 from ._html import facts, table
 from ._numbers import (
     Algebraic,
-    Array,
+    Frame,
     Number,
     Numbers,
     Rows,
@@ -652,7 +652,7 @@ class Scheme:
         basic limit function, and at the natural shift, where point 0 tends to.
 
         >>> [(x.at, x.weights) for x in Scheme("chaikin").limit_stencils()]
-        [(Fraction(0, 1), {-1: Fraction(1, 2), 0: Fraction(1, 2)}), (Fraction(1, 2), {-1: Fraction(1, 8), 0: Fraction(3, 4), 1: Fraction(1, 8)})]
+        [(Fraction(0, 1), {0: Fraction(1, 2), 1: Fraction(1, 2)}), (Fraction(-1, 2), {-1: Fraction(1, 8), 0: Fraction(3, 4), 1: Fraction(1, 8)})]
         """
         return [
             LimitStencil(coprime(*at), {i: coprime(*weight) for i, weight in weights})
@@ -663,7 +663,7 @@ class Scheme:
     def refine(self, points: NDArray, levels: int = 1, *, closed: bool = True) -> Refined[NDArray]: ...
 
     @overload
-    def refine(
+    def refine(  # type: ignore[overload-overlap]
         self, points: Sequence[Sequence[Number]], levels: int = 1, *, closed: bool = True
     ) -> Refined[List[Tuple[float, ...]]]: ...
 
@@ -673,7 +673,7 @@ class Scheme:
     ) -> Refined[List[float]]: ...
 
     @overload
-    def refine(self, points: Array, levels: int = 1, *, closed: bool = True) -> Refined[Any]: ...
+    def refine(self, points: Frame, levels: int = 1, *, closed: bool = True) -> Refined[NDArray]: ...
 
     def refine(self, points: Any, levels: int = 1, *, closed: bool = True) -> Refined[Any]:
         """The polygon after some levels: numbers, points as tuples, or a numpy array of either.
@@ -766,11 +766,13 @@ def _of_mask(given: Any, offset: Optional[int]) -> Any:
     rows = [rows] if symbol else [list(row) for row in rows]
     try:
         if symbol:
-            return _native._Native.named(f"[{', '.join(str(exact(x)) for x in rows[0])}]")
+            numbers = [exact(x) for x in rows[0]]
+            return _native._Native.named(f"[{', '.join(map(str, numbers))}]")
         return _native._Native.of_mask(rows, 0 if offset is None else offset)
     except SubcertError as error:
-        remedy = error.remedy or _of_floats(rows, symbol, hasattr(given, "astype"))
-        raise SubcertError(error.message, error.place, remedy) from None
+        hint = error.remedy or _of_floats(rows, symbol, hasattr(given, "astype"))
+        # There is no text for a place to be in.
+        raise SubcertError(error.message.replace(" (SCHEME:1:1)", ""), error.place, hint) from None
 
 
 def _of_floats(rows: List[List[Any]], symbol: bool, array: bool) -> Optional[str]:
@@ -779,15 +781,19 @@ def _of_floats(rows: List[List[Any]], symbol: bool, array: bool) -> Optional[str
         return None
 
     def sums(number: Any) -> bool:
-        each = (sum(number(x) if isinstance(x, float) else exact(x) for x in row) for row in rows)
-        return all(x.denominator == 1 if symbol else x == 1 for x in each)
+        """Whether the sums are right with other numbers near the floats, and the numbers are near."""
+        near = [[number(x) if isinstance(x, float) else exact(x) for x in row] for row in rows]
+        same = all(abs(x - exact(y)) < Fraction(1, 10**6) for row, old in zip(near, rows) for x, y in zip(row, old))
+        totals = map(sum, near)
+        return same and all(x.denominator == 1 and x > 1 if symbol else x == 1 for x in totals)
 
-    say = "floats are the numbers that they are: "
+    if sums(exact):
+        return None
     if sums(lambda x: Fraction(str(x))):
-        text = "mask.astype(str)" if array else "str(x) for each x"
-        return f"{say}for the decimals that are printed, take {text}"
+        text = "mask.astype(str)" if array else "[[str(x) for x in row] for row in mask]"
+        return f'a float is the number that it is: write "0.1" for 1/10, as {text} does'
     if sums(lambda x: Fraction(x).limit_denominator(1000)):
-        return f"{say}for simple fractions, take Fraction(x).limit_denominator(1000) for each x"
+        return 'a float is the number that it is: write "1/3", or take Fraction(x).limit_denominator(1000) for each x'
     return None
 
 
