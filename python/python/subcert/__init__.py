@@ -7,6 +7,9 @@
 Fraction(89, 128)
 >>> subcert.scheme("six-point", w=Fraction(3, 256)).curve["continuity"]
 2
+
+This page has every name; ``help(subcert.Scheme)`` has curves, their constants, depths and smoothness, spectra and ranges,
+``help(subcert.refine_mesh)`` meshes, ``help(subcert.audit)`` papers, and ``docs/python.md`` an overview.
 """
 
 from . import _native
