@@ -14,7 +14,6 @@ use crate::float::nearest;
 use crate::net::NetError;
 use crate::patch::distance::judge::Judge as _;
 use crate::patch::distance::surface::Surface as _;
-use crate::stop::check;
 use std::collections::{BTreeSet, HashMap};
 
 /// How many cells of a level are looked at together.
@@ -154,7 +153,6 @@ impl<'a> NetLevels<'a> {
         let mut own = Vec::new();
         let mut stack = vec![self.distances.model.rounded_cell(root)];
         while let Some(cell) = stack.pop() {
-            check();
             let sizes = cell.sizes(directions, &pieces.judge);
             let bound = bound(directions, sizes, pieces.level - cell.level());
             if bound <= tolerance {
@@ -218,7 +216,6 @@ impl<'a> NetLevels<'a> {
         let mut cells: Vec<Cell<f64>> =
             roots.iter().map(|index| model.rounded_cell(root(index))).collect();
         while let Some(wanted) = by_level.pop() {
-            check();
             let parts = cells.iter().flat_map(|cell| cell.parts(directions, [true; 2]));
             cells = parts.filter(|part| wanted.contains(&part.index)).collect();
         }
