@@ -366,8 +366,8 @@ class Scheme:
     """A subdivision scheme: one of the catalogue with its parameters, or a mask.
 
     A mask has one row of coefficients for each rule; ``offset`` is the index of the first point that
-    a rule takes, and 0 if it is left out, which most masks of papers are not: natural parameters do not depend on it, but σ
-    and ``depth(natural=False)`` do. A mask without rows, ``Scheme([Fraction(1, 4), …])``, is the symbol, as on the command
+    a rule takes, and 0 if it is left out: ``depth()`` does not depend on it, but σ and ``depth(natural=False)`` do, which
+    needs 3 levels for the cubic B-spline with the offset -1, and 8 with 0. A mask without rows, ``Scheme([Fraction(1, 4), …])``, is the symbol, as on the command
     line: its sum is the arity, and it has an offset of its own. Numbers are ints, Fractions, Decimals, text such as
     "3/256", or floats, which are the numbers that they are: 0.375 is 3/8, but 0.1 is not 1/10. numpy arrays and tables
     of pandas are taken too. A parameter without a value has its default, if the catalogue has one: w = 1/16 of
