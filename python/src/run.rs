@@ -52,8 +52,7 @@ pub(crate) fn aside<T: Send + 'static>(
         match answer {
             // It is stopped only where nobody waits.
             Ok(Ok(Ok(answer))) => return answer,
-            Ok(_) => return Err(panicked()),
-            Err(RecvTimeoutError::Disconnected) => return Err(panicked()),
+            Ok(_) | Err(RecvTimeoutError::Disconnected) => return Err(panicked()),
             Err(RecvTimeoutError::Timeout) => py.check_signals().inspect_err(|_| stop.stop())?,
         }
     }
