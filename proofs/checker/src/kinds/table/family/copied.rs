@@ -1,7 +1,7 @@
 //! The members of a family that take a quantity from another place of the paper.
 
 use super::degree::{OF_NUMBERS, depends};
-use super::members::{MAX_MEMBERS, Members, values as values_of};
+use super::members::{Members, most_members, values as values_of};
 use crate::claims::{Headers, printed};
 use crate::formulas::{Expr, Head, formula, names};
 use crate::kinds::table::claim::{Cells, Read, Table};
@@ -16,14 +16,10 @@ const MAX_WITH_COPIED: usize = 3;
 /// The constants of masks, which have an order.
 const OF_MASKS: [&str; 3] = ["contraction", "norm", "tensor"];
 
-/// The most values of cells under all members of a family.
-const MAX_VALUES: usize = 100_000;
-
 /// The members that take a quantity from another place; `others` are the members that take none.
 /// Empty if all together are too many.
 pub fn copied(table: &Table<'_>, cells: &Cells, others: &Members) -> Result<Members, Stop> {
-    let (rows, columns) = table.size();
-    let most = MAX_MEMBERS.min(MAX_VALUES / (rows * columns).max(1)).max(1);
+    let most = most_members(table);
     let mut members = Members::new();
     let order = order(table, cells)?;
     let last = if order.is_some() { greatest_arity(table, cells)? } else { 0 };

@@ -9,7 +9,16 @@ use crate::text::{Checked, Stop};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most members of a family.
-pub const MAX_MEMBERS: usize = 4_096;
+const MAX_MEMBERS: usize = 4_096;
+
+/// The most values of cells under all members of a family.
+const MAX_VALUES: usize = 100_000;
+
+/// The most members of the family of a table.
+pub fn most_members(table: &Table<'_>) -> usize {
+    let (rows, columns) = table.size();
+    MAX_MEMBERS.min(MAX_VALUES / (rows * columns).max(1)).max(1)
+}
 
 /// The members: each is a set of differences from the printed text, `NAME=WAY`, `NAME#NUMBER`, or
 /// the name of a copied quantity.
@@ -42,18 +51,33 @@ pub fn members(table: &Table<'_>, cells: &Cells) -> Result<Members, Stop> {
         }
     }
     changes.extend(others.into_values());
+    let most = most_differences(&changes, most_members(table));
     let mut members = BTreeSet::from([BTreeSet::new()]);
     for ways in changes {
-        let shorter = members.iter().filter(|member| member.len() < MAX_DIFFERENCES);
+        let shorter = members.iter().filter(|member: &&BTreeSet<String>| member.len() < most);
         let longer = shorter.flat_map(|member| {
             ways.iter().map(|way| member.iter().chain([way]).cloned().collect::<BTreeSet<_>>())
         });
         members = longer.chain(members.iter().cloned()).collect();
-        if members.len() > MAX_MEMBERS {
-            return Err(Stop::Capped("the members of a family"));
-        }
     }
     Ok(members)
+}
+
+/// The most differences with which there are no more members than `most`.
+fn most_differences(changes: &[Vec<String>], most: usize) -> usize {
+    // How many sets have so many differences.
+    let mut sizes = vec![1_usize];
+    for ways in changes {
+        let longer: Vec<usize> = sizes.iter().map(|size| size.saturating_mul(ways.len())).collect();
+        sizes.resize(MAX_DIFFERENCES.min(sizes.len()) + 1, 0);
+        for (size, more) in sizes.iter_mut().skip(1).zip(longer) {
+            *size = size.saturating_add(more);
+        }
+    }
+    let all = |differences: &usize| {
+        sizes.iter().take(differences + 1).fold(0, |all: usize, size| all.saturating_add(*size))
+    };
+    (0..=MAX_DIFFERENCES).take_while(|differences| all(differences) <= most).last().unwrap_or(0)
 }
 
 /// The reading of a member.

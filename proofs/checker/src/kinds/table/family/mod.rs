@@ -3,6 +3,7 @@
 
 pub mod copied;
 pub mod degree;
+pub mod lines;
 pub mod listed;
 pub mod luck;
 pub mod members;
@@ -14,15 +15,12 @@ use crate::kinds::table::reading::{MAX_DIFFERENCES, PartRead, Reads};
 use crate::numbers::{Q, Value, count, int};
 use crate::text::{At, Block, Checked, Reason, Stop, Toml, agree, compare, require};
 use copied::copied;
+use lines::{MAX_LINES, SHIFTS, lines};
 use listed::{Listed, same};
 use luck::Evidence;
 use members::{Members, explained, members, read, values};
 use scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
-use std::collections::BTreeSet;
-
-/// The number of places from which the value of a cell may be taken: its own and the four around
-/// it.
-const SHIFTS: i64 = 5;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Checks the lines `family`, `scale`, `values` and `member` of a table that has a reading, or
 /// refuted or reproduced cells.
@@ -87,16 +85,23 @@ fn family(
     }
     // Each scale gives another reading.
     let scales = if scale.is_some() { SCALES } else { 0 };
-    let mut family = Family { table, cells, plain, best: best[0], second, sizes: [0; 2] };
+    let mut sizes = [0; 2];
+    for member in &members {
+        let elsewhere = member.iter().any(|difference| difference.contains('@'));
+        let readings = if elsewhere { 1 } else { 1 + scales };
+        sizes[usize::from(elsewhere)] +=
+            roundings(table, member).iter().map(|_| readings).sum::<i64>();
+    }
+    let family = Family { table, cells, plain, best: best[0], second, sizes };
     let cells = &family.cells;
+    let lines = family.lines(reads, whole, refuted)?;
     while let Some(said) = block.maybe("member") {
         let (differences, said) = said.split_once(':').ok_or(Reason::Malformed("`:`"))?;
         let (counts, numbers) = said.split_once(':').unwrap_or((said, ""));
         let member: BTreeSet<String> = differences.split_whitespace().map(str::to_owned).collect();
         require(members.remove(&member), Reason::Member)?;
         let read = read(table, &member)?;
-        let one = table.tolerance.is_some() || member.len() == MAX_DIFFERENCES;
-        let roundings = if one { &["nearest"][..] } else { &["nearest", "cut", "away"] };
+        let roundings = roundings(table, &member);
         let values = values(table, cells, &read)?;
         let elsewhere = read.copied().is_some();
         let best = if elsewhere { second.unwrap_or(0) } else { best[0] };
@@ -110,7 +115,21 @@ fn family(
                 require(!more, Reason::NotBest(best, count))?;
             }
             found.push(count.to_string());
-            family.sizes[usize::from(elsewhere)] += if elsewhere { 1 } else { 1 + scales };
+        }
+        let of_cells =
+            cells.iter().zip(&values).map(|((place, _), value)| (*place, value.as_ref()));
+        let of_cells: BTreeMap<Place, Option<&Value>> = of_cells.collect();
+        for (line, shift) in lines.iter().flat_map(|line| SHIFTS.map(|shift| (line, shift))) {
+            let values = line.shifted(table, &of_cells, shift);
+            for decimals in roundings {
+                let mut given = line.is_explained(&values, decimals, usize::from(elsewhere))?;
+                if let Some((name, base)) = scale.filter(|_| !given && !elsewhere) {
+                    let most = line.by_luck[0];
+                    let count = at_best_scale(table, &line.cells, &values, decimals, (base, most))?;
+                    given = count > most && is_scale(table, cells, name, base, &read)?;
+                }
+                require(!given, Reason::NotLuck)?;
+            }
         }
         let same = counts.split_whitespace().eq(found.iter().map(String::as_str));
         compare(same, counts.trim(), &found.join(" "), Reason::Explains)?;
@@ -118,6 +137,12 @@ fn family(
     }
     let complete = require(members.is_empty() && listed.all_met(), Reason::Member);
     complete.and_then(|()| family.compare(reads, whole)).at(line)
+}
+
+/// The roundings of decimals that a member has.
+fn roundings(table: &Table<'_>, member: &BTreeSet<String>) -> &'static [&'static str] {
+    let one = table.tolerance.is_some() || member.len() == MAX_DIFFERENCES;
+    if one { &["nearest"] } else { &["nearest", "cut", "away"] }
 }
 
 /// Checks that the readings of cells that need assumptions are members of their family.
@@ -129,7 +154,7 @@ fn assumed(table: &Table<'_>, reads: &Reads) -> Checked<()> {
     let mut members = members(table, &cells)?;
     members.extend(copied(table, &cells, &members)?);
     for PartRead { read, .. } in reads.all(false) {
-        is_member(read, &members)?;
+        is_member(table, read, &members)?;
         if let Some(name) = read.parameters.keys().next() {
             return Err(Reason::NotInFamily(name.clone()).into());
         }
@@ -137,8 +162,13 @@ fn assumed(table: &Table<'_>, reads: &Reads) -> Checked<()> {
     Ok(())
 }
 
-/// Checks that the choices and definitions of a reading are those of a member.
-fn is_member(read: &Read, members: &Members) -> Checked<()> {
+/// Checks that the choices and definitions of a reading are those of a member, and that depths are not read as cut.
+fn is_member(table: &Table<'_>, read: &Read, members: &Members) -> Checked<()> {
+    let decimals = read.decimals();
+    require(
+        table.tolerance.is_none() || decimals == "nearest",
+        Reason::NotInFamily(decimals.to_owned()),
+    )?;
     let differences = read.differences.iter().cloned().collect::<Vec<String>>().join(" ");
     require(members.contains(&read.differences), Reason::NotInFamily(differences))
 }
@@ -152,7 +182,7 @@ fn belongs(
     scale: Option<(&str, &Value)>,
 ) -> Checked<()> {
     let unknown = |name: &str| Reason::NotInFamily(name.to_owned());
-    is_member(read, members)?;
+    is_member(table, read, members)?;
     for (name, value) in &read.parameters {
         let scale = scale.filter(|(scale, _)| scale == name && is_simple(value));
         let (_, base) = scale.ok_or_else(|| unknown(name))?;
@@ -236,22 +266,53 @@ impl Family<'_> {
             return Err(Reason::Undetermined(name.clone()).into());
         }
         // Rows and columns with readings explain some of the cells that are left.
-        let (rows, columns) = table.size();
         for part in reads.all(*plain).filter(|part| !part.is_whole()) {
-            let inside = |at: &Place| left.contains(at) && part.holds(table, *at);
-            let cells = cells.iter().filter(|(at, _)| inside(at));
-            let cells: Cells = cells.cloned().collect();
-            let values = cells.iter().map(|(place, _)| part.value(table, *place));
-            let values = values.collect::<Result<Vec<_>, Stop>>()?;
-            let found = explained(&cells, &values, part.read.decimals())?;
-            let part_of = usize::from(part.read.copied().is_some());
-            let size = &sizes[part_of] * int(SHIFTS) * count(rows + columns);
-            let (evidence, m) = (Evidence::new(table, &cells), found.len());
-            let lucky = !evidence.are_several(m) || evidence.is_luck(table, m, &size)?;
+            let (cells, found) = self.explained_in_line(part, &left)?;
+            let size = &sizes[usize::from(part.read.copied().is_some())];
+            let lucky = lines::is_luck(table, &Evidence::new(table, &cells), found.len(), size)?;
             require(!lucky, Reason::Luck)?;
             left.retain(|place| !found.contains(place));
         }
         Ok(())
+    }
+
+    /// Of the cells that are left, those of a row or column, and which of them its reading explains.
+    fn explained_in_line(
+        &self,
+        part: &PartRead,
+        left: &BTreeSet<Place>,
+    ) -> Checked<(Cells, BTreeSet<Place>)> {
+        let inside = |at: &Place| left.contains(at) && part.holds(self.table, *at);
+        let cells: Cells = self.cells.iter().filter(|(at, _)| inside(at)).cloned().collect();
+        let values = cells.iter().map(|(place, _)| part.value(self.table, *place));
+        let values = values.collect::<Result<Vec<_>, Stop>>()?;
+        let found = explained(&cells, &values, part.read.decimals())?;
+        Ok((cells, found))
+    }
+
+    /// The rows and columns with refuted cells, which may have no other readings than those that are given.
+    fn lines(
+        &self,
+        reads: &Reads,
+        whole: Option<&Read>,
+        refuted: &[Place],
+    ) -> Checked<Vec<lines::Line>> {
+        let parts: Vec<&PartRead> = reads.all(self.plain).filter(|part| !part.is_whole()).collect();
+        if refuted.is_empty() || parts.len() >= MAX_LINES {
+            return Ok(Vec::new());
+        }
+        let mut left: BTreeSet<Place> = self.cells.iter().map(|(place, _)| *place).collect();
+        for read in whole.into_iter().chain([&self.table.as_printed]) {
+            let found =
+                explained(&self.cells, &values(self.table, &self.cells, read)?, read.decimals())?;
+            left.retain(|place| !found.contains(place));
+        }
+        for part in parts {
+            let (_, found) = self.explained_in_line(part, &left)?;
+            left.retain(|place| !found.contains(place));
+        }
+        let left: Cells = self.cells.iter().filter(|(at, _)| left.contains(at)).cloned().collect();
+        Ok(lines(self.table, &left, refuted, &self.readings(&self.cells)?)?)
     }
 
     /// Checks that the cells which tell a parameter's value are no luck by themselves, for each
