@@ -7,15 +7,15 @@ use subcert::certificate::certificate;
 use subcert::exact::{Integer, Rational};
 use subcert_check::{Outcome, check};
 
-/// Two tables: of decimals with the digits M, luck gives 1 in 2M each, and of depths 1 in 4, of 2 levels
-/// 1 in 2.
+/// Two tables: of decimals with the digits M, luck gives 1 in 2M each, where M has no factors 2 and 5, and of depths 1 in 4,
+/// of 2 levels 1 in 2.
 #[test]
 fn luck_is_what_unrelated_numbers_would_give() {
     let paper = paper(
         "[define]\nT = 'contraction(c)'\nd = 'levels(T, epsilon, c)'\n\
          [[table]]\nid = 'a'\nlocus = 'A'\nscheme = 'four-point'\nvalue = 'T'\n\
          columns = { name = 'c', values = ['1', '2', '3', '4', '5', '6'] }\n\
-         cells = [['0.625', '0.375', '0.227', '0.137', '0.5', '0.7']]\n\
+         cells = [['0.625', '0.375', '0.227', '0.137', '0.7', '0.9']]\n\
          [[table]]\nid = 'b'\nlocus = 'B'\nscheme = 'four-point'\nvalue = 'd'\n\
          promise = { tolerance = 'epsilon', spread = '1' }\n\
          rows = { name = 'c', values = ['1', '2'] }\n\
@@ -23,7 +23,7 @@ fn luck_is_what_unrelated_numbers_would_give() {
          cells = [['5', '10', '14', '19', '21'], ['2', '4', '6', '8', '9']]\n",
     );
     let audit = judged(&paper);
-    // The expected number of other cells that luck gives: of the decimals at most 1/10 + 1/14 + 4/274,
+    // The expected number of other cells that luck gives: of the decimals at most 1/2 + 1/6 + 1/14 + 1/18 + 2/274,
     // less than one; of the depths 9/4 to 10/4, more than two and less than three.
     for (finding, most) in audit.tables.iter().zip([0, 2]) {
         let readings = readings(&paper, finding, CellKind::Plain).expect("no error");
@@ -145,15 +145,16 @@ proptest! {
         numbers in prop::collection::btree_map(11_u64..99, 1_usize..4, 1..6),
         left in 0_usize..4,
     ) {
-        let numbers: Vec<(u64, usize)> =
-            numbers.into_iter().map(|(digits, size)| (digits + u64::from(digits % 10 == 0), size)).collect();
-        let mut merged = std::collections::BTreeMap::new();
-        for (digits, size) in numbers {
-            *merged.entry(digits).or_insert(0) += size;
-        }
-        let numbers: Vec<(u64, usize)> = merged.into_iter().collect();
         let cells: Vec<String> =
             numbers.iter().flat_map(|(digits, size)| vec![digits.to_string(); *size]).collect();
+        let mut merged = std::collections::BTreeMap::new();
+        for (digits, size) in numbers {
+            let part = [2, 2, 2, 2, 2, 2, 5, 5].iter().fold(digits, |rest, factor| {
+                if rest % factor == 0 { rest / factor } else { rest }
+            });
+            *merged.entry(part).or_insert(0) += size;
+        }
+        let numbers: Vec<(u64, usize)> = merged.into_iter().collect();
         let m = cells.len().saturating_sub(left);
         // The values of the cells that the alternative does not give are far away.
         let n: Vec<String> = cells.iter().enumerate()
@@ -220,14 +221,23 @@ fn luck_is_counted_quickly() {
     });
 }
 
-/// Numbers that differ by powers of ten alone are one, as a header that scales makes them from one.
+/// Numbers that differ by powers of 2 and 5 alone are one, as a header that scales makes them from one, however they are
+/// written; and unit fractions are simple values.
 #[test]
-fn powers_of_ten_are_one_number() {
-    let cells: Vec<String> = (-9..=2).map(|power| format!("37e{power}")).collect();
-    searched(&identity(&cells, &cells), |search, verdicts| {
-        assert!(search.best.is_empty() && search.chance >= Rational::new(1, 1_000));
-        assert!(verdicts.iter().all(|verdict| *verdict == Verdict::Refuted));
-    });
+fn simple_numbers_are_one_number() {
+    let of = |number: fn(u32) -> String| (0..12).map(number).collect::<Vec<String>>();
+    for cells in [
+        of(|i| format!("37e{}", i64::from(i) - 9)),
+        of(|i| format!("{}", 37.0 / f64::from(1 << i))),
+        of(|i| format!("{}/{}", 3_000_000, 1_000_000 << i)),
+        of(|i| format!("{}/{}", 123_456_789, 370_370_367_u64 * 3_u64.pow(i))),
+        of(|i| format!("{}/{}", 2_000_000, 1_000_000 * (i + 3))),
+    ] {
+        searched(&identity(&cells, &cells), |search, verdicts| {
+            assert!(search.best.is_empty() && search.chance >= Rational::new(1, 1_000), "{cells:?}");
+            assert!(verdicts.iter().all(|verdict| *verdict == Verdict::Refuted));
+        });
+    }
 }
 
 /// A unit that is far above a value is no rounding of it, and no slip; one that is as far below it is not either.

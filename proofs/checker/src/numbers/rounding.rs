@@ -59,14 +59,24 @@ pub fn is_rounded(end: &Decimal) -> bool {
     !end.unit.is_zero() && !end.digits.is_zero() && end.digits.abs().to_string().len() >= 2
 }
 
-/// The digits of a decimal without leading and trailing zeros.
-pub fn telling_digits(decimal: &Decimal) -> String {
-    decimal.digits.abs().to_string().trim_matches('0').to_owned()
+/// The digits as one integer; of a fraction those of its numerator in lowest terms.
+fn integer(decimal: &Decimal) -> BigInt {
+    if decimal.unit.is_zero() { decimal.value.numer().abs() } else { decimal.digits.abs() }
 }
 
-/// Their number.
+/// The number of digits without leading and trailing zeros.
 pub fn telling(decimal: &Decimal) -> usize {
-    telling_digits(decimal).len()
+    integer(decimal).to_string().trim_matches('0').len()
+}
+
+/// The integer of the digits, divided by 2 and 5 as often as this leaves an integer; 0 for 0.
+pub fn coprime_part(decimal: &Decimal) -> BigInt {
+    let mut part = integer(decimal);
+    part >>= part.trailing_zeros().unwrap_or(0);
+    while !part.is_zero() && (&part % 5u8).is_zero() {
+        part /= 5u8;
+    }
+    part
 }
 
 /// Whether a decimal has enough digits for this kind of slip, or for a `rounding` that differs from

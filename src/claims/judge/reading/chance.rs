@@ -13,7 +13,7 @@ const MOST_LUCK: i64 = 1_000;
 /// likelihood: it is often a level or two off.
 const LIKELY_DEPTHS: i64 = 4;
 
-/// The most digits of a decimal that count.
+/// The most digits of a number that count.
 const MOST_DIGITS: usize = 18;
 
 /// The greatest binary logarithm of the number x of [`Evidence::chance`].
@@ -22,26 +22,24 @@ const MOST_DOUBLINGS: u32 = 128;
 /// The smallest chance that is told is 2^−4096.
 const LEAST_CHANCE: i64 = -4_096;
 
-/// The one in how many unrelated values, at most, that becomes this printed number. For a decimal
-/// this is 2M with the integer M of its digits, without zeros at both ends: by Benford's law, log_10(1 +
-/// 1/M) ≤ 1/(2M) of all values begin with these digits. For a depth of k levels it is 4 or, if that is less, k. If it
-/// is 1, the number tells nothing; this holds for one that is printed as 0.
+/// The one in how many unrelated values, at most, that becomes this printed number. For a depth of k levels it is 4
+/// or, if that is less, k. For another number this is 2M, where M is its [`Decimal::coprime_part`]: by Benford's law,
+/// log_10(1 + 1/M) ≤ 1/(2M) of all values begin with the digits M, and values that are powers of 2 and 5 times a small integer
+/// are likely. If it is 1, the number tells nothing; this holds for one that is printed as 0.
 pub(crate) fn one_in(printed: &Printed, is_depth: bool) -> u64 {
     if is_depth {
         let depth = printed.decimal.value().floor().to_i64();
         return depth.unwrap_or(LIKELY_DEPTHS).clamp(1, LIKELY_DEPTHS).unsigned_abs();
     }
-    rarity(&printed.decimal.telling_digits())
+    rarity(&printed.decimal.coprime_part())
 }
 
-/// The same for the digits of a decimal that is no depth.
-fn rarity(digits: &str) -> u64 {
-    let digits = &digits[..digits.len().min(MOST_DIGITS)];
-    match digits.parse::<u64>() {
-        Ok(digits) => 2 * digits,
-        // There are none.
-        Err(_) => 1,
-    }
+/// The same for a number that is no depth, of this coprime part.
+fn rarity(part: &Integer) -> u64 {
+    let digits = part.to_string();
+    // It has digits alone, of which those that count fit into the type.
+    let first = digits[..digits.len().min(MOST_DIGITS)].parse::<u64>();
+    first.map_or(1, |digits| (2 * digits).max(1))
 }
 
 /// What cells tell of a reading that explains so many of them.
@@ -70,8 +68,8 @@ impl Evidence {
 
     /// The evidence of these cells, each with whether it is a depth, and its row and column.
     ///
-    /// Decimals that are equal, up to the sign and a power of ten, are one number, wherever they stand. So are
-    /// equal depths in one row or column, and those that are connected in this way.
+    /// Printed numbers with the same coprime part are one number, wherever they stand and however they are written. So
+    /// are equal depths in one row or column, and those that are connected in this way.
     pub(crate) fn of<'p>(
         cells: impl IntoIterator<Item = (&'p Printed, bool, (usize, usize))>,
     ) -> Evidence {
@@ -80,8 +78,8 @@ impl Evidence {
             let (one_in, number) = if is_depth {
                 (one_in(printed, true), printed.decimal.value().to_string())
             } else {
-                let digits = printed.decimal.telling_digits();
-                (rarity(&digits), digits)
+                let part = printed.decimal.coprime_part();
+                (rarity(&part), part.to_string())
             };
             match one_in {
                 1 => silent += 1,

@@ -100,10 +100,40 @@ impl Decimal {
         if self.mantissa.is_zero() { 0 } else { self.mantissa.abs().to_string().len() }
     }
 
-    /// The digits without zeros at both ends; none where all are 0.
+    /// The digits as one integer that is not negative; of a fraction those of its numerator in lowest terms.
+    fn integer(&self) -> Integer {
+        if self.is_fraction() { self.value().numerator().abs() } else { self.mantissa.abs() }
+    }
+
+    /// The digits without zeros at both ends, those of a fraction's numerator in lowest terms; none where all are 0.
     #[must_use]
     pub fn telling_digits(&self) -> String {
-        self.mantissa.abs().to_string().trim_matches('0').to_owned()
+        self.integer().to_string().trim_matches('0').to_owned()
+    }
+
+    /// The numerator of the absolute value in lowest terms, without its factors 2 and 5. Numbers that differ by the sign or by
+    /// powers of 2 and 5 have the same one, however they are written: that of `0.75`, `7.5`, `-3/8` and `6/16` is 3.
+    ///
+    /// ```
+    /// use subcert::exact::{Integer, parse_decimal};
+    ///
+    /// assert_eq!(parse_decimal("0.0266")?.coprime_part(), Integer::from(133));
+    /// assert_eq!(parse_decimal("0")?.coprime_part(), Integer::from(0));
+    /// # Ok::<(), subcert::exact::NumberError>(())
+    /// ```
+    #[must_use]
+    pub fn coprime_part(&self) -> Integer {
+        let mut rest = self.integer();
+        for factor in [10, 2, 5].map(Integer::from) {
+            while !rest.is_zero() {
+                let (quotient, remainder) = rest.div_rem_floor(&factor);
+                if !remainder.is_zero() {
+                    break;
+                }
+                rest = quotient;
+            }
+        }
+        rest
     }
 
     /// The closed interval of the values that round to this decimal: half a

@@ -1,7 +1,7 @@
 //! Luck: how many cells readings of unrelated values would explain.
 
 use crate::kinds::table::claim::{Cells, Place, Table};
-use crate::numbers::{Q, telling_digits};
+use crate::numbers::{Q, coprime_part};
 use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Wrong depths are often a level or two off.
 const DEPTHS: i64 = 4;
 
-/// The most digits of a decimal that count.
+/// The most digits of a number that count.
 const MAX_DIGITS: usize = 18;
 
 /// The binary logarithm of the greatest number x of the bound.
@@ -31,19 +31,15 @@ fn rarity_of_depth(value: &Q) -> u64 {
     value.floor().to_i64().unwrap_or(DEPTHS).clamp(1, DEPTHS).unsigned_abs()
 }
 
-/// One of how many unrelated values has these digits.
-fn rarity(digits: &str) -> u64 {
-    let first: String = digits.chars().take(MAX_DIGITS).collect();
-    match first.parse::<u64>() {
-        Ok(integer) => 2 * integer,
-        // There are no digits.
-        Err(_) => 1,
-    }
+/// One of how many unrelated values becomes a number with these digits of its coprime part.
+fn rarity(digits: &str) -> Option<u64> {
+    let first: u64 = digits.get(..MAX_DIGITS).unwrap_or(digits).parse().ok()?;
+    Some(first.checked_mul(2)?.max(1))
 }
 
 impl Evidence {
-    /// The evidence of cells. Decimals with the same digits, up to zeros at their ends, are one number; equal depths are if they
-    /// are in one row or column, or joined by such pairs.
+    /// The evidence of cells. Those with the same coprime part are one number; equal depths are if they are in one row or
+    /// column, or joined by such pairs.
     pub fn new(table: &Table<'_>, cells: &Cells) -> Evidence {
         let is_depth = table.tolerance.is_some();
         let (mut places, mut silent) = (BTreeMap::<String, (u64, Vec<Place>)>::new(), 0);
@@ -51,8 +47,8 @@ impl Evidence {
             let (rarity, number) = if is_depth {
                 (rarity_of_depth(&decimal.value), decimal.value.to_string())
             } else {
-                let digits = telling_digits(decimal);
-                (rarity(&digits), digits)
+                let part = coprime_part(decimal).to_string();
+                (rarity(&part).unwrap_or(1), part)
             };
             if rarity == 1 {
                 silent += 1;
