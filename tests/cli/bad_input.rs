@@ -5,10 +5,8 @@ use super::{TemporaryFile, assert_parts, refused};
 
 /// Audits a claim file with this text.
 fn refused_paper(name: &str, text: &str) -> String {
-    let path = std::env::temp_dir().join(format!("subcert-{}-{name}.toml", std::process::id()));
-    std::fs::write(&path, text).expect("a temporary file");
-    let message = refused(["audit", path.to_str().expect("a UTF-8 path")]);
-    std::fs::remove_file(&path).expect("the file is still there");
+    let file = TemporaryFile::new(&format!("{name}.toml"), text);
+    let message = refused(["audit", file.path()]);
     assert_parts(&message, &[&format!("{name}.toml:")]);
     message
 }
@@ -131,12 +129,8 @@ fn ranges() {
 
 /// Asks for the depth of the control polygon in a file with this text.
 fn refused_polygon(name: &str, text: &str) -> String {
-    let path = std::env::temp_dir().join(format!("subcert-{}-{name}", std::process::id()));
-    std::fs::write(&path, text).expect("a temporary file");
-    let file = path.to_str().expect("a UTF-8 path");
-    let message = refused(["depth", "b-spline:degree=3", "--tolerance", "1/9", "--polygon", file]);
-    std::fs::remove_file(&path).expect("the file is still there");
-    message
+    let file = TemporaryFile::new(name, text);
+    refused(["depth", "b-spline:degree=3", "--tolerance", "1/9", "--polygon", file.path()])
 }
 
 #[test]
@@ -368,7 +362,13 @@ fn a_cell_of_a_table_of_smoothness_that_states_nothing() {
     // The second exponent of the table is not printed.
     for cell in ["2:2", "4:1", "0:1", "x"] {
         let message = refused(["explain", &format!("doe2026-smoothness:table-1:{cell}"), file]);
-        assert_parts(&message, &[&format!("cell `{cell}`"), "explain doe2026-smoothness:table-1`"]);
+        assert_parts(
+            &message,
+            &[
+                &format!("cell `{cell}`"),
+                "explain doe2026-smoothness:table-1 examples/smoothness.toml`",
+            ],
+        );
     }
 }
 

@@ -25,6 +25,7 @@ mod tables;
 mod terminal;
 
 use snapbox::cmd::{Command, cargo_bin};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The program with these arguments, in the project's folder.
 fn subcert<'a>(arguments: impl IntoIterator<Item = &'a str>) -> Command {
@@ -63,7 +64,10 @@ struct TemporaryFile(std::path::PathBuf);
 
 impl TemporaryFile {
     fn new(name: &str, text: &str) -> TemporaryFile {
-        let path = std::env::temp_dir().join(format!("subcert-{}-{name}", std::process::id()));
+        // Tests run side by side, and use the same names.
+        static COUNT: AtomicUsize = AtomicUsize::new(0);
+        let own = (std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
+        let path = std::env::temp_dir().join(format!("subcert-{}-{}-{name}", own.0, own.1));
         std::fs::write(&path, text).expect("a temporary file");
         TemporaryFile(path)
     }

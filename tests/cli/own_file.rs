@@ -133,9 +133,6 @@ fn files_that_are_no_claim_files() {
 
 #[test]
 fn what_is_there_twice() {
-    let twice = TemporaryFile::new("twice.toml", &PAPER.replace("['1', '4']", "['1/2', '0.5']"));
-    let message = refused(["audit", twice.path()]);
-    assert_parts(&message, &["this header is there already", "the first one is here"]);
     let row = TemporaryFile::new(
         "row.toml",
         &PAPER.replace("'-1/18 + mu/6'],\n    ['-1/18", "'mu'],\n    ['-1/18"),

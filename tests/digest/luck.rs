@@ -234,7 +234,10 @@ fn simple_numbers_are_one_number() {
         of(|i| format!("{}/{}", 2_000_000, 1_000_000 * (i + 3))),
     ] {
         searched(&identity(&cells, &cells), |search, verdicts| {
-            assert!(search.best.is_empty() && search.chance >= Rational::new(1, 1_000), "{cells:?}");
+            assert!(
+                search.best.is_empty() && search.chance >= Rational::new(1, 1_000),
+                "{cells:?}"
+            );
             assert!(verdicts.iter().all(|verdict| *verdict == Verdict::Refuted));
         });
     }

@@ -87,30 +87,8 @@ impl Reader<'_> {
                 AxisEntry { printed: printed.clone(), read: read.clone(), note: note.clone() };
             Ok((entry, value))
         };
-        let values =
-            fields.get_ref().iter().map(entry).collect::<Result<Vec<Number>, Diagnostic>>()?;
-        self.distinct(fields.get_ref(), |place| &values[place].1)?;
+        let values = fields.get_ref().iter().map(entry).collect::<Result<_, Diagnostic>>()?;
         Ok((name.clone(), label.clone().unwrap_or(name), values))
-    }
-
-    /// Checks that no header is there twice: its cells would be the same claims twice.
-    fn distinct<T, V: PartialEq>(
-        &self,
-        fields: &[Spanned<T>],
-        value: impl Fn(usize) -> V,
-    ) -> Result<(), Diagnostic> {
-        for (place, field) in fields.iter().enumerate() {
-            if let Some(first) = (0..place).find(|first| value(*first) == value(place)) {
-                return Err(self
-                    .error(field.span(), "this header is there already")
-                    .with_place(fields[first].span(), "the first one is here")
-                    .with_help(
-                        "leave one of the two out, with its cells; if it is misprinted, say what it means: \
-                         { printed = \"1/11\", read = \"1/10\", note = \"why\" }",
-                    ));
-            }
-        }
-        Ok(())
     }
 
     fn scheme_headers(
