@@ -27,8 +27,8 @@ pub use piece::{Ends, MAX_CUTS, Piece};
 pub use polynomial::{at, divide, gcd, multiplied, roots_between, signum, steps_of_gcd, trimmed};
 pub use root::Root;
 pub use rounding::{
-    coprime_part, differing, gives, has_digits, interval, is_exchanged, is_one_unit, is_rounded,
-    rounding, rounding_on, slips, telling,
+    differing, gives, has_digits, interval, is_exchanged, is_one_unit, is_rounded, rounding,
+    rounding_on, slips, telling, telling_part,
 };
 pub use show::shown;
 pub use value::Value;

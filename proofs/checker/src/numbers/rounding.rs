@@ -69,14 +69,28 @@ pub fn telling(decimal: &Decimal) -> usize {
     integer(decimal).to_string().trim_matches('0').len()
 }
 
-/// The integer of the digits, divided by 2 and 5 as often as this leaves an integer; 0 for 0.
-pub fn coprime_part(decimal: &Decimal) -> BigInt {
+/// The telling part of a number: the integer of the digits of a decimal, or of a fraction that is one, divided by 10
+/// and then by 5 as often as this leaves an integer; of any other fraction its numerator, divided so by 2 and 5.
+pub fn telling_part(decimal: &Decimal) -> BigInt {
+    let divided = |mut number: BigInt, factor: u8| {
+        let mut count = 0_u64;
+        while !number.is_zero() && (&number % factor).is_zero() {
+            number /= factor;
+            count = count.saturating_add(1);
+        }
+        (number, count)
+    };
     let mut part = integer(decimal);
-    part >>= part.trailing_zeros().unwrap_or(0);
-    while !part.is_zero() && (&part % 5u8).is_zero() {
-        part /= 5u8;
+    if decimal.unit.is_zero() {
+        let (rest, twos) = divided(decimal.value.denom().clone(), 2);
+        let (rest, fives) = divided(rest, 5);
+        if !rest.is_one() {
+            return divided(divided(part, 2).0, 5).0;
+        }
+        // One digit behind the point for each 10 of the denominator, and one for each 2 or 5 that is left.
+        part *= BigInt::from(2).pow(fives.saturating_sub(twos));
     }
-    part
+    divided(divided(part, 10).0, 5).0
 }
 
 /// Whether a decimal has enough digits for this kind of slip, or for a `rounding` that differs from

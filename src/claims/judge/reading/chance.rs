@@ -23,18 +23,18 @@ const MOST_DOUBLINGS: u32 = 128;
 const LEAST_CHANCE: i64 = -4_096;
 
 /// The one in how many unrelated values, at most, that becomes this printed number. For a depth of k levels it is 4
-/// or, if that is less, k. For another number this is 2M, where M is its [`Decimal::coprime_part`]: by Benford's law,
-/// log_10(1 + 1/M) ≤ 1/(2M) of all values begin with the digits M, and values that are powers of 2 and 5 times a small integer
-/// are likely. If it is 1, the number tells nothing; this holds for one that is printed as 0.
+/// or, if that is less, k. For another number this is 2M with the integer M that `Decimal::telling_part` gives: by
+/// Benford's law, log_10(1 + 1/M) ≤ 1/(2M) of all values begin with the digits M, and simple values are likely. If it is 1,
+/// the number tells nothing; this holds for one that is printed as 0.
 pub(crate) fn one_in(printed: &Printed, is_depth: bool) -> u64 {
     if is_depth {
         let depth = printed.decimal.value().floor().to_i64();
         return depth.unwrap_or(LIKELY_DEPTHS).clamp(1, LIKELY_DEPTHS).unsigned_abs();
     }
-    rarity(&printed.decimal.coprime_part())
+    rarity(&printed.decimal.telling_part())
 }
 
-/// The same for a number that is no depth, of this coprime part.
+/// The same for a number that is no depth, with this telling part.
 fn rarity(part: &Integer) -> u64 {
     let digits = part.to_string();
     // It has digits alone, of which those that count fit into the type.
@@ -68,7 +68,7 @@ impl Evidence {
 
     /// The evidence of these cells, each with whether it is a depth, and its row and column.
     ///
-    /// Printed numbers with the same coprime part are one number, wherever they stand and however they are written. So
+    /// Printed numbers with the same telling part are one number, wherever they stand and however they are written. So
     /// are equal depths in one row or column, and those that are connected in this way.
     pub(crate) fn of<'p>(
         cells: impl IntoIterator<Item = (&'p Printed, bool, (usize, usize))>,
@@ -78,7 +78,7 @@ impl Evidence {
             let (one_in, number) = if is_depth {
                 (one_in(printed, true), printed.decimal.value().to_string())
             } else {
-                let part = printed.decimal.coprime_part();
+                let part = printed.decimal.telling_part();
                 (rarity(&part), part.to_string())
             };
             match one_in {

@@ -111,29 +111,36 @@ impl Decimal {
         self.integer().to_string().trim_matches('0').to_owned()
     }
 
-    /// The numerator of the absolute value in lowest terms, without its factors 2 and 5. Numbers that differ by the sign or by
-    /// powers of 2 and 5 have the same one, however they are written: that of `0.75`, `7.5`, `-3/8` and `6/16` is 3.
+    /// An integer that numbers have in common which differ by the sign or a power of ten, however they are written: with
+    /// the absolute value p/q in lowest terms, the digits of the decimal that it is, without zeros at both ends and without
+    /// factors 5; if it is none, p without factors 2 and 5. That of 0 is 0.
+    ///
+    /// It is small for simple values: m for the odd numbers m times powers of 2, and 1 for 1/3.
     ///
     /// ```
-    /// use subcert::exact::{Integer, parse_decimal};
+    /// use subcert::exact::{Integer, parse_decimal, parse_printed};
     ///
-    /// assert_eq!(parse_decimal("0.0266")?.coprime_part(), Integer::from(133));
-    /// assert_eq!(parse_decimal("0")?.coprime_part(), Integer::from(0));
+    /// let part = |text| Ok::<_, subcert::exact::NumberError>(parse_printed(text)?.telling_part());
+    /// assert_eq!(part("0.0266")?, Integer::from(266));
+    /// for three in ["0.375", "3/8", "-600/1600", "3000", "3/7"] {
+    ///     assert_eq!(part(three)?, Integer::from(3));
+    /// }
     /// # Ok::<(), subcert::exact::NumberError>(())
     /// ```
     #[must_use]
-    pub fn coprime_part(&self) -> Integer {
-        let mut rest = self.integer();
-        for factor in [10, 2, 5].map(Integer::from) {
-            while !rest.is_zero() {
-                let (quotient, remainder) = rest.div_rem_floor(&factor);
-                if !remainder.is_zero() {
-                    break;
-                }
-                rest = quotient;
+    pub fn telling_part(&self) -> Integer {
+        let mut part = self.integer();
+        if let Some(over) = &self.over {
+            let value = Rational::new(self.mantissa.clone(), over.clone());
+            let (rest, fives) = without(value.denominator(), 5);
+            let (rest, twos) = without(rest, 2);
+            if rest != Integer::one() {
+                return without(without(part, 2).0, 5).0;
             }
+            // Both are the numbers of digits behind the point if the other one is not more.
+            part = part.shifted_left(fives.saturating_sub(twos));
         }
-        rest
+        without(without(part, 10).0, 5).0
     }
 
     /// The closed interval of the values that round to this decimal: half a
@@ -195,4 +202,17 @@ impl Decimal {
         let next = marks.get(place).unwrap_or(&marks[marks.len() - 1]);
         self.rounding_of(&(next - half / Rational::from(2)))
     }
+}
+
+/// This integer without all its factors `factor`, and how many these are; 0 has none.
+fn without(mut integer: Integer, factor: i64) -> (Integer, u32) {
+    let (factor, mut count) = (Integer::from(factor), 0);
+    while !integer.is_zero() {
+        let (quotient, remainder) = integer.div_rem_floor(&factor);
+        if !remainder.is_zero() {
+            break;
+        }
+        (integer, count) = (quotient, count + 1);
+    }
+    (integer, count)
 }

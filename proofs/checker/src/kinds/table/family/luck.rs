@@ -1,7 +1,7 @@
 //! Luck: how many cells readings of unrelated values would explain.
 
 use crate::kinds::table::claim::{Cells, Place, Table};
-use crate::numbers::{Q, coprime_part};
+use crate::numbers::{Q, telling_part};
 use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
@@ -31,14 +31,14 @@ fn rarity_of_depth(value: &Q) -> u64 {
     value.floor().to_i64().unwrap_or(DEPTHS).clamp(1, DEPTHS).unsigned_abs()
 }
 
-/// One of how many unrelated values becomes a number with these digits of its coprime part.
+/// One of how many unrelated values becomes a number with these digits of its telling part.
 fn rarity(digits: &str) -> Option<u64> {
     let first: u64 = digits.get(..MAX_DIGITS).unwrap_or(digits).parse().ok()?;
     Some(first.checked_mul(2)?.max(1))
 }
 
 impl Evidence {
-    /// The evidence of cells. Those with the same coprime part are one number; equal depths are if they are in one row or
+    /// The evidence of cells. Those with the same telling part are one number; equal depths are if they are in one row or
     /// column, or joined by such pairs.
     pub fn new(table: &Table<'_>, cells: &Cells) -> Evidence {
         let is_depth = table.tolerance.is_some();
@@ -47,7 +47,7 @@ impl Evidence {
             let (rarity, number) = if is_depth {
                 (rarity_of_depth(&decimal.value), decimal.value.to_string())
             } else {
-                let part = coprime_part(decimal).to_string();
+                let part = telling_part(decimal).to_string();
                 (rarity(&part).unwrap_or(1), part)
             };
             if rarity == 1 {
