@@ -277,6 +277,76 @@ fn all_forms_hold_the_same_mesh() {
     assert_eq!(subcert::mesh::MeshFormat::of(std::path::Path::new("-"), &vtk()), MeshFormat::Vtk);
 }
 
+/// The word stands in a comment, and lines end in three ways; a line feed after a \r is then a number.
+#[test]
+fn where_a_binary_header_ends() {
+    let whole = ply(false);
+    let marker = b"end_header\n";
+    let at = whole.windows(marker.len()).position(|part| part == marker).expect("a header");
+    let (head, rest) = whole.split_at(at + marker.len());
+    let head = String::from_utf8(head.to_vec()).expect("a text");
+    let noted =
+        head.replace("element vertex", "comment end_header\nobj_info end_header\nelement vertex");
+    for head in [noted.clone(), noted.replace('\n', "\r\n"), noted.replace('\n', "\r")] {
+        for first in [7, b'\n'] {
+            let bytes = [head.as_bytes(), &[first], &rest[1..]].concat();
+            let file = read_binary_mesh("a.ply", &bytes, None).expect("binary").expect("a mesh");
+            assert_eq!(*file.mesh(), expected());
+        }
+    }
+    // These words stand in comments alone, and the file is a text.
+    let text = b"ply\ncomment format binary_little_endian 1.0\nend_header\n";
+    assert!(read_binary_mesh("a.ply", text, None).is_none());
+}
+
+/// Sections in small letters, an array with the name of one, and offsets that leave no corner out.
+#[test]
+fn sections_and_offsets_of_vtk() {
+    let listed = vtk();
+    let at = listed.find("POLYGONS").expect("faces");
+    let offsets = "polygons 5 12\nOffsets vtktypeint64\n0 3 6 9 12\nconnectivity vtktypeint64\n0 1 2 0 3 1 0 2 3 1 3 2\n";
+    let field = "field f 2\npolygons 1 2 int\n1 2\nlines 1 1 int\n7\nmetadata\ninformation 0\n\n";
+    let text = format!("{}{field}{offsets}cell_data 4\n", listed[..at].replace("POINTS", "points"));
+    let file = read(MeshFormat::Vtk, &text).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(*file.mesh(), expected());
+    let old = text.replace('\n', "\r");
+    assert_eq!(*read(MeshFormat::Vtk, &old).expect("old line ends").mesh(), expected());
+    for (from, to, part) in [
+        ("\n0 3 6", "\n1 3 6", "the first offset is 1, and it must be 0"),
+        ("9 12\n", "9 11\n", "the last offset is 11, and it must be 12"),
+        ("9 12\n", "9 13\n", "the last offset is 13, and it must be 12"),
+        (
+            "polygons 5 12\nOffsets vtktypeint64\n0 3 6 9 12",
+            "polygons 0 12\nOffsets vtktypeint64",
+            "the last offset is 0",
+        ),
+        ("0 3 6", "0 6 3", "the offsets must rise"),
+        ("9 12\n", "9 18446744073709551615\n", "the last offset is 18446744073709551615"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let error = read(MeshFormat::Vtk, &text.replace(from, to)).map(|_| ()).expect_err(part);
+        assert!(error.to_string().contains(part), "no `{part}` in {error}");
+    }
+}
+
+/// Faces with curved edges are not passed over, as faces with straight ones are not.
+#[test]
+fn curved_faces_of_medit() {
+    let text = "MeshVersionFormatted 2 Dimension 3 Vertices 3 0 0 0 0 1 0 0 0 0 1 0 0\nTriangles 1 1 2 3 0\n";
+    let with = |more: &str| read(MeshFormat::Medit, &format!("{text}{more}\nEnd\n"));
+    for kind in
+        ["TrianglesP2", "quadrilateralsq3", "TETRAHEDRAP2", "HexahedraQ4", "PrismsP2", "PyramidsP2"]
+    {
+        let error = with(&format!("{kind} 2 1 2 3 1 2 3 0")).map(|_| ()).expect_err(kind);
+        let linear = format!("as `{}`", &kind[..kind.len() - 2]);
+        assert!(error.to_string().contains(&format!("2 curved cells under `{kind}`")), "{error}");
+        assert!(error.help.is_some_and(|help| help.contains(&linear)));
+        assert!(with(&format!("{kind} 0")).is_ok());
+    }
+    assert!(with("InnerPolygonHeaders 1 1 0").is_err());
+    assert!(with("EdgesP2 1 1 2 3 0\nTrianglesP2Ordering 1 1").is_ok());
+}
+
 #[test]
 fn fields_of_usd() {
     let file = read(MeshFormat::Usda, USDA).unwrap_or_else(|error| panic!("{error}"));
@@ -368,9 +438,35 @@ fn what_follows_a_surface_in_a_file() {
     assert!(read(MeshFormat::Stl, &format!("{named}\nsolid b\nendsolid b\n")).is_ok());
     let second = format!("{named}\nfacet normal 0 0 1\n");
     let points = "POINTS 1 float\n9 9 9\nPOLYGONS";
+    let one =
+        "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet";
+    // A name may be what a triangle begins with, and a triangle may stand in the line of the name.
+    let other = one.replace("0 0 0", "0 0 7").replace("1 0 0", "1 0 7").replace("0 1 0", "0 1 7");
+    for (text, faces) in [
+        (format!("solid a {one} endsolid a"), 1),
+        (format!("solid facet normal\n{one}\nendsolid facet normal 1 2 3\n"), 1),
+        (format!("solid {}\nendsolid", one.replace("outer", "\nouter")), 1),
+        (format!("solid {}\nendsolid", one.replace("normal", "\nnormal")), 1),
+        (format!("solid a {one}\nendsolid\nsolid b {other}\nendsolid"), 2),
+    ] {
+        let found = read(MeshFormat::Stl, &text).map(|file| file.mesh().faces().len());
+        assert_eq!(found.ok(), Some(faces), "{text}");
+    }
+    let twice = "CELL_TYPES 0 CELL_TYPES 0";
     for (format, text, part) in [
         (MeshFormat::Stl, second, "more after the end of the solid"),
-        (MeshFormat::Vtk, vtk().replace("POLYGONS", points), "the points of the file stand twice"),
+        (MeshFormat::Stl, format!("solid\n{one}\nendsolid {one}\n"), "in the line of `endsolid`"),
+        (MeshFormat::Vtk, vtk().replace("POLYGONS", points), "`POINTS` for the second time"),
+        (
+            MeshFormat::Vtk,
+            vtk().replace("POLYGONS", "POLYGONS 0 0 polygons"),
+            "`polygons` for the second time",
+        ),
+        (
+            MeshFormat::Vtk,
+            vtk().replace("POLYDATA", &format!("UNSTRUCTURED_GRID {twice}")),
+            "`CELL_TYPES` for the second time",
+        ),
     ] {
         let error = read(format, &text).map(|_| ()).expect_err(part);
         assert!(error.to_string().contains(part) && error.help.is_some(), "{error}");

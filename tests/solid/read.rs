@@ -101,6 +101,7 @@ fn bad_vtk() {
     vtk("1.2 0 0", "1.2 0 1e99999", &["test:7:7", "out of range"]);
     vtk("CELL_TYPES 6\n12\n", "CELL_TYPES 6\n", &["the file ends here", "5 of 6 types"]);
     vtk("CELL_TYPES 6\n12\n12\n12\n12\n12\n12\n", "", &["there is no `CELL_TYPES`"]);
+    vtk("CELL_TYPES 6", "CELLS 0 0\nCELL_TYPES 6", &["test:34:1", "`CELLS` for the second time"]);
     vtk("CELL_TYPES 6\n12\n", "CELL_TYPES 5\n", &["6 cells, but 5 types of cells"]);
     vtk("POINTS 21 double\n", "POINTS 22 double\n9 9 9\n", &["point 21 is a corner of no cell"]);
     vtk("POINTS 21", "POINTS 99999999999999999999", &["the number of points is too large"]);
@@ -125,6 +126,7 @@ fn bad_medit() {
     medit("Dimension 3", "Dimension 2", &["points of dimension 2; 3 is needed"]);
     medit("MeshVersionFormatted", "solid", &["`MeshVersionFormatted` is expected here"]);
     medit("Hexahedra\n10", "Tetrahedra\n10", &["10 cells under `Tetrahedra`", "hexahedra"]);
+    medit("Hexahedra\n10", "HexahedraQ2\n10", &["10 curved cells", "as `Hexahedra`"]);
     medit("\n36\n", "\n37\n", &["and not `Hexahedra`", "36 of 37 vertices"]);
     medit("\n36\n", "\n35\n", &["a keyword is expected here", "count"]);
     medit("0 0 0 0\n", "0 0 0\n", &["the reference of a vertex is expected here", "0 where"]);

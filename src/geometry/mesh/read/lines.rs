@@ -51,6 +51,18 @@ impl<'a> Lines<'a> {
         Lines { at, ..self }
     }
 
+    /// The next line, also one without words.
+    pub(crate) fn any(&mut self) -> Option<Line<'a>> {
+        let rest = &self.source.text[self.at..];
+        if rest.is_empty() {
+            return None;
+        }
+        let (line, start) = (&rest[..line_end(rest, 0)], self.at);
+        self.at += line.len();
+        let text = if self.comments { line.split('#').next().unwrap_or_default() } else { line };
+        Some(words(text, start).collect())
+    }
+
     /// An error about the file at a place.
     pub(crate) fn wrong(&self, place: Range<usize>, message: impl Into<String>) -> Diagnostic {
         Diagnostic::new(self.source, place, message)
@@ -94,26 +106,19 @@ impl<'a> Iterator for Lines<'a> {
     type Item = Line<'a>;
 
     fn next(&mut self) -> Option<Line<'a>> {
-        loop {
-            let rest = &self.source.text[self.at..];
-            if rest.is_empty() {
-                return None;
-            }
-            // Old Macintosh files end their lines with \r alone.
-            let end = rest.find(['\n', '\r']).map_or(rest.len(), |end| end + 1);
-            let (line, start) = (&rest[..end], self.at);
-            self.at += end;
-            let text =
-                if self.comments { line.split('#').next().unwrap_or_default() } else { line };
-            let words: Line<'a> = words(text, start);
-            if !words.is_empty() {
-                return Some(words);
-            }
-        }
+        std::iter::from_fn(|| self.any()).find(|line| !line.is_empty())
     }
 }
 
-fn words(text: &str, start: usize) -> Vec<Word<'_>> {
-    let place = |word: &str| word.as_ptr().addr() - text.as_ptr().addr() + start;
-    text.split_whitespace().map(|text| Word { text, at: place(text) }).collect()
+/// Where the line that a byte is in ends, after its line feed. Old Macintosh files end their lines with \r alone.
+pub(super) fn line_end(text: &str, at: usize) -> usize {
+    let Some(before) = text[at..].find(['\n', '\r']) else { return text.len() };
+    let end = at + before;
+    end + if text[end..].starts_with("\r\n") { 2 } else { 1 }
+}
+
+/// The words of a text that begins at a byte of the file.
+pub(super) fn words(text: &str, start: usize) -> impl Iterator<Item = Word<'_>> {
+    let place = move |word: &str| word.as_ptr().addr() - text.as_ptr().addr() + start;
+    text.split_whitespace().map(move |text| Word { text, at: place(text) })
 }

@@ -16,10 +16,29 @@ pub(crate) struct Medit {
     pub(crate) help: &'static str,
 }
 
+impl Medit {
+    /// Whether these are curved faces or cells of a kind that is read or refused, such as `TRIANGLESP2` or `HEXAHEDRAQ3`.
+    fn curves(&self, keyword: &str) -> bool {
+        let [linear @ .., b'P' | b'Q', b'2'..=b'9'] = keyword.as_bytes() else { return false };
+        let same = |name: &str| name.as_bytes().eq_ignore_ascii_case(linear);
+        self.read.iter().map(|(name, ..)| *name).chain(self.refused.iter().copied()).any(same)
+    }
+}
+
 /// What is read of a polygon mesh.
 const POLYGONS: Medit = Medit {
     read: &[("Triangles", "triangle", 3), ("Quadrilaterals", "quadrilateral", 4)],
-    refused: &["TETRAHEDRA", "HEXAHEDRA", "PRISMS", "PENTAHEDRA", "WEDGES", "PYRAMIDS"],
+    refused: &[
+        "TETRAHEDRA",
+        "HEXAHEDRA",
+        "PRISMS",
+        "PENTAHEDRA",
+        "WEDGES",
+        "PYRAMIDS",
+        "BOUNDARYPOLYGONHEADERS",
+        "INNERPOLYGONHEADERS",
+        "POLYHEDRAHEADERS",
+    ],
     help: "save only the triangles and quadrilaterals; hexahedra are refined by the scheme bajaj",
 };
 
@@ -51,9 +70,18 @@ pub(crate) fn medit(source: &Arc<SourceText>, kind: &Medit) -> Result<Parts, Dia
             "DIMENSION" => dimension(&mut words)?,
             VERTICES => vertices(&mut words, &mut parts)?,
             "END" => break,
-            other if kind.refused.contains(&other) => none_of(&mut words, word, kind.help)?,
+            other if kind.refused.contains(&other) => {
+                none_of(&mut words, word, "cells", kind.help)?;
+            }
+            other if kind.curves(other) => {
+                let linear = &word.text[..other.len() - 2];
+                let help = format!("save them with straight edges, as `{linear}`; {}", kind.help);
+                none_of(&mut words, word, "curved cells", &help)?;
+            }
             // Faces, edges, corners, normals: they carry references, and no cells.
-            _ if begins_with_letter(word.text) => words.skip(begins_with_letter),
+            _ if begins_with_letter(word.text) => {
+                words.skip(|word, _| begins_with_letter(word.text))
+            }
             _ => {
                 let message = format!("a keyword is expected here, and not `{}`", word.text);
                 return Err(words
@@ -153,11 +181,17 @@ fn faces(
     Ok(())
 }
 
-fn none_of(words: &mut Words<'_>, word: Word<'_>, help: &str) -> Result<(), Diagnostic> {
+/// An error unless there are none.
+fn none_of(
+    words: &mut Words<'_>,
+    word: Word<'_>,
+    what: &str,
+    help: &str,
+) -> Result<(), Diagnostic> {
     let count = words.count("the number of cells")?;
     if count == 0 {
         return Ok(());
     }
-    let message = format!("{count} cells under `{}`", word.text);
+    let message = format!("{count} {what} under `{}`", word.text);
     Err(words.wrong(word.place(), message).with_help(help))
 }

@@ -18,11 +18,11 @@ const MAX_CONTINUED: usize = 10_000;
 pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     let mut lines = Lines::new(source, true);
     let mut parts = Parts::new(source, 1);
-    let mut normals = 0_usize;
+    let (mut normals, mut colours) = (0_usize, 0_usize);
     while let Some(line) = whole_line(&mut lines)? {
         let Some((&keyword, words)) = line.split_first() else { continue };
         match keyword.text {
-            "v" => point(&lines, &line, words, &mut parts)?,
+            "v" => point(&lines, &line, words, &mut parts, &mut colours)?,
             "f" | "fo" => {
                 let read = |word: &Word<'_>| vertex(&lines, *word, &parts);
                 let vertices = words.iter().map(read).collect::<Result<Vec<usize>, _>>()?;
@@ -56,10 +56,13 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
             format!("{normals} normals are dropped: those of the limit are written by `limit`");
         parts.extras.notes.push(note);
     }
+    if colours > 0 {
+        parts.extras.notes.push(format!("the colours of {colours} points are dropped"));
+    }
     Ok(parts)
 }
 
-/// The next line, with those that it continues on after a backslash.
+/// The next line, with the one after it where a backslash ends it, and so on.
 fn whole_line<'a>(lines: &mut Lines<'a>) -> Result<Option<Line<'a>>, Diagnostic> {
     let Some(mut line) = lines.next() else { return Ok(None) };
     for _ in 0..MAX_CONTINUED {
@@ -70,7 +73,8 @@ fn whole_line<'a>(lines: &mut Lines<'a>) -> Result<Option<Line<'a>>, Diagnostic>
         if last.text.is_empty() {
             line.pop();
         }
-        match lines.next() {
+        // A line without words ends it.
+        match lines.any() {
             Some(more) => line.extend(more),
             None => return Err(lines.cut_off("its last line is continued")),
         }
@@ -84,18 +88,22 @@ fn point(
     line: &[Word<'_>],
     words: &[Word<'_>],
     parts: &mut Parts,
+    colours: &mut usize,
 ) -> Result<(), Diagnostic> {
     // Three coordinates, with a weight, or with a colour, or with both.
     if ![3, 4, 6, 7].contains(&words.len()) {
         let message = format!("{} numbers; a point is written `v x y z`", words.len());
         return Err(lines.wrong(extent(line), message));
     }
-    if let [_, _, _, weight] = words
-        && lines.number(*weight)? != Rational::one()
+    let more = words[3..].iter().map(|word| Ok((*word, lines.number(*word)?)));
+    let more = more.collect::<Result<Vec<(Word<'_>, Rational)>, Diagnostic>>()?;
+    if let Some((weight, number)) = more.first().filter(|_| more.len() != 3)
+        && *number != Rational::one()
     {
         let message = "a weight other than 1: rational surfaces are not supported";
         return Err(lines.wrong(weight.place(), message).with_help("write the point as `v x y z`"));
     }
+    *colours += usize::from(more.len() >= 3);
     parts.point(lines.point(words)?, extent(line))
 }
 

@@ -79,14 +79,18 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
 fn header(lines: &mut Lines<'_>) -> Result<(Form, Vec<Element>), Diagnostic> {
     let mut form = Form::Ascii;
     let mut elements: Vec<Element> = Vec::new();
-    let mut first = true;
+    let (mut first, mut formed) = (true, false);
     while let Some(line) = lines.next() {
         let words: Vec<&str> = line.iter().map(|word| word.text).collect();
         let wrong = |message: &str| lines.wrong(extent(&line), message);
         match words[..] {
             ["ply"] if first => {}
             _ if first => return Err(wrong("a PLY file begins with the line `ply`")),
-            ["format", "ascii", ..] | ["comment" | "obj_info", ..] => {}
+            ["comment" | "obj_info", ..] => {}
+            ["format", ..] if std::mem::replace(&mut formed, true) => {
+                return Err(wrong("the format is there twice"));
+            }
+            ["format", "ascii", ..] => {}
             ["format", "binary_little_endian", ..] => form = Form::Binary(ByteOrder::Little),
             ["format", "binary_big_endian", ..] => form = Form::Binary(ByteOrder::Big),
             ["format", ..] => return Err(wrong("this is no format of PLY files")),
@@ -189,13 +193,23 @@ pub(super) fn binary_start(bytes: &[u8]) -> Option<usize> {
     if !bytes.starts_with(b"ply") {
         return None;
     }
-    let end = b"end_header";
-    let at = bytes.windows(end.len()).position(|window| window == end)? + end.len();
-    let text = bytes[..at].to_ascii_lowercase();
-    let binary = b"format binary";
-    text.windows(binary.len()).position(|window| window == binary)?;
-    let rest = &bytes[at..];
-    Some(at + if rest.starts_with(b"\r\n") { 2 } else { 1 })
+    // Where lines end with \r alone, a line feed after the last one is the first byte of a number.
+    let first = bytes.iter().position(|byte| matches!(byte, b'\n' | b'\r'))?;
+    let old = bytes[first] == b'\r' && bytes.get(first + 1) != Some(&b'\n');
+    let (mut at, mut binary) = (0, false);
+    loop {
+        let line = bytes[at..].iter().position(|byte| matches!(byte, b'\n' | b'\r'))?;
+        let words: Vec<&[u8]> = bytes[at..at + line]
+            .split(u8::is_ascii_whitespace)
+            .filter(|word| !word.is_empty())
+            .collect();
+        at += line + if !old && bytes[at + line..].starts_with(b"\r\n") { 2 } else { 1 };
+        match words[..] {
+            [b"end_header"] => return binary.then_some(at),
+            [b"format", form, ..] => binary = form.starts_with(b"binary"),
+            _ => {}
+        }
+    }
 }
 
 /// A point or a face with its place in the listing.

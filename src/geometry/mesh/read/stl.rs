@@ -3,6 +3,7 @@
 use super::super::point::Point;
 use super::assemble::Parts;
 use super::binary::{ByteOrder, Bytes, Listing};
+use super::lines::{Word, line_end, words};
 use super::words::Words;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::Rational;
@@ -97,13 +98,13 @@ pub(super) fn read_binary(name: &str, bytes: &[u8]) -> Result<Parts, Diagnostic>
 pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     let first = source.text.trim_start_matches('\u{feff}').trim_start();
     let start = source.text.len() - first.len();
-    let line = line_end(first, 0);
+    let line = line_end(&source.text, start);
     if !first.to_ascii_lowercase().starts_with("solid") {
         let message = "an STL file begins with the word `solid`";
-        return Err(Diagnostic::new(source, start..start + line, message)
+        return Err(Diagnostic::new(source, start..line, message)
             .with_help("a binary file has 84 bytes, and 50 for each triangle: is it cut off?"));
     }
-    let mut words = Words::new(source, start + line, false);
+    let mut words = Words::new(source, facet_in_line(&source.text, start).unwrap_or(line), false);
     let mut joined = Joined::new(source);
     let mut solids = 1_usize;
     loop {
@@ -112,6 +113,11 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
         if word.text.eq_ignore_ascii_case("endsolid") {
             // The name of the solid may follow in this line.
             let text = &source.text;
+            if let Some(at) = facet_in_line(text, word.at) {
+                let message = "a triangle in the line of `endsolid`";
+                return Err(Diagnostic::new(source, at..at + 5, message)
+                    .with_help("put each `solid` and each `endsolid` on a line of its own"));
+            }
             let rest = text[line_end(text, word.at)..].trim_start();
             if rest.is_empty() {
                 break;
@@ -123,7 +129,8 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
                 return Err(Diagnostic::new(source, at..at + next.len(), message)
                     .with_help("another solid begins with the word `solid`"));
             }
-            words = Words::new(source, line_end(text, at), false);
+            let start = facet_in_line(text, at).unwrap_or_else(|| line_end(text, at));
+            words = Words::new(source, start, false);
             solids += 1;
             continue;
         }
@@ -150,9 +157,30 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     Ok(parts)
 }
 
-/// Where the line that a byte is in ends.
-fn line_end(text: &str, at: usize) -> usize {
-    text[at..].find(['\n', '\r']).map_or(text.len(), |end| at + end + 1)
+/// The first triangle in the line that a byte is in, if there is one. A name may have the words `facet normal` in it, and then
+/// `outer loop` does not follow after three numbers.
+fn facet_in_line(text: &str, at: usize) -> Option<usize> {
+    let end = line_end(text, at);
+    let (mut facet, mut before, mut after) = (None, None::<Word<'_>>, 0);
+    for word in words(&text[at..], at) {
+        // `facet` may be the last word of the line, and `loop` is the sixth one after it.
+        after += usize::from(word.at >= end);
+        if after > 6 {
+            break;
+        }
+        let are = |names: [&str; 2]| {
+            before.is_some_and(|before| before.text.eq_ignore_ascii_case(names[0]))
+                && word.text.eq_ignore_ascii_case(names[1])
+        };
+        if are(["facet", "normal"]) {
+            facet = facet.or(before.map(|before| before.at).filter(|at| *at < end));
+        }
+        if facet.is_some() && are(["outer", "loop"]) {
+            return facet;
+        }
+        before = Some(word);
+    }
+    None
 }
 
 fn word_is(words: &mut Words<'_>, name: &str) -> Result<usize, Diagnostic> {

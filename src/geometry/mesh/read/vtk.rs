@@ -1,6 +1,7 @@
 //! Legacy VTK, ascii: polygons, as polydata or as an unstructured grid. What solids have in common with them is here too.
 
 use super::assemble::Parts;
+use super::lines::{Word, line_end};
 use super::words::Words;
 use crate::diagnostic::{Diagnostic, SourceText};
 use std::ops::Range;
@@ -68,9 +69,10 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
         }
         return Ok(parts);
     }
+    let mut met = Vec::new();
     while let Some(word) = words.next() {
-        match word.text.to_ascii_uppercase().as_str() {
-            "POINTS" => vtk_points(&mut words, word.place(), &mut parts)?,
+        match section(&words, &word, &mut met)?.as_str() {
+            "POINTS" => vtk_points(&mut words, &mut parts)?,
             "POLYGONS" => {
                 for (corners, place) in vtk_lists(&mut words)? {
                     parts.face(corners, place)?;
@@ -87,14 +89,41 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
                 vtk_lists(&mut words)?;
             }
             "POINT_DATA" | "CELL_DATA" => {
-                parts.extras.notes.push("data of points and faces are dropped".to_owned());
+                parts.extras.notes.push(DROPPED.to_owned());
                 break;
             }
-            "METADATA" | "FIELD" => words.skip(|text| SECTIONS.contains(&text)),
+            "METADATA" | "FIELD" => skip_to_section(&mut words),
             _ => return Err(words.unexpected(&word)),
         }
     }
     Ok(parts)
+}
+
+const DROPPED: &str = "data of points and faces are dropped";
+
+/// The section that a word begins, in capitals. Sections of points and cells stand once.
+fn section(
+    words: &Words<'_>,
+    word: &Word<'_>,
+    met: &mut Vec<String>,
+) -> Result<String, Diagnostic> {
+    let section = word.text.to_ascii_uppercase();
+    if met.contains(&section) && !["METADATA", "FIELD"].contains(&section.as_str()) {
+        let message = format!("`{}` for the second time", word.text);
+        return Err(words.wrong(word.place(), message).with_help("keep one of the two lists"));
+    }
+    met.push(section.clone());
+    Ok(section)
+}
+
+/// Passes over words until one with which a section begins. An array in the part that is passed over may have such a name,
+/// and then four words are in its line.
+fn skip_to_section(words: &mut Words<'_>) {
+    words.skip(|word, of_line| {
+        SECTIONS.contains(&word.text)
+            || of_line.is_some_and(|count| count < 4)
+                && SECTIONS.iter().any(|section| section.eq_ignore_ascii_case(word.text))
+    });
 }
 
 /// The name of unstructured grids.
@@ -158,15 +187,18 @@ fn vtk_grid(
     words: &mut Words<'_>,
     parts: &mut Parts,
 ) -> Result<Vec<(Cell, Kind)>, Diagnostic> {
-    let (mut cells, mut types) = (None, None);
+    let (mut cells, mut types, mut met) = (None, None, Vec::new());
     while let Some(word) = words.next() {
-        match word.text.to_ascii_uppercase().as_str() {
-            "POINTS" => vtk_points(words, word.place(), parts)?,
+        match section(words, &word, &mut met)?.as_str() {
+            "POINTS" => vtk_points(words, parts)?,
             "CELLS" => cells = Some(vtk_lists(words)?),
             "CELL_TYPES" => types = Some(cell_types(words)?),
             // What belongs to points and cells comes after them.
-            "POINT_DATA" | "CELL_DATA" => break,
-            "METADATA" | "FIELD" => words.skip(|text| SECTIONS.contains(&text)),
+            "POINT_DATA" | "CELL_DATA" => {
+                parts.extras.notes.push(DROPPED.to_owned());
+                break;
+            }
+            "METADATA" | "FIELD" => skip_to_section(words),
             _ => return Err(words.unexpected(&word)),
         }
     }
@@ -210,7 +242,7 @@ fn vtk_header(source: &Arc<SourceText>) -> Result<usize, Diagnostic> {
     let mut at = 0;
     let mut line = || {
         let start = at;
-        at += text[at..].find('\n').map_or(text.len() - at, |end| end + 1);
+        at = line_end(text, at);
         (start, text[start..at].trim())
     };
     let ((_, first), (second, _)) = (line(), line());
@@ -234,16 +266,8 @@ fn vtk_header(source: &Arc<SourceText>) -> Result<usize, Diagnostic> {
     Err(Diagnostic::new(source, start..start + third.len(), message).with_help(help))
 }
 
-/// The points of a VTK file, whose word `POINTS` stands at a place.
-fn vtk_points(
-    words: &mut Words<'_>,
-    place: Range<usize>,
-    parts: &mut Parts,
-) -> Result<(), Diagnostic> {
-    if parts.point_count() > 0 {
-        let message = "the points of the file stand twice";
-        return Err(words.wrong(place, message).with_help("keep one list of points"));
-    }
+/// The points of a VTK file, after the word `POINTS`.
+fn vtk_points(words: &mut Words<'_>, parts: &mut Parts) -> Result<(), Diagnostic> {
     let count = words.count("the number of points")?;
     words.expect(|| "the type of the points is missing".to_owned())?;
     for found in 0..count {
@@ -258,8 +282,8 @@ fn vtk_points(
 fn vtk_lists(words: &mut Words<'_>) -> Result<Vec<Cell>, Diagnostic> {
     let count = words.count("the number of cells")?;
     let size = words.count("the number of numbers")?;
-    if words.peek().is_some_and(|word| word.text.eq_ignore_ascii_case("OFFSETS")) {
-        return listed(words, count, size);
+    if let Some(word) = words.peek().filter(|word| word.text.eq_ignore_ascii_case("OFFSETS")) {
+        return listed(words, &word.place(), (count, size));
     }
     let mut cells = Vec::new();
     for found in 0..count {
@@ -277,7 +301,11 @@ fn vtk_lists(words: &mut Words<'_>) -> Result<Vec<Cell>, Diagnostic> {
     Ok(cells)
 }
 
-fn listed(words: &mut Words<'_>, count: usize, size: usize) -> Result<Vec<Cell>, Diagnostic> {
+fn listed(
+    words: &mut Words<'_>,
+    start: &Range<usize>,
+    (count, size): (usize, usize),
+) -> Result<Vec<Cell>, Diagnostic> {
     let mut list = |name: &str, count: usize| {
         let missing = || format!("`{name}` and its numbers are expected");
         let word = words.expect(missing)?;
@@ -291,6 +319,17 @@ fn listed(words: &mut Words<'_>, count: usize, size: usize) -> Result<Vec<Cell>,
     };
     let offsets = list("OFFSETS", count)?;
     let corners = list("CONNECTIVITY", size)?;
+    let ends = [(offsets.first(), "first", 0), (offsets.last(), "last", size)];
+    for (offset, which, wanted) in ends {
+        let (found, place) = offset.map_or((0, start.clone()), |(at, place)| (*at, place.clone()));
+        if found != wanted {
+            let message = format!("the {which} offset is {found}, and it must be {wanted}");
+            return Err(words.wrong(place, message).with_help(
+                "the offsets begin with 0 and end with the number of corners; the number after the name of the list \
+                 is that of the offsets, one more than there are cells",
+            ));
+        }
+    }
     let cell = |pair: &[(usize, Range<usize>)]| {
         let own = corners.get(pair[0].0..pair[1].0).filter(|own| !own.is_empty());
         let own = own.ok_or_else(|| {

@@ -16,6 +16,8 @@ fn is_name(text: &str) -> bool {
 pub(crate) struct Words<'a> {
     lines: Lines<'a>,
     line: std::iter::Peekable<std::vec::IntoIter<Word<'a>>>,
+    /// Whether the next word is the first of its line.
+    begins: bool,
 }
 
 impl<'a> Words<'a> {
@@ -25,18 +27,20 @@ impl<'a> Words<'a> {
         if at > 0 {
             lines = lines.from(at);
         }
-        Words { lines, line: Vec::new().into_iter().peekable() }
+        Words { lines, line: Vec::new().into_iter().peekable(), begins: false }
     }
 
     pub(crate) fn peek(&mut self) -> Option<Word<'a>> {
         while self.line.peek().is_none() {
             self.line = self.lines.next()?.into_iter().peekable();
+            self.begins = true;
         }
         self.line.peek().copied()
     }
 
     pub(crate) fn next(&mut self) -> Option<Word<'a>> {
         self.peek()?;
+        self.begins = false;
         self.line.next()
     }
 
@@ -90,9 +94,12 @@ impl<'a> Words<'a> {
         Ok(([self.lines.number(x)?, self.lines.number(y)?, self.lines.number(z)?], place))
     }
 
-    /// Passes over words until one that `known` knows.
-    pub(crate) fn skip(&mut self, known: impl Fn(&str) -> bool) {
-        while self.peek().is_some_and(|word| !known(word.text)) {
+    /// Passes over words until one that `known` knows; of the first word of a line it is told how many the line has.
+    pub(crate) fn skip(&mut self, known: impl Fn(&Word<'a>, Option<usize>) -> bool) {
+        while let Some(word) = self.peek() {
+            if known(&word, self.begins.then(|| self.line.len())) {
+                return;
+            }
             self.next();
         }
     }
