@@ -29,8 +29,8 @@ const REPORTS: [(&str, &[&str]); 14] = [
 /// What answers otherwise: geometry, values and source code.
 const OTHERS: [(&str, &[&str]); 4] = [
     ("oracle", &["json", "csv", "table", "matlab", "c", "rust"]),
-    ("refine", &["obj", "ply", "usda", "vtk", "medit", "json", "csv"]),
-    ("limit", &["obj", "ply", "usda", "vtk", "medit", "json", "csv"]),
+    ("refine", &["obj", "off", "ply", "stl", "usda", "vtk", "medit", "json", "csv"]),
+    ("limit", &["obj", "off", "ply", "stl", "usda", "vtk", "medit", "json", "csv"]),
     ("table", &["c", "cpp", "rust", "python", "glsl", "hlsl", "wgsl", "json"]),
 ];
 

@@ -418,8 +418,8 @@ fn endings_decide() {
         (&["schemes"], "x.stl", &[".txt, .json, .md, .csv or .tex", "--format"]),
         (
             &["refine", "catmull-clark", "--mesh", "examples/cube.obj"],
-            "x.stl",
-            &[".json, .obj, .ply or .usda"],
+            "x.txt",
+            &[".json, .obj, .off, .ply, .stl or .usda"],
         ),
         (&["limit", "catmull-clark", "--mesh", "examples/cube.obj"], "x.gltf", &[".json", ".obj"]),
         (&["refine", "bajaj", "--mesh", "examples/star.vtk"], "x.obj", &[".vtk", ".mesh"]),

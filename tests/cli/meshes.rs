@@ -1,6 +1,7 @@
 //! `refine`, `limit` and `oracle --mesh`.
 
-use super::{TemporaryFile, assert_parts, refused, written};
+use super::{TemporaryFile, assert_parts, refused, subcert, written};
+use std::fmt::Write as _;
 
 const CUBE: [&str; 2] = ["--mesh", "examples/cube.obj"];
 
@@ -59,7 +60,7 @@ fn limits_and_reference_values() {
 
 #[test]
 fn what_cannot_be_refined() {
-    let cases: [(&[&str], &[&str]); 7] = [
+    let cases: [(&[&str], &[&str]); 8] = [
         (&["refine", "catmul-clark"], &["no scheme for meshes", "did you mean `catmull-clark`?"]),
         (&["refine", "doo-sabin:n=4"], &["a mesh has its own valences: write `doo-sabin`"]),
         (&["refine", "loop"], &["examples/cube.obj:10:1", "a face of 4 vertices", "split"]),
@@ -68,7 +69,11 @@ fn what_cannot_be_refined() {
             &["refine", "catmull-clark", "--level", "24"],
             &["at most 1000000 are worked on", "lower level"],
         ),
-        (&["oracle", "catmull-clark", "--format", "csv"], &["--mesh writes json, c or rust"]),
+        (&["oracle", "catmull-clark", "--format", "matlab"], &["json, csv, table, c or rust"]),
+        (
+            &["oracle", "catmull-clark", "--boundary", "open"],
+            &["--polygon", "none, edge and corner"],
+        ),
         (&["oracle", "catmull-clark", "--points", "4"], &["cannot be used with"]),
     ];
     for (arguments, parts) in cases {
@@ -82,6 +87,109 @@ fn what_cannot_be_refined() {
         TemporaryFile::new("square.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
     let message = refused(["limit", "doo-sabin", "--mesh", square.path()]);
     assert_parts(&message, &["4 vertices at the boundary have no limit point", "--format json"]);
+}
+
+/// Two creases end in the middle of a grid of nine squares. No normal is NaN, and none vanishes.
+#[test]
+fn what_has_no_normal_is_told() {
+    let mut grid = String::new();
+    for i in 0..16 {
+        let _ = writeln!(grid, "v {} {} 0", i % 4, i / 4);
+    }
+    for i in [1, 2, 3, 5, 6, 7, 9, 10, 11] {
+        let _ = writeln!(grid, "f {i} {} {} {}", i + 1, i + 5, i + 4);
+    }
+    let file = TemporaryFile::new("dart.obj", &(grid + "t crease 2/1/0 5 6 10\n"));
+    let of = |arguments: &[&str]| {
+        let asked = ["catmull-clark", "--level", "0", "--mesh", file.path()];
+        subcert(arguments[..1].iter().chain(&asked).chain(&arguments[1..]).copied())
+    };
+    let told = "2 of 16 vertices have no normal: 2 where a crease ends";
+    let output = |arguments: &[&str]| {
+        let output = of(arguments).assert().success().get_output().clone();
+        assert!(String::from_utf8_lossy(&output.stderr).contains(told), "{arguments:?}");
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(!text.to_lowercase().contains("nan"), "{text}");
+        text
+    };
+    assert!(output(&["limit"]).contains(&format!("# no vn: {told}\n")));
+    for command in ["limit", "oracle"] {
+        let found = json(&output(&[command, "--format", "json"]));
+        assert_eq!(found["notes"][0], told);
+        assert_eq!(found["limits"][5]["normal"], serde_json::Value::Null);
+        assert_eq!(found["limits"][5]["no_normal"], "crease end");
+        assert_eq!(found["limits"][0]["normal"]["unit_f64"][2], "1.0");
+        assert_eq!(found["boundary"], "edge");
+    }
+    let table = output(&["oracle", "--format", "csv"]);
+    assert_parts(&table, &[&format!("# normals: {told}\n"), "# boundary: \"edge\"\n"]);
+    let rows: Vec<&str> = table.lines().filter(|line| !line.starts_with('#')).collect();
+    assert_eq!(rows.len(), 17);
+    assert!(rows[1].starts_with("0,0.0,0.0,0.0,") && rows[1].ends_with(",0.0,0.0,1.0,"), "{table}");
+    assert!(
+        rows[6].starts_with("5,1.0,1.0,0.0,") && rows[6].ends_with(",,,,crease end"),
+        "{table}"
+    );
+    assert_eq!(output(&["oracle", "--format", "table"]), rows.join("\n") + "\n");
+    for (format, count) in [("c", "normals[14][3]"), ("rust", "NORMALS: [[f64; 3]; 14]")] {
+        let source = output(&["oracle", "--format", format]);
+        assert_parts(
+            &source,
+            &[&format!("// normals: {told}\n"), count, "// boundary: \"edge\"\n"],
+        );
+    }
+    // The rule at the boundary decides where its vertices go.
+    let corner = output(&["oracle", "--boundary", "corner", "--format", "csv"]);
+    assert!(corner.contains("\n0,0.0,0.0,0.0,0.0,0.0,0.0,"), "{corner}");
+    assert!(
+        corner.contains("# boundary: \"corner\"\n") && !table.contains("\n0,0.0,0.0,0.0,0.0,0.0,")
+    );
+    let square =
+        TemporaryFile::new("lone.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
+    let asked = ["oracle", "doo-sabin", "--level", "0", "--format", "table", "--mesh"];
+    let none = written(asked.into_iter().chain([square.path()]));
+    assert_eq!(none.lines().nth(1), Some("0,0.0,0.0,0.0,,,,,,,no limit"));
+}
+
+/// Each form is read again, and STL splits quadrilaterals.
+#[test]
+fn off_and_stl_are_written() {
+    let refined = json(&written(of_cube(&["refine", "catmull-clark", "--format", "json"])));
+    for (name, faces) in [("cube.off", 24), ("cube.stl", 48)] {
+        let file = TemporaryFile::new(name, "");
+        let output = subcert(of_cube(&["refine", "catmull-clark", "-o", file.path()]));
+        let output = output.assert().success().get_output().clone();
+        let noted = String::from_utf8_lossy(&output.stderr).contains("24 faces of more than 3");
+        assert_eq!(noted, name == "cube.stl");
+        let again = ["refine", "catmull-clark", "--level", "0", "--format", "json", "--mesh"];
+        let again = json(&written(again.into_iter().chain([file.path()])));
+        assert_eq!(again["faces"].as_array().map(Vec::len), Some(faces));
+        let near = |mesh: &serde_json::Value| {
+            let points = mesh["points"].as_array().expect("points").iter();
+            let mut points: Vec<String> = points.map(|point| point["f64"].to_string()).collect();
+            points.sort();
+            points
+        };
+        assert_eq!(near(&again), near(&refined));
+        let vase = ["limit", "bicubic", "--mesh", "examples/vase.json", "-o", file.path()];
+        assert!(written(vase).is_empty());
+    }
+}
+
+/// What is 0 and was computed in f64 is printed as 0.
+#[test]
+fn points_of_a_depth_have_no_rounding_errors() {
+    let octahedron = "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n\
+                      f 2 1 6\nf 3 2 6\nf 4 3 6\nf 1 4 6\n";
+    let file = TemporaryFile::new("octahedron.obj", octahedron);
+    for distance in ["geometric", "parametric"] {
+        for format in ["text", "json"] {
+            let asked = ["depth", "catmull-clark", "--tolerance", "1/10", "--distance", distance];
+            let text =
+                written(asked.into_iter().chain(["--format", format, "--mesh", file.path()]));
+            assert!(!text.contains("e-1") && !text.contains("-0.0\""), "{text}");
+        }
+    }
 }
 
 /// A file that is refused leaves what was there.

@@ -1,6 +1,6 @@
 //! `depth`, `refine`, `limit` and `oracle` on tensor nets.
 
-use super::{TemporaryFile, assert_parts, refused, written};
+use super::{TemporaryFile, assert_parts, refused, subcert, written};
 
 const ROOF: [&str; 2] = ["--mesh", "examples/roof.csv"];
 
@@ -90,6 +90,23 @@ fn nets_are_written_in_all_forms() {
     assert_eq!((&open["columns"], &open["closed"]), (&13.into(), &"none".into()));
 }
 
+/// Rows on both sides of an empty line are one net, which is told.
+#[test]
+fn an_empty_line_in_a_net() {
+    let text = std::fs::read_to_string("examples/roof.csv").expect("a net");
+    let end = text.trim_end().rfind('\n').expect("lines");
+    let apart =
+        TemporaryFile::new("apart-net.csv", &format!("{}\n \n{}", &text[..end], &text[end..]));
+    let note = "an empty line before line ";
+    let oracle = json(&written(["oracle", "bicubic", "--mesh", apart.path()]));
+    assert!(oracle["notes"][0].as_str().is_some_and(|told| told.contains(note)), "{oracle}");
+    let depth = ["depth", "bicubic", "--tolerance", "1", "--mesh"].into_iter();
+    assert!(written(depth.clone().chain([apart.path()])).contains(note));
+    assert!(!written(depth.chain(["examples/roof.csv"])).contains(note));
+    let refined = subcert(["refine", "bicubic", "--mesh", apart.path()]).assert().success();
+    assert!(String::from_utf8_lossy(&refined.get_output().stderr).contains(note));
+}
+
 #[test]
 fn the_distance_of_every_cell() {
     let table = TemporaryFile::new("cells.csv", "");
@@ -109,7 +126,8 @@ fn the_distance_of_every_cell() {
 
 #[test]
 fn what_is_no_net() {
-    let cases: [(&str, &str, &[&str], &[&str]); 9] = [
+    let cases: [(&str, &str, &[&str], &[&str]); 10] = [
+        ("j.csv", "0 0 0,, 1 0 0\n", &[], &["j.csv:1:7", "no point between these commas"]),
         (
             "a.csv",
             "0 0 0, 1 0 0\n0 1 0\n",
@@ -169,7 +187,10 @@ fn what_does_not_fit() {
     let closed = cube.into_iter().chain(["--closed", "u"]);
     assert_parts(&refused(closed), &["--closed is for nets", "polygon mesh"]);
     let csv = ["refine", "catmull-clark", "--mesh", "examples/cube.obj", "--format", "csv"];
-    assert_parts(&refused(csv), &["polygon meshes are written as obj, ply, usda or json"]);
+    assert_parts(
+        &refused(csv),
+        &["polygon meshes are written as obj, off, ply, stl, usda or json"],
+    );
     assert_parts(
         &refused(["limit", "bicubic", "--mesh", "nowhere.csv"]),
         &["cannot read `nowhere.csv`"],

@@ -43,6 +43,9 @@ fn grids_have_a_row_on_a_line() {
     let [csv, json] = [csv, json].map(|(name, text)| TemporaryFile::new(name, text));
     let surface = "chaikin x chaikin";
     assert_eq!(oracle(surface, csv.path()), oracle(surface, json.path()));
+    let apart = TemporaryFile::new("apart.csv", "0 1\n# a comment\n\n2 3\n");
+    let notes = oracle(surface, apart.path())["header"]["notes"].to_string();
+    assert!(notes.contains("an empty line before line 4; the rows"), "{notes}");
     let ragged = TemporaryFile::new("rows.csv", "0 1\n2\n");
     let message = refused(["oracle", surface, "--polygon", ragged.path()]);
     assert_parts(&message, &["rows.csv:2:1", "1 numbers in this row, and 2"]);
@@ -50,7 +53,11 @@ fn grids_have_a_row_on_a_line() {
 
 #[test]
 fn what_depth_refuses_oracle_refuses() {
-    let cases: [(&str, &str, &[&str]); 4] = [
+    let cases: [(&str, &str, &[&str]); 8] = [
+        ("gap.csv", "1,2,3\n1,,2\n", &["gap.csv:2:3", "no number in this cell"]),
+        ("blank.csv", "1; ;2\n", &["blank.csv:1:3", "no number in this cell"]),
+        ("comma.csv", "0,1\n,1,2\n", &["comma.csv:2:1", "no number in this cell"]),
+        ("row.csv", "0,1\n,\n2,3\n", &["row.csv:2:1", "no number in this cell"]),
         ("line.csv", "0, 4, 4, 0\n", &["there are 1", "one point on a line"]),
         ("points.csv", "0, 0\n1\n", &["points.csv:2:1", "1 coordinates here, and 2"]),
         ("word.json", "[1, true]", &["word.json:1:5", "this is neither a number"]),
@@ -72,6 +79,7 @@ fn files_of_spreadsheets() {
     for (name, text) in [
         ("sheet-mark.csv", "\u{feff}0,0\r\n4,0\r\n4,+0.5\r\n0,½\r\n"),
         ("sheet-old.csv", "0,0\r4,0 # a comment\r4,5e-1\r0,1/2\r"),
+        ("sheet-ends.csv", "0 , 0,\n4,0, # a comment\n4 0.5 ,\r\n0,.5\n"),
         ("sheet-semicolons.csv", "0;0\n4;0\n4;0.50\n0;.5\n"),
         ("sheet-text.json", "\u{feff}[[0, 0], [4, 0], [4, \" .5\"], [0, \"½\"]]"),
     ] {

@@ -104,7 +104,7 @@ fn what_is_no_solid_is_refused() {
         ),
         (
             with(&["refine", "catmull-clark", "--format", "vtk"], ["--mesh", "examples/cube.obj"]),
-            &["polygon meshes are written as obj, ply, usda or json"],
+            &["polygon meshes are written as obj, off, ply, stl, usda or json"],
         ),
         (with(&["refine", "bajaj", "--level", "13"], STAR), &["level 13 is too high; at most 12"]),
         (with(&["refine", "bajaj", "--level", "9"], STAR), &["at most 1000000", "a lower level"]),

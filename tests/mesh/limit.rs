@@ -165,7 +165,7 @@ fn deep_levels_are_near_the_limit() {
                 let distance = deep.points()[vertex][x].minus(&limit.position[x]).magnitude();
                 assert!(distance < number(&r(1, 60)), "{scheme:?} {vertex}: {distance}");
             }
-            let Some(normal) = &limit.normal else { continue };
+            let Ok(normal) = &limit.normal else { continue };
             let normal = normal.unit().map(|x| number(&subcert::float::exact(x).expect("finite")));
             let around = deep.connectivity().star(vertex).neighbours;
             let edge = |i: usize| -> Point<RealCyclotomic> {

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use std::path::Path;
 use subcert::diagnostic::SourceText;
 use subcert::exact::Rational;
-use subcert::mesh::{MeshFormat, PolygonMesh, read_mesh, to_obj, to_ply};
+use subcert::mesh::{MeshFormat, PolygonMesh, read_mesh, to_obj, to_off, to_ply, to_stl};
 
 fn read(format: MeshFormat, text: &str) -> PolygonMesh<Rational> {
     let file = read_mesh(&SourceText::new("mesh", text), format);
@@ -61,8 +61,11 @@ fn lines_that_say_nothing_about_the_surface() {
         "\u{feff}mtllib a.mtl\no cube\n{TRIANGLE}vn 0 0 1\nvt 0 0\ng a b\ns off\nusemtl red\nf \\\n 1 2 \\\n3\n"
     );
     assert_eq!(file(&text).mesh().faces(), [[0, 1, 2]]);
-    let colours = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1.0\nf 1 2 3";
-    assert_eq!(file(colours).mesh().points().len(), 3);
+    let colours = file("v 0 0 0 1 0 0\nv 1 0 0 1 .5 0 0\nv 0 1 0 1.0\nf 1 2 3");
+    assert_eq!(colours.mesh().points().len(), 3);
+    assert_eq!(colours.notes(), ["the colours of 2 points are dropped"]);
+    // Lines of Windows are continued too.
+    assert_eq!(file(&format!("{TRIANGLE}f 1 \\\r\n2 3\r\n")).mesh().faces(), [[0, 1, 2]]);
 }
 
 /// Texture coordinates are kept, and what is dropped is told.
@@ -126,7 +129,7 @@ fn errors_in_obj_files() {
     check("v 0 0 1/0\n", 1, "denominator 0");
     check("v 0 0 0 2\n", 1, "weight other than 1");
     check(&with("f 1 2\n"), 4, "a face of 2 vertices");
-    check(&with("f 1 2 4\n"), 4, "point 4 does not exist: there are 3 points");
+    check(&with("f 1 2 4\n"), 4, "there are 3 points; vertices are counted from 1");
     check(&with("f 1 2 0\n"), 4, "there is no point 0");
     check(&with("f 1 2 -4\n"), 4, "point -4 does not exist: there are 3 points before");
     check(&with("f 1 2 99999999999999999999999\n"), 4, "does not exist");
@@ -165,6 +168,11 @@ fn errors_in_obj_files() {
     check(&with("vt\n"), 4, "0 numbers");
     check(&with("curv 0 1\n"), 4, "`curv` is no statement");
     check(&with("f 1 2 \\"), 4, "its last line is continued");
+    check(&with("f 1 2 3 \\\n\n4\n"), 6, "`4` is no statement");
+    check(&with("f 1 2 3 \\\r\n\r\nv 1 1 x\n"), 6, "`x` is not a number");
+    check("v 0 0 0 x y z\n", 1, "`x` is not a number");
+    check("v 0 0 0 1 0 nan\n", 1, "`nan` is not a number");
+    check("v 0 0 0 .5 1 0 0\n", 1, "weight other than 1");
     let digits = "7".repeat(2_000);
     check(&format!("v 0 0 {digits}\n"), 1, "4096 binary digits");
 }
@@ -186,7 +194,11 @@ fn errors_in_off_files() {
         6,
         "a face of 4 vertices, of which 3 are here",
     );
-    check("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", 6, "point 3 does not exist");
+    check(
+        "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
+        6,
+        "there are 3 points; vertices are counted from 0",
+    );
     check(
         "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n",
         7,
@@ -212,6 +224,7 @@ fn errors_in_ply_files() {
     check("ply\nproperty float x\n", 2, "a property before the first element");
     check("ply\nelement vertex 1\nelement vertex 1\n", 3, "`vertex` is there twice");
     check("ply\nformat ascii 1.0\n", 2, "`end_header` is missing");
+    check("ply\nformat ascii 1.0\nformat ascii 1.0\n", 3, "the format is there twice");
     check("ply\nnonsense\n", 2, "no line of a PLY header");
     check(&format!("{header}0 0 0\n"), 10, "1 of 3 lines of `vertex` have been read");
     check(&format!("{header}{points}3 0 1\n"), 13, "a face of 3 vertices, of which 2 are here");
@@ -245,7 +258,11 @@ proptest! {
         let mesh = PolygonMesh::new(points.collect(), vec![vec![0, 1, 2]]).expect("a surface");
         let obj = to_obj(&mesh.map(number), "a", &[]).expect("finite");
         let ply = to_ply(&mesh.map(number), "a").expect("finite");
-        for (format, text) in [(MeshFormat::Obj, obj), (MeshFormat::Ply, ply)] {
+        let off = to_off(&mesh.map(number), "a\nb").expect("finite");
+        let stl = to_stl(&mesh.map(number), "facet normal\nb").expect("finite");
+        for (format, text) in
+            [(MeshFormat::Obj, obj), (MeshFormat::Ply, ply), (MeshFormat::Off, off), (MeshFormat::Stl, stl)]
+        {
             // A shortest decimal is another number, with the same nearest f64.
             let found = read(format, &text);
             let near = |mesh: &PolygonMesh<Rational>| -> Vec<f64> {

@@ -2,7 +2,7 @@
 
 use super::{grid, mesh, tetrahedron};
 use subcert::mesh::{
-    BeyondF64, LimitPoint, MeshScheme, PolygonMesh, limit_points, to_json, to_obj, to_ply,
+    BeyondF64, LimitPoint, MeshScheme, NoNormal, PolygonMesh, limit_points, to_json, to_obj, to_ply,
 };
 
 #[test]
@@ -32,10 +32,13 @@ fn normals_stand_in_obj_where_all_vertices_have_one() {
     assert!(text.starts_with("# a b\nv 0.0 0.0 ") && text.contains("\nf 1//1 "), "{text}");
     let part: Vec<_> = limits
         .into_iter()
-        .map(|limit| limit.map(|one| LimitPoint { normal: None, ..one }))
+        .map(|limit| limit.map(|one| LimitPoint { normal: Err(NoNormal::Corner), ..one }))
         .collect();
     let text = to_obj(&flat, "a", &part).expect("finite");
-    assert!(!text.contains("vn") && !text.contains("//"), "{text}");
+    assert!(
+        text.contains("\n# no vn: ") && !text.contains("\nvn") && !text.contains("//"),
+        "{text}"
+    );
 }
 
 #[test]

@@ -6,17 +6,21 @@ use std::path::PathBuf;
 /// The forms in which meshes are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum MeshOutputFormat {
-    /// The nearest f64 of each coordinate, as shortest decimals
+    /// The nearest f64 of each coordinate, as shortest decimals, and with `limit` unit normals; points are numbered from 1
     Obj,
+    /// The same without normals; points are numbered from 0
+    Off,
     /// The same
     Ply,
-    /// The same, with creases, corners, holes and texture coordinates, as OBJ has them too
+    /// The same, as triangles with points of their own: a face of n vertices is n − 2 of them, with its first vertex
+    Stl,
+    /// The same, with creases, corners, holes and texture coordinates, as OBJ and JSON have them too
     Usda,
     /// The same, for a solid
     Vtk,
-    /// The same, for a solid
+    /// The same, for a solid; points are numbered from 1
     Medit,
-    /// Exact numbers and the nearest f64
+    /// Exact numbers and the nearest f64, and with `limit` exact normals; points and faces are numbered from 0
     Json,
     /// The nearest f64 of each coordinate; for nets only
     Csv,
@@ -58,8 +62,8 @@ pub(in crate::cli) enum ClosedArgument {
 /// Which points of a mesh are joined.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct Weld {
-    /// Join points of a polygon mesh at most so far apart, and those that a chain of such steps connects; for 0, and without
-    /// a number, only equal ones: --weld=1e-6, or --weld
+    /// Join points of a polygon mesh at most so far apart, in the unit of the coordinates, and those that a chain of such steps
+    /// connects; for 0, and without a number, only equal ones: --weld=1e-6, or --weld [default: none are joined]
     #[arg(id = "weld", long = "weld", value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0",
           require_equals = true, requires = "mesh")]
     pub(in crate::cli) tolerance: Option<String>,
@@ -75,7 +79,7 @@ impl Weld {
 /// Where and how a mesh is written.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct MeshOutput {
-    /// The file; without it, the standard output
+    /// The file [default: the standard output]
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     pub(in crate::cli) file: Option<PathBuf>,
     /// Output format [default: by the extension of FILE, or obj, for a solid vtk]

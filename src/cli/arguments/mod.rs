@@ -21,8 +21,8 @@ pub(super) use papers::{
     NewArguments, ProveArguments, is_of_papers,
 };
 pub(super) use schemes::{
-    AtlasArguments, BOXES, BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments,
-    DepthBoundary, DistanceArgument, FacesArgument, OracleArguments, OracleFormat, PlotArguments,
+    AnyBoundary, AtlasArguments, BOXES, BoundaryArgument, CertifyArguments, ConstantsArguments,
+    DepthArguments, DistanceArgument, FacesArgument, OracleArguments, OracleFormat, PlotArguments,
     RangeArguments, SchemeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};

@@ -73,20 +73,22 @@ pub(in crate::cli) struct DepthArguments {
     /// The scheme
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The tolerance ε, an exact number such as 1/1000 or 4.35e-5
+    /// The tolerance ε in the unit of the coordinates, an exact number such as 1/1000 or 4.35e-5; with --relative a share of the
+    /// diagonal
     #[arg(long, value_name = "E", allow_hyphen_values = true)]
     pub(in crate::cli) tolerance: String,
     #[command(flatten)]
     pub(in crate::cli) spread: Spread,
     /// A control polygon, for the depth that it needs: a file with one point on a line, its
-    /// coordinates separated by commas or white space, or a JSON array of numbers or of
-    /// points. β is its largest difference
+    /// coordinates separated by commas or white space, `#` before a comment, or a JSON array of numbers or of
+    /// points, such as [[0, "1/3"], [1, 0.5]]; an empty cell is an error. A closed polygon does not have its first point again at the
+    /// end. β is its largest difference
     #[arg(long, value_name = "FILE", conflicts_with = "spread")]
     pub(in crate::cli) polygon: Option<PathBuf>,
     /// What happens at the ends of a control polygon [default: closed], or the rules at the boundary of a polygon mesh
     /// [default: those in the file, or else edge]
     #[arg(long, value_enum)]
-    pub(in crate::cli) boundary: Option<DepthBoundary>,
+    pub(in crate::cli) boundary: Option<AnyBoundary>,
     /// A polygon mesh as OBJ, OFF, PLY, STL, USD (usda) or VTK, a tensor net as CSV or JSON, or a solid as VTK or MEDIT
     /// (ascii), for the depth that it needs; `-` for the standard input. The scheme is catmull-clark,
     /// doo-sabin, loop, or loop-warren; for a net a curve, or two with ` x ` between them; for a solid
@@ -102,11 +104,11 @@ pub(in crate::cli) struct DepthArguments {
     #[arg(long, requires = "mesh")]
     pub(in crate::cli) a_priori: bool,
     /// Write the distance of every face of the mesh at the level found, and its own least level where the
-    /// distance is that of sets: .csv, .json, or .ply with colours
+    /// distance is that of sets: .csv, .json, or .ply with colours; faces are numbered from 0
     #[arg(long, value_name = "FILE", requires = "mesh", conflicts_with = "a_priori")]
     pub(in crate::cli) per_face: Option<PathBuf>,
     /// End the search of a mesh, a net or a solid after so many seconds, as Ctrl-C does: what is proved by then is
-    /// printed, and the rest is open
+    /// printed, and the rest is open [default: it ends when it is done]
     #[arg(long, value_name = "N", requires = "mesh", value_parser = clap::value_parser!(u32).range(1..))]
     pub(in crate::cli) seconds: Option<u32>,
     /// How the distance from the limit is measured: as sets of points, which for a solid is that of its boundary, or at equal
@@ -122,7 +124,7 @@ pub(in crate::cli) struct DepthArguments {
     /// The tolerance is a share of the diagonal of the box around the mesh, the net, the solid or the control polygon
     #[arg(long)]
     pub(in crate::cli) relative: bool,
-    /// The greatest width of the intervals around exact distances [default: ε/1000]
+    /// The greatest width of the intervals around exact distances, in the unit of ε [default: ε/1000]
     #[arg(long, value_name = "W", allow_hyphen_values = true)]
     pub(in crate::cli) width: Option<String>,
     #[command(flatten)]
@@ -238,26 +240,36 @@ pub(in crate::cli) enum BoundaryArgument {
 
 /// The boundary of a control polygon or of a polygon mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::cli) enum DepthBoundary {
+pub(in crate::cli) enum AnyBoundary {
     Polygon(BoundaryArgument),
     Mesh(MeshBoundary),
 }
 
-impl ValueEnum for DepthBoundary {
-    fn value_variants<'a>() -> &'a [DepthBoundary] {
+impl AnyBoundary {
+    /// The rules at the boundary of a polygon mesh.
+    pub(in crate::cli) fn of_mesh(self) -> Option<MeshBoundary> {
+        match self {
+            AnyBoundary::Polygon(_) => None,
+            AnyBoundary::Mesh(boundary) => Some(boundary),
+        }
+    }
+}
+
+impl ValueEnum for AnyBoundary {
+    fn value_variants<'a>() -> &'a [AnyBoundary] {
         &[
-            DepthBoundary::Polygon(BoundaryArgument::Closed),
-            DepthBoundary::Polygon(BoundaryArgument::Open),
-            DepthBoundary::Mesh(MeshBoundary::None),
-            DepthBoundary::Mesh(MeshBoundary::Edge),
-            DepthBoundary::Mesh(MeshBoundary::Corner),
+            AnyBoundary::Polygon(BoundaryArgument::Closed),
+            AnyBoundary::Polygon(BoundaryArgument::Open),
+            AnyBoundary::Mesh(MeshBoundary::None),
+            AnyBoundary::Mesh(MeshBoundary::Edge),
+            AnyBoundary::Mesh(MeshBoundary::Corner),
         ]
     }
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         match self {
-            DepthBoundary::Polygon(boundary) => boundary.to_possible_value(),
-            DepthBoundary::Mesh(boundary) => boundary.to_possible_value(),
+            AnyBoundary::Polygon(boundary) => boundary.to_possible_value(),
+            AnyBoundary::Mesh(boundary) => boundary.to_possible_value(),
         }
     }
 }
@@ -267,20 +279,21 @@ pub(in crate::cli) struct OracleArguments {
     /// The scheme
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// How many times the control polygon is refined
+    /// How many times the control polygon or the mesh is refined
     #[arg(long, value_name = "K", default_value_t = 2, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
     #[command(flatten)]
     pub(in crate::cli) block: Block,
     /// A control polygon: a file with one point on a line, its coordinates separated by commas or
-    /// white space, or a JSON array of numbers or of points, as `depth` reads it; for a surface, a
-    /// grid of numbers, one row on a line; for a ring, one line for each of its points
+    /// white space, `#` before a comment, or a JSON array of numbers or of points, as `depth` reads it; for a surface, a
+    /// grid of numbers, one row on a line; for a ring, one line for each of its points. An empty cell is an error
+    /// [default: a polygon of small integers, see --seed]
     #[arg(long, value_name = "FILE", conflicts_with_all = ["seed", "points"])]
     pub(in crate::cli) polygon: Option<std::path::PathBuf>,
     /// A polygon mesh in place of a polygon, as OBJ, OFF, PLY, STL, USD or VTK, a tensor net as CSV or JSON, or a solid
-    /// as VTK or MEDIT (bajaj): its
-    /// refinement, and limit points and normals, as JSON, C or Rust
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["polygon", "seed", "points", "boundary"])]
+    /// as VTK or MEDIT (bajaj); `-` for the standard input: its refinement, limit points, and for a polygon mesh unit normals,
+    /// in all formats but matlab; points and faces are numbered from 0
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["polygon", "seed", "points"])]
     pub(in crate::cli) mesh: Option<PathBuf>,
     /// The directions in which a net is closed [default: those in the file, or else none]
     #[arg(long, value_enum, requires = "mesh")]
@@ -295,9 +308,10 @@ pub(in crate::cli) struct OracleArguments {
     /// [default: 8]
     #[arg(long, value_name = "M", allow_negative_numbers = true, value_parser = count)]
     pub(in crate::cli) points: Option<usize>,
-    /// What happens at the ends; not for a ring [default: closed]
+    /// What happens at the ends of a control polygon, not of a ring [default: closed], or the rules at the boundary of a polygon
+    /// mesh [default: those in the file, or else edge]
     #[arg(long, value_enum)]
-    pub(in crate::cli) boundary: Option<BoundaryArgument>,
+    pub(in crate::cli) boundary: Option<AnyBoundary>,
     /// Output format; without it, the ending of the file decides
     #[arg(long, value_enum, default_value_t = OracleFormat::Json)]
     pub(in crate::cli) format: OracleFormat,

@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use std::path::{Path, PathBuf};
 
 /// Endings, and the names of formats.
-const ENDINGS: [(&str, &str); 16] = [
+const ENDINGS: [(&str, &str); 18] = [
     ("txt", "text"),
     ("json", "json"),
     ("md", "markdown"),
@@ -20,7 +20,9 @@ const ENDINGS: [(&str, &str); 16] = [
     ("h", "c"),
     ("rs", "rust"),
     ("obj", "obj"),
+    ("off", "off"),
     ("ply", "ply"),
+    ("stl", "stl"),
     ("usda", "usda"),
     ("vtk", "vtk"),
     ("mesh", "medit"),

@@ -74,6 +74,13 @@ impl Progress {
         })
     }
 
+    /// The progress of work on a mesh, whose length is not known: what is done.
+    pub(crate) fn of_mesh(what: String) -> Progress {
+        Progress::new(1, "{spinner} {msg}, {elapsed}", true, move |bar| {
+            bar.set_message(what.clone());
+        })
+    }
+
     /// Of a search whose length is not known.
     pub(crate) fn of_search(wanted: bool) -> Progress {
         Progress::new(1, "{spinner} searching for products and hulls, {elapsed}", wanted, |_| {})

@@ -9,7 +9,7 @@ use super::polygon::{OfPolygon, Polygon};
 use super::scheme_pictures::Drawn;
 use super::sets::{self, Sets, of_sets};
 use crate::cli::arguments::{
-    BoundaryArgument, DepthArguments, DepthBoundary, DistanceArgument, FindingFormat,
+    AnyBoundary, BoundaryArgument, DepthArguments, DistanceArgument, FindingFormat,
 };
 use crate::cli::console::answer::{Answer, OrNone, SCHEMA};
 use crate::cli::console::output::{Failure, positive};
@@ -277,7 +277,7 @@ fn points(scheme: &Scheme, arguments: &DepthArguments) -> Result<Option<Points>,
         let message = "--polygon is for curves; a surface has a control net";
         return Err(Failure::Input(message.to_owned()));
     }
-    let closed = arguments.boundary != Some(DepthBoundary::Polygon(BoundaryArgument::Open));
+    let closed = arguments.boundary != Some(AnyBoundary::Polygon(BoundaryArgument::Open));
     let ControlPolygon { coordinates, notes } = read_polygon(path, &CAPS, closed)?;
     let points = Points::new(&coordinates, closed, notes);
     if points.spread().is_zero() {

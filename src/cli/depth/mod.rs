@@ -16,11 +16,11 @@ mod scheme_pictures;
 mod sets;
 mod surface;
 
-use crate::cli::arguments::{DepthArguments, DepthBoundary, DistanceArgument, FacesArgument};
+use crate::cli::arguments::{DepthArguments, DistanceArgument, FacesArgument};
 use crate::cli::console::answer::deliver;
 use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Failure, Outcome};
-use crate::cli::geometry::commands::Geometry;
+use crate::cli::geometry::commands::{Geometry, check_boundary};
 use crate::cli::geometry::net::NetInput;
 #[cfg(feature = "schema")]
 pub(super) use local_rules::LocalReport;
@@ -38,7 +38,7 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     if let Some(path) = &arguments.mesh {
         let net = NetInput { scheme: &arguments.scheme, path, closed: arguments.closed };
         let geometry = Geometry::with(&net, [arguments.weld.given()])?;
-        only_its_boundary(arguments, matches!(geometry, Geometry::Mesh))?;
+        check_boundary(arguments.boundary, false, matches!(geometry, Geometry::Mesh))?;
         return match geometry {
             Geometry::Mesh | Geometry::Solid if arguments.certificate.is_some() => {
                 Err(certified::none("polygon meshes and solids have none"))
@@ -48,7 +48,7 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
             Geometry::Solid => meshes::solid_depth(path, arguments, &to),
         };
     }
-    only_its_boundary(arguments, false)?;
+    check_boundary(arguments.boundary, arguments.polygon.is_some(), false)?;
     match (&arguments.polygon, arguments.distance) {
         (None, _) => only_parametric(arguments, "all control polygons of a spread")?,
         (Some(_), Some(DistanceArgument::Parametric)) if arguments.relative => {
@@ -63,21 +63,6 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
         AnyScheme::LocalRules(ring) => return ring_depth(&ring, arguments, &to),
     };
     deliver(&to, &Depth::of(&scheme, arguments)?)
-}
-
-/// Refuses `--boundary` where it says nothing.
-fn only_its_boundary(arguments: &DepthArguments, is_mesh: bool) -> Outcome {
-    let Some(boundary) = arguments.boundary else { return Ok(()) };
-    let fits = match boundary {
-        DepthBoundary::Polygon(_) => arguments.polygon.is_some(),
-        DepthBoundary::Mesh(_) => is_mesh,
-    };
-    if fits {
-        return Ok(());
-    }
-    let message = "--boundary closed and open are for control polygons (--polygon), and none, edge and corner for \
-                   polygon meshes (--mesh)";
-    Err(Failure::Input(message.to_owned()))
 }
 
 /// Refuses the options of distances of sets.

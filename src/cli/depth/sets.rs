@@ -2,7 +2,7 @@
 
 use super::certified;
 use super::distance::AsSets;
-use super::numbers::point as point_text;
+use super::numbers::{found, point as point_text};
 use super::points::Points;
 use crate::cli::console::answer::OrNone;
 use crate::cli::console::output::Failure;
@@ -40,7 +40,8 @@ impl From<CurvePlace> for SetPlace {
             SetKind::Mesh => ["polygon", "limit"],
             SetKind::Limit => ["limit", "polygon"],
         };
-        let point = place.point.into_iter().map(Float).collect();
+        let found = found(place.point.iter().chain([&place.distance]));
+        let point = place.point.iter().copied().map(found).collect();
         let (parameter, distance) = (Text(place.parameter), Float(place.distance));
         SetPlace { from, parameter, point, distance, other }
     }

@@ -5,7 +5,7 @@ use super::mesh;
 use super::net;
 use super::net::NetInput;
 use super::solid;
-use crate::cli::arguments::{LimitArguments, OracleArguments, RefineArguments};
+use crate::cli::arguments::{AnyBoundary, LimitArguments, OracleArguments, RefineArguments};
 use crate::cli::console::output::{Failure, Outcome, deliver};
 use std::path::Path;
 
@@ -44,6 +44,25 @@ impl Geometry {
     }
 }
 
+/// Refuses `--boundary` where it says nothing.
+pub(crate) fn check_boundary(
+    boundary: Option<AnyBoundary>,
+    of_polygons: bool,
+    of_meshes: bool,
+) -> Outcome {
+    let fits = match boundary {
+        None => true,
+        Some(AnyBoundary::Polygon(_)) => of_polygons,
+        Some(AnyBoundary::Mesh(_)) => of_meshes,
+    };
+    if fits {
+        return Ok(());
+    }
+    let message = "--boundary closed and open are for control polygons (--polygon), and none, edge and corner for \
+                   polygon meshes (--mesh)";
+    Err(Failure::Input(message.to_owned()))
+}
+
 pub(crate) fn refine(arguments: &RefineArguments) -> Outcome {
     let RefineArguments { scheme, mesh, closed, level, output, boundary, isolated, weld } =
         arguments;
@@ -72,15 +91,18 @@ pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
 
 /// What `subcert oracle --mesh` writes.
 pub(crate) fn reference_values(arguments: &OracleArguments, path: &Path) -> Outcome {
-    let OracleArguments { scheme, closed, level, weld, .. } = arguments;
+    let OracleArguments { scheme, closed, level, boundary, weld, format, .. } = arguments;
     let net = NetInput { scheme, path, closed: *closed };
-    let language = arguments.format.language();
-    let text = match Geometry::with(&net, [weld.given()])? {
+    let geometry = Geometry::with(&net, [weld.given()])?;
+    check_boundary(*boundary, false, matches!(geometry, Geometry::Mesh))?;
+    let text = match geometry {
         Geometry::Mesh => {
-            mesh::reference_values(scheme, path, *level, weld.tolerance.as_deref(), language)?
+            let boundary = boundary.and_then(AnyBoundary::of_mesh);
+            let given = (boundary, None, weld.tolerance.as_deref());
+            mesh::reference_values(scheme, path, *level, given, *format)?
         }
-        Geometry::Net => net::reference_values(&net, *level, language)?,
-        Geometry::Solid => solid::reference_values(path, *level, language)?,
+        Geometry::Net => net::reference_values(&net, *level, *format)?,
+        Geometry::Solid => solid::reference_values(path, *level, *format)?,
     };
     deliver(&text, arguments.file.as_deref())
 }

@@ -15,21 +15,25 @@ pub(crate) struct Forms {
 pub(crate) const OF_MESHES: Forms = Forms {
     all: &[
         MeshOutputFormat::Obj,
+        MeshOutputFormat::Off,
         MeshOutputFormat::Ply,
+        MeshOutputFormat::Stl,
         MeshOutputFormat::Usda,
         MeshOutputFormat::Json,
     ],
-    words: "polygon meshes are written as obj, ply, usda or json",
+    words: "polygon meshes are written as obj, off, ply, stl, usda or json",
 };
 
 pub(crate) const OF_NETS: Forms = Forms {
     all: &[
         MeshOutputFormat::Obj,
+        MeshOutputFormat::Off,
         MeshOutputFormat::Ply,
+        MeshOutputFormat::Stl,
         MeshOutputFormat::Csv,
         MeshOutputFormat::Json,
     ],
-    words: "nets are written as obj, ply, csv or json",
+    words: "nets are written as obj, off, ply, stl, csv or json",
 };
 
 pub(crate) const OF_SOLIDS: Forms = Forms {

@@ -1,19 +1,22 @@
 //! Tensor nets for `subcert refine`, `limit`, `oracle` and `depth`.
 
-use super::mesh::{deliver, in_source, input, text_of};
+use super::mesh::{deliver, in_form, input, note_what_is_lost, noted, text_of};
 use super::mesh_form::OF_NETS;
-use crate::cli::arguments::{ClosedArgument, MeshOutput, MeshOutputFormat};
+use super::polygon::empty_line;
+use crate::cli::arguments::{ClosedArgument, MeshOutput, MeshOutputFormat, OracleFormat};
 use crate::cli::console::answer::SCHEMA;
-use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::console::output::{Failure, Outcome, note};
+use crate::cli::console::progress::Progress;
 use std::path::Path;
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Rational, RealCyclotomic};
-use subcert::mesh::{LimitPoint, PolygonMesh, to_json, to_obj, to_ply};
+use subcert::mesh::{
+    LimitPoint, NoNormal, PolygonMesh, to_json, to_obj, to_off, to_ply, to_stl, without_normals,
+};
 use subcert::net::{
     Closed, Net, NetError, NetFormat, NetScheme, limit_net, net_limits, read_net, refine_net,
     to_csv,
 };
-use subcert::spectrum::table::Language;
 
 /// What is asked of a net.
 pub(crate) struct NetInput<'a> {
@@ -27,6 +30,8 @@ pub(crate) struct NetFile {
     pub(crate) scheme: NetScheme,
     pub(crate) name: String,
     pub(crate) net: Net,
+    /// What is to be told of the file.
+    pub(crate) notes: Vec<String>,
 }
 
 impl NetInput<'_> {
@@ -55,8 +60,17 @@ impl NetInput<'_> {
             ClosedArgument::V => Closed { u: false, v: true },
             ClosedArgument::Uv => Closed { u: true, v: true },
         });
-        let net = read_net(&SourceText::new(name.clone(), text), format, closed)?;
-        Ok(NetFile { scheme, name, net })
+        let source = SourceText::new(name.clone(), text);
+        let net = read_net(&source, format, closed)?;
+        let told = empty_line(&source, ["rows", "net"]).filter(|_| format == NetFormat::Csv);
+        Ok(NetFile { scheme, name, net, notes: told.into_iter().collect() })
+    }
+
+    /// The net in the file, with its notes on the standard error.
+    fn told(&self) -> Result<NetFile, Failure> {
+        let file = self.read()?;
+        file.notes.iter().for_each(|told| note(told));
+        Ok(file)
     }
 }
 
@@ -73,7 +87,8 @@ pub(crate) fn failure(error: NetError) -> Failure {
 
 pub(crate) fn refine(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> Outcome {
     let format = OF_NETS.chosen(output)?;
-    let file = asked.read()?;
+    let file = asked.told()?;
+    let _progress = Progress::of_mesh(format!("refining to level {level}"));
     let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
     let title = file.title(level, "refined");
     let text = match format {
@@ -85,7 +100,8 @@ pub(crate) fn refine(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> O
 
 pub(crate) fn limit(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> Outcome {
     let format = OF_NETS.chosen(output)?;
-    let file = asked.read()?;
+    let file = asked.told()?;
+    let _progress = Progress::of_mesh(format!("refining to level {level}"));
     let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
     let title = file.title(level, "limit points of its points");
     let text = match format {
@@ -99,14 +115,17 @@ pub(crate) fn limit(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> Ou
 pub(crate) fn reference_values(
     asked: &NetInput<'_>,
     level: u32,
-    language: Option<Language>,
+    format: OracleFormat,
 ) -> Result<String, Failure> {
-    let file = asked.read()?;
+    let file = asked.told()?;
+    let _progress = Progress::of_mesh(format!("refining to level {level}"));
     let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
     let limits = file.limits(&net)?;
-    let Some(language) = language else { return file.json(&net, level, Some(&limits)) };
+    if format == OracleFormat::Json {
+        return file.json(&net, level, Some(&limits));
+    }
     let meshes = [(&polygons(&file.net)?).into(), (&polygons(&net)?).into()];
-    in_source(&meshes, &limits, level, &file.head(&net, level), language)
+    in_form(&meshes, &limits, level, &file.head(&net, level, &file.notes), format)
 }
 
 fn polygons(net: &Net) -> Result<PolygonMesh<RealCyclotomic>, Failure> {
@@ -118,8 +137,11 @@ fn text(net: &Net, format: MeshOutputFormat, title: &str) -> Result<String, Fail
         return to_csv(net, title).map_err(|error| input(&error));
     }
     let mesh = polygons(net)?;
+    note_what_is_lost(&mesh, format, false);
     match format {
         MeshOutputFormat::Ply => to_ply(&mesh, title),
+        MeshOutputFormat::Off => to_off(&mesh, title),
+        MeshOutputFormat::Stl => to_stl(&mesh, title),
         _ => to_obj(&mesh, title, &[]),
     }
     .map_err(|error| input(&error))
@@ -131,7 +153,8 @@ fn real(x: &Rational) -> RealCyclotomic {
 
 /// A limit point without a normal.
 pub(crate) fn limit_at(point: [Rational; 3]) -> LimitPoint {
-    LimitPoint { position: point.map(Into::into), normal: None, sectors: Vec::new() }
+    let normal = Err(NoNormal::NotComputed);
+    LimitPoint { position: point.map(Into::into), normal, sectors: Vec::new() }
 }
 
 impl NetFile {
@@ -150,12 +173,14 @@ impl NetFile {
         level: u32,
         limits: Option<&[Option<LimitPoint>]>,
     ) -> Result<String, Failure> {
-        Ok(to_json(&polygons(net)?, &self.head(net, level), limits))
+        let notes = self.notes.iter().cloned().chain(limits.and_then(without_normals));
+        let notes: Vec<String> = notes.collect();
+        Ok(to_json(&polygons(net)?, &self.head(net, level, &notes), limits))
     }
 
-    fn head(&self, net: &Net, level: u32) -> [(&'static str, String); 7] {
+    fn head(&self, net: &Net, level: u32, notes: &[String]) -> Vec<(&'static str, String)> {
         let text = |text: &str| serde_json::Value::from(text).to_string();
-        [
+        let mut head = vec![
             ("schema", SCHEMA.to_string()),
             ("scheme", text(self.scheme.name())),
             ("mesh", text(&self.name)),
@@ -163,6 +188,8 @@ impl NetFile {
             ("rows", net.rows().to_string()),
             ("columns", net.columns().to_string()),
             ("closed", text(net.closed().name())),
-        ]
+        ];
+        head.extend(noted(notes));
+        head
     }
 }

@@ -1,9 +1,9 @@
 //! `subcert oracle`.
 
-use super::commands;
+use super::commands::{self, check_boundary};
 use super::mesh::input;
 use super::polygon::{Caps, read_grid, read_polygon};
-use crate::cli::arguments::{BoundaryArgument, OracleArguments, OracleFormat};
+use crate::cli::arguments::{AnyBoundary, BoundaryArgument, OracleArguments, OracleFormat};
 use crate::cli::console::output::{Failure, Outcome, deliver, note};
 use std::path::Path;
 use subcert::oracle::{
@@ -21,12 +21,13 @@ const SEEDED_POINTS: usize = 8;
 
 pub(crate) fn oracle(arguments: &OracleArguments) -> Outcome {
     if let Some(path) = &arguments.mesh {
-        if arguments.format != OracleFormat::Json && arguments.format.language().is_none() {
-            let message = "--mesh writes json, c or rust; `subcert refine` writes other forms too";
+        if arguments.format == OracleFormat::Matlab {
+            let message = "--mesh writes json, csv, table, c or rust; `subcert refine` writes other forms too";
             return Err(Failure::Input(message.to_owned()));
         }
         return commands::reference_values(arguments, path);
     }
+    check_boundary(arguments.boundary, true, false)?;
     let mut notes = subcert::scheme::notes(&arguments.scheme);
     let mut values = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => uniform(&scheme, arguments, &mut notes)?,
@@ -61,10 +62,7 @@ fn uniform(
         max_block: arguments.block.levels,
         control: control(arguments, scheme, notes)?,
         level: arguments.level,
-        boundary: match arguments.boundary.unwrap_or(BoundaryArgument::Closed) {
-            BoundaryArgument::Closed => Boundary::Closed,
-            BoundaryArgument::Open => Boundary::Open,
-        },
+        boundary: if is_open(arguments) { Boundary::Open } else { Boundary::Closed },
     };
     reference_values(scheme, &request).map_err(|error| refused(&error))
 }
@@ -92,6 +90,10 @@ fn of_ring(
     ring_reference_values(ring, &request).map_err(|error| refused(&error))
 }
 
+fn is_open(arguments: &OracleArguments) -> bool {
+    arguments.boundary == Some(AnyBoundary::Polygon(BoundaryArgument::Open))
+}
+
 /// The control polygon or grid: from a file, or seeded.
 fn control(
     arguments: &OracleArguments,
@@ -100,8 +102,11 @@ fn control(
 ) -> Result<Control, Failure> {
     let surface = scheme.only().is_none();
     if let Some(path) = &arguments.polygon {
-        let closed = arguments.boundary != Some(BoundaryArgument::Open);
-        return if surface { of_grid(path) } else { of_polygon(path, closed, notes) };
+        return if surface {
+            of_grid(path, notes)
+        } else {
+            of_polygon(path, !is_open(arguments), notes)
+        };
     }
     let (seed, points) = (arguments.seed, arguments.points.unwrap_or(SEEDED_POINTS));
     Ok(if surface {
@@ -119,8 +124,9 @@ fn of_polygon(path: &Path, closed: bool, notes: &mut Vec<String>) -> Result<Cont
 }
 
 /// The control grid in a file.
-fn of_grid(path: &Path) -> Result<Control, Failure> {
-    let rows = read_grid(path, &CAPS)?;
+fn of_grid(path: &Path, notes: &mut Vec<String>) -> Result<Control, Failure> {
+    let (rows, told) = read_grid(path, &CAPS)?;
+    notes.extend(told);
     let columns = rows.first().map_or(0, Vec::len);
     let ragged = || Failure::Input("the rows have different lengths".to_owned());
     Control::grid(rows.concat(), columns).ok_or_else(ragged)

@@ -47,21 +47,9 @@ pub(crate) fn read_polygon(
 ) -> Result<ControlPolygon, Failure> {
     let source = source(path, caps)?;
     let entries = entries(&source)?;
-    let line = |at: usize| 1 + source.text[..at].matches('\n').count();
     let mut notes = Vec::new();
-    let starts = entries.iter().map(|point| extent(&source, point));
-    let parts = starts.clone().zip(starts.skip(1)).find(|(one, next)| {
-        // The rest of a line, whole lines, and the start of another one.
-        let between = source.text.get(one.end..next.start).unwrap_or_default();
-        let lines: Vec<&str> = between.split('\n').collect();
-        lines.get(1..lines.len() - 1).unwrap_or_default().iter().any(|line| line.trim().is_empty())
-    });
-    if let Some((_, next)) = parts.filter(|_| !is_json(&source)) {
-        notes.push(format!(
-            "{}: an empty line before line {}; the points before and after it are one polygon",
-            source.name,
-            line(next.start)
-        ));
+    if !is_json(&source) {
+        notes.extend(empty_line(&source, ["points", "polygon"]));
     }
     let coordinates = coordinates(&source, entries, caps)?;
     if closed && coordinates.iter().all(|own| own.first() == own.last()) {
@@ -74,9 +62,30 @@ pub(crate) fn read_polygon(
     Ok(ControlPolygon { coordinates, notes })
 }
 
-/// The control grid in a file: its rows, all of one length. Its form is that of a polygon, with a
+/// A note on an empty line between two lines of numbers.
+pub(crate) fn empty_line(source: &SourceText, [parts, whole]: [&str; 2]) -> Option<String> {
+    let (mut met, mut empty) = (false, false);
+    let next = source.text.lines().position(|line| {
+        let numbers = !line.split('#').next().unwrap_or_default().trim().is_empty();
+        empty |= met && line.trim().is_empty();
+        met |= numbers;
+        numbers && empty
+    });
+    next.map(|next| {
+        format!(
+            "{}: an empty line before line {}; the {parts} before and after it are one {whole}",
+            source.name,
+            next + 1
+        )
+    })
+}
+
+/// The control grid in a file: its rows, all of one length, and notes. Its form is that of a polygon, with a
 /// row in place of a point.
-pub(crate) fn read_grid(path: &Path, caps: &Caps) -> Result<Vec<Vec<Rational>>, Failure> {
+pub(crate) fn read_grid(
+    path: &Path,
+    caps: &Caps,
+) -> Result<(Vec<Vec<Rational>>, Vec<String>), Failure> {
     let source = source(path, caps)?;
     let rows = entries(&source)?;
     let columns = rows.first().map_or(0, Vec::len);
@@ -91,7 +100,9 @@ pub(crate) fn read_grid(path: &Path, caps: &Caps) -> Result<Vec<Vec<Rational>>, 
         let message = format!("{} numbers in this row, and {columns} in the first", row.len());
         return Err(Diagnostic::new(&source, extent(&source, row), message).into());
     }
-    Ok(rows.into_iter().map(|row| row.into_iter().map(|(value, _)| value).collect()).collect())
+    let told = empty_line(&source, ["rows", "grid"]).filter(|_| !is_json(&source));
+    let rows = rows.into_iter().map(|row| row.into_iter().map(|(value, _)| value).collect());
+    Ok((rows.collect(), told.into_iter().collect()))
 }
 
 fn source(path: &Path, caps: &Caps) -> Result<Arc<SourceText>, Failure> {
@@ -135,13 +146,22 @@ fn lines(source: &Arc<SourceText>) -> Result<Vec<Vec<Placed>>, Diagnostic> {
                 "write decimals with a point, such as 0.25; or separate by commas alone",
             ));
         }
-        for piece in numbers.split(|c: char| matches!(c, ',' | ';') || c.is_whitespace()) {
-            if !piece.is_empty() {
-                point.push(number(source, piece, at..at + piece.len())?);
+        for (count, cell) in numbers.split([',', ';']).enumerate() {
+            let place = at..at + cell.len();
+            at = place.end + 1;
+            let before = point.len();
+            for word in cell.split_whitespace() {
+                let start = place.start + (word.as_ptr().addr() - cell.as_ptr().addr());
+                point.push(number(source, word, start..start + word.len())?);
             }
-            // Every separator that `split` takes away is one character.
-            at += piece.len();
-            at += source.text[at..].chars().next().map_or(0, char::len_utf8);
+            // A separator at the end of a line begins no cell.
+            let last = place.end == start + numbers.len();
+            if point.len() == before && !(last && (count == 0 || before > 0)) {
+                let place = place.start..place.end.max(place.start + 1);
+                let message = "there is no number in this cell";
+                return Err(Diagnostic::new(source, place, message)
+                    .with_help("write 0 where a coordinate is 0, and each separator once"));
+            }
         }
         if !point.is_empty() {
             points.push(point);

@@ -1,11 +1,12 @@
 //! `subcert refine` and `subcert limit`, and `subcert oracle --mesh`, of hexahedral solids.
 
-use super::mesh::{deliver, in_source, input, text_of};
+use super::mesh::{deliver, in_form, input, text_of};
 use super::mesh_form::OF_SOLIDS;
 use super::net::limit_at;
-use crate::cli::arguments::{LimitArguments, MeshOutputFormat, RefineArguments};
+use crate::cli::arguments::{LimitArguments, MeshOutputFormat, OracleFormat, RefineArguments};
 use crate::cli::console::answer::SCHEMA;
 use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::console::progress::Progress;
 use std::path::Path;
 use subcert::diagnostic::SourceText;
 use subcert::exact::Rational;
@@ -14,7 +15,6 @@ use subcert::solid::{
     HexMesh, SOLID_SCHEME, SolidError, SolidFile, SolidFormat, read_solid, refine_solid,
     solid_limit_points, solid_to_json, to_medit, to_vtk,
 };
-use subcert::spectrum::table::Language;
 
 /// Whether this is the scheme for solids.
 pub(crate) fn takes(scheme: &str) -> bool {
@@ -43,17 +43,17 @@ pub(crate) fn limit(arguments: &LimitArguments) -> Outcome {
 pub(crate) fn reference_values(
     path: &Path,
     level: u32,
-    language: Option<Language>,
+    format: OracleFormat,
 ) -> Result<String, Failure> {
     let work = Work::new(path, level)?;
     let mesh = work.refined()?;
     let limits = solid_limit_points(&mesh);
-    let Some(language) = language else {
+    if format == OracleFormat::Json {
         return Ok(solid_to_json(&mesh, &work.head(), Some(&limits)));
-    };
+    }
     let limits: Vec<_> = limits.into_iter().map(|point| Some(limit_at(point))).collect();
     let meshes = [work.file.mesh(), &mesh].map(Into::into);
-    in_source(&meshes, &limits, level, &work.head(), language)
+    in_form(&meshes, &limits, level, &work.head(), format)
 }
 
 /// The solid in a file, with the name of the file.
@@ -92,6 +92,7 @@ impl Work {
     }
 
     fn refined(&self) -> Result<HexMesh<Rational>, Failure> {
+        let _progress = Progress::of_mesh(format!("refining to level {}", self.level));
         refine_solid(self.file.mesh(), self.level).map_err(|error| failure(&self.file, &error))
     }
 

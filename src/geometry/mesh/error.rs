@@ -200,6 +200,21 @@ impl MeshError {
     /// The message, with the first point and the first face called `base`.
     #[must_use]
     pub fn message(&self, base: usize) -> String {
+        let numbered = matches!(
+            self,
+            MeshError::NoPoint { .. }
+                | MeshError::Twice { .. }
+                | MeshError::NonManifoldEdge { .. }
+                | MeshError::Orientation { .. }
+                | MeshError::NonManifoldVertex { .. }
+                | MeshError::Isolated { .. }
+                | MeshError::Vertex { .. }
+        );
+        let words = self.words(base);
+        if numbered { format!("{words}; vertices are counted from {base}") } else { words }
+    }
+
+    fn words(&self, base: usize) -> String {
         let pair = |ends: &[usize; 2]| format!("{} and {}", ends[0] + base, ends[1] + base);
         match self {
             MeshError::Empty => "there is no face".to_owned(),

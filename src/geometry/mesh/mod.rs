@@ -9,8 +9,8 @@
 //! | [`read_mesh`], [`read_welded_mesh`], [`read_binary_mesh`], [`MeshFormat`], [`MeshFile`] | OBJ, OFF, PLY, STL, USD, VTK and MEDIT files, with the place of every error |
 //! | [`PolygonMesh`], [`Connectivity`] | points and faces; edges, boundary, the faces around a vertex in order |
 //! | [`MeshScheme`], [`refine_mesh`] | Catmull–Clark, Doo–Sabin and Loop on whole meshes |
-//! | [`limit_points`], [`LimitPoint`] | where vertices go, and the normal of the limit surface there |
-//! | [`to_obj`], [`to_ply`], [`to_usda`], [`to_json`] | meshes as text |
+//! | [`limit_points`], [`LimitPoint`], [`NoNormal`] | where vertices go, and the normal of the limit surface there, or why there is none |
+//! | [`to_obj`], [`to_off`], [`to_ply`], [`to_stl`], [`to_usda`], [`to_json`] | meshes as text |
 //! | [`Tags`], [`Sharpness`], [`VertexBlend`] | creases, corners, holes and boundaries, and the rules that follow from them |
 //! | [`Texture`] | texture coordinates, which are refined linearly on each face |
 
@@ -36,7 +36,7 @@ pub use crease::{Boundary, Creasing, INFINITE_FROM, Sharpness, Tags, VertexBlend
 pub use error::MeshError;
 pub(crate) use field::{check_common_field, check_rules, check_tags};
 pub(crate) use limit::limit_weights;
-pub use limit::{LimitPoint, Normal, Sector, Tangents, limit_points};
+pub use limit::{LimitPoint, NoNormal, Normal, Sector, Tangents, limit_points, without_normals};
 pub use point::Point;
 pub(crate) use point::combination;
 pub use polygon::PolygonMesh;
@@ -51,7 +51,7 @@ pub use scheme::MeshScheme;
 pub use star::Star;
 pub(crate) use stencil::{Stencils, ring};
 pub use texture::Texture;
-pub use write::{BeyondF64, to_json, to_obj, to_ply, to_usda};
+pub use write::{BeyondF64, to_json, to_obj, to_off, to_ply, to_stl, to_usda};
 pub(crate) use write::{decimals, list, numbers, one_line};
 
 /// The most points of a mesh, refined or not.

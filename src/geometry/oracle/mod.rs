@@ -16,6 +16,7 @@
 //! | [`to_table`], [`write_table`] | the same as CSV without comment lines |
 //! | [`to_matlab`], [`matlab_name`] | a function of MATLAB that tests |
 //! | [`to_source`], [`mesh_to_source`], [`OracleMesh`] | the values as arrays in C or Rust; those of meshes too |
+//! | [`mesh_to_csv`] | the values of meshes as CSV |
 //! | [`refine_polygon`], [`refine_grid`], [`refine_ring`], [`Control`] | exact refinement |
 //! | [`check_within_ulps`], [`check_slice_within_ulps`], [`check_within`] | checks of f64 against exact values |
 //! | [`assert_within_ulps!`](crate::assert_within_ulps), [`assert_slice_within_ulps!`](crate::assert_slice_within_ulps), [`assert_within!`](crate::assert_within) | these checks as assertions |
@@ -26,6 +27,7 @@ mod header;
 mod local_rules;
 mod macros;
 mod matlab;
+mod mesh_table;
 mod mismatch;
 mod refine;
 mod source;
@@ -38,6 +40,7 @@ pub use control::{Control, SplitMix64};
 pub use header::{Header, LocalShape, MaskShape};
 pub use local_rules::{LocalRequest, refine_ring, ring_reference_values};
 pub use matlab::{matlab_name, to_matlab};
+pub use mesh_table::mesh_to_csv;
 pub use mismatch::{Deviation, Mismatch, Tolerance};
 pub use refine::{
     Boundary, MAX_REFINED_LEVEL, MAX_VALUES, OracleError, refine_grid, refine_polygon,

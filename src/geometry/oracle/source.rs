@@ -5,7 +5,7 @@ use super::values::OracleValues;
 use super::write::header_lines;
 use crate::exact::RealCyclotomic;
 use crate::float::{nearest, ulp};
-use crate::mesh::{BeyondF64, LimitPoint, Point, PolygonMesh, one_line};
+use crate::mesh::{BeyondF64, LimitPoint, Point, PolygonMesh, one_line, without_normals};
 use crate::solid::HexMesh;
 use crate::spectrum::table::{Array, Entries, Language, Real, write_vectors};
 
@@ -140,7 +140,7 @@ pub fn mesh_to_source(
     source.integers("limit_of".to_owned(), "limits[i] is that of point limit_of[i]".to_owned(), of);
     let positions = found().map(|(_, limit)| exact(&limit.position)).collect();
     source.numbers("limits", "where points of the refined mesh go", (positions, false), true);
-    let normals = || found().filter_map(|(at, limit)| Some((at, limit.normal.as_ref()?)));
+    let normals = || found().filter_map(|(at, limit)| Some((at, limit.normal.as_ref().ok()?)));
     let of = normals().map(|(at, _)| at).collect();
     source.integers(
         "normal_of".to_owned(),
@@ -153,7 +153,8 @@ pub fn mesh_to_source(
     source.numbers("normals", "unit normals of the limit surface", (unit.collect(), false), false);
     let named = head.iter().filter(|(key, _)| ["scheme", "mesh"].contains(key));
     let name: Vec<&str> = named.map(|(_, value)| value.as_str()).collect();
-    source.written(language, &name.join(" "), level, head.iter().cloned())
+    let told = without_normals(limits).map(|told| ("normals", told));
+    source.written(language, &name.join(" "), level, head.iter().cloned().chain(told))
 }
 
 fn exact(point: &Point<RealCyclotomic>) -> (Vec<f64>, String) {

@@ -10,7 +10,7 @@ use crate::cli::console::answer::{Answer, SCHEMA};
 use crate::cli::console::output::{Failure, Outcome, note};
 use crate::cli::console::quantity::{Float, Text};
 use crate::cli::depth::distance::AsSets;
-use crate::cli::depth::numbers::{levels, point};
+use crate::cli::depth::numbers::{found, levels, point};
 use serde::Serialize;
 use subcert::exact::{Rational, format::short};
 use subcert::mesh::{Point, PolygonMesh};
@@ -147,6 +147,7 @@ struct Place {
 impl Place {
     fn of(place: &GeometricPlace, kind: Kind, solid: Option<&SolidBoundary<Rational>>) -> Place {
         let GeometricPlace { face, vertex, from, .. } = *place;
+        let found = found(place.point.iter().chain(&place.other));
         Place {
             face,
             cell: kind.cell(face),
@@ -154,8 +155,8 @@ impl Place {
             vertex: vertex.map(|vertex| solid.map_or(vertex, |solid| solid.points[vertex])),
             level_face: place.level_face.map(Text),
             from: from.name(),
-            point: place.point.map(Float),
-            other: place.other.map(Float),
+            point: place.point.map(found),
+            other: place.other.map(found),
             distance: Float(place.distance),
             set: from,
         }

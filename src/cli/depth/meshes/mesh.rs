@@ -9,7 +9,7 @@ use super::pictures::{Drawn, Pieces};
 use super::promise::Formula;
 use super::refined::Refined;
 use super::subject::Subject;
-use crate::cli::arguments::{DepthArguments, DepthBoundary};
+use crate::cli::arguments::{AnyBoundary, DepthArguments};
 use crate::cli::console::answer::deliver;
 use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Outcome, positive};
@@ -27,7 +27,7 @@ pub(in crate::cli::depth) fn mesh_depth(
     let Given { scheme, name, file, mut notes } =
         read(&arguments.scheme, path, arguments.weld.tolerance.as_deref())?;
     let file = match arguments.boundary {
-        Some(DepthBoundary::Mesh(boundary)) => with_boundary(file, boundary),
+        Some(AnyBoundary::Mesh(boundary)) => with_boundary(file, boundary),
         _ => file,
     };
     let mesh = file.mesh();

@@ -30,8 +30,7 @@ pub(in crate::cli::depth) fn net_depth(
         let message = "--faces fan is for polygon meshes; the faces of a net are bilinear";
         return Err(Failure::Input(message.to_owned()));
     }
-    let NetFile { scheme, name, net } = asked.read()?;
-    let mut notes = Vec::new();
+    let NetFile { scheme, name, net, mut notes } = asked.read()?;
     let (geometric, tolerance) = measure(net.points(), arguments, &given, "net", &mut notes)?;
     let guaranteed = net_a_priori(&net, &scheme, &tolerance).map_err(failure)?;
     let promised = net_formula_level(&net, &scheme, &tolerance)

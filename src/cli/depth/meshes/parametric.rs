@@ -7,7 +7,7 @@ use crate::cli::console::answer::{Answer, SCHEMA, deliver};
 use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::quantity::{Float, Text};
-use crate::cli::depth::numbers::{at_most, few_text, levels, point};
+use crate::cli::depth::numbers::{at_most, few_text, found, levels, point};
 use serde::Serialize;
 use std::sync::Arc;
 use subcert::exact::{Rational, format::short};
@@ -101,13 +101,14 @@ struct Place {
 
 impl Place {
     fn of(place: &FarPlace, kind: Kind) -> Place {
+        let found = found(place.on_mesh.iter().chain(&place.on_limit));
         Place {
             face: place.face,
             cell: kind.cell(place.face),
             vertex: place.vertex,
             level_face: place.level_face.map(Text),
-            on_mesh: place.on_mesh.map(Float),
-            on_limit: place.on_limit.map(Float),
+            on_mesh: place.on_mesh.map(found),
+            on_limit: place.on_limit.map(found),
         }
     }
 

@@ -7,6 +7,7 @@ use super::super::polygon::PolygonMesh;
 use super::super::refine::refine_mesh;
 use super::super::scheme::MeshScheme;
 use super::circle::circular;
+use super::missing::NoNormal;
 use super::normal::Normal;
 use super::vertex::LimitPoint;
 use crate::exact::{Rational, RealCyclotomic, Scalar};
@@ -38,7 +39,8 @@ pub(super) fn limits(
         let corners = corners(faces.next()?);
         let share = RealCyclotomic::from(Rational::new(1, corners.len()));
         let position = sum(corners.iter().copied()).map(|x| x.times(&share));
-        Some(LimitPoint { position, normal: Normal::of(&circular(&corners)), sectors: Vec::new() })
+        let normal = Normal::of(&circular(&corners)).ok_or(NoNormal::Parallel);
+        Some(LimitPoint { position, normal, sectors: Vec::new() })
     };
     Ok((0..mesh.points().len()).map(limit).collect())
 }

@@ -5,12 +5,14 @@ mod circle;
 mod dart;
 mod doo_sabin;
 mod loops;
+mod missing;
 mod normal;
 mod sector;
 mod settle;
 mod vertex;
 mod weights;
 
+pub use missing::{NoNormal, without_normals};
 pub use normal::{Normal, Tangents};
 pub use sector::Sector;
 pub use vertex::LimitPoint;

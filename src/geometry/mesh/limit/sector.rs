@@ -5,7 +5,8 @@ use super::super::point::{Point, combination, difference, sum};
 use super::super::polygon::PolygonMesh;
 use super::super::star::Star;
 use super::circle::cosine;
-use super::normal::Tangents;
+use super::missing::NoNormal;
+use super::normal::{Normal, Tangents};
 use crate::exact::{Rational, Real, RealCyclotomic, Scalar, common_conductor};
 
 /// The most faces between two sharp edges that tangents are computed for.
@@ -18,9 +19,19 @@ pub struct Sector {
     /// Its faces, counter-clockwise.
     pub faces: Vec<usize>,
     /// Two tangents of its limit: along the crease, towards its first edge, and across it, into the
-    /// sector; at a corner along both edges. `None` where the refined points tend to no plane, and
-    /// beyond 32 faces.
-    pub tangents: Option<Tangents>,
+    /// sector; at a corner along both edges. None where the refined points tend to no plane, and
+    /// beyond 32 faces or in too large a field.
+    pub tangents: Result<Tangents, NoNormal>,
+}
+
+impl Sector {
+    /// The normal of its two tangents, or why there is none.
+    ///
+    /// # Errors
+    /// When there are no tangents, or they are parallel.
+    pub fn normal(&self) -> Result<Normal, NoNormal> {
+        self.tangents.as_ref().map_err(|reason| *reason)?.normal().ok_or(NoNormal::Parallel)
+    }
 }
 
 /// A number p + q√d, d known from elsewhere.
@@ -94,11 +105,11 @@ pub(super) fn sectors(
             faces: (from..to).map(opposite).collect(),
         };
         let tangents = if count > MAX_SECTOR || !around.has_field() {
-            None
+            Err(NoNormal::TooLarge)
         } else if *mask == VertexMask::Corner {
-            around.at_corner(quadrilaterals)
+            around.at_corner(quadrilaterals).ok_or(NoNormal::Corner)
         } else {
-            Some(around.on_crease(quadrilaterals))
+            Ok(around.on_crease(quadrilaterals))
         };
         Sector { faces: (from..to).map(|i| star.faces[i % n]).collect(), tangents }
     };

@@ -8,7 +8,8 @@ use super::super::polygon::PolygonMesh;
 use super::super::scheme::MeshScheme;
 use super::super::star::Star;
 use super::super::stencil::Stencils;
-use super::normal::{Normal, Tangents};
+use super::missing::NoNormal;
+use super::normal::Normal;
 use super::sector::{Sector, sectors};
 use super::settle::{falls, settled};
 use super::weights::{dart_edge, position, settled_weights, sharp_weights};
@@ -20,9 +21,8 @@ use crate::exact::RealCyclotomic;
 pub struct LimitPoint {
     /// The point that the vertex tends to.
     pub position: Point<RealCyclotomic>,
-    /// The normal there. `None` at a vertex of several sectors or of none whose tangents are known, and
-    /// where the tangents that give the normal are parallel.
-    pub normal: Option<Normal>,
+    /// The normal there, or why there is none.
+    pub normal: Result<Normal, NoNormal>,
     /// The sectors between sharp edges at a vertex on a crease, at a corner or at the boundary, with
     /// their tangents; none where the surface is smooth.
     pub sectors: Vec<Sector>,
@@ -109,11 +109,14 @@ fn settled_limit(
     }
     let (position, normal) = if dart_edge(mesh, star).is_some() {
         let weights = settled_weights(mesh, vertex, star, mask, scheme, stencils);
-        (position(mesh, &weights), None)
-    } else if scheme.is_triangular() {
-        loops::smooth(mesh, vertex, star, stencils)
+        (position(mesh, &weights), Err(NoNormal::CreaseEnd))
     } else {
-        catmull_clark::smooth(mesh, vertex, star, stencils)
+        let (position, normal) = if scheme.is_triangular() {
+            loops::smooth(mesh, vertex, star, stencils)
+        } else {
+            catmull_clark::smooth(mesh, vertex, star, stencils)
+        };
+        (position, normal.ok_or(NoNormal::Parallel))
     };
     Ok(LimitPoint { position, normal, sectors: Vec::new() })
 }
@@ -129,8 +132,9 @@ fn sharp_limit(
     let position = position(mesh, &sharp_weights(vertex, mask));
     let sectors = sectors(mesh, vertex, star, mask, quadrilaterals);
     let normal = match &sectors[..] {
-        [one] => one.tangents.as_ref().and_then(Tangents::normal),
-        _ => None,
+        [] => Err(NoNormal::Corner),
+        [one] => one.normal(),
+        _ => Err(NoNormal::Sectors),
     };
     LimitPoint { position, normal, sectors }
 }

@@ -215,15 +215,16 @@ impl Parts {
             return Vec::new();
         }
         let line = self.places.line(first);
-        let first = first + self.places.base;
+        let base = self.places.base;
+        let first = first + base;
         extras.notes.push(match loose.len() {
             1 => format!(
                 "point {first} (line {line}) is a vertex of no face and gets no number; the points after \
-                 it move up"
+                 it move up; points are counted from {base}"
             ),
             count => format!(
                 "{count} points are vertices of no face and get no number, the first of them point \
-                 {first} (line {line}); the points after them move up"
+                 {first} (line {line}); the points after them move up; points are counted from {base}"
             ),
         });
         let mut next = 0;

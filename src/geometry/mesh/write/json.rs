@@ -1,6 +1,6 @@
 //! JSON.
 
-use super::super::limit::{LimitPoint, Normal, Sector, Tangents};
+use super::super::limit::{LimitPoint, NoNormal, Normal, Sector};
 use super::super::point::Point;
 use super::super::polygon::PolygonMesh;
 use crate::exact::{Enclosed, RealCyclotomic};
@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 /// has for each point `exact` (p/q, or a sum of cosines) and `f64` (the nearest f64, as the
 /// shortest decimal that reads back). The field `faces` has the vertices of each face by number,
 /// from 0 on. With `limits`, the field `limits` has for each point its `position` and its `normal`, or
-/// `null` where there is none, as of isolated points, which come last; at a crease, a corner or the boundary also its `sectors`, with the two
+/// `null` where there is none, as of isolated points, which come last; `no_normal` says why ([`NoNormal::name`](crate::mesh::NoNormal::name)); at a crease, a corner or the boundary also its `sectors`, with the two
 /// tangents of each. A mesh with texture coordinates, creases, corners or holes has fields of these. A normal is exact, of any length, with the nearest f64 of the unit
 /// vector. Numbers are texts, but for vertices.
 ///
@@ -121,13 +121,18 @@ fn limit(limit: Option<&LimitPoint>) -> String {
         _ => format!(", \"sectors\": [{}]", sectors.join(", ")),
     };
     let (position, normal) = (numbers(&limit.position), normal(limit.normal.as_ref()));
-    format!("{{\"position\": {position}, \"normal\": {normal}{sectors}}}")
+    format!("{{\"position\": {position}, {normal}{sectors}}}")
 }
 
-fn normal(normal: Option<&Normal>) -> String {
-    let Some(normal) = normal else { return "null".to_owned() };
-    let unit = texts(&normal.unit().map(shortest));
-    format!("{{\"exact\": {}, \"unit_f64\": {unit}}}", texts(&normal.exact()))
+fn normal(normal: Result<&Normal, &NoNormal>) -> String {
+    match normal {
+        Ok(normal) => {
+            let unit = texts(&normal.unit().map(shortest));
+            let exact = texts(&normal.exact());
+            format!("\"normal\": {{\"exact\": {exact}, \"unit_f64\": {unit}}}")
+        }
+        Err(reason) => format!("\"normal\": null, \"no_normal\": \"{}\"", reason.name()),
+    }
 }
 
 fn sector(sector: &Sector) -> String {
@@ -135,6 +140,6 @@ fn sector(sector: &Sector) -> String {
         let [first, second] = tangents.exact().map(|one| texts(&one));
         format!("[{first}, {second}]")
     });
-    let normal = normal(sector.tangents.as_ref().and_then(Tangents::normal).as_ref());
-    format!("{{\"faces\": {:?}, \"tangents\": {tangents}, \"normal\": {normal}}}", sector.faces)
+    let normal = normal(sector.normal().as_ref());
+    format!("{{\"faces\": {:?}, \"tangents\": {tangents}, {normal}}}", sector.faces)
 }

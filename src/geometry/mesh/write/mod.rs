@@ -2,13 +2,17 @@
 
 mod json;
 mod obj;
+mod off;
 mod ply;
+mod stl;
 mod usd;
 
 pub use json::to_json;
 pub(crate) use json::{list, numbers};
 pub use obj::to_obj;
+pub use off::to_off;
 pub use ply::to_ply;
+pub use stl::to_stl;
 pub use usd::to_usda;
 
 use super::point::Point;

@@ -1,7 +1,7 @@
 //! OBJ.
 
 use super::super::crease::{Boundary, Creasing, Sharpness};
-use super::super::limit::LimitPoint;
+use super::super::limit::{LimitPoint, without_normals};
 use super::super::polygon::PolygonMesh;
 use super::{BeyondF64, decimals, one_line};
 use crate::exact::RealCyclotomic;
@@ -9,7 +9,7 @@ use crate::float::{nearest, shortest};
 use std::fmt::Write as _;
 
 /// A mesh as OBJ: the nearest f64 of each coordinate, as the shortest decimal that reads back.
-/// With `limits`, a unit normal for each vertex, if all have one. Texture coordinates are written as `vt`,
+/// With `limits`, a unit normal for each vertex, if all have one; otherwise a comment says why there are none. Texture coordinates are written as `vt`,
 /// and creases, corners and holes as tags `t`, whose sharpness is rounded to f64 too.
 ///
 /// # Errors
@@ -41,7 +41,10 @@ pub fn to_obj(
         let [x, y, z] = decimals(point)?;
         writeln!(text, "v {x} {y} {z}").expect("memory");
     }
-    let normals = limits.iter().map(|limit| limit.as_ref()?.normal.as_ref());
+    let normals = limits.iter().map(|limit| limit.as_ref()?.normal.as_ref().ok());
+    if let Some(told) = without_normals(limits) {
+        writeln!(text, "# no vn: {told}").expect("memory");
+    }
     let normals: Option<Vec<_>> = normals.collect();
     let normals = normals.filter(|normals| normals.len() == mesh.points().len());
     for normal in normals.iter().flatten() {

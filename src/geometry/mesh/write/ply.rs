@@ -1,18 +1,15 @@
 //! PLY.
 
 use super::super::polygon::PolygonMesh;
-use super::{BeyondF64, decimals, one_line};
+use super::off::points_and_faces;
+use super::{BeyondF64, one_line};
 use crate::exact::RealCyclotomic;
-use std::fmt::Write as _;
 
 /// A mesh as ascii PLY: the nearest f64 of each coordinate, as the shortest decimal that reads
 /// back.
 ///
 /// # Errors
 /// When a coordinate is beyond the greatest f64.
-///
-/// # Panics
-/// Never: writing to memory does not fail.
 ///
 /// ```
 /// use subcert::exact::RealCyclotomic;
@@ -35,15 +32,6 @@ pub fn to_ply(mesh: &PolygonMesh<RealCyclotomic>, title: &str) -> Result<String,
         mesh.faces().len(),
         if large { "int" } else { "uchar" },
     );
-    for point in mesh.points().iter().chain(mesh.isolated()) {
-        writeln!(text, "{}", decimals(point)?.join(" ")).expect("memory");
-    }
-    for face in mesh.faces() {
-        write!(text, "{}", face.len()).expect("memory");
-        for vertex in face {
-            write!(text, " {vertex}").expect("memory");
-        }
-        text.push('\n');
-    }
+    points_and_faces(mesh, &mut text)?;
     Ok(text)
 }
