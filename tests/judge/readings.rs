@@ -572,3 +572,55 @@ fn a_wrong_alternative_is_an_error() {
     let error = audit(&paper).expect_err("an unknown function").to_string();
     assert!(error.contains("unknown function `twice`"), "{error}");
 }
+
+/// Where there are more readings than 4096, or more than 100,000 values under them, those with fewer differences are
+/// compared, and the checker has the same family. Of d definitions with a alternatives each there are (a + 1)^d.
+#[test]
+fn large_families_have_fewer_differences() {
+    for (definitions, alternatives, columns, most) in [(4, 7, 3, 4), (4, 8, 3, 3), (2, 20, 250, 1)]
+    {
+        for changed in (most..=definitions).take(2) {
+            let list = |of: &dyn Fn(usize) -> String, last: usize| {
+                (1..=last).map(of).collect::<Vec<String>>()
+            };
+            let definition = |i: usize| {
+                let other = |value: usize| {
+                    format!(
+                        "[[alternative]]\nof = 'a_{i}'\nlabel = 'a_{i} = {value}'\nvalue = '{}'\n",
+                        value + 1
+                    )
+                };
+                list(&other, alternatives).concat()
+            };
+            let cell = |x: usize| {
+                let term = |i: usize| {
+                    let factor = if i <= changed { 3 } else { 1 };
+                    factor * i64::try_from(x.pow(u32::try_from(i).expect("small"))).expect("small")
+                };
+                format!(
+                    "'{}'",
+                    fixed(&Rational::new((1..=definitions).map(term).sum::<i64>(), 7), 4)
+                )
+            };
+            let text = format!(
+                "key = 'k'\n[paper]\nauthors = ['A']\ntitle = 't'\nvenue = 'v'\nyear = '1'\n[define]\n{}{}\
+                 [[table]]\nid = 't'\nlocus = 'T'\nvalue = '({})/7'\n\
+                 columns = {{ name = 'x', values = [{}] }}\ncells = [[{}]]\n",
+                list(&|i| format!("a_{i} = '1'\n"), definitions).concat(),
+                list(&definition, definitions).concat(),
+                list(&|i| format!("a_{i}*x^{i}"), definitions).join(" + "),
+                list(&|x| format!("'{x}'"), columns).join(", "),
+                list(&cell, columns).join(", "),
+            );
+            let paper = read_paper(&SourceText::new("k.toml", text.clone()))
+                .unwrap_or_else(|error| panic!("{error}"));
+            let audit = judged(&paper);
+            let search = audit.tables[0].search.as_ref().expect("a search");
+            assert_eq!(search.max_differences, most);
+            let all = search.best.first().is_some_and(|best| best.count() == columns);
+            assert_eq!(all, changed == most, "{definitions} {changed}");
+            let report = check(&text, &[&certificate(&audit).text]).expect("a claim file");
+            assert!(matches!(report.claims[..], [(_, _, Outcome::Valid)]), "{:?}", report.claims);
+        }
+    }
+}

@@ -244,6 +244,8 @@ pub struct Search {
     pub tried: usize,
     /// The choices, definitions and quantities in which the readings differ.
     pub choices: Vec<String>,
+    /// In how many of these a reading may differ: [`MAX_DIFFERENCES`], or fewer where there would be too many readings.
+    pub max_differences: usize,
     /// Whether readings were compared that take a quantity from another place of the paper, since
     /// the others leave cells unexplained.
     pub elsewhere: bool,

@@ -119,6 +119,7 @@ pub(crate) fn search(
         Some(Search {
             tried,
             choices,
+            max_differences: space.most_differences(),
             elsewhere,
             cells,
             as_printed,

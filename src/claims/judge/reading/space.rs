@@ -28,8 +28,8 @@ pub(crate) fn printed<'a>(
 /// The most readings of one table.
 const MAX_READINGS: usize = 4_096;
 
-/// The most values of cells under all readings together; of a larger table, fewer
-/// readings are compared, those with fewer differences first.
+/// The most values of cells under all readings together; of a larger table, readings with fewer
+/// differences are compared.
 const MAX_VALUES: usize = 100_000;
 
 /// The most differences from the printed text of a reading that takes a quantity from another
@@ -200,14 +200,34 @@ impl<'s> ReadingSpace<'s> {
         names
     }
 
-    /// Every combination of at most [`MAX_DIFFERENCES`] changes, those with fewer changes first;
-    /// the printed text is the first.
+    /// The most differences of a reading: [`MAX_DIFFERENCES`], or as many as keep the number of readings within
+    /// bounds.
+    pub(crate) fn most_differences(&self) -> usize {
+        // How many readings have so many differences.
+        let mut counts = [0_usize; MAX_DIFFERENCES + 1];
+        counts[0] = 1;
+        for ways in &self.changes {
+            for differences in (1..counts.len()).rev() {
+                let longer = counts[differences - 1].saturating_mul(ways.len());
+                counts[differences] = counts[differences].saturating_add(longer);
+            }
+        }
+        let all = counts.iter().scan(0_usize, |all, count| {
+            *all = all.saturating_add(*count);
+            Some(*all)
+        });
+        all.take_while(|all| *all <= self.most_readings()).count().saturating_sub(1)
+    }
+
+    /// Every combination of at most [`most_differences`](Self::most_differences) changes, those with fewer changes
+    /// first; the printed text is the first.
     pub(crate) fn readings(&self) -> Vec<Vec<Change>> {
+        let most = self.most_differences();
         let mut readings = vec![Vec::new()];
         for ways in &self.changes {
             let longer: Vec<Vec<Change>> = readings
                 .iter()
-                .filter(|reading| reading.len() < MAX_DIFFERENCES)
+                .filter(|reading| reading.len() < most)
                 .flat_map(|reading| {
                     ways.iter().map(|way| [reading.clone(), vec![way.clone()]].concat())
                 })
@@ -215,7 +235,6 @@ impl<'s> ReadingSpace<'s> {
             readings.extend(longer);
         }
         readings.sort_by_key(Vec::len);
-        readings.truncate(self.most_readings());
         readings
     }
 

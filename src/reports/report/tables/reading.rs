@@ -1,8 +1,8 @@
 //! The report of what a search for readings has found.
 
 use crate::audit::{
-    CellFinding, Explanation, Fitting, Line, LineReading, MAX_DIFFERENCES, Recovered,
-    RecoveredFrom, Search, Slip, TableFinding, Verdict, Word,
+    CellFinding, Explanation, Fitting, Line, LineReading, Recovered, RecoveredFrom, Search, Slip,
+    TableFinding, Verdict, Word,
 };
 use crate::claim::{Axis, Table};
 use crate::exact::{Rational, format::short};
@@ -227,7 +227,7 @@ fn luck(chance: &Rational) -> String {
 }
 
 fn differ_in(search: &Search) -> String {
-    format!("They differ in up to {MAX_DIFFERENCES} of: {}.", search.choices.join(", "))
+    format!("They differ in up to {} of: {}.", search.max_differences, search.choices.join(", "))
 }
 
 /// The facts about a search: what it covered, and what it found.

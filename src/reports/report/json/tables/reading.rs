@@ -1,6 +1,6 @@
 //! Readings of a table, and the search for the best.
 
-use crate::audit::{self, LineReading, MAX_DIFFERENCES, TableFinding};
+use crate::audit::{self, LineReading, TableFinding};
 use crate::claim;
 use crate::report::json::exact::decimal;
 use crate::report::tables::reading::place;
@@ -126,7 +126,7 @@ impl<'a> Search<'a> {
         Search {
             tried: search.tried,
             choices: &search.choices,
-            max_differences: MAX_DIFFERENCES,
+            max_differences: search.max_differences,
             cells: search.cells,
             as_printed: search.as_printed,
             most: search.most,
