@@ -3,11 +3,11 @@
 use crate::cli::console::quantity::Float;
 use std::fmt::Display;
 
-/// Coordinates that f64 arithmetic found, beside `all` others of their kind. One below 2^−45 of the greatest is a rounding error,
-/// and is 0.
+/// Coordinates that f64 arithmetic found, beside `all` others of their kind. One of at most 2^−45 of the greatest is a rounding
+/// error, and is 0.
 pub(super) fn found<'a>(all: impl Iterator<Item = &'a f64>) -> impl Fn(f64) -> Float + Copy {
     let least = all.fold(0.0, |most: f64, x| most.max(x.abs())) * f64::powi(2.0, -45);
-    move |x| Float(if x.abs() < least { 0.0 } else { x })
+    move |x| Float(if (-least..=least).contains(&x) { 0.0 } else { x })
 }
 
 /// A point in words.

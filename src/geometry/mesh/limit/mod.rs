@@ -11,12 +11,14 @@ mod sector;
 mod settle;
 mod vertex;
 mod weights;
+mod without;
 
-pub use missing::{NoNormal, without_normals};
+pub use missing::NoNormal;
 pub use normal::{Normal, Tangents};
 pub use sector::Sector;
 pub use vertex::LimitPoint;
 pub(crate) use weights::limit_weights;
+pub use without::without_normals;
 
 use super::error::MeshError;
 use super::field::{check_rules, check_tags};

@@ -80,7 +80,7 @@ pub(crate) fn medit(source: &Arc<SourceText>, kind: &Medit) -> Result<Parts, Dia
             }
             // Faces, edges, corners, normals: they carry references, and no cells.
             _ if begins_with_letter(word.text) => {
-                words.skip(|word, _| begins_with_letter(word.text))
+                words.skip(|word, _| begins_with_letter(word.text));
             }
             _ => {
                 let message = format!("a keyword is expected here, and not `{}`", word.text);

@@ -86,11 +86,10 @@ fn header(lines: &mut Lines<'_>) -> Result<(Form, Vec<Element>), Diagnostic> {
         match words[..] {
             ["ply"] if first => {}
             _ if first => return Err(wrong("a PLY file begins with the line `ply`")),
-            ["comment" | "obj_info", ..] => {}
             ["format", ..] if std::mem::replace(&mut formed, true) => {
                 return Err(wrong("the format is there twice"));
             }
-            ["format", "ascii", ..] => {}
+            ["format", "ascii", ..] | ["comment" | "obj_info", ..] => {}
             ["format", "binary_little_endian", ..] => form = Form::Binary(ByteOrder::Little),
             ["format", "binary_big_endian", ..] => form = Form::Binary(ByteOrder::Big),
             ["format", ..] => return Err(wrong("this is no format of PLY files")),
