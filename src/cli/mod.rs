@@ -15,11 +15,15 @@ mod spectrum;
 use arguments::{Arguments, Command, grouped};
 use clap::parser::ValueSource;
 use clap::{CommandFactory as _, FromArgMatches as _};
-use console::{endings, output, terminal};
+use console::output::{Failure, Outcome};
+use console::{endings, interrupt, output, terminal};
 use std::process::ExitCode;
 
 /// The exit code of an internal fault.
 const FAULT: i32 = 3;
+
+/// The exit code of bad usage or input, and of too little time.
+const INPUT: i32 = 2;
 
 /// Runs the program: 0 done, 1 a stated expectation failed, 2 bad usage or input,
 /// 3 an internal fault.
@@ -36,9 +40,10 @@ pub(crate) fn run() -> ExitCode {
             let ids = own.ids().any(|id| id == "format");
             ids && own.value_source("format") == Some(ValueSource::CommandLine)
         });
-        Ok((arguments, given))
+        let name = found.subcommand_name().unwrap_or_default().to_owned();
+        Ok((arguments, given, name))
     });
-    let (mut arguments, given) = match parsed {
+    let (mut arguments, given, name) = match parsed {
         Ok(parsed) => parsed,
         Err(error) => {
             // Help and version come this way too, with exit code 0.
@@ -53,7 +58,32 @@ pub(crate) fn run() -> ExitCode {
     if let Err(failure) = endings::settle(&mut arguments.command, given) {
         return failure.report();
     }
-    let result = match arguments.command {
+    let seconds = arguments.seconds.or(arguments.command.seconds());
+    let less = arguments.command.takes_less();
+    let failure = move || given_up(&name, seconds, less);
+    let late = failure.clone();
+    let leave = move || {
+        let _ = late().report();
+        std::process::exit(INPUT);
+    };
+    let result = interrupt::within(seconds, leave, || done(arguments.command));
+    match result.unwrap_or_else(|_| Err(failure())) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+/// That a command had too little time.
+fn given_up(name: &str, seconds: Option<u32>, less: &str) -> Failure {
+    let seconds = interrupt::in_seconds(seconds.unwrap_or_default());
+    Failure::Input(format!(
+        "`subcert {name}` was given up after {seconds}, and has no answer; what takes less time: {less}"
+    ))
+}
+
+/// Does what a command asks for.
+fn done(command: Command) -> Outcome {
+    match command {
         Command::Audit(command) => papers::audit(&command),
         Command::Explain(command) => papers::explain(&command),
         Command::Errata(command) => papers::errata(&command),
@@ -83,9 +113,5 @@ pub(crate) fn run() -> ExitCode {
         Command::Schemas { folder } => program::schemas(&folder),
         Command::Man { folder } => program::man(&folder),
         Command::Completions { shell } => program::completions(shell),
-    };
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(),
     }
 }

@@ -10,7 +10,8 @@ use std::thread::panicking;
 /// rational numbers looks at it, and so do long loops without it: the work is over in a fraction of a second.
 ///
 /// The stack is unwound, without a message, as by a panic. What the work has not returned is lost, and caches stay as
-/// they are. A program that is compiled with `panic = "abort"` cannot do this.
+/// they are. A program that is compiled with `panic = "abort"` cannot do this. Work that is part of other work ends with
+/// that too.
 ///
 /// ```
 /// use subcert::exact::Rational;
@@ -42,8 +43,8 @@ pub struct Stopped;
 static ANY: AtomicBool = AtomicBool::new(false);
 
 thread_local! {
-    /// What ends the work of this thread.
-    static CURRENT: RefCell<Option<Stop>> = const { RefCell::new(None) };
+    /// What ends the work of this thread, the innermost last.
+    static CURRENT: RefCell<Vec<Stop>> = const { RefCell::new(Vec::new()) };
 }
 
 impl Stop {
@@ -51,6 +52,12 @@ impl Stop {
     pub fn stop(&self) {
         self.0.store(true, Ordering::Relaxed);
         ANY.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether [`stop`](Stop::stop) was called.
+    #[must_use]
+    pub fn is_stopped(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
     }
 
     /// Does work that this ends.
@@ -61,12 +68,12 @@ impl Stop {
     /// # Panics
     /// When the work does.
     pub fn run<T>(&self, work: impl FnOnce() -> T) -> Result<T, Stopped> {
-        let before = CURRENT.replace(Some(self.clone()));
+        CURRENT.with_borrow_mut(|all| all.push(self.clone()));
         let found = catch_unwind(AssertUnwindSafe(work));
-        CURRENT.set(before);
+        CURRENT.with_borrow_mut(Vec::pop);
         match found {
             Ok(value) => Ok(value),
-            Err(payload) if payload.is::<Stopped>() => Err(Stopped),
+            Err(payload) if payload.is::<Stopped>() && self.is_stopped() => Err(Stopped),
             Err(payload) => resume_unwind(payload),
         }
     }
@@ -107,8 +114,7 @@ pub fn check() {
 
 #[cold]
 fn end_if_stopped() {
-    let is_stopped = |stop: &Stop| stop.0.load(Ordering::Relaxed);
-    let stopped = CURRENT.with_borrow(|stop| stop.as_ref().is_some_and(is_stopped));
+    let stopped = CURRENT.with_borrow(|all| all.iter().any(Stop::is_stopped));
     // What is dropped meanwhile may compute.
     if stopped && !panicking() {
         resume_unwind(Box::new(Stopped));

@@ -7,6 +7,7 @@ use subcert::exact::{
 };
 use subcert::scheme::{Mask, parse_parametric, parse_scheme};
 use subcert::smoothness::{Smoothness, contractions, smooth_range};
+use subcert::stop::Stop;
 
 pub fn of(name: &str) -> Smoothness {
     Smoothness::of(parse_scheme(name).expect("a scheme").masks()[0]).expect("short rules")
@@ -85,7 +86,7 @@ fn dependent_shifts_are_reduced() {
 fn contractions_are_those_of_the_definition() {
     // 2·S_2 of the four-point scheme at w = 1/16 contracts in two levels, by 3/4 (Dyn 1992).
     let four = of("four-point:w=1/16");
-    let found = contractions(&four.symbol, 1);
+    let found = contractions(&four.symbol, 1, &Stop::default());
     let expected = [Some((1, Rational::new(5, 8))), Some((2, Rational::new(3, 4)))];
     assert_eq!(found, expected);
 }

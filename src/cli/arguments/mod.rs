@@ -8,6 +8,7 @@ mod papers;
 mod schemes;
 mod smoothness;
 mod spectrum;
+mod time;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub(super) use findings::{FindingFormat, FindingOutput};
@@ -51,6 +52,9 @@ pub(super) struct Arguments {
     /// code
     #[arg(short, long, global = true)]
     pub(super) quiet: bool,
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..),
+          help = time::help())]
+    pub(super) seconds: Option<u32>,
 }
 
 #[derive(Debug, Subcommand)]

@@ -107,10 +107,6 @@ pub(in crate::cli) struct DepthArguments {
     /// distance is that of sets: .csv, .json, or .ply with colours; faces are numbered from 0
     #[arg(long, value_name = "FILE", requires = "mesh", conflicts_with = "a_priori")]
     pub(in crate::cli) per_face: Option<PathBuf>,
-    /// End the search of a mesh, a net or a solid after so many seconds, as Ctrl-C does: what is proved by then is
-    /// printed, and the rest is open [default: it ends when it is done]
-    #[arg(long, value_name = "N", requires = "mesh", value_parser = clap::value_parser!(u32).range(1..))]
-    pub(in crate::cli) seconds: Option<u32>,
     /// How the distance from the limit is measured: as sets of points, which for a solid is that of its boundary, or at equal
     /// parameters, which for a solid is that of all its cells [default: as sets of points, and for a polygon of points both]
     #[arg(long, value_enum)]

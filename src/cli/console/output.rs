@@ -1,5 +1,6 @@
 //! Results to the standard output, messages to the standard error.
 
+use super::interrupt::writing;
 use super::save::save;
 use super::terminal;
 use serde::Serialize;
@@ -122,6 +123,7 @@ fn drawn(errors: &Errors) -> String {
 
 /// Writes a text to the standard output; styles only to a terminal.
 pub(crate) fn write(text: &str) -> Result<(), Failure> {
+    let _writing = writing();
     let mut out = anstream::stdout().lock();
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(Failure::Output)
 }

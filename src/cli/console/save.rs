@@ -1,5 +1,6 @@
 //! Files that are written whole or not at all.
 
+use super::interrupt::writing;
 use std::fs::{File, create_dir_all, remove_file, rename};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -29,6 +30,7 @@ pub(crate) fn folder_of(path: &Path) -> io::Result<&Path> {
 /// file, such as a pipe, is written into.
 pub(crate) fn save(path: &Path, text: &str) -> io::Result<()> {
     let path = &target(path)?;
+    let _writing = writing();
     if path.metadata().is_ok_and(|data| !data.is_file() && !data.is_dir()) {
         return File::options().write(true).open(path)?.write_all(text.as_bytes());
     }

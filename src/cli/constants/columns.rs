@@ -2,9 +2,12 @@
 
 use crate::cli::console::interrupt::Interrupt;
 use crate::cli::console::progress::Progress;
+use std::panic::resume_unwind;
+use std::thread::ScopedJoinHandle;
 use subcert::bound::{Budget, Order, PowerSearch};
 use subcert::exact::Rational;
 use subcert::scheme::{Mask, Rules};
+use subcert::stop::inherited;
 
 /// The most steps for the constants of one column.
 const MAX_STEPS: u64 = 8_000_000_000;
@@ -36,10 +39,11 @@ pub(crate) fn columns(mask: &Mask, difference: &Rules, wanted: &Wanted) -> Colum
         let threads: Vec<_> = all
             .zip(&budgets)
             .map(|((rules, order), budget)| {
-                scope.spawn(move || column(rules, order, budget, wanted.levels))
+                scope.spawn(inherited(move || column(rules, order, budget, wanted.levels)))
             })
             .collect();
-        threads.into_iter().map(|thread| thread.join().expect("a column")).collect()
+        let joined = threads.into_iter().map(ScopedJoinHandle::join);
+        joined.map(|column| column.unwrap_or_else(|panic| resume_unwind(panic))).collect()
     });
     drop((interrupt, progress));
     found

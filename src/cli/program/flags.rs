@@ -8,7 +8,7 @@ use serde::Serialize;
 use subcert::report::{Grid, Sheet};
 
 /// The flags that every command has, and that stand in no row.
-const EVERYWHERE: [&str; 4] = ["help", "version", "color", "quiet"];
+const EVERYWHERE: [&str; 5] = ["help", "version", "color", "quiet", "seconds"];
 
 pub(crate) fn flags(output: &Output) -> Outcome {
     show(output, &Flags { schema: SCHEMA, commands: commands() })
@@ -42,7 +42,7 @@ impl Answer for Flags {
     fn sheet(&self) -> Sheet {
         let mut sheet = Sheet::titled("Flags of the commands");
         sheet.text(
-            "Every command takes --help, --color and --quiet too. A flag means the same wherever it stands.",
+            "Every command takes --help, --color, --quiet and --seconds too. A flag means the same wherever it stands.",
         );
         let row = |command: &Command| {
             let flags = command.flags.iter().map(|name| format!("--{name}"));

@@ -3,14 +3,16 @@
 use super::radius::{Radius, apart, write_certificate};
 use crate::cli::arguments::JsrArguments;
 use crate::cli::console::answer::{Answer, SCHEMA, show};
+use crate::cli::console::interrupt::Interrupt;
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
 use serde::Serialize;
 use subcert::certificate::radius_certificate;
 use subcert::diagnostic::read_text;
 use subcert::exact::{Rational, parse_rational};
-use subcert::joint::{MatrixSet, joint_radius};
+use subcert::joint::{MatrixSet, joint_radius_until};
 use subcert::report::Sheet;
+use subcert::stop::Stop;
 
 /// The largest file of matrices, in bytes.
 const MAX_BYTES: u64 = 1 << 20;
@@ -21,8 +23,10 @@ pub(crate) fn jsr(arguments: &JsrArguments) -> Outcome {
         .map_err(|reason| Failure::Input(format!("cannot read `{file}`: {reason}")))?;
     let set = read(&text).map_err(|reason| Failure::Input(format!("{file}: {reason}")))?;
     let progress = Progress::of_search(true);
-    let radius = joint_radius(&set);
-    drop(progress);
+    let stop = Stop::default();
+    let interrupt = Interrupt::stops_search(&stop);
+    let radius = joint_radius_until(&set, &stop);
+    drop((interrupt, progress));
     if let Some(path) = &arguments.certificate {
         write_certificate(path, radius_certificate(&set, &radius))?;
     }
@@ -59,7 +63,7 @@ impl Answer for JointRadius<'_> {
         }
         sheet.facts(facts);
         if !radius.exact {
-            sheet.text(apart(""));
+            sheet.text(apart("", radius));
         }
         sheet
     }

@@ -6,6 +6,7 @@ use super::vertex;
 use crate::cli::arguments::SmoothnessArguments;
 use crate::cli::console::answer::{Answer, SCHEMA, deliver};
 use crate::cli::console::destination::Destination;
+use crate::cli::console::interrupt::{Interrupt, reason};
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
 use crate::cli::console::quantity::{Number, exponent, misplaced_rows};
@@ -16,6 +17,7 @@ use subcert::report::Sheet;
 use subcert::report::json::{Exact, HoelderForm};
 use subcert::scheme::{Mask, names_ring};
 use subcert::smoothness::{self, Coefficient, Symbol, contractions};
+use subcert::stop::Stop;
 
 pub(crate) fn smoothness(arguments: &SmoothnessArguments) -> Outcome {
     let to = Destination::of(&arguments.output, &format!("smoothness-{}", arguments.scheme))?;
@@ -35,13 +37,18 @@ fn answer<F: Coefficient>(
     to: &Destination,
 ) -> Outcome {
     let progress = Progress::of_search(true);
-    let found =
-        smoothness::Smoothness::of(mask).map_err(|error| Failure::Input(error.to_string()))?;
-    drop(progress);
+    let stop = Stop::default();
+    let interrupt = Interrupt::stops_search(&stop);
+    let found = smoothness::Smoothness::until(mask, &stop)
+        .map_err(|error| Failure::Input(error.to_string()))?;
+    let by = found.continuity.map(|most| contractions(&found.symbol, most, &stop));
+    drop((interrupt, progress));
     if let Some(path) = &arguments.certificate {
         write_certificate(path, smoothness_certificate(mask, &found))?;
     }
-    deliver(to, &Smoothness::of(&arguments.scheme, mask, &found))
+    let ended = stop.is_stopped().then(reason);
+    let by = by.unwrap_or_default();
+    deliver(to, &Smoothness { ended, ..Smoothness::of(&arguments.scheme, mask, &found, by) })
 }
 
 /// How smooth the limits of a scheme are.
@@ -79,6 +86,9 @@ pub(crate) struct Smoothness<'a> {
     continuity: Option<usize>,
     /// The least m for which it is proven that not all limits are C^m; null where there is none.
     continuity_fails: Option<usize>,
+    /// Why the searches ended early, with what they had proven; absent where they did not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ended: Option<String>,
     /// For m = 0, 1, … up to `continuity` the proof by contraction; null where none is found.
     contractions: Vec<Option<Contraction>>,
     /// The radius of which the exponent is made.
@@ -115,12 +125,12 @@ impl<'a> Smoothness<'a> {
         scheme: &'a str,
         mask: &Mask<F>,
         found: &smoothness::Smoothness<F>,
+        contractions: Vec<Option<(u32, Rational)>>,
     ) -> Smoothness<'a> {
         let smoothness::Smoothness { symbol, sum_rules, reproduction, shift, continuity, .. } =
             found;
         let (low, high) = symbol.support();
         let deciding = found.deciding();
-        let contractions = continuity.map_or_else(Vec::new, |most| contractions(symbol, most));
         let contraction = |found: Option<(u32, Rational)>| {
             found.map(|(c, norm)| Contraction { c, norm: Number::Rational(norm) })
         };
@@ -139,6 +149,7 @@ impl<'a> Smoothness<'a> {
             independent: continuity.map(|_| found.reduced.is_none()),
             continuity: *continuity,
             continuity_fails: found.continuity_fails,
+            ended: None,
             contractions: contractions.into_iter().map(contraction).collect(),
             radius: Radius::of(&deciding.matrices, 'T', Some(deciding.order), &deciding.radius),
             hoelder: found.hoelder.as_ref().map(HoelderForm::of),
@@ -184,17 +195,30 @@ impl<'a> Smoothness<'a> {
                     norm.words(),
                     if *c == 1 { "" } else { "s" }
                 ),
+                None if self.ended.is_some() => "before the search was stopped".to_owned(),
                 None => "by the bounds of the joint spectral radius".to_owned(),
             };
             facts.push((format!("C^{m}"), format!("proven: {by}")));
         }
-        let (what, verdict) = match (self.continuity_fails, self.continuity) {
-            (Some(0), _) => ("convergence".to_owned(), "refuted: the differences do not tend to 0"),
-            (Some(m), _) => (format!("C^{m}"), "refuted"),
-            (None, None) => ("convergence".to_owned(), "open"),
-            (None, Some(m)) => (format!("C^{}", m + 1), "open"),
-        };
-        facts.push((what, verdict.to_owned()));
+        let ended = self.ended.as_ref().map(|why| format!(": {why}")).unwrap_or_default();
+        let open = format!("open{ended}");
+        let first = self.continuity.map_or(0, |m| m + 1);
+        let last = self.continuity_fails.map(|m| m.saturating_sub(1));
+        match (self.continuity, last) {
+            (None, None) => facts.push(("convergence".to_owned(), open)),
+            (_, None) => facts.push((format!("C^{first}"), open)),
+            (_, Some(last)) if last == first && self.continuity_fails != Some(0) => {
+                facts.push((format!("C^{first}"), open));
+            }
+            (_, Some(last)) if last > first => {
+                facts.push((format!("C^{first} to C^{last}"), open));
+            }
+            _ => {}
+        }
+        facts.extend(self.continuity_fails.map(|m| match m {
+            0 => ("convergence".to_owned(), "refuted: the differences do not tend to 0".to_owned()),
+            _ => (format!("C^{m}"), "refuted".to_owned()),
+        }));
         facts
     }
 }
@@ -229,7 +253,7 @@ impl Answer for Smoothness<'_> {
             ));
         }
         if self.hoelder.as_ref().is_some_and(|hoelder| hoelder.exact.is_none()) {
-            sheet.text(apart(" of the exponent"));
+            sheet.text(apart(" of the exponent", &self.radius));
         }
         sheet
     }

@@ -1,5 +1,6 @@
 //! A joint spectral radius, for `smoothness` and `jsr`.
 
+use crate::cli::console::interrupt::reason;
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::quantity::between;
 use crate::cli::console::save::save;
@@ -36,6 +37,9 @@ pub(crate) struct Radius {
     pub(crate) exact: bool,
     /// The number of rows of the invariant hull.
     rows: usize,
+    /// Why the search ended early, with the bounds that it had found; absent where it did not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ended: Option<String>,
     /// The bounds in words.
     #[serde(skip)]
     between: String,
@@ -72,6 +76,7 @@ impl Radius {
             lower: down(bounds.lower()),
             upper: up(bounds.upper()),
             exact: radius.exact,
+            ended: radius.stopped.then(reason),
             rows: radius.hull.as_ref().map_or(0, |hull| size + hull.rows.len()),
             between: between(&bounds),
             at_least: format!("{}: of the product {product}", root_text(radius)),
@@ -121,7 +126,10 @@ fn upper_text(size: usize, radius: &JointRadius, hull: &Hull) -> String {
 }
 
 /// What is said where the bounds of a radius or an exponent do not meet.
-pub(crate) fn apart(of: &str) -> String {
+pub(crate) fn apart(of: &str, radius: &Radius) -> String {
+    if let Some(ended) = &radius.ended {
+        return format!("The bounds{of} do not meet: {ended}.");
+    }
     format!(
         "The bounds{of} do not meet: no hull of up to {MAX_ROWS} rows is found that is extremal for a real eigenvalue of a \
          product of up to {MAX_FACTORS} factors."

@@ -172,8 +172,14 @@ impl<F: Entry> Lower<F> {
         close(&self.scaled(set), seeds, &known, caps).is_some()
     }
 
-    /// The hull with the least bound that is found.
-    pub(super) fn nearest_hull(&self, set: &MatrixSet<F>, unit: &Rational, exact: bool) -> Hull {
+    /// The hull with the least bound that is found; `better` is told of each that is better than those before.
+    pub(super) fn nearest_hull(
+        &self,
+        set: &MatrixSet<F>,
+        unit: &Rational,
+        exact: bool,
+        mut better: impl FnMut(&Hull),
+    ) -> Hull {
         let seeds = self.seeds(set);
         let attempt =
             |excess| hull(set, set, &seeds, unit, (self.rate, excess), (MAX_ROWS, MAX_WORK));
@@ -183,7 +189,10 @@ impl<F: Entry> Lower<F> {
         let mut best = Hull::norm(set);
         for excess in EXCESSES {
             match attempt(excess) {
-                Some(hull) if hull.bound < best.bound => best = hull,
+                Some(hull) if hull.bound < best.bound => {
+                    better(&hull);
+                    best = hull;
+                }
                 Some(_) => {}
                 None => break,
             }

@@ -39,5 +39,5 @@ pub use interval::{Closing, contracts, expanding_product, expands};
 pub use lower::MAX_ROWS;
 pub use matrix_set::{MAX_MATRICES, MAX_SIZE, MatrixSet, MatrixSetError};
 pub use product::{Eigenvalue, JordanBlock, LeadingEigenvalue, jordan_block};
-pub use radius::{JointRadius, MAX_FACTORS, extremal_rate, joint_radius};
+pub use radius::{JointRadius, MAX_FACTORS, extremal_rate, joint_radius, joint_radius_until};
 pub use reduction::Reduction;

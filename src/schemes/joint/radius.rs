@@ -12,6 +12,7 @@ use super::roots::{enclosed_root, order};
 use super::single::of_multiples;
 use crate::exact::{Enclosure, Rational, RealAlgebraic};
 use crate::float::extremal::candidates;
+use crate::stop::{Stop, Stopped};
 use std::cmp::Ordering;
 
 /// The most factors of a product that is looked at.
@@ -41,6 +42,8 @@ pub struct JointRadius {
     pub hull: Option<Hull>,
     /// The blocks, where the bounds are theirs.
     pub reduction: Option<Reduction>,
+    /// Whether the search was stopped, so that the bounds are those which it had found.
+    pub stopped: bool,
 }
 
 impl JointRadius {
@@ -94,6 +97,38 @@ impl JointRadius {
 /// Never.
 #[must_use]
 pub fn joint_radius<F: Entry>(set: &MatrixSet<F>) -> JointRadius {
+    searched(set, &mut by_norm(set))
+}
+
+/// The same, with the bounds that are found until the search is stopped: from above at least the largest row sum.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::joint::{MatrixSet, joint_radius_until};
+/// use subcert::stop::Stop;
+///
+/// let set = MatrixSet::new(vec![vec![vec![Rational::from(2), Rational::one()], vec![Rational::zero(), Rational::one()]]])?;
+/// let stop = Stop::default();
+/// assert!(joint_radius_until(&set, &stop).exact);
+/// stop.stop();
+/// let bounds = joint_radius_until(&set, &stop);
+/// assert_eq!((bounds.stopped, bounds.exact, bounds.upper()), (true, false, Rational::from(3)));
+/// # Ok::<(), subcert::joint::MatrixSetError>(())
+/// ```
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn joint_radius_until<F: Entry>(set: &MatrixSet<F>, stop: &Stop) -> JointRadius {
+    let mut best = by_norm(set);
+    match stop.run(|| searched(set, &mut best)) {
+        Ok(found) => found,
+        Err(Stopped) => JointRadius { stopped: true, ..best },
+    }
+}
+
+/// The bounds of a set. `best` has what is known of them while they are looked for.
+fn searched<F: Entry>(set: &MatrixSet<F>, best: &mut JointRadius) -> JointRadius {
     if set.is_nilpotent() {
         let root = RealAlgebraic::from(Rational::zero());
         return JointRadius {
@@ -104,11 +139,15 @@ pub fn joint_radius<F: Entry>(set: &MatrixSet<F>) -> JointRadius {
             bounded: true,
             hull: None,
             reduction: None,
+            stopped: false,
         };
     }
     let matrices = floats(set);
     let found = candidates(&matrices, MAX_FACTORS, beam(set, BEAM));
     let lower = Lower::of(set, &found);
+    if let Some(Lower { product, root, degree, .. }) = &lower {
+        (best.product, best.root, best.degree) = (product.clone(), root.clone(), *degree);
+    }
     let unit = Rational::new(1, 16);
     let extremal = lower.as_ref().and_then(|lower| lower.extremal(set, &unit, &found, MAX_ROWS));
     let exact = extremal.is_some();
@@ -118,13 +157,21 @@ pub fn joint_radius<F: Entry>(set: &MatrixSet<F>) -> JointRadius {
     let Some(lower) = lower else { return by_norm(set) };
     let hull = match extremal {
         Some(Exact::Rational(hull)) => hull,
-        _ => lower.nearest_hull(set, &unit, exact),
+        _ => lower.nearest_hull(set, &unit, exact, |hull| best.hull = Some(hull.clone())),
     };
     let Lower { product, root, degree, .. } = lower;
     let meet = root.cmp_rational(&hull.bound.pow(power(degree))).is_eq();
     let (exact, hull) = (exact || meet, Some(hull));
-    let radius =
-        JointRadius { product, root, degree, exact, bounded: exact, hull, reduction: None };
+    let radius = JointRadius {
+        product,
+        root,
+        degree,
+        exact,
+        bounded: exact,
+        hull,
+        reduction: None,
+        stopped: false,
+    };
     match of_multiples(set).filter(|_| !exact) {
         Some((product, root, degree)) => {
             JointRadius { product, root, degree, exact: true, ..radius }
@@ -162,7 +209,8 @@ fn of_blocks(reduction: Reduction) -> JointRadius {
     let hulls: Vec<Hull> = hulls.collect();
     let hull = Some(reduction.hull(&hulls.iter().collect::<Vec<_>>()));
     let (product, root, degree) = (best.product.clone(), best.root.clone(), best.degree);
-    JointRadius { product, root, degree, exact, bounded, hull, reduction: Some(reduction) }
+    let reduction = Some(reduction);
+    JointRadius { product, root, degree, exact, bounded, hull, reduction, stopped: false }
 }
 
 /// Whether the radius is that of a product, by an extremal hull; then all products of l factors are at most
@@ -175,9 +223,10 @@ pub fn extremal_rate<F: Entry>(set: &MatrixSet<F>) -> Option<(RealAlgebraic, usi
     Some((lower.root, lower.degree))
 }
 
-/// What is known when f64 finds no product with an eigenvalue other than 0.
+/// What is known before any search, or when f64 finds no product with an eigenvalue other than 0.
 fn by_norm<F: Entry>(set: &MatrixSet<F>) -> JointRadius {
     let (product, root) = (vec![0], RealAlgebraic::from(Rational::zero()));
-    let hull = Some(Hull::norm(set));
-    JointRadius { product, root, degree: 1, exact: false, bounded: false, hull, reduction: None }
+    let (degree, hull, reduction) = (1, Some(Hull::norm(set)), None);
+    let (exact, bounded, stopped) = (false, false, false);
+    JointRadius { product, root, degree, exact, bounded, hull, reduction, stopped }
 }

@@ -9,10 +9,11 @@ use super::symbol::Symbol;
 use super::transition::transition_matrices;
 use crate::exact::{Enclosed as _, Rational};
 use crate::joint::{
-    Hull, JointRadius, MatrixSet, MatrixSetError, extremal_rate, joint_radius, jordan_block,
+    Hull, JointRadius, MatrixSet, MatrixSetError, extremal_rate, joint_radius_until, jordan_block,
 };
 use crate::limit::{NaturalShift, natural_shift};
 use crate::scheme::Mask;
+use crate::stop::Stop;
 use std::cmp::Ordering;
 
 /// The longest product in which a Jordan block is looked for.
@@ -93,7 +94,7 @@ pub struct Hoelder {
 }
 
 impl<F: Coefficient> Differences<F> {
-    fn of(symbol: &Symbol<F>) -> Result<Differences<F>, SmoothnessError> {
+    fn of(symbol: &Symbol<F>, stop: &Stop) -> Result<Differences<F>, SmoothnessError> {
         let (order, _) = symbol.sum_rules();
         let matrices = scaled_matrices(symbol, order)?;
         let generator = symbol.coefficients().iter().find_map(Coefficient::generator);
@@ -102,7 +103,7 @@ impl<F: Coefficient> Differences<F> {
         if degree > 1 && size * degree > MAX_FIELD_WORK {
             return Err(SmoothnessError::Field { size, degree });
         }
-        let radius = joint_radius(&matrices);
+        let radius = joint_radius_until(&matrices, stop);
         Ok(Differences { symbol: symbol.clone(), order, matrices, radius })
     }
 
@@ -147,13 +148,24 @@ impl<F: Coefficient> Smoothness<F> {
     /// # Panics
     /// Never.
     pub fn of(mask: &Mask<F>) -> Result<Smoothness<F>, SmoothnessError> {
+        Smoothness::until(mask, &Stop::default())
+    }
+
+    /// The same, with what is proven until the search is stopped.
+    ///
+    /// # Errors
+    /// When the rules are too long.
+    ///
+    /// # Panics
+    /// Never.
+    pub fn until(mask: &Mask<F>, stop: &Stop) -> Result<Smoothness<F>, SmoothnessError> {
         let symbol = Symbol::of(mask);
-        let differences = Differences::of(&symbol)?;
+        let differences = Differences::of(&symbol, stop)?;
         // Where the hull leaves a question open, a contraction may answer it.
-        let contracts = |m: usize| derived(&symbol, m).map(|_| true);
+        let contracts = |m: usize| stop.run(|| derived(&symbol, m)).ok().flatten().map(|_| true);
         let converges = differences.is_below(0).or_else(|| contracts(0));
         let reduced = match (converges, independent(&symbol)) {
-            (Some(true), reduced) if reduced != symbol => Some(Differences::of(&reduced)?),
+            (Some(true), reduced) if reduced != symbol => Some(Differences::of(&reduced, stop)?),
             _ => None,
         };
         let deciding = reduced.as_ref().unwrap_or(&differences);
@@ -167,7 +179,7 @@ impl<F: Coefficient> Smoothness<F> {
                 let fails = |m: &usize| deciding.is_below(*m) == Some(false);
                 continuity = (1..=deciding.order).take_while(below).last().or(Some(0));
                 continuity_fails = (1..=deciding.order).find(fails).or(Some(deciding.order));
-                let mut exponent = Hoelder::of(deciding)?;
+                let mut exponent = Hoelder::of(deciding, stop)?;
                 // C^m implies the exponent m.
                 let least = Rational::from(continuity.unwrap_or(0));
                 exponent.lower = exponent.lower.max(least);
@@ -197,14 +209,17 @@ impl<F: Coefficient> Smoothness<F> {
 }
 
 impl Hoelder {
-    fn of<F: Coefficient>(differences: &Differences<F>) -> Result<Hoelder, SmoothnessError> {
+    fn of<F: Coefficient>(
+        differences: &Differences<F>,
+        stop: &Stop,
+    ) -> Result<Hoelder, SmoothnessError> {
         let Differences { symbol, order, radius, .. } = differences;
         let n = symbol.arity();
         let formula = ExponentFormula::new(*order, n, &radius.root, radius.degree);
         let upper = formula.enclosure(1).upper().clone();
         if radius.exact {
             let lower = formula.enclosure(1).lower().clone();
-            let attained = attained(differences, &formula)?;
+            let attained = stop.run(|| attained(differences, &formula)).unwrap_or(Ok(None))?;
             return Ok(Hoelder { lower, upper, formula: Some(formula), attained });
         }
         let bound = radius.hull.as_ref().map(|hull| hull.bound.clone());

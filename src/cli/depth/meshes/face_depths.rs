@@ -120,6 +120,12 @@ pub(super) struct Search {
 }
 
 impl Search {
+    /// With the reason why it was stopped, if it ended for that.
+    pub(super) fn ended(mut self, stopped: Option<String>) -> Search {
+        self.found.ended = self.found.ended.map(|why| stopped.unwrap_or(why));
+        self
+    }
+
     pub(super) fn of(
         mesh: &PolygonMesh<Rational>,
         scheme: MeshScheme,
@@ -145,7 +151,8 @@ impl Search {
             };
             Ok(Search { surface, growth: Growth::of(scheme), found, faces })
         };
-        Ok(searched(&work, arguments, || search().map_err(refused))?.0)
+        let (found, stopped) = searched(&work, arguments, || search().map_err(refused))?;
+        Ok(found.ended(stopped))
     }
 }
 

@@ -56,7 +56,7 @@ pub(in crate::cli::depth) fn net_depth(
     let distances = || NetDistances::new(net.clone(), &scheme).map_err(failure);
     if geometric && !arguments.a_priori {
         let (mesh, distances) = (mesh()?, distances()?);
-        let (found, _) = searched(&distances.work(), arguments, || {
+        let (found, stopped) = searched(&distances.work(), arguments, || {
             let found = distances.geometric_depth(tolerance).map_err(failure)?;
             if let Some(path) = &arguments.certificate {
                 certified::of_net(path, &net, &scheme, &distances, &found, tolerance)?;
@@ -73,7 +73,7 @@ pub(in crate::cli::depth) fn net_depth(
             let growth = Growth::Arities(scheme.masks().iter().map(Mask::arity).product());
             Ok(Search { surface: FaceSurface::Bilinear, growth, found, faces })
         })?;
-        return deliver(to, &SetDepth::of(subject, given, &mesh, None, found)?);
+        return deliver(to, &SetDepth::of(subject, given, &mesh, None, found.ended(stopped))?);
     }
     if arguments.certificate.is_some() {
         return Err(certified::none("leave out --distance parametric"));

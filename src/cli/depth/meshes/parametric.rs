@@ -36,7 +36,7 @@ pub(crate) struct ParametricDepth<'a> {
     level: Option<u32>,
     /// Why the search ended early, so that lower levels may be open.
     #[serde(skip_serializing_if = "Option::is_none")]
-    ended: Option<&'static str>,
+    ended: Option<String>,
     /// The greatest level that is certainly not sufficient.
     too_few: Option<u32>,
     /// The distance at `level`; null where a search that was stopped did not come to that level.
@@ -136,34 +136,32 @@ pub(super) fn search(
     draw: impl FnOnce(&Subject<'_>, &MeshDepth) -> Vec<Picture>,
 ) -> Outcome {
     let arguments = subject.arguments;
-    let ((depth, pictures), is_stopped) = searched(work, arguments, || {
+    let ((depth, pictures), stopped) = searched(work, arguments, || {
         let depth = find(&subject)?;
         let is_page = arguments.output.is_page();
         let pictures = if is_page { draw(&subject, &depth) } else { Vec::new() };
         Ok((depth, pictures))
     })?;
-    deliver(to, &ParametricDepth::of(subject, Some((depth, is_stopped)), pictures))
+    deliver(to, &ParametricDepth::of(subject, Some((depth, stopped)), pictures))
 }
 
-/// Why a search ended early.
-const STOPPED: &str = "the search was stopped";
-
 impl ParametricDepth<'_> {
-    /// The answer from what was found, and whether the search was stopped; nothing is found where only the guarantee is
+    /// The answer from what was found, and why the search was stopped; nothing is found where only the guarantee is
     /// asked for.
     pub(super) fn of(
         subject: Subject<'_>,
-        found: Option<(MeshDepth, bool)>,
+        found: Option<(MeshDepth, Option<String>)>,
         pictures: Vec<Picture>,
     ) -> ParametricDepth<'_> {
         let Subject { scheme, name, notes, kind, arguments, tolerance, guaranteed, promised } =
             subject;
-        let (found, is_stopped) = found.unzip();
-        let is_stopped = is_stopped.unwrap_or_default();
+        let (found, ended) = found.unzip();
+        let ended = ended.flatten();
         let found = found.as_ref();
         // A search that is stopped may know less than is known before it.
         let level = found.map(|found| found.level);
-        let level = level.map(|level| if is_stopped { level.min(guaranteed.level) } else { level });
+        let level =
+            level.map(|level| if ended.is_some() { level.min(guaranteed.level) } else { level });
         let measured = found.filter(|found| level == Some(found.level));
         let place = |place: &FarPlace| Place::of(place, kind);
         ParametricDepth {
@@ -174,7 +172,7 @@ impl ParametricDepth<'_> {
             tolerance: Text(tolerance),
             measure: "parametric",
             level,
-            ended: is_stopped.then_some(STOPPED),
+            ended,
             too_few: found.and_then(|found| found.too_few),
             distance: measured.map(|found| {
                 let [lower, upper] = found.distance.map(Float);
@@ -223,7 +221,7 @@ impl Answer for ParametricDepth<'_> {
         let mut facts = Vec::new();
         if let Some(level) = self.level {
             let few = few_text(level, self.too_few);
-            let few = self.ended.map_or(few.clone(), |why| format!("{few}: {why}"));
+            let few = self.ended.as_ref().map_or(few.clone(), |why| format!("{few}: {why}"));
             let most = at_most(level, self.too_few, self.ended.is_some());
             let depth = format!("{most}{}, at equal parameters{few}", levels(level));
             facts.push((format!("depth of the {}", kind.name()), depth));

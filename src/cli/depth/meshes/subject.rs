@@ -3,7 +3,7 @@
 use super::kind::Kind;
 use super::promise::{APriori, Formula};
 use crate::cli::arguments::{DepthArguments, FindingFormat};
-use crate::cli::console::interrupt::Interrupt;
+use crate::cli::console::interrupt::{Interrupt, reason};
 use crate::cli::console::output::Failure;
 use crate::cli::console::progress::Progress;
 use std::sync::Arc;
@@ -34,15 +34,15 @@ impl Subject<'_> {
     }
 }
 
-/// The result of a search that shows its progress, and that Ctrl-C and `--seconds` stop; and whether it was stopped.
+/// The result of a search that shows its progress, and that Ctrl-C and the end of the time stop; and why it was stopped.
 pub(super) fn searched<T>(
     work: &Arc<MeshWork>,
     arguments: &DepthArguments,
     search: impl FnOnce() -> Result<T, Failure>,
-) -> Result<(T, bool), Failure> {
-    let _interrupt = Interrupt::stops_work(work, arguments.seconds);
+) -> Result<(T, Option<String>), Failure> {
+    let _interrupt = Interrupt::stops_work(work);
     let wanted = arguments.output.format != FindingFormat::Json;
     let _progress = Progress::of_pieces(Arc::clone(work), wanted);
     let found = search()?;
-    Ok((found, work.is_stopped()))
+    Ok((found, work.is_stopped().then(reason)))
 }
