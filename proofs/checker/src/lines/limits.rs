@@ -84,7 +84,7 @@ impl LimitProof {
             return Ok(false);
         };
         let converges = self.radius.continuous.is_some();
-        if !converges || !has_independent_shifts(&self.mask) {
+        if !converges || !has_independent_shifts(&self.mask)? {
             return Ok(false);
         }
         let found =

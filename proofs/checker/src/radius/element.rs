@@ -1,7 +1,8 @@
 //! Entries of matrices: fractions, or numbers of one field Q(α) by their coordinates.
 
 use super::field::Field;
-use crate::numbers::{Q, bits, divide, gcd, int, multiplied, signum, trimmed};
+use crate::numbers::{Meter, Q, bits, divide, gcd, int, multiplied, signum, trimmed};
+use crate::text::Stop;
 use num_traits::{One, Zero};
 use std::rc::Rc;
 
@@ -116,23 +117,63 @@ impl Element {
         }
     }
 
-    /// The steps of an operation with it.
-    pub fn cost(&self) -> u64 {
-        let longest = self.p.iter().map(bits).max().unwrap_or(0);
-        let Some(field) = &self.field else { return steps(longest) };
-        // The coordinates of a product grow where the polynomial divides it.
-        let leading = field.polynomial().last().map_or(0, bits);
-        let degree = self.p.len() as u64;
-        let longest = longest + if degree > 1 { degree * leading } else { 0 };
-        // Each of these fractions takes a common divisor.
-        1 + degree * degree * (longest / 32 + steps(longest))
+    /// The fraction that it is, if it is none of a field.
+    pub fn as_fraction(&self) -> Option<Q> {
+        let value = || self.p.first().cloned().unwrap_or_else(Q::zero);
+        (self.p.len() <= 1).then(value)
+    }
+
+    /// The binary digits of the longest coordinate.
+    fn longest(&self) -> u64 {
+        self.p.iter().map(bits).max().unwrap_or(0)
+    }
+
+    /// Adds x·y, after its steps are counted.
+    pub fn add_product(&mut self, x: &Element, y: &Element, meter: &Meter) -> Result<(), Stop> {
+        if x.p.is_empty() || y.p.is_empty() {
+            return Ok(());
+        }
+        meter.spend(steps_of([self, x, y]))?;
+        *self = self.plus(&x.times(y));
+        Ok(())
+    }
+
+    /// Takes x·y away, after its steps are counted.
+    pub fn lessen_by_product(
+        &mut self,
+        x: &Element,
+        y: &Element,
+        meter: &Meter,
+    ) -> Result<(), Stop> {
+        self.add_product(&x.scaled(&int(-1)), y, meter)
+    }
+
+    /// The product, after its steps are counted.
+    pub fn metered_times(&self, other: &Element, meter: &Meter) -> Result<Element, Stop> {
+        let mut product = Element::whole(0);
+        product.add_product(self, other, meter).map(|()| product)
     }
 }
 
-/// The steps of an operation with a number of so many binary digits. Multiplication and division are quadratic.
+/// The steps of a sum or a product of these numbers.
+fn steps_of(numbers: [&Element; 3]) -> u64 {
+    let field = numbers.iter().find_map(|x| x.field.as_ref());
+    let degree = numbers.iter().map(|x| x.p.len() as u64).max().unwrap_or(1);
+    let Some(field) = field.filter(|_| degree > 1) else {
+        return steps(numbers.map(Element::longest).iter().sum());
+    };
+    // The coordinates of a product grow where the polynomial divides it.
+    let leading = field.polynomial().last().map_or(0, bits);
+    let longest = numbers.map(Element::longest).into_iter().max().unwrap_or(0) + degree * leading;
+    // Each of these fractions takes a common divisor.
+    1 + degree * degree * (longest / 32 + steps(longest) / 2)
+}
+
+/// The steps of an operation whose fractions have so many binary digits together. Multiplication, division and common
+/// divisors are quadratic.
 pub fn steps(bits: u64) -> u64 {
-    let blocks = bits / 512;
-    1 + blocks + blocks * blocks
+    let blocks = bits / 256;
+    1 + bits / 128 + blocks * blocks
 }
 
 /// p + factor·q.

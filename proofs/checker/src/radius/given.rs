@@ -3,8 +3,8 @@
 use super::element::Element;
 use super::matrices::Matrix;
 use super::read::{Certificate, Coordinates};
-use crate::numbers::int;
-use crate::text::{At, RadiusChecked as Checked, RadiusReason, RadiusRejection, require};
+use crate::numbers::{Meter, count};
+use crate::text::{At, RadiusChecked as Checked, RadiusReason, RadiusRejection, Stop, require};
 
 /// The most rows of a matrix, and the most matrices.
 const MAX_SIZE: usize = 64;
@@ -47,7 +47,7 @@ impl Certificate {
     }
 
     /// The matrices that the certificate is about.
-    pub fn matrices(&self) -> Checked<Vec<Matrix>> {
+    pub fn matrices(&self, meter: &Meter) -> Checked<Vec<Matrix>> {
         let Some((line, order)) = self.order else { return self.given_matrices() };
         if let Some((line, _)) = self.given.first() {
             let both = RadiusReason::Malformed("rules of a mask or matrices, but not both");
@@ -56,37 +56,45 @@ impl Certificate {
         let n = self.rules.len();
         let width = self.rules.first().map_or(0, |(_, rule)| rule.len());
         for (line, rule) in &self.rules {
-            let sum = rule.iter().fold(Element::whole(0), |sum, x| sum.plus(&self.number(x)));
-            let one = rule.len() == width && sum.minus(&Element::whole(1)).sign() == 0;
+            let (one, mut sum) = (Element::whole(1), Element::whole(-1));
+            for x in rule {
+                sum.add_product(&self.number(x), &one, meter).map_err(Into::into).at(*line)?;
+            }
+            let one = rule.len() == width && sum.sign() == 0;
             require(one, RadiusReason::Rule).at(*line)?;
         }
         let fits = (2..=MAX_SIZE).contains(&n) && width * n <= 4 * MAX_SIZE && order <= width * n;
         require(fits, RadiusReason::Size).at(line)?;
         let mut rest = self.symbol();
         for _ in 0..order {
-            let reason = RadiusReason::SumRules;
-            rest = over_sigma(rest, n).ok_or(RadiusRejection { line, reason })?;
+            let quotient = over_sigma(rest, n, meter).map_err(Into::into).at(line)?;
+            rest = quotient.ok_or(RadiusRejection { line, reason: RadiusReason::SumRules })?;
         }
         // With a smaller order the radius of the differences is 1 or more, whatever the limits are.
-        let greatest = over_sigma(rest.clone(), n).is_none();
+        let next = over_sigma(rest.clone(), n, meter).map_err(Into::into).at(line)?;
+        let greatest = next.is_none();
         require(greatest, RadiusReason::NotGreatest).at(line)?;
         Ok(windows(&rest, n))
     }
 }
 
 /// n·p/σ, σ(z) = 1 + z + … + z^{n−1}, if σ divides p.
-fn over_sigma(mut rest: Vec<Element>, n: usize) -> Option<Vec<Element>> {
-    let factor = int(i64::try_from(n).ok()?);
-    let count = (rest.len() + 1).checked_sub(n)?;
+fn over_sigma(
+    mut rest: Vec<Element>,
+    n: usize,
+    meter: &Meter,
+) -> Result<Option<Vec<Element>>, Stop> {
+    let (one, factor) = (Element::whole(1), Element::fraction(&count(n)));
+    let Some(count) = (rest.len() + 1).checked_sub(n) else { return Ok(None) };
     let mut quotient = Vec::with_capacity(count);
     for i in 0..count {
         let c = rest[i].clone();
         for x in &mut rest[i..i + n] {
-            *x = x.minus(&c);
+            x.lessen_by_product(&c, &one, meter)?;
         }
-        quotient.push(c.scaled(&factor));
+        quotient.push(c.metered_times(&factor, meter)?);
     }
-    rest.iter().all(|x| x.sign() == 0).then_some(quotient)
+    Ok(rest.iter().all(|x| x.sign() == 0).then_some(quotient))
 }
 
 /// The matrices of a scheme with this symbol and n rules on windows: b_{L−n+1+e+i−nj}.

@@ -1,74 +1,117 @@
 //! Matrices of real numbers.
 
 use super::element::Element;
-use crate::numbers::{Meter, Q, int};
+use crate::numbers::{Meter, Q};
 use crate::text::Stop;
+use num_bigint::BigInt;
+use num_integer::Integer as _;
+use num_traits::{One as _, Signed as _, Zero as _};
 
 /// A square matrix, row by row.
 pub type Matrix = Vec<Vec<Element>>;
 
 /// A row times a matrix.
-pub fn times(row: &[Element], matrix: &Matrix) -> Vec<Element> {
+pub fn times(row: &[Element], matrix: &Matrix, meter: &Meter) -> Result<Vec<Element>, Stop> {
     let mut sum = vec![Element::whole(0); matrix.len()];
-    for (x, entries) in row.iter().zip(matrix).filter(|(x, _)| x.sign() != 0) {
+    for (x, entries) in row.iter().zip(matrix) {
         for (sum, entry) in sum.iter_mut().zip(entries) {
-            *sum = sum.plus(&x.times(entry));
+            sum.add_product(x, entry, meter)?;
         }
     }
-    sum
-}
-
-/// The steps of an operation with each entry of a matrix.
-fn cost(matrix: &Matrix) -> u64 {
-    matrix.iter().flatten().map(Element::cost).sum()
+    Ok(sum)
 }
 
 /// The product of two matrices.
 pub fn multiplied(a: &Matrix, b: &Matrix, meter: &Meter) -> Result<Matrix, Stop> {
-    meter.spend(a.len() as u64 * (cost(a) + cost(b)))?;
-    Ok(a.iter().map(|row| times(row, b)).collect())
+    a.iter().map(|row| times(row, b, meter)).collect()
 }
 
-/// The determinant, by elimination.
-pub fn determinant(mut rows: Matrix, meter: &Meter) -> Result<Element, Stop> {
-    let (size, mut value) = (rows.len(), Element::whole(1));
+/// The sign of the determinant.
+pub fn sign_of_determinant(rows: &Matrix, meter: &Meter) -> Result<i8, Stop> {
+    let fractions = |row: &Vec<Element>| row.iter().map(Element::as_fraction).collect();
+    match rows.iter().map(fractions).collect::<Option<Vec<Vec<Q>>>>() {
+        Some(fractions) => sign_of_fractions(&fractions, meter),
+        None => sign_by_elimination(rows.clone(), meter),
+    }
+}
+
+/// The same over a field.
+fn sign_by_elimination(mut rows: Matrix, meter: &Meter) -> Result<i8, Stop> {
+    let (size, mut sign) = (rows.len(), 1);
     for step in 0..size {
-        let Some(pivot) = (step..size).find(|&i| rows[i][step].sign() != 0) else {
-            return Ok(Element::whole(0));
-        };
-        meter.spend(cost(&rows))?;
+        let Some(pivot) = (step..size).find(|&i| rows[i][step].sign() != 0) else { return Ok(0) };
         if pivot != step {
             rows.swap(step, pivot);
-            value = value.scaled(&int(-1));
+            sign = -sign;
         }
-        value = value.times(&rows[step][step]);
+        sign *= rows[step][step].sign();
         let top = rows[step].clone();
         let inverse = top[step].inverse();
         for row in &mut rows[step + 1..] {
-            let factor = row[step].times(&inverse);
-            if factor.sign() != 0 {
-                meter.spend(top.iter().map(|t| t.cost().max(factor.cost())).sum())?;
-                for (x, t) in row.iter_mut().zip(&top).skip(step) {
-                    *x = x.minus(&factor.times(t));
-                }
+            let factor = row[step].metered_times(&inverse, meter)?;
+            for (x, t) in row.iter_mut().zip(&top).skip(step) {
+                x.lessen_by_product(&factor, t, meter)?;
             }
         }
     }
-    Ok(value)
+    Ok(sign)
+}
+
+/// The same of fractions: the rows become integers, whose minors the steps of Bareiss's elimination are.
+fn sign_of_fractions(rows: &[Vec<Q>], meter: &Meter) -> Result<i8, Stop> {
+    let mut integers = Vec::with_capacity(rows.len());
+    for row in rows {
+        let mut common = BigInt::one();
+        for x in row {
+            meter.spend(super::element::steps(common.bits() + x.denom().bits()))?;
+            common = common.lcm(x.denom());
+        }
+        let whole = |x: &Q| x.numer() * (&common / x.denom());
+        integers.push(row.iter().map(whole).collect::<Vec<BigInt>>());
+    }
+    let (size, mut sign, mut before) = (rows.len(), 1, BigInt::one());
+    for step in 0..size {
+        let Some(pivot) = (step..size).find(|&i| !integers[i][step].is_zero()) else {
+            return Ok(0);
+        };
+        if pivot != step {
+            integers.swap(step, pivot);
+            sign = -sign;
+        }
+        let (above, below) = integers.split_at_mut(step + 1);
+        let top = &above[step];
+        for row in below {
+            let factor = row[step].clone();
+            for (x, t) in row.iter_mut().zip(top).skip(step) {
+                let bits = [&top[step], &factor, &*x, t].map(BigInt::bits).into_iter().max();
+                meter.spend(steps_of_minor(bits.unwrap_or(0)))?;
+                *x = (&*x * &top[step] - &factor * t) / &before;
+            }
+        }
+        before.clone_from(&integers[step][step]);
+    }
+    Ok(if before.is_negative() { -sign } else { sign })
+}
+
+/// The steps of two products of integers of so many binary digits, and a quotient: there are no common divisors.
+fn steps_of_minor(bits: u64) -> u64 {
+    let blocks = bits / 2_048;
+    1 + blocks + blocks * blocks
 }
 
 /// The matrix on symmetric tensors: its eigenvalues are the products λ_i λ_j, i ≤ j.
 ///
 /// x_a x_b becomes Σ m_{a,p} m_{b,q} x_p x_q.
-pub fn symmetric_square(matrix: &Matrix) -> Matrix {
+pub fn symmetric_square(matrix: &Matrix, meter: &Meter) -> Result<Matrix, Stop> {
     let size = matrix.len();
-    let half = Q::new(1.into(), 2.into());
+    let half = Element::fraction(&Q::new(1.into(), 2.into()));
     let pairs: Vec<(usize, usize)> =
         (0..size).flat_map(|a| (a..size).map(move |b| (a, b))).collect();
     let entry = |(a, b): (usize, usize), (p, q): (usize, usize)| {
-        let one = matrix[a][p].times(&matrix[b][q]);
-        let both = one.plus(&matrix[a][q].times(&matrix[b][p]));
-        if p == q { both.scaled(&half) } else { both }
+        let mut both = matrix[a][p].metered_times(&matrix[b][q], meter)?;
+        both.add_product(&matrix[a][q], &matrix[b][p], meter)?;
+        if p == q { both.metered_times(&half, meter) } else { Ok(both) }
     };
-    pairs.iter().map(|&row| pairs.iter().map(|&column| entry(row, column)).collect()).collect()
+    let row = |&row| pairs.iter().map(|&column| entry(row, column)).collect();
+    pairs.iter().map(row).collect()
 }

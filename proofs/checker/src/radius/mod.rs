@@ -11,14 +11,14 @@ mod read;
 mod smoothness;
 
 use crate::numbers::linear;
-use crate::numbers::{Meter, Q, int};
+use crate::numbers::{Meter, Q};
 use crate::text::{
     At, Line, RadiusChecked as Checked, RadiusReason, RadiusRejection, Stop, Text, require,
 };
 use element::Element;
 use given::symbol;
 use independence::is_independent;
-use matrices::{Matrix, determinant, multiplied, symmetric_square, times};
+use matrices::{Matrix, multiplied, sign_of_determinant, symmetric_square, times};
 use num_traits::Signed as _;
 use read::{Certificate, Lower};
 use std::fmt;
@@ -49,10 +49,10 @@ pub fn check_radius(text: &str) -> Result<Radius, RadiusRejection> {
 }
 
 /// Whether the shifts of the limit function of a mask are linearly independent (THEOREMS.md, 108).
-pub fn has_independent_shifts(rules: &[Vec<Q>]) -> bool {
+pub fn has_independent_shifts(rules: &[Vec<Q>]) -> Result<bool, Stop> {
     let elements = |rule: &Vec<Q>| rule.iter().map(Element::fraction).collect();
     let elements: Vec<Vec<Element>> = rules.iter().map(elements).collect();
-    is_independent(&symbol(&elements), rules.len())
+    is_independent(&symbol(&elements), rules.len(), &Meter::default())
 }
 
 /// Checks the lines of a certificate about the rules of a mask, which end with the line `end`. What is wrong with the
@@ -71,13 +71,14 @@ pub fn check_mask(
 
 fn checked(certificate: &Certificate, meter: &Meter) -> Checked<Radius> {
     let Certificate { lower, field, end, .. } = certificate;
-    let (matrices, blocks) = certificate.blocks.applied(certificate.matrices()?, *end, meter)?;
+    let (matrices, blocks) =
+        certificate.blocks.applied(certificate.matrices(meter)?, *end, meter)?;
     if let Some(lower) = lower {
         check_lower(&matrices, &blocks, lower, meter).at(lower.line)?;
     }
     check_hull(&matrices, certificate, meter)?;
     let at_least = lower.as_ref().map(|lower| (lower.bound.clone(), lower.degree()));
-    let (continuous, not_continuous) = smoothness::check(certificate)?;
+    let (continuous, not_continuous) = smoothness::check(certificate, meter)?;
     let decided = field.as_ref().is_none_or(|field| !field.gave_up());
     let halvings = Stop::Capped("the halvings of an interval");
     require(decided, RadiusReason::Stopped(halvings)).at(*end)?;
@@ -111,25 +112,25 @@ fn reaches(product: Matrix, lower: &Lower, meter: &Meter) -> Checked<bool> {
     if lower.conjugate {
         let pairs = (size * (size + 1) / 2) as u64;
         meter.spend(8 * pairs * pairs)?;
-        shifted = symmetric_square(&shifted);
+        shifted = symmetric_square(&shifted, meter)?;
     }
+    let (one, bound) = (Element::whole(1), Element::fraction(&lower.bound));
     for (i, row) in shifted.iter_mut().enumerate() {
         for (j, x) in row.iter_mut().enumerate() {
             *x = if lower.negative { x.clone() } else { Element::whole(0).minus(x) };
             if i == j {
-                *x = x.plus(&Element::fraction(&lower.bound));
+                x.add_product(&bound, &one, meter)?;
             }
         }
     }
-    Ok(determinant(shifted, meter)?.sign() <= 0)
+    Ok(sign_of_determinant(&shifted, meter)? <= 0)
 }
 
 /// Every image of a row is a combination whose coefficients, with the remainder, are at most the bound.
 fn check_hull(matrices: &[Matrix], certificate: &Certificate, meter: &Meter) -> Checked<()> {
     let size = matrices[0].len();
-    let entries = matrices.iter().flatten().flatten().map(Element::cost).sum::<u64>();
-    let bound = Element::fraction(&certificate.bound);
-    let inverse = certificate.unit.recip();
+    let (one, bound) = (Element::whole(1), Element::fraction(&certificate.bound));
+    let inverse = Element::fraction(&certificate.unit.recip());
     let unit = [Element::whole(0), Element::fraction(&certificate.unit)];
     let mut rows: Matrix = linear::unit(size, unit);
     for (line, row) in &certificate.rows {
@@ -137,19 +138,21 @@ fn check_hull(matrices: &[Matrix], certificate: &Certificate, meter: &Meter) -> 
         rows.push(row.iter().map(Element::fraction).collect());
     }
     let image = |row: &[Element], matrix: &Matrix, terms: &[(usize, Q)]| -> Checked<()> {
-        let of_row: u64 = row.iter().map(Element::cost).sum();
-        meter.spend(size as u64 * (of_row + terms.len() as u64) + entries)?;
-        let mut rest = times(row, matrix);
-        let mut coefficients = int(0);
+        let mut rest = times(row, matrix, meter)?;
+        let mut cost = Element::whole(0);
         for (place, factor) in terms {
             let other = rows.get(*place).ok_or(RadiusReason::NoSuch)?;
+            let factor = Element::fraction(factor);
             for (x, v) in rest.iter_mut().zip(other) {
-                *x = x.minus(&v.scaled(factor));
+                x.lessen_by_product(&factor, v, meter)?;
             }
-            coefficients += factor.abs();
+            cost.add_product(&factor.size(), &one, meter)?;
         }
-        let remainder = rest.iter().fold(Element::whole(0), |sum, x| sum.plus(&x.size()));
-        let cost = remainder.scaled(&inverse).plus(&Element::fraction(&coefficients));
+        let mut remainder = Element::whole(0);
+        for x in &rest {
+            remainder.add_product(&x.size(), &one, meter)?;
+        }
+        cost.add_product(&remainder, &inverse, meter)?;
         if cost.minus(&bound).sign() <= 0 {
             return Ok(());
         }
