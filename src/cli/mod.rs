@@ -25,8 +25,8 @@ const FAULT: i32 = 3;
 /// The exit code of bad usage or input, and of too little time.
 const INPUT: i32 = 2;
 
-/// Runs the program: 0 done, 1 a stated expectation failed, 2 bad usage or input,
-/// 3 an internal fault.
+/// Runs the program: 0 done, 1 a stated expectation failed, 2 bad usage or input, or too
+/// little time, 3 an internal fault.
 pub(crate) fn run() -> ExitCode {
     let report = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {

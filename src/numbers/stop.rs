@@ -62,6 +62,16 @@ impl Stop {
 
     /// Does work that this ends.
     ///
+    /// ```
+    /// use subcert_numbers::stop::{Stop, Stopped, check};
+    ///
+    /// // Work of which other work is a part ends both.
+    /// let whole = Stop::default();
+    /// whole.stop();
+    /// let found: Result<Result<(), Stopped>, Stopped> = whole.run(|| Stop::default().run(|| loop { check() }));
+    /// assert_eq!(found, Err(Stopped));
+    /// ```
+    ///
     /// # Errors
     /// When it was stopped.
     ///

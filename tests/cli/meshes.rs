@@ -34,10 +34,6 @@ fn a_search_may_have_an_end_of_its_time() {
     let timed = |seconds| depth.iter().copied().chain(["--seconds", seconds]);
     assert_eq!(written(timed("600")), written(depth.iter().copied()));
     assert_parts(&refused(timed("0")), &["--seconds"]);
-    assert_parts(
-        &refused(["depth", "chaikin", "--tolerance", "1/10", "--seconds", "1"]),
-        &["--mesh"],
-    );
 }
 
 #[test]

@@ -23,6 +23,7 @@ mod solids;
 mod spectrum;
 mod tables;
 mod terminal;
+mod time;
 
 use snapbox::cmd::{Command, cargo_bin};
 use std::sync::atomic::{AtomicUsize, Ordering};

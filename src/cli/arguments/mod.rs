@@ -37,7 +37,7 @@ mask (`'[1, 3, 3, 1]/4'`), the path of a TOML file (`mine.toml:w=1/16`), or two 
 around an extraordinary vertex or on a face. `subcert schemes` lists the catalogue.
 
 Exit codes: 0 done, whatever was found; 1 a verdict or a state that --deny names; 2 bad usage or
-input; 3 an internal fault.";
+input, or too little time (--seconds); 3 an internal fault.";
 
 /// Exact constants of subdivision schemes, and audits of the papers that publish them.
 #[derive(Debug, Parser)]

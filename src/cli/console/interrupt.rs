@@ -87,6 +87,11 @@ pub(crate) fn in_seconds(seconds: u32) -> String {
 pub(crate) struct Interrupt(());
 
 impl Interrupt {
+    /// Whether the searches were ended.
+    pub(crate) fn has_come(&self) -> bool {
+        searches().is_empty()
+    }
+
     /// Takes all steps from these budgets.
     pub(crate) fn stops(budgets: &[Budget]) -> Interrupt {
         let end = |budget: &Budget| -> End {

@@ -1,6 +1,6 @@
 //! The constants T_c and Λ_c of a mask for c = 1, 2, …, while their progress is shown.
 
-use crate::cli::console::interrupt::Interrupt;
+use crate::cli::console::interrupt::{Interrupt, reason};
 use crate::cli::console::progress::Progress;
 use std::panic::resume_unwind;
 use std::thread::ScopedJoinHandle;
@@ -23,8 +23,12 @@ pub(crate) struct Wanted {
 }
 
 /// T_c and Λ_c in adjoint order, then, if they were asked for, both in forward order; each for c = 1, 2, …, as
-/// far as they are in reach.
-pub(crate) type Columns = Vec<Vec<Rational>>;
+/// far as they are in reach; and why some of them are missing.
+pub(crate) type Columns = (Vec<Vec<Rational>>, Option<String>);
+
+/// Why the rest of a column is missing.
+const OUT_OF_REACH: &str = "not found within the caps on work, by branch and bound, by extreme rows or by a visit of all \
+                            rows";
 
 /// The columns of a mask. Each has a thread and a budget of its own, so that how far it gets does not depend
 /// on the others. When the user interrupts, all end with what they have.
@@ -35,7 +39,7 @@ pub(crate) fn columns(mask: &Mask, difference: &Rules, wanted: &Wanted) -> Colum
     let budgets: Vec<Budget> = (0..2 * orders.len()).map(|_| Budget::new(MAX_STEPS)).collect();
     let progress = Progress::of_steps(&budgets, wanted.progress);
     let interrupt = Interrupt::stops(&budgets);
-    let found = std::thread::scope(|scope| {
+    let found: Vec<Vec<Rational>> = std::thread::scope(|scope| {
         let threads: Vec<_> = all
             .zip(&budgets)
             .map(|((rules, order), budget)| {
@@ -45,8 +49,10 @@ pub(crate) fn columns(mask: &Mask, difference: &Rules, wanted: &Wanted) -> Colum
         let joined = threads.into_iter().map(ScopedJoinHandle::join);
         joined.map(|column| column.unwrap_or_else(|panic| resume_unwind(panic))).collect()
     });
+    let is_whole = found.iter().all(|column| column.len() as u64 == u64::from(wanted.levels));
+    let why = if interrupt.has_come() { reason() } else { OUT_OF_REACH.to_owned() };
     drop((interrupt, progress));
-    found
+    (found, (!is_whole).then_some(why))
 }
 
 /// The norms of the powers up to the first that is out of reach.

@@ -41,6 +41,12 @@ pub(super) struct Direction {
     forward: bool,
     /// T_c and Λ_c for c = 1, 2, …
     pub(super) levels: Vec<Level>,
+    /// Why some of them are missing; absent where none is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ended: Option<String>,
+    /// The number of levels that was asked for.
+    #[serde(skip)]
+    asked: u32,
 }
 
 /// σ at one offset.
@@ -86,7 +92,7 @@ impl Direction {
         let own = mask.offset();
         let unshifted = mask.with_offset(0);
         let sigma = |name: String, value| Displacement { value: Number::Rational(value), name };
-        let columns = columns(mask, constants.difference(), wanted);
+        let (columns, ended) = columns(mask, constants.difference(), wanted);
         let value = |column: usize, i: usize| columns[column].get(i).map(Number::from);
         let level = |i| Level {
             c: i + 1,
@@ -123,6 +129,8 @@ impl Direction {
             shifts: shift.of_rules,
             forward: wanted.forward,
             levels: (0..longest).map(level).collect(),
+            ended,
+            asked: wanted.levels,
         })
     }
 
@@ -141,6 +149,8 @@ impl Direction {
             misplaced,
             forward,
             levels,
+            ended,
+            asked,
         } = self;
         let mut facts = vec![
             ("arity n".to_owned(), arity.to_string()),
@@ -167,11 +177,12 @@ impl Direction {
                         compute, and bound nothing";
         }
         sheet.text(meaning + ".");
-        if rows.iter().flatten().any(Option::is_none) {
-            sheet.text(
-                "–: not found within the caps on work, by branch and bound, by extreme rows or by a \
-                 visit of all rows.",
-            );
+        if let Some(why) = ended {
+            let further = match levels.len() + 1 {
+                next if next as u64 <= u64::from(*asked) => format!("– and c from {next} on"),
+                _ => "–".to_owned(),
+            };
+            sheet.text(format!("{further}: {why}."));
         }
         if !*keeps_lines {
             let shifts = shifts.iter().map(|shift| short(shift, 6));
