@@ -63,7 +63,7 @@ impl Stop {
     /// Does work that this ends.
     ///
     /// ```
-    /// use subcert_numbers::stop::{Stop, Stopped, check};
+    /// use subcert::stop::{Stop, Stopped, check};
     ///
     /// // Work of which other work is a part ends both.
     /// let whole = Stop::default();
