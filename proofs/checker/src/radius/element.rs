@@ -50,7 +50,7 @@ impl Element {
 
     /// The absolute value.
     pub fn size(&self) -> Element {
-        if self.sign() < 0 { self.scaled(&int(-1)) } else { self.clone() }
+        if self.sign() < 0 { self.negated() } else { self.clone() }
     }
 
     /// The product with a fraction.
@@ -138,14 +138,9 @@ impl Element {
         Ok(())
     }
 
-    /// Takes x·y away, after its steps are counted.
-    pub fn lessen_by_product(
-        &mut self,
-        x: &Element,
-        y: &Element,
-        meter: &Meter,
-    ) -> Result<(), Stop> {
-        self.add_product(&x.scaled(&int(-1)), y, meter)
+    /// The number times −1.
+    pub fn negated(&self) -> Element {
+        self.scaled(&int(-1))
     }
 
     /// The product, after its steps are counted.

@@ -89,8 +89,9 @@ fn over_sigma(
     let mut quotient = Vec::with_capacity(count);
     for i in 0..count {
         let c = rest[i].clone();
+        let less = c.negated();
         for x in &mut rest[i..i + n] {
-            x.lessen_by_product(&c, &one, meter)?;
+            x.add_product(&less, &one, meter)?;
         }
         quotient.push(c.metered_times(&factor, meter)?);
     }

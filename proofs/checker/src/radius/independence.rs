@@ -75,8 +75,9 @@ fn divided(p: &[Element], q: &[Element], meter: &Meter) -> Result<Divided, Stop>
     let mut quotient = vec![Element::whole(0); rest.len().saturating_sub(degree)];
     for i in (0..quotient.len()).rev() {
         quotient[i] = rest[i + degree].metered_times(&inverse, meter)?;
+        let less = quotient[i].negated();
         for (j, c) in q.iter().enumerate() {
-            rest[i + j].lessen_by_product(&quotient[i], c, meter)?;
+            rest[i + j].add_product(&less, c, meter)?;
         }
     }
     rest.truncate(degree);

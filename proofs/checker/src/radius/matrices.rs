@@ -48,9 +48,9 @@ fn sign_by_elimination(mut rows: Matrix, meter: &Meter) -> Result<i8, Stop> {
         let top = rows[step].clone();
         let inverse = top[step].inverse();
         for row in &mut rows[step + 1..] {
-            let factor = row[step].metered_times(&inverse, meter)?;
+            let factor = row[step].metered_times(&inverse, meter)?.negated();
             for (x, t) in row.iter_mut().zip(&top).skip(step) {
-                x.lessen_by_product(&factor, t, meter)?;
+                x.add_product(&factor, t, meter)?;
             }
         }
     }

@@ -142,11 +142,11 @@ fn check_hull(matrices: &[Matrix], certificate: &Certificate, meter: &Meter) -> 
         let mut cost = Element::whole(0);
         for (place, factor) in terms {
             let other = rows.get(*place).ok_or(RadiusReason::NoSuch)?;
-            let factor = Element::fraction(factor);
+            let less = Element::fraction(factor).negated();
             for (x, v) in rest.iter_mut().zip(other) {
-                x.lessen_by_product(&factor, v, meter)?;
+                x.add_product(&less, v, meter)?;
             }
-            cost.add_product(&factor.size(), &one, meter)?;
+            cost.add_product(&less.size(), &one, meter)?;
         }
         let mut remainder = Element::whole(0);
         for x in &rest {
