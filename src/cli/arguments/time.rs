@@ -8,9 +8,8 @@ const SECONDS: u32 = 60;
 /// What `--seconds` is.
 pub(super) fn help() -> String {
     format!(
-        "End after so many seconds: what is proved by then is printed where that is an answer, and is the same on every \
-         machine but for what is open; else an error says what takes less time [default: {SECONDS}; no end for commands \
-         about papers, `oracle` and `atlas`]"
+        "End after so many seconds: print what is proved by then, or, where a part is no answer, an error that says what \
+         takes less time [default: {SECONDS}; none for commands about papers, `oracle` and `atlas`]"
     )
 }
 
