@@ -43,7 +43,7 @@ pub use matlab::{matlab_name, to_matlab};
 pub use mesh_table::mesh_to_csv;
 pub use mismatch::{Deviation, Mismatch, Tolerance};
 pub use refine::{
-    Boundary, MAX_REFINED_LEVEL, MAX_VALUES, OracleError, refine_grid, refine_polygon,
+    Boundary, MAX_BITS, MAX_REFINED_LEVEL, MAX_VALUES, OracleError, refine_grid, refine_polygon,
 };
 pub use source::{OracleMesh, mesh_to_source, to_source};
 pub use table::{to_table, write_table};

@@ -7,6 +7,9 @@ use crate::scheme::Rules;
 /// The greatest number of values of a control polygon or grid at any level.
 pub const MAX_VALUES: usize = 1_000_000;
 
+/// The most binary digits of all values together, over the common denominator of the control points.
+pub const MAX_BITS: u64 = 1 << 29;
+
 /// The greatest number of refinements.
 pub const MAX_REFINED_LEVEL: u32 = 64;
 
@@ -46,6 +49,17 @@ pub enum OracleError {
     /// More than [`MAX_VALUES`] values.
     #[error("more than {MAX_VALUES} values: take a lower level or fewer control points")]
     TooMany,
+    /// More than [`MAX_BITS`] binary digits in all.
+    #[error(
+        "{count} values of {bits} binary digits each: at most {MAX_BITS} in all; take a lower level, fewer control \
+         points, or such with a shorter common denominator"
+    )]
+    TooLong {
+        /// The number of values.
+        count: usize,
+        /// The binary digits that each may have.
+        bits: u64,
+    },
     /// More than [`MAX_REFINED_LEVEL`] levels.
     #[error("level {0} is too high; at most {MAX_REFINED_LEVEL} is")]
     Level(u32),
@@ -88,7 +102,7 @@ pub enum OracleError {
 /// [`Rational`], such as `BigRational` of num-rational.
 ///
 /// # Errors
-/// When there are no points, there would be too many, none would be left, or the level is
+/// When there are no points, there would be too many or too long ones, none would be left, or the level is
 /// too high.
 ///
 /// ```
@@ -110,9 +124,10 @@ pub fn refine_polygon(
     level: u32,
     boundary: Boundary,
 ) -> Result<Vec<Rational>, OracleError> {
-    count_after(rules, points.len(), level, boundary)?;
+    let count = count_after(rules, points.len(), level, boundary)?;
     let (whole, scale) = whole(rules);
     let (mut values, denominator) = whole_values(points);
+    within_bits(count, (&values, &denominator), &[(&whole, &scale)], level)?;
     for _ in 0..level {
         values = once(&whole, &values, boundary);
     }
@@ -145,6 +160,8 @@ pub fn refine_grid(
     }
     let [(first, first_scale), (second, second_scale)] = rules.map(whole);
     let (mut values, denominator) = whole_values(grid);
+    let rules = [(&first, &first_scale), (&second, &second_scale)];
+    within_bits(rows_after * columns_after, (&values, &denominator), &rules, level)?;
     let mut width = columns;
     for _ in 0..level {
         let height = values.len() / width;
@@ -187,6 +204,27 @@ fn count_after(
         }
     }
     if count > MAX_VALUES { Err(OracleError::TooMany) } else { Ok(now) }
+}
+
+/// Refuses more digits than the cap allows for: those of the control points, and what these rules add at each level.
+fn within_bits(
+    count: usize,
+    (values, denominator): (&[Whole], &Integer),
+    rules: &[(&Rules<Whole>, &Integer)],
+    level: u32,
+) -> Result<(), OracleError> {
+    let of_row =
+        |row: &Vec<Whole>| row.iter().map(|Whole(entry)| entry.abs()).sum::<Integer>().bits();
+    let added = |(rules, scale): &(&Rules<Whole>, &Integer)| {
+        rules.rows().iter().map(of_row).max().unwrap_or(0).max(scale.bits())
+    };
+    let own = values.iter().map(|Whole(value)| value.bits()).max().unwrap_or(0);
+    let bits =
+        own.max(denominator.bits()) + u64::from(level) * rules.iter().map(added).sum::<u64>();
+    if (count as u64).saturating_mul(bits) > MAX_BITS {
+        return Err(OracleError::TooLong { count, bits });
+    }
+    Ok(())
 }
 
 fn once(rules: &Rules<Whole>, values: &[Whole], boundary: Boundary) -> Vec<Whole> {
