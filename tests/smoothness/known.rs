@@ -194,3 +194,25 @@ fn long_masks() {
         "{low} {exponent} {high}"
     );
 }
+
+/// A search that is stopped says less, and nothing else.
+#[test]
+fn what_is_proven_before_a_search_is_stopped() {
+    let stop = Stop::default();
+    stop.stop();
+    let mut converge = 0;
+    for name in ["b-spline:degree=3", "four-point:w=1/16", "six-point:w=3/256", "four-point:w=2"] {
+        let scheme = parse_scheme(name).expect("in the catalogue");
+        let mask = scheme.masks()[0];
+        let found = Smoothness::until(mask, &stop).expect("it is short");
+        let whole = Smoothness::of(mask).expect("it is short");
+        assert!(found.differences.radius.stopped && !found.differences.radius.exact, "{name}");
+        assert!(found.continuity <= whole.continuity, "{name}");
+        assert!(found.continuity_fails.is_none_or(|m| whole.continuity_fails <= Some(m)), "{name}");
+        if let (Some(found), Some(whole)) = (found.hoelder, whole.hoelder) {
+            assert!(found.lower <= whole.lower && whole.upper <= found.upper, "{name}");
+            converge += 1;
+        }
+    }
+    assert!(converge > 0);
+}

@@ -7,7 +7,7 @@ use super::independence::independent;
 use super::reproduction::reproduction_degree;
 use super::symbol::Symbol;
 use super::transition::transition_matrices;
-use crate::exact::{Enclosed as _, Rational};
+use crate::exact::{Enclosed as _, Rational, RealAlgebraic};
 use crate::joint::{
     Hull, JointRadius, MatrixSet, MatrixSetError, extremal_rate, joint_radius_until, jordan_block,
 };
@@ -215,7 +215,11 @@ impl Hoelder {
     ) -> Result<Hoelder, SmoothnessError> {
         let Differences { symbol, order, radius, .. } = differences;
         let n = symbol.arity();
-        let formula = ExponentFormula::new(*order, n, &radius.root, radius.degree);
+        // A search that is stopped may know no eigenvalue; ϱ ≥ 1 holds all the same.
+        let one = RealAlgebraic::from(Rational::one());
+        let known = radius.root.cmp_rational(&Rational::zero()) == Ordering::Greater;
+        let root = if known { &radius.root } else { &one };
+        let formula = ExponentFormula::new(*order, n, root, radius.degree);
         let upper = formula.enclosure(1).upper().clone();
         if radius.exact {
             let lower = formula.enclosure(1).lower().clone();
