@@ -76,6 +76,11 @@ pub(crate) fn reason() -> String {
     }
 }
 
+/// Whether the searches of the [`Interrupt`] that lives were stopped.
+pub(crate) fn were_stopped() -> bool {
+    searches().is_empty()
+}
+
 /// A number of seconds, and how to ask for another.
 pub(crate) fn in_seconds(seconds: u32) -> String {
     let plural = if seconds == 1 { "" } else { "s" };
@@ -87,11 +92,6 @@ pub(crate) fn in_seconds(seconds: u32) -> String {
 pub(crate) struct Interrupt(());
 
 impl Interrupt {
-    /// Whether the searches were ended.
-    pub(crate) fn has_come(&self) -> bool {
-        searches().is_empty()
-    }
-
     /// Takes all steps from these budgets.
     pub(crate) fn stops(budgets: &[Budget]) -> Interrupt {
         let end = |budget: &Budget| -> End {

@@ -1,6 +1,6 @@
 //! The constants T_c and Λ_c of a mask for c = 1, 2, …, while their progress is shown.
 
-use crate::cli::console::interrupt::{Interrupt, reason};
+use crate::cli::console::interrupt::{Interrupt, reason, were_stopped};
 use crate::cli::console::progress::Progress;
 use std::panic::resume_unwind;
 use std::thread::ScopedJoinHandle;
@@ -50,7 +50,7 @@ pub(crate) fn columns(mask: &Mask, difference: &Rules, wanted: &Wanted) -> Colum
         joined.map(|column| column.unwrap_or_else(|panic| resume_unwind(panic))).collect()
     });
     let is_whole = found.iter().all(|column| column.len() as u64 == u64::from(wanted.levels));
-    let why = if interrupt.has_come() { reason() } else { OUT_OF_REACH.to_owned() };
+    let why = if were_stopped() { reason() } else { OUT_OF_REACH.to_owned() };
     drop((interrupt, progress));
     (found, (!is_whole).then_some(why))
 }
