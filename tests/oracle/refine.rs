@@ -163,7 +163,7 @@ fn what_is_refused() {
     assert_eq!(closed(drawn.values(), 0), OracleError::TooMany);
     // The common denominator is nearly as long as all of them together.
     let long: Vec<Rational> = (1_i64..1_000).map(|i| Rational::new(1, (1 << 60) + i)).collect();
-    assert!(matches!(closed(&long, 7), OracleError::TooLong { count: 127_872, bits: 50_000.. }));
+    assert!(matches!(closed(&long, 7), OracleError::TooLong { count: 127_872, bits: 40_000.. }));
     // Four points leave two, and two are not enough for the next level.
     assert_eq!(
         refine_polygon(&rules, &points, 2, Boundary::Open).unwrap_err(),

