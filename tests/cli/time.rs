@@ -30,10 +30,9 @@ fn fractions(rows: usize) -> String {
             state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         i64::try_from(state >> 2).expect("62 digits")
     };
-    let mut row = |_| {
-        (0..rows).map(|_| format!("{}/{} ", next() - (1 << 61), 1 + next())).collect::<String>()
-    };
-    let mut matrix = |_| (0..rows).map(&mut row).collect::<Vec<String>>().join("\n");
+    let mut number = |_: usize| format!("{}/{}", next() - (1 << 61), 1 + next());
+    let mut row = |_: usize| (0..rows).map(&mut number).collect::<Vec<String>>().join(" ");
+    let mut matrix = |_: usize| (0..rows).map(&mut row).collect::<Vec<String>>().join("\n");
     (0..2).map(&mut matrix).collect::<Vec<String>>().join("\n\n")
 }
 
