@@ -127,7 +127,9 @@ impl Interrupt {
                 if ends.is_empty() {
                     std::process::exit(130);
                 }
-                ends.iter().for_each(|end| end());
+                for end in &ends {
+                    end();
+                }
             });
         });
         Interrupt(())
