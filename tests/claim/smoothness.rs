@@ -120,7 +120,7 @@ fn bad_tables_of_orders_and_exponents_are_refused_with_their_place() {
     let of = "scheme = 'four-point:w=w'\n";
     for (fields, at, says) in [
         (table("['chaikin', 'chaikin']", "['order']", "[[1], [2]]"), "'chaikin'", "twice"),
-        (values(of, "['1/2', '0.50']", "[['1'], ['1']]"), "'0.50'", "twice"),
+        (values(of, "['1/2', '0.50']", "[['1'], ['1']]"), "'0.50'", "there already"),
         (table("[]", "['order']", "[]"), "[]", "at least one header"),
         (table("['chaikin']", "[]", "[[]]"), "[]", "at least one column"),
         (table("['chaikin']", "['order', 'order']", "[[1, 1]]"), "'order'", "twice"),
@@ -133,7 +133,8 @@ fn bad_tables_of_orders_and_exponents_are_refused_with_their_place() {
             "{ printed = '-', read = '3', note = 'n' }",
             "nothing is printed",
         ),
-        (one("''"), "''", "not an order"),
+        (one("''"), "[['']]", "no cell states anything"),
+        (one("{ printed = 'C', read = '—', note = 'n' }"), "[[", "no cell states anything"),
         (one("'C^2'"), "'C^2'", "not an order"),
         (one("-1"), "-1", "not an order"),
         (one("64"), "64", "`65` is not an order"),

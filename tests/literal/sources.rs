@@ -1,7 +1,7 @@
 //! Numbers are what the program holds, or the source is refused: each text as a compiler or interpreter of its language reads it.
 
 use super::read;
-use subcert::literal::Language::{self, C, JavaScript, Python, Rust, Shader};
+use subcert::literal::Language::{self, C, JavaScript, Matlab, Python, Rust, Shader};
 use subcert::literal::Precision::{Double, Single};
 
 /// What is held, in doubles, or words of the error.
@@ -10,6 +10,9 @@ type Expected = Result<&'static [f64], &'static str>;
 const TWO: Expected = Ok(&[0.5, 0.25]);
 const ONE: Expected = Ok(&[0.5]);
 const CALL: Expected = Err("is not computed");
+const CHANGED: Expected = Err("is changed here");
+const MAY_BE: Expected = Err("may be changed");
+const UNEVEN: Expected = Err("do not have equally many numbers");
 const CONDITIONAL: Expected = Err("a conditional of the preprocessor");
 
 const TEXTS: &[(Language, &str, Expected)] = &[
@@ -91,6 +94,20 @@ const TEXTS: &[(Language, &str, Expected)] = &[
     (JavaScript, "const table = [,.5, .25]", Err("before this comma")),
     (C, "double table[] = { .5, .25,, };", Err("before this comma")),
     (C, "double table[2][1] = { {}, {.5} };", Err("without a number")),
+    (C, "double table[3] = {};", Err("without a number")),
+    (C, "double table[] = { [1] = .5, [0] = .25 };", Err("where a comma is expected")),
+    (C, "struct { double a, b; } table = { .a = .5, .b = .25 };", Err("is no number")),
+    // Lists of different lengths, and what is not written.
+    (C, "double table[2][2] = { {.5, 0}, {.25} };", UNEVEN),
+    (C, "double table[2][2] = { {.5, 0}, .25, 0 };", UNEVEN),
+    (Python, "table = [[.5], [.25, 0]]", UNEVEN),
+    (JavaScript, "const table = [.5, [.25]]", UNEVEN),
+    (C, "double table[3] = { .5, .25 };", Err("is declared with 3 numbers, and 2 are written")),
+    (C, "#define N 3\ndouble table[N] = { .5, .25 };", Err("is declared with 3 numbers")),
+    (C, "double table[][2] = { {.5}, {.25} };", Err("is declared with 4 numbers")),
+    (C, "std::array<double, 3> table = { .5, .25 };", Err("is declared with 3 numbers")),
+    (C, "double table[2][1] = { {.5}, {.25,}, };", TWO),
+    (C, "double table[1 + 1] = { .5, .25 };", TWO),
     // What is compiled.
     (C, "#if 0\ndouble table = .5;\n#endif", CONDITIONAL),
     (C, "#ifdef A\nint x;\n#else\ndouble table = .5;\n#endif", CONDITIONAL),
@@ -124,22 +141,112 @@ const TEXTS: &[(Language, &str, Expected)] = &[
     (C, "#define double float\ndouble table = .5;", Err("is a macro")),
 ];
 
+/// What is done with a table `table` of 1/2 and 1/4 behind its declaration; with `const` in C, where that is read.
+const USES: &[(Language, &str, Expected)] = &[
+    (C, "table[0]++;", CHANGED),
+    (C, "--table[0];", CHANGED),
+    (C, "if (x) ++(table[0]);", CHANGED),
+    (C, "(table[1]) *= 2;", CHANGED),
+    (C, "table[1] <<= 2;", CHANGED),
+    (C, "this->table[0] ++;", CHANGED),
+    (C, "table[0].x = 2;", CHANGED),
+    (C, "table[1] = 2;", Err("in 2 places")),
+    (C, "double table[2] = {1, 2};", Err("in 2 places")),
+    (C, "swap(table[0], table[1]);", MAY_BE),
+    (C, "std::reverse(table, table + 2);", MAY_BE),
+    (C, "memcpy(table, x, 16);", MAY_BE),
+    (C, "double *p = table;", MAY_BE),
+    (C, "double *p = &table[0], &r = x;", MAY_BE),
+    (C, "double &r = table[0];", MAY_BE),
+    (C, "double &r{table[0]};", MAY_BE),
+    (C, "std::cin >> table[0] >> table[1];", MAY_BE),
+    (C, "for (auto& x : table) x = 1;", MAY_BE),
+    (C, "double *f() { return table; }", MAY_BE),
+    (C, "1[table] = 3;", MAY_BE),
+    (C, "(x ? table[0] : table[1]) = 3;", MAY_BE),
+    (C, "\n#define BUMP table[0]++\n", Err("may be changed where this is used")),
+    (C, "void fabs(double &x); fabs(table[0]);", MAY_BE),
+    (C, "extern double table[2];", MAY_BE),
+    (C, "y = x*table[1] + (float)table[0]; z[i] = table[0]; y += table[1];", TWO),
+    (C, "n = sizeof(table)/sizeof table[0]; f(table[0] + 1); y = fabs(table[1]);", TWO),
+    (C, "if (a && table[0] >= b) y = {table[0], float(table[1])}; cout << table[0];", TWO),
+    (Shader, "vec2 y = vec2(table[0], table[1]);", TWO),
+    (Shader, "change(table[0]);", MAY_BE),
+    (JavaScript, "table[0]++", CHANGED),
+    (JavaScript, "table.push(1)", CHANGED),
+    (JavaScript, ";[table[0], x] = [1, 2]", CHANGED),
+    (JavaScript, "for (table[0] of x) {}", CHANGED),
+    (JavaScript, "table.length = 0", CHANGED),
+    (JavaScript, "delete table[0]", CHANGED),
+    (JavaScript, "const x = table", MAY_BE),
+    (JavaScript, "change(table)", MAY_BE),
+    (JavaScript, "x = `${table.push(1)}`", MAY_BE),
+    (JavaScript, "x = table[0] + f(table[1], table.length); for (const y of table) {}", TWO),
+    (JavaScript, "console.log([...table], `table`); module.exports = { table }", TWO),
+    (Python, "table[0] = 1", Err("in 2 places")),
+    (Python, "table += [1]", CHANGED),
+    (Python, "x, table[0] = 1, 2", CHANGED),
+    (Python, "(x, \n table) = 1, 2", CHANGED),
+    (Python, "for i, table in x: pass", CHANGED),
+    (Python, "del table[0]", CHANGED),
+    (Python, "import x as table", CHANGED),
+    (Python, "table.reverse()", CHANGED),
+    (Python, "with x as table: pass", CHANGED),
+    (Python, "x = table", MAY_BE),
+    (Python, "x = table[:1]", MAY_BE),
+    (Python, "np.dot(x, y, table)", MAY_BE),
+    (Python, "np.add(x, y, out=table)", MAY_BE),
+    (Python, "x = f'{table.pop}'", MAY_BE),
+    (Python, "def len(x): x[0] = 1\nlen(table)", MAY_BE),
+    (Python, "x = table[0]; y = f(table[1], k=1); z = len(table) + np.dot(x, table)", TWO),
+    (Python, "for x in table: y[int(table[0])] = x", TWO),
+    (Rust, "f(&mut table);", MAY_BE),
+    (Rust, "table.swap(0, 1);", CHANGED),
+    (Rust, "swap!(table[0], table[1]);", MAY_BE),
+    (Rust, "let x = f(&table) + table[0]; println!(\"{}\", table[1]);", TWO),
+    (Matlab, "table(2) = 5;", CHANGED),
+    (Matlab, "[x, table] = f();", CHANGED),
+    (Matlab, "for table = 1:2, end", CHANGED),
+    (Matlab, "y = f(table) + table(1)*table(2);", TWO),
+];
+
+/// A table that may be changed is refused, and one that its language keeps is not.
+#[test]
+fn what_is_done_with_a_table() {
+    for (language, use_, expected) in USES {
+        let (open, kept) = match language {
+            C | Shader => ("double table[] = {.5, .25};", "const double table[] = {.5, .25};"),
+            JavaScript => ("const table = [.5, .25]", "const table = Object.freeze([.5, .25])"),
+            Python => ("table = [.5, .25]", "table = (.5, .25)"),
+            Rust => ("let mut table = [0.5, 0.25];", "let table = [0.5, 0.25];"),
+            _ => ("table = [.5 .25];", ""),
+        };
+        let text = format!("{open}\n{use_}\n");
+        check(*language, &text, expected);
+        if let (Err(words), false) = (expected, kept.is_empty()) {
+            let expected = if words.starts_with("may be") { &TWO } else { expected };
+            check(*language, &format!("{kept}\n{use_}\n"), expected);
+        }
+    }
+}
+
 #[test]
 fn as_the_language_reads_it() {
     for (language, text, expected) in TEXTS {
-        let shape = [expected.map_or(2, <[f64]>::len)];
-        let found = read(*language, text, &shape);
-        match (found, expected) {
-            (Ok(table), Ok(numbers)) => {
-                let held: Vec<f64> = table.entries.iter().map(|entry| entry.held(Double)).collect();
-                assert_eq!(held, *numbers, "{text}");
-            }
-            (Err(error), Err(words)) => {
-                assert!(error.to_string().contains(words), "{text}: {error}");
-            }
-            (Ok(_), Err(_)) => panic!("accepted: {text}"),
-            (Err(error), Ok(_)) => panic!("refused: {text}: {error}"),
+        check(*language, text, expected);
+    }
+}
+
+fn check(language: Language, text: &str, expected: &Expected) {
+    let shape = [expected.map_or(2, <[f64]>::len)];
+    match (read(language, text, &shape), expected) {
+        (Ok(table), Ok(numbers)) => {
+            let held: Vec<f64> = table.entries.iter().map(|entry| entry.held(Double)).collect();
+            assert_eq!(held, *numbers, "{text}");
         }
+        (Err(error), Err(words)) => assert!(error.to_string().contains(words), "{text}: {error}"),
+        (Ok(_), Err(_)) => panic!("accepted: {text}"),
+        (Err(error), Ok(_)) => panic!("refused: {text}: {error}"),
     }
 }
 

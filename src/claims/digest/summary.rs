@@ -1,7 +1,7 @@
 //! A summary of the cells of a paper's tables.
 
 use crate::digest::cause::Cause;
-use crate::finding::{CellFinding, Missing, PaperAudit, Verdict};
+use crate::finding::{CellFinding, Missing, PaperAudit, TableFinding, Verdict};
 use crate::verdict::Word;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -134,7 +134,7 @@ impl CellFinding {
 }
 
 impl PaperAudit<'_> {
-    /// The cells of all tables by outcome.
+    /// The cells of all tables by outcome, but for those in which nothing is printed.
     ///
     /// ```
     /// use subcert::audit::{CellStanding, audit};
@@ -147,6 +147,6 @@ impl PaperAudit<'_> {
     /// ```
     #[must_use]
     pub fn cell_summary(&self) -> CellSummary {
-        CellSummary::of(self.tables.iter().flat_map(|table| table.cells.iter().flatten()))
+        CellSummary::of(self.tables.iter().flat_map(TableFinding::claiming))
     }
 }

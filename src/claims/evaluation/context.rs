@@ -57,6 +57,7 @@ impl<'a> TableContext<'a> {
         recovered: &BTreeMap<String, Rational>,
     ) -> Result<TableContext<'a>, Diagnostic> {
         let mut given = values(&paper.given)?;
+        given.retain(|name, _| !table.given.contains_key(name));
         given.extend(values(&table.given)?);
         let unstated = table.unstated.iter();
         let stated = unstated.filter_map(|(name, value)| Some((name, value.as_ref()?)));
@@ -90,6 +91,7 @@ impl<'a> TableContext<'a> {
     ) -> Scope<'s, RealCyclotomic> {
         let definitions = at.settings.definitions.as_deref().unwrap_or(&self.paper.definitions);
         let mut scope = Scope::new(definitions, functions);
+        scope = scope.with_formulas(&self.paper.given).with_formulas(&self.table.given);
         for (name, value) in &self.given {
             let value = at.settings.parameters.get(name).unwrap_or(value);
             scope = scope.with(name, value.clone().into());

@@ -321,7 +321,11 @@ pub(crate) fn values<'f>(
 ) -> Result<BTreeMap<String, Rational>, Diagnostic> {
     let value = |(name, formula): (&String, &LocatedFormula)| {
         let value = evaluate(&formula.expr, &Parameters::<Rational>::default());
-        value.map(|value| (name.clone(), value)).map_err(|error| formula.diagnostic(&error))
+        match value {
+            Ok(value) => Some(Ok((name.clone(), value))),
+            Err(error) if error.kind.cap().is_some() => None,
+            Err(error) => Some(Err(formula.diagnostic(&error))),
+        }
     };
-    formulas.into_iter().map(value).collect()
+    formulas.into_iter().filter_map(value).collect()
 }

@@ -102,9 +102,12 @@ impl LimitScheme<'_> {
 
     fn scope<V: Value>(&self) -> Result<Scope<'_, V>, Diagnostic> {
         let mut scope = Scope::new(&self.paper.definitions, &());
+        scope = scope.with_formulas(&self.paper.given).with_formulas(self.given);
         let given = values(&self.paper.given)?.into_iter();
         let own = values(self.given)?;
-        for (name, value) in given.filter(|(name, _)| !own.contains_key(name)).chain(own.clone()) {
+        for (name, value) in
+            given.filter(|(name, _)| !self.given.contains_key(name)).chain(own.clone())
+        {
             scope = scope.with(name, V::from_rational(&value));
         }
         Ok(scope)

@@ -73,7 +73,8 @@ impl<'a> FreeParameter<'a> {
     }
 
     fn scope<'s>(&'s self, constants: &'s Constants<'s>) -> Scope<'s, Parametric> {
-        let mut scope = Scope::new(&self.paper.definitions, constants);
+        let mut scope =
+            Scope::new(&self.paper.definitions, constants).with_formulas(&self.paper.given);
         for (name, value) in &self.given {
             scope = scope.with(name, Parametric::from_rational(value));
         }

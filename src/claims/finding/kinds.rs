@@ -38,9 +38,7 @@ impl<'f> Finding<'f, '_> {
     #[must_use]
     pub fn verdicts(self) -> Tally {
         match self {
-            Finding::Table(finding) => {
-                finding.cells.iter().flatten().map(|cell| cell.verdict.word()).collect()
-            }
+            Finding::Table(finding) => finding.claiming().map(|cell| cell.verdict.word()).collect(),
             other => other.word().into_iter().collect(),
         }
     }

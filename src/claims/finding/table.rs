@@ -10,6 +10,11 @@ use crate::finding::recovered::{Fitting, Recovered, values};
 use std::collections::BTreeMap;
 
 impl TableFinding<'_> {
+    /// The cells that claim something, row by row: all but those in which nothing is printed.
+    pub fn claiming(&self) -> impl Iterator<Item = &CellFinding> + Clone {
+        self.cells.iter().flatten().filter(|cell| !cell.is_blank())
+    }
+
     /// How many of its printed bounds and depths keep their promise.
     #[must_use]
     pub fn promise_counts(&self) -> PromiseCounts {

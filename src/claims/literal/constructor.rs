@@ -127,6 +127,7 @@ impl Reader<'_> {
                 return Err(self.wrong(format!("`{name}` is read with one list in it only")));
             }
         }
+        self.mixes = matches!(constructor.holds, Holds::Exactly(_));
         let before = entries.len();
         if constructor.holds == Holds::List && self.language == Language::Python {
             self.list_and_type(entries, depth)?;

@@ -125,4 +125,15 @@ impl Language {
     pub(super) fn has_preprocessor(self) -> bool {
         self.is_native()
     }
+
+    /// How a table is declared that the language keeps as it is.
+    pub(super) fn constant(self) -> Option<&'static str> {
+        match self {
+            Language::C | Language::Shader | Language::Hlsl | Language::Wgsl => Some("`const`"),
+            Language::JavaScript => Some("with `Object.freeze`"),
+            Language::Python => Some("as a tuple"),
+            Language::Rust => Some("without `mut`"),
+            Language::Matlab => None,
+        }
+    }
 }

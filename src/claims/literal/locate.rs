@@ -1,10 +1,11 @@
 //! Where the numbers of a table stand in a file.
 
-use super::declared::{Typed, declared, statement};
+use super::declared::{Typed, declared, size, statement};
 use super::directive::{Macro, TYPED, conditional, is_open, macros, words};
 use super::language::Language;
-use super::place::{Place, Use};
+use super::place::Place;
 use super::token::{Kind, Token, Tokens};
+use super::uses::Uses;
 use crate::diagnostic::{Diagnostic, SourceText};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -19,6 +20,8 @@ pub(super) struct Initialiser {
     pub(super) types: Vec<Typed>,
     /// The lines for the preprocessor in the file.
     pub(super) directives: Vec<Token>,
+    /// How many numbers it has by its declaration.
+    pub(super) size: Option<usize>,
 }
 
 /// How deep macros may be nested.
@@ -122,19 +125,13 @@ fn located(
     let enclosed = enclosed(&all);
     let mut found: Vec<(usize, Range<usize>)> = Vec::new();
     let mut uses = macros.len();
-    for (at, token) in all.iter().enumerate().filter(|(_, token)| named(token)) {
+    let mut others = Vec::new();
+    for at in (0..all.len()).filter(|&at| named(&all[at])) {
         uses += 1;
         let place = Place { source, language, tokens: &all, name: at, enclosed: enclosed[at] };
-        match place.used() {
-            Some(Use::Value(begin)) => found.extend(place.value(begin).map(|range| (at, range))),
-            Some(Use::Change) => {
-                let message = format!(
-                    "`{after}` is changed here, so that the program holds other numbers later"
-                );
-                let help = "type the numbers that it holds in the end into the claim file, as `cells`, or rename one of the two";
-                return Err(Diagnostic::new(source, token.span.clone(), message).with_help(help));
-            }
-            None => {}
+        match place.begins() {
+            Some(begin) => found.extend(place.value(begin).map(|range| (at, range))),
+            None => others.push(at),
         }
     }
     let directives = |all: Vec<Token>| -> Vec<Token> {
@@ -144,12 +141,20 @@ fn located(
         1 if found.is_empty() => {
             let Macro { at, name, tokens } = macros.into_iter().next().expect("one");
             not_conditional(source, &all, at, None)?;
-            Ok(Initialiser { tokens, name, types: Vec::new(), directives: directives(all) })
+            Ok(Initialiser {
+                tokens,
+                name,
+                types: Vec::new(),
+                directives: directives(all),
+                size: None,
+            })
         }
         1 => {
             let (at, range) = found.remove(0);
             is_compiled(source, language, &all, at)?;
+            is_kept(source, language, &all, (at, &range), &others)?;
             Ok(Initialiser {
+                size: size(source, language, &all, at, rows(&all[range.clone()]))?,
                 name: all[at].span.clone(),
                 types: declared(source, language, &all, at, range.start),
                 tokens: all[range].to_vec(),
@@ -183,6 +188,29 @@ fn located(
                 .with_help(help))
         }
     }
+}
+
+/// Refuses a table whose numbers other uses of its name may change.
+fn is_kept(
+    source: &Arc<SourceText>,
+    language: Language,
+    tokens: &[Token],
+    (at, value): (usize, &Range<usize>),
+    others: &[usize],
+) -> Result<(), Diagnostic> {
+    let name = &source.text[tokens[at].span.clone()];
+    let uses = Uses::new(source, language, tokens);
+    let table = uses.declared(at, value);
+    let fault = others.iter().find_map(|&other| Some((other, uses.fault(other, table)?)));
+    let hidden = || Some((uses.hidden(name, table)?, "may be changed where this is used"));
+    let Some((place, fault)) = fault.or_else(hidden) else { return Ok(()) };
+    let message = format!("`{name}` {fault}, so that the program may hold other numbers later");
+    Err(Diagnostic::new(source, tokens[place].span.clone(), message)
+        .with_place(tokens[at].span.clone(), "declared here")
+        .with_help(format!(
+            "{}type the numbers that it holds in the end into the claim file, as `cells`, or rename one of the two",
+            language.constant().map_or(String::new(), |how| format!("declare it {how}, or "))
+        )))
 }
 
 /// Refuses a table of which a conditional of the preprocessor says whether it is compiled, or with which type.
@@ -221,6 +249,24 @@ fn not_conditional(
     Err(Diagnostic::new(source, tokens[at].span.clone(), message)
         .with_place(span.start..span.start + 1, "this one")
         .with_help("copy what is compiled into a file without conditionals, or type the numbers into the claim file, as `cells`"))
+}
+
+/// How many items an initialiser has in its outermost bracket, and whether these are lists.
+fn rows(tokens: &[Token]) -> (usize, bool) {
+    let (mut depth, mut items, mut lists) = (0_usize, 1, false);
+    for (at, token) in tokens.iter().enumerate() {
+        match token.kind {
+            Kind::Sign(sign @ ('(' | '[' | '{')) => {
+                lists |= depth == 1 && sign == '{';
+                depth += 1;
+            }
+            Kind::Sign(')' | ']' | '}') => depth = depth.saturating_sub(1),
+            // None stands behind the last comma of `{1, 2,}`.
+            Kind::Sign(',') if depth == 1 && at + 2 < tokens.len() => items += 1,
+            _ => {}
+        }
+    }
+    (items, lists)
 }
 
 /// Of each word whether a bracket is open before it.

@@ -26,6 +26,7 @@ mod quoted;
 mod reader;
 mod table;
 mod token;
+mod uses;
 mod whole;
 
 pub use entry::{Entry, Written};

@@ -1,18 +1,9 @@
-//! What happens to a name where it stands.
+//! Where a name gets a value.
 
 use super::language::Language;
 use super::token::{Kind, Token};
 use crate::diagnostic::SourceText;
 use std::ops::Range;
-
-/// What happens to a name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Use {
-    /// It gets a value, which begins at this word.
-    Value(usize),
-    /// Its value is changed.
-    Change,
-}
 
 /// A place where the name occurs.
 pub(super) struct Place<'a> {
@@ -23,24 +14,6 @@ pub(super) struct Place<'a> {
     /// Whether a bracket is open there.
     pub(super) enclosed: bool,
 }
-
-/// Methods that change a list.
-const CHANGING: [&str; 14] = [
-    "sort",
-    "reverse",
-    "append",
-    "extend",
-    "insert",
-    "pop",
-    "remove",
-    "clear",
-    "fill",
-    "push",
-    "shift",
-    "unshift",
-    "splice",
-    "push_back",
-];
 
 impl Place<'_> {
     fn text(&self, at: usize) -> &str {
@@ -131,43 +104,8 @@ impl Place<'_> {
         }
     }
 
-    /// Whether an operator is followed by `=` at once, or doubled and then.
-    fn assigns(&self, at: usize) -> bool {
-        let doubled = self.joined(at + 1) && self.sign(at + 1) == self.sign(at);
-        let equal = at + 1 + usize::from(doubled);
-        self.joined(equal) && self.sign(equal) == Some('=')
-    }
-
-    /// As [`used`](Self::used): `w = …` gives a value, and `w(2) = …`, `w += …` and `[w, v] = …` change it.
-    fn used_in_matlab(&self) -> Option<Use> {
-        let is_assigned = |at: usize| {
-            self.sign(at) == Some('=') && !(self.joined(at + 1) && self.sign(at + 1) == Some('='))
-        };
-        let next = self.name + 1;
-        if !self.enclosed && is_assigned(next) {
-            return Some(Use::Value(next + 1));
-        }
-        let mut depth = 0_usize;
-        for at in next..self.tokens.len() {
-            match self.tokens[at].kind {
-                _ if depth == 0 && !self.enclosed && self.on_next_line(at) => return None,
-                Kind::Sign('(' | '{' | '[') => depth += 1,
-                Kind::Sign(')' | '}' | ']') if depth > 1 => depth -= 1,
-                Kind::Sign(')' | '}' | ']') if depth == 1 && self.enclosed => depth = 0,
-                Kind::Sign(')' | '}' | ']') => return is_assigned(at + 1).then_some(Use::Change),
-                Kind::Sign('+' | '-' | '*' | '/' | '^') if at == next && self.assigns(at) => {
-                    return Some(Use::Change);
-                }
-                Kind::Sign(';' | '=') if depth == 0 => return None,
-                _ if depth == 0 && !self.enclosed => return None,
-                _ => {}
-            }
-        }
-        None
-    }
-
-    /// What happens to the name: it gets a value after `=`, or at a brace that follows it and its brackets at once.
-    pub(super) fn used(&self) -> Option<Use> {
+    /// Where the value that the name gets here begins: after `=`, or at a brace that follows it and its brackets at once.
+    pub(super) fn begins(&self) -> Option<usize> {
         let native = self.language.is_native();
         let mut depth = 0_usize;
         let mut annotated = false;
@@ -175,13 +113,10 @@ impl Place<'_> {
             return None;
         }
         if self.language == Language::Matlab {
-            return self.used_in_matlab();
-        }
-        if self.text(self.name + 1) == "."
-            && CHANGING.contains(&self.text(self.name + 2))
-            && self.text(self.name + 3) == "("
-        {
-            return Some(Use::Change);
+            let next = self.name + 1;
+            let compares = self.joined(next + 1) && self.sign(next + 1) == Some('=');
+            return (!self.enclosed && self.sign(next) == Some('=') && !compares)
+                .then_some(next + 1);
         }
         for at in self.name + 1..self.tokens.len() {
             if self.language == Language::Python
@@ -195,14 +130,9 @@ impl Place<'_> {
                 Kind::Sign('=') if depth == 0 => {
                     // Neither a comparison nor a function.
                     let other = self.joined(at + 1) && matches!(self.sign(at + 1), Some('=' | '>'));
-                    return (!other).then_some(Use::Value(at + 1));
+                    return (!other).then_some(at + 1);
                 }
-                Kind::Sign('{') if depth == 0 => return Some(Use::Value(at)),
-                Kind::Sign('+' | '-' | '*' | '/' | '%' | '&' | '|' | '^' | '@')
-                    if depth == 0 && self.assigns(at) =>
-                {
-                    return Some(Use::Change);
-                }
+                Kind::Sign('{') if depth == 0 => return Some(at),
                 Kind::Sign('[' | '(') => depth += 1,
                 Kind::Sign('<') if annotated => depth += 1,
                 Kind::Sign(']' | ')') => depth = depth.checked_sub(1)?,

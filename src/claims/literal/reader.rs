@@ -45,6 +45,8 @@ pub(super) struct Reader<'a> {
     pub(super) types: Vec<Typed>,
     /// Whether blanks part the numbers, as in a row of MATLAB.
     pub(super) in_row: bool,
+    /// Whether the next bracket may hold numbers beside lists, as in `vec4(vec3(…), 1)`.
+    pub(super) mixes: bool,
 }
 
 impl<'a> Reader<'a> {
@@ -54,7 +56,7 @@ impl<'a> Reader<'a> {
         tokens: &'a [Token],
     ) -> Reader<'a> {
         let (types, lines) = (Vec::new(), Lines::new(source));
-        Reader { source, language, tokens, at: 0, lines, types, in_row: false }
+        Reader { source, language, tokens, at: 0, lines, types, in_row: false, mixes: false }
     }
 
     pub(super) fn peek(&self) -> Option<Kind> {
@@ -89,7 +91,11 @@ impl<'a> Reader<'a> {
         if depth > MAX_DEPTH {
             return Err(self.wrong(format!("more than {MAX_DEPTH} brackets within each other")));
         }
+        let mixes = std::mem::take(&mut self.mixes);
+        let mut first = None;
         loop {
+            let (begin, before) = (self.at, entries.len());
+            let mut list = true;
             while self.language == Language::Rust && self.peek() == Some(Kind::Sign('&')) {
                 self.at += 1;
             }
@@ -108,9 +114,17 @@ impl<'a> Reader<'a> {
                 }
                 Some(Kind::Name) => match self.constructor()? {
                     Some(constructor) => self.construct(&constructor, entries, depth)?,
-                    None => self.entry(entries)?,
+                    None => list = self.entry(entries)?,
                 },
-                _ => self.entry(entries)?,
+                _ => list = self.entry(entries)?,
+            }
+            // What a language puts in the places that are left is not known.
+            let item = (list, entries.len() - before);
+            if *first.get_or_insert(item) != item && !mixes {
+                self.at = begin;
+                let message =
+                    "the lists in this bracket do not have equally many numbers".to_owned();
+                return Err(self.wrong(message));
             }
             match self.peek() {
                 None | Some(Kind::Sign(')' | ']' | '}')) => {}
@@ -241,7 +255,8 @@ impl<'a> Reader<'a> {
         commas - usize::from(last)
     }
 
-    fn entry(&mut self, entries: &mut Vec<Entry>) -> Result<(), Diagnostic> {
+    /// Reads a number, which is no list.
+    fn entry(&mut self, entries: &mut Vec<Entry>) -> Result<bool, Diagnostic> {
         if entries.len() == MAX_ENTRIES {
             return Err(self.wrong(format!("more than {MAX_ENTRIES} numbers")));
         }
@@ -249,6 +264,6 @@ impl<'a> Reader<'a> {
         let expression = self.sum(0)?;
         let end = self.tokens[self.at - 1].span.end;
         entries.push(Entry { span: start..end, line: self.lines.of(start), expression });
-        Ok(())
+        Ok(false)
     }
 }

@@ -32,7 +32,7 @@ pub struct LiteralTable {
 ///
 /// # Errors
 /// At its place in the file, whatever is no number: a name, a macro without a value or with several, another call, a preprocessor line, an unknown suffix, a comma
-/// without a number. Also when the name does not occur, gets no value or two, or is changed; when a conditional of the preprocessor stands
+/// without a number, lists of different lengths. Also when the name does not occur, gets no value or two, or is changed; when a conditional of the preprocessor stands
 /// around it; when the types that the source gives to the numbers are several, or do not hold one of them; and when there are more or fewer numbers than the
 /// shape has, or more than [`MAX_ENTRIES`].
 ///
@@ -58,7 +58,7 @@ pub fn read_literals(
         return Err(Diagnostic::new(source, 0..0, message));
     };
     let (source, found) = initialiser(source, language, after)?;
-    let Initialiser { tokens, name, mut types, directives } = found;
+    let Initialiser { tokens, name, mut types, directives, size } = found;
     let source = &source;
     let mut reader = Reader::new(source, language, &tokens);
     let mut entries = Vec::new();
@@ -80,6 +80,13 @@ pub fn read_literals(
         let help =
             "of constants with one number each, give a list of names: after = [\"W0\", \"W1\"]";
         return Err(if one { error.with_help(help) } else { error });
+    }
+    if let Some(size) = size.filter(|&size| size != wanted) {
+        let message =
+            format!("`{after}` is declared with {size} numbers, and {wanted} are written");
+        return Err(Diagnostic::new(source, name, message).with_help(
+            "type the numbers that the program holds into the claim file, as `cells`: those that are not written are 0",
+        ));
     }
     let source = Arc::clone(source);
     Ok(LiteralTable { source, shape: shape.to_vec(), entries, name, declared })

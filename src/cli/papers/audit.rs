@@ -141,7 +141,7 @@ impl Answer for Audit<'_> {
         let mut rows = Vec::new();
         for audit in self.audits {
             for table in &audit.tables {
-                rows.extend(table.cells.iter().flatten().map(|cell| row(audit, table, cell)));
+                rows.extend(table.claiming().map(|cell| row(audit, table, cell)));
             }
         }
         let mut header = vec!["id", "printed", "exact", "decimal", "verdict"];

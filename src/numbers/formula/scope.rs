@@ -38,6 +38,8 @@ pub struct Scope<'a, V> {
     unstated: Vec<&'a str>,
     families: BTreeMap<&'a str, &'a dyn Fn(&str) -> V>,
     definitions: &'a BTreeMap<String, LocatedFormula>,
+    /// Of equal names the last one counts.
+    stated: Vec<&'a BTreeMap<String, LocatedFormula>>,
     functions: &'a dyn Functions<V>,
     depth: Cell<usize>,
     work: Work,
@@ -62,6 +64,7 @@ impl<'a, V: Value> Scope<'a, V> {
             unstated: Vec::new(),
             families: BTreeMap::new(),
             definitions,
+            stated: Vec::new(),
             functions,
             depth: Cell::new(0),
             work: Work::default(),
@@ -79,6 +82,14 @@ impl<'a, V: Value> Scope<'a, V> {
     #[must_use]
     pub fn with_all(mut self, values: &'a BTreeMap<String, V>) -> Scope<'a, V> {
         self.values.push(ScopeValues::All(values));
+        self
+    }
+
+    /// Names formulas that have no other value here: those whose value is beyond a cap, which an evaluation meets only where
+    /// it needs them.
+    #[must_use]
+    pub fn with_formulas(mut self, stated: &'a BTreeMap<String, LocatedFormula>) -> Scope<'a, V> {
+        self.stated.push(stated);
         self
     }
 
@@ -119,7 +130,10 @@ impl<V: Value> Context<V> for Scope<'_, V> {
         {
             return Ok(Lookup::Found(member(name)));
         }
-        let Some(definition) = self.definitions.get(name) else { return Ok(Lookup::Unknown) };
+        let stated = self.stated.iter().rev().find_map(|stated| stated.get(name));
+        let Some(definition) = stated.or_else(|| self.definitions.get(name)) else {
+            return Ok(Lookup::Unknown);
+        };
         if self.depth.get() >= MAX_DEFINITION_DEPTH {
             return Err(CallError::Misuse(format!(
                 "the definition of `{name}` refers to itself, or definitions are nested more \

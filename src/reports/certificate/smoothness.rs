@@ -205,7 +205,10 @@ impl Exponent {
         let between = |low, high, strictly| {
             self.at_least(&place(low), strictly) && self.at_most(&place(high), strictly)
         };
-        if self.at_least(&place(2), false) || self.at_most(&place(-2), false) {
+        // Of an exponent that is cut some digit is left, and none is below half a unit and rounded to one.
+        let above = if decimal.mantissa().is_zero() { (1, true) } else { (2, false) };
+        let below = if decimal.is_one_unit() { (-1, true) } else { (-2, false) };
+        if self.at_least(&place(above.0), above.1) || self.at_most(&place(below.0), below.1) {
             Some(SmoothnessVerdict::Refuted)
         } else if between(-1, 1, false) {
             Some(SmoothnessVerdict::Confirmed)

@@ -114,6 +114,7 @@ fn line(cell: &CellFinding, readings: &Readings<'_>, at: (usize, usize)) -> Resu
     let value = cell.exact.as_ref().map_or("undefined".to_owned(), closed);
     let judged = cell.verdict_if_assumed.as_ref().unwrap_or(&cell.verdict);
     let mut line = match &cell.printed {
+        None if cell.is_blank() => format!("blank {value}"),
         None => format!("lost {value}"),
         Some(printed) => format!("\"{printed}\" {value} {}", verdict(cell, judged, readings, at)?),
     };

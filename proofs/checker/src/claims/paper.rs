@@ -16,6 +16,8 @@ pub struct Paper<'a> {
     pub definitions: Definitions,
     /// The values in `[given]`.
     pub given: BTreeMap<String, Value>,
+    /// Of the other names in `[given]`, the caps that their values are beyond.
+    pub beyond: BTreeMap<String, Stop>,
     /// The schemes.
     pub library: &'a Library<'a>,
 }
@@ -24,8 +26,14 @@ impl<'a> Paper<'a> {
     /// Reads what the claims of a file have in common.
     pub fn new(file: &'a Toml, library: &'a Library<'a>) -> Result<Paper<'a>, Stop> {
         let definitions = formulas(file.entries("define"))?;
-        let mut paper = Paper { file, definitions, given: BTreeMap::new(), library };
-        paper.given = paper.constants(file.entries("given"))?;
+        let (given, beyond) = Default::default();
+        let mut paper = Paper { file, definitions, given, beyond, library };
+        for (name, expr) in formulas(file.entries("given"))? {
+            match library.closed().value(&expr) {
+                Err(stop @ Stop::Capped(_)) => drop(paper.beyond.insert(name, stop)),
+                value => drop(paper.given.insert(name, value?)),
+            }
+        }
         Ok(paper)
     }
 
@@ -38,6 +46,14 @@ impl<'a> Paper<'a> {
     /// A scope with the definitions of the paper.
     pub fn scope(&'a self) -> Scope<'a> {
         self.library.scope(&self.definitions)
+    }
+
+    /// The same scope with the values of `[given]`.
+    pub fn stated(&'a self) -> Scope<'a> {
+        let mut scope = self.scope();
+        scope.values.clone_from(&self.given);
+        scope.beyond.clone_from(&self.beyond);
+        scope
     }
 
     /// The value of a closed formula of a certificate.

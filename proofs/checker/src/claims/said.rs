@@ -57,6 +57,8 @@ fn cells(block: &Block<'_>) -> String {
                     let assumed = if assumed { ", assuming" } else { "" };
                     cells.add(&format!("{verdict}{assumed}"));
                 }
+                // Nothing is claimed where nothing is printed.
+                None if rest.split_whitespace().nth(2) == Some("blank") => {}
                 None => cells.add("lost"),
             },
             (word, _) => {
@@ -67,6 +69,7 @@ fn cells(block: &Block<'_>) -> String {
         }
     }
     match promises.text() {
+        none if none.is_empty() && cells.0.is_empty() => "nothing is printed".to_owned(),
         none if none.is_empty() => cells.text(),
         promises => format!("{}; promises: {promises}", cells.text()),
     }

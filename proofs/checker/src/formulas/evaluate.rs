@@ -51,6 +51,8 @@ pub struct Scope<'a> {
     pub values: BTreeMap<String, Value>,
     /// The names of parameters without a value.
     pub unstated: BTreeSet<String>,
+    /// The names of stated values that are beyond a cap.
+    pub beyond: BTreeMap<String, Stop>,
     /// The names of families. A member without a value is a symbol.
     pub families: BTreeSet<String>,
     /// The scheme that functions are about.
@@ -81,13 +83,14 @@ impl<'a> Scope<'a> {
         functions: &'a dyn Functions,
         reading: &'a Reading,
     ) -> Scope<'a> {
-        let (values, unstated, families) = Default::default();
+        let (values, unstated, beyond, families) = Default::default();
         let (scheme, piece, depth, angle) = Default::default();
         let (memory, reserved, hidden) = Default::default();
         Scope {
             definitions,
             values,
             unstated,
+            beyond,
             families,
             scheme,
             reserved,
@@ -194,6 +197,9 @@ impl<'a> Scope<'a> {
         if name.split_once('[').is_some_and(|(family, _)| self.families.contains(family)) {
             return Ok(Value::symbol(name));
         }
+        if let Some(stop) = self.beyond.get(name) {
+            return Err(stop.clone());
+        }
         let definition = self.definitions.get(name);
         let definition = definition.ok_or_else(|| Stop::Wrong(format!("`{name}` is unknown")))?;
         let scheme = self.scheme.as_ref().map(Rc::as_ptr);
@@ -247,7 +253,9 @@ impl<'a> Scope<'a> {
     /// Checks that an index does not hide a name to which definitions may refer.
     pub fn index(&self, name: &str) -> Result<(), Stop> {
         let valued = self.values.contains_key(name) && !self.hidden.contains(name);
-        let named = self.definitions.contains_key(name) || self.unstated.contains(name);
+        let named = self.definitions.contains_key(name)
+            || self.unstated.contains(name)
+            || self.beyond.contains_key(name);
         if valued || named || name == "pi" || self.reserved.contains(&name) {
             return Err(Stop::Wrong(format!("the index `{name}` has another meaning")));
         }

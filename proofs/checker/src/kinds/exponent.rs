@@ -8,6 +8,7 @@ use crate::functions::exponent::LogSum;
 use crate::lines::limits::{LimitProof, mask, verdict};
 use crate::numbers::{Decimal, int, is_one_unit};
 use crate::text::{Block, Checked, Reason, Toml, Verdict, require};
+use num_traits::Zero;
 
 /// Claims about exponents.
 pub const KIND: Kind = Kind {
@@ -69,14 +70,16 @@ fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Ch
 
 /// How the decimal came from the exponent: the verdict, and the way in which it was rounded.
 fn decimal(shown: &LimitProof, decimal: &Decimal) -> Checked<(Verdict, &'static str)> {
-    require(decimal.value > int(0), Reason::Malformed("a positive decimal"))?;
     let half = &decimal.unit / int(2);
     let place = |halves: i64| LogSum::from(&decimal.value + &half * int(halves));
     let between = |low: i64, high: i64, strictly: bool| -> Checked<bool> {
         Ok(shown.at_least(&place(low), strictly)? && shown.at_most(&place(high), strictly)?)
     };
     let below = if is_one_unit(decimal) { (-1, true) } else { (-2, false) };
-    let far = shown.at_least(&place(2), false)? || shown.at_most(&place(below.0), below.1)?;
+    // Of an exponent that is cut some digit is left.
+    let above = if decimal.digits.is_zero() { (1, true) } else { (2, false) };
+    let far =
+        shown.at_least(&place(above.0), above.1)? || shown.at_most(&place(below.0), below.1)?;
     if far {
         Ok((Verdict::Refuted, ""))
     } else if between(-1, 1, false)? {

@@ -4,6 +4,7 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use crate::claims::{misfit, printed};
+use crate::numbers::is_blank;
 use crate::text::Toml;
 use std::collections::BTreeSet;
 
@@ -18,9 +19,6 @@ const COLUMNS: [(&str, &str); 5] = [
     ("at_least", "exponent"),
     ("at_most", "exponent"),
 ];
-
-/// What stands in a cell where nothing is printed.
-const BLANK: [&str; 3] = ["-", "–", "—"];
 
 /// The file with the claims of the cells of its tables behind its other claims.
 pub fn expanded(mut file: Toml) -> Result<Toml, String> {
@@ -66,11 +64,11 @@ fn cells(table: &Toml) -> Result<Vec<(&'static str, Toml)>, String> {
         }
         for (cell, column) in line.iter().zip(&columns) {
             let (printed, said) = printed(cell).ok_or("a cell is not a text")?;
-            if BLANK.contains(&printed.trim()) {
-                if printed != said {
-                    return Err("nothing is printed in a cell, and yet read".to_owned());
-                }
+            if is_blank(said) {
                 continue;
+            }
+            if is_blank(printed) {
+                return Err("nothing is printed in a cell, and yet read".to_owned());
             }
             let mut claim = vec![("id", Toml::Text(format!("{id}.{row}.{column}")))];
             claim.push(("locus", Toml::Text(locus.unwrap_or_default().to_owned())));

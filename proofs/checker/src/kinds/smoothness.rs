@@ -173,8 +173,7 @@ pub fn order(text: &str) -> Checked<usize> {
 
 /// The scope of a claim: the values of the paper, and its own, which hide those.
 pub fn scope<'a>(paper: &'a Paper<'a>, claim: &Toml) -> Checked<Scope<'a>> {
-    let mut scope = paper.scope();
-    scope.values.clone_from(&paper.given);
+    let mut scope = paper.stated();
     scope.values.extend(paper.constants(claim.entries("given"))?);
     Ok(scope)
 }

@@ -36,8 +36,7 @@ impl<'a> Free<'a> {
 
     /// The scope of a piece, or of one value of the parameter if both ends are the same.
     pub fn scope(&self, ends: Ends) -> Result<Scope<'a>, Stop> {
-        let mut scope = self.paper.scope();
-        scope.values.clone_from(&self.paper.given);
+        let mut scope = self.paper.stated();
         let [low, high] = &ends;
         let number = low.as_ref().filter(|_| low == high).and_then(Root::rational);
         let value = number.map_or(Value::symbol(self.variable), |value| value.clone().into());

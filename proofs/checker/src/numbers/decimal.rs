@@ -127,6 +127,14 @@ impl Decimal {
         Decimal::fraction(text).or_else(|| Decimal::read(text))
     }
 
+    /// The same number with all digits before the point: `1e1` as `10`.
+    pub fn whole(self) -> Decimal {
+        if self.unit <= int(1) {
+            return self;
+        }
+        Decimal { digits: self.value.to_integer(), unit: int(1), value: self.value }
+    }
+
     fn fraction(text: &str) -> Option<Decimal> {
         let (negative, text) = sign(text.trim());
         let last = text.chars().next_back()?;

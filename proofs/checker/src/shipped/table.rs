@@ -76,7 +76,7 @@ impl<'a> Table<'a> {
         let count = indices.iter().try_fold(1_usize, |count, index| count.checked_mul(index.count));
         let count = count.filter(|count| *count <= MAX_NUMBERS);
         let count = count.ok_or(Stop::Capped("the numbers of a table"))?;
-        let typed = claim.get("cells").map(flattened);
+        let typed = claim.get("cells").map(texts).transpose()?;
         if typed.as_ref().is_some_and(|typed| typed.len() != count) {
             return Err(wrong("`cells` has another number of numbers than the indices").into());
         }
@@ -155,7 +155,7 @@ impl Exact {
         match (claim.text("equals"), claim.get("equals_cells")) {
             (Some(text), None) => formula(text).map(Exact::One),
             (None, Some(list)) => {
-                let texts = flattened(list);
+                let texts = texts(list)?;
                 if texts.len() != count {
                     return Err(wrong(
                         "`equals_cells` has another number of formulas than the indices",
@@ -166,6 +166,18 @@ impl Exact {
             _ => Err(wrong("needed is one of `equals` and `equals_cells`")),
         }
     }
+}
+
+/// The texts of nested lists, in order. Those beside each other have equally many.
+fn texts(value: &Toml) -> Result<Vec<&str>, Stop> {
+    let kind = |one: &Toml| one.as_text().is_none().then(|| flattened(one).len());
+    let items = value.as_list();
+    let even = items.iter().all(|one| kind(one) == items.first().and_then(kind));
+    let inner = items.iter().filter(|one| one.as_text().is_none());
+    if !even || inner.map(texts).any(|inner| inner.is_err()) {
+        return Err(wrong("lists beside each other do not have equally many entries"));
+    }
+    Ok(flattened(value))
 }
 
 /// The texts of nested lists, in order.

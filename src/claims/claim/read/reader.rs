@@ -3,7 +3,7 @@
 use super::fields::{CommonFields, NumberField};
 use crate::claim::{LocatedReference, Printed};
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::exact::{NumberError, parse_printed};
+use crate::exact::{NumberError, is_blank, parse_printed};
 use crate::formula::LocatedFormula;
 use crate::scheme::{Reference, Spanned, formula};
 use std::collections::BTreeSet;
@@ -78,6 +78,19 @@ impl Reader<'_> {
             "if the paper's text is damaged here, keep it and say what it means: \
              { printed = \"6.02 - 7\", read = \"6.02e-7\", note = \"why\" }",
         )
+    }
+
+    /// Whether nothing is printed in a cell: what it stands for is empty, or dashes.
+    pub(super) fn is_blank(&self, field: &Spanned<NumberField>) -> Result<bool, Diagnostic> {
+        let NumberField { printed, read, .. } = field.get_ref();
+        let blank = is_blank(read.as_ref().unwrap_or(printed));
+        if !blank && is_blank(printed) {
+            let message = "nothing is printed in this cell, and yet something is read";
+            return Err(self
+                .error(field.span(), message)
+                .with_help("leave `read` out, or write what is printed"));
+        }
+        Ok(blank)
     }
 
     /// A printed number: a decimal or a fraction.

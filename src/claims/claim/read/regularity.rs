@@ -15,16 +15,13 @@ claim_table!(RegularityFile {
     rows: Spanned<AxisTable>,
     /// What each column states: `order`, `continuous`, `not_continuous`, `exponent`, `value`, `at_least` or `at_most`.
     columns: Spanned<Vec<Spanned<String>>>,
-    /// Rows of what is printed; `'-'` where nothing is.
+    /// Rows of what is printed. Nothing is printed in a cell that is empty or a dash.
     cells: Spanned<Vec<Spanned<Vec<Spanned<NumberField>>>>>,
 });
 
 /// What a column may state.
 const COLUMNS: [&str; 7] =
     ["order", "continuous", "not_continuous", "exponent", "value", "at_least", "at_most"];
-
-/// What stands in a cell where the paper prints nothing.
-const BLANK: [&str; 3] = ["-", "–", "—"];
 
 const EXAMPLE: &str = "rows = { schemes = [\"chaikin\", \"four-point:w=1/16\"] }, columns = [\"order\", \"exponent\"], \
                        cells = [['1', '2.000'], ['1', '2.000']]";
@@ -77,19 +74,12 @@ impl Reader<'_> {
                 ));
             }
             for (column, field) in line.get_ref().iter().enumerate() {
-                let NumberField { printed, read, .. } = field.get_ref();
-                if BLANK.contains(&printed.trim()) && read.is_some() {
-                    let message = "nothing is printed in this cell, and yet something is read";
-                    return Err(self
-                        .error(field.span(), message)
-                        .with_help("leave `read` out, or write what is printed"));
-                }
-                if !BLANK.contains(&printed.trim()) {
+                if !self.is_blank(field)? {
                     let place = RegularityCell {
                         table: Arc::clone(&table),
                         row,
                         column,
-                        printed: printed.clone(),
+                        printed: field.get_ref().printed.clone(),
                         header: header.header.clone(),
                     };
                     cells.add(file, header, field, place);

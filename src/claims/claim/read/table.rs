@@ -5,9 +5,8 @@ use super::fields::{Formulas, NumberField, TableOf, Unstated, claim_table};
 use super::figure::FigureTable;
 use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
-use crate::claim::{Cell, Paper, Promise, Table};
+use crate::claim::{Cell, Paper, Printed, Promise, Table};
 use crate::diagnostic::Diagnostic;
-use crate::exact::is_blank;
 use crate::formula::LocatedFormula;
 use crate::scheme::{Spanned, definitions, formula, identifier};
 use serde::Deserialize;
@@ -208,12 +207,15 @@ impl Reader<'_> {
                 "give one row of cells for each header in `rows`, or one row without `rows`",
             ));
         }
+        let depths = table.promise.as_ref().is_some_and(|one| one.get_ref().tolerance.is_some());
         let cell = |field: &Spanned<NumberField>| {
-            let NumberField { printed, read, .. } = field.get_ref();
-            if is_blank(read.as_ref().unwrap_or(printed)) {
+            if self.is_blank(field)? {
                 return Ok(Cell::Blank);
             }
-            self.printed(field).map(Cell::Printed)
+            let printed = self.printed(field)?;
+            // A level has no unit of its last place: 1e1 is 10.
+            let decimal = if depths { printed.decimal.whole() } else { printed.decimal };
+            Ok(Cell::Printed(Printed { decimal, ..printed }))
         };
         let row = |row: &Spanned<Vec<Spanned<NumberField>>>| {
             if row.get_ref().len() != column_count {

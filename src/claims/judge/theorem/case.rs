@@ -8,7 +8,7 @@ use crate::evaluation::library::{Library, Resolved, values};
 use crate::evaluation::reference::{self, Unresolved};
 use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic};
-use crate::formula::FormulaErrorKind;
+use crate::formula::{FormulaErrorKind, LocatedFormula};
 use crate::judge::distance::{LocalCap, MAX_LOCAL_SIZE, MAX_STEPS};
 use crate::judge::theorem::local_rules::AroundPoint;
 use crate::judge::theorem::setting::Setting;
@@ -62,6 +62,8 @@ pub(crate) struct Case<'a> {
     pub(crate) paper: &'a Paper,
     pub(crate) library: &'a Library<'a>,
     pub(crate) values: BTreeMap<String, Rational>,
+    /// The stated values that are beyond a cap.
+    pub(crate) stated: BTreeMap<String, LocatedFormula>,
     pub(crate) resolved: Option<Resolved>,
     /// Whether the bound is proportional to the spread, once this has been asked.
     pub(crate) linear: OnceCell<bool>,
@@ -72,7 +74,7 @@ pub(crate) struct Case<'a> {
 }
 
 impl<'a> Case<'a> {
-    /// All cases of a theorem; none when it names no scheme to be tried on.
+    /// All different cases of a theorem; none when it names no scheme to be tried on.
     pub(crate) fn all(
         paper: &'a Paper,
         theorem: &'a Theorem,
@@ -94,6 +96,9 @@ impl<'a> Case<'a> {
         let mut given = values(&paper.given)?;
         // These names mean what the theorem says, not what the paper states for them.
         given.retain(|name, _| !THEOREM_NAMES.contains(&name.as_str()));
+        let mut stated = paper.given.clone();
+        stated
+            .retain(|name, _| !given.contains_key(name) && !THEOREM_NAMES.contains(&name.as_str()));
         let mut cases = Vec::new();
         for scheme in schemes {
             for values in &combinations {
@@ -105,6 +110,7 @@ impl<'a> Case<'a> {
                     paper,
                     library,
                     values: given.clone(),
+                    stated: stated.clone(),
                     resolved: None,
                     linear: OnceCell::new(),
                     beyond: None,
@@ -129,7 +135,12 @@ impl<'a> Case<'a> {
                     let free = values.iter().filter(|(name, _)| !words.contains(&name.as_str()));
                     let shown = free.map(|(name, value)| format!("{name} = {value}"));
                     case.label = std::iter::once(name).chain(shown).collect::<Vec<_>>().join(", ");
-                    cases.push(case);
+                    let is_new = |other: &Case<'_>| {
+                        (&other.label, &other.chosen) != (&case.label, &case.chosen)
+                    };
+                    if cases.iter().all(is_new) {
+                        cases.push(case);
+                    }
                 }
             }
         }

@@ -35,7 +35,7 @@ impl Case<'_> {
     ) -> Scope<'s, RealCyclotomic> {
         let definitions = functions.settings.definitions.as_deref();
         let mut scope = Scope::new(definitions.unwrap_or(&self.paper.definitions), functions);
-        scope = scope.with_all(&functions.settings.known);
+        scope = scope.with_all(&functions.settings.known).with_formulas(&self.stated);
         for (name, value) in &self.values {
             scope = scope.with(name, value.clone().into());
         }

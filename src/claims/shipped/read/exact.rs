@@ -1,6 +1,6 @@
 //! Exact values of a table: one formula, or one for each number.
 
-use super::nested::{Nested, flattened};
+use super::nested::Nested;
 use super::reader::Reader;
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
@@ -25,7 +25,7 @@ impl Reader<'_> {
         match (fields.equals, fields.each) {
             (Some(text), None) => formula(self.source, text).map(ExactValues::Formula),
             (None, Some(list)) => {
-                let texts = flattened(list.get_ref());
+                let texts = self.texts(list.get_ref())?;
                 if texts.len() != count {
                     let found = texts.len();
                     let message = format!("{found} exact values, and {count} numbers");

@@ -29,7 +29,7 @@ impl Reader<'_> {
         kind: NumberType,
         count: usize,
     ) -> Result<Vec<ShippedNumber>, Diagnostic> {
-        let texts = flattened(list.get_ref());
+        let texts = self.texts(list.get_ref())?;
         if texts.len() != count {
             let found = texts.len();
             let message = format!("{found} numbers, and the indices have {count} combinations");

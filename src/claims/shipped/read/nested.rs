@@ -5,6 +5,7 @@ use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{SeqAccess, Visitor};
 use std::fmt;
+use std::ops::Range;
 
 /// A text, or a list of such.
 #[derive(Debug)]
@@ -31,6 +32,23 @@ impl<'de> Deserialize<'de> for Nested {
         }
         deserializer.deserialize_any(Either)
     }
+}
+
+/// The place of the first list that is no row like the others beside it: of a text beside lists, or of lists with other numbers
+/// of texts.
+pub(super) fn uneven(list: &[Spanned<Nested>]) -> Option<Range<usize>> {
+    let kind = |one: &Spanned<Nested>| match one.get_ref() {
+        Nested::Text(_) => None,
+        Nested::List(list) => Some(flattened(list).len()),
+    };
+    let first = list.first().map(kind);
+    let other = list.iter().find(|one| Some(kind(one)) != first);
+    other.map(Spanned::span).or_else(|| {
+        list.iter().find_map(|one| match one.get_ref() {
+            Nested::Text(_) => None,
+            Nested::List(list) => uneven(list),
+        })
+    })
 }
 
 /// The texts in their order, without the brackets.

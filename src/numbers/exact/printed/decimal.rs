@@ -81,6 +81,15 @@ impl Decimal {
         }
     }
 
+    /// The same number with all digits before the point: `1e1` as `10`.
+    #[must_use]
+    pub fn whole(self) -> Decimal {
+        if self.is_fraction() || self.exponent <= 0 {
+            return self;
+        }
+        Decimal::new(self.value().numerator().clone(), 0)
+    }
+
     /// One unit in the last printed place; 0 of a fraction.
     #[must_use]
     pub fn unit(&self) -> Rational {

@@ -43,7 +43,8 @@ pub(super) fn cell(
                 (command::explain(context, &anchor))
             }
             a.open href=(link) {
-                (cell.shown()) " " (badge(cell.verdict.word()))
+                (cell.shown())
+                @if !cell.is_blank() { " " (badge(cell.verdict.word())) }
                 @if is_broken(cell) {
                     span.flag aria-hidden="true" { "⚑" }
                     span.hidden { ", promise broken" }

@@ -92,9 +92,8 @@ fn grid(context: &Context<'_, '_>, finding: &TableFinding<'_>) -> Markup {
 
 /// How many cells have which verdict.
 fn tally(finding: &TableFinding<'_>) -> Markup {
-    let cells = || finding.cells.iter().flatten();
     let count = |look: &Look| {
-        cells().filter(|cell| Look::of(cell.verdict.word()).class == look.class).count()
+        finding.claiming().filter(|cell| Look::of(cell.verdict.word()).class == look.class).count()
     };
     let broken = finding.promise_counts().broken;
     html! {

@@ -41,7 +41,7 @@ impl<'a> Told<'a> for TableFinding<'a> {
     }
 
     fn form<'s>(&'s self, _: &'s PaperAudit<'_>) -> Vec<Claim<'s>> {
-        self.cells.iter().flatten().map(cell).collect()
+        self.claiming().map(cell).collect()
     }
 
     fn in_full(

@@ -80,7 +80,8 @@ fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, kind: Kind, all: bool) {
 }
 
 fn is_unclear(table: &TableFinding<'_>) -> bool {
-    cells(table).all(|cell| matches!(cell.verdict, Verdict::NotCheckable(_)))
+    let mut cells = cells(table).peekable();
+    cells.peek().is_some() && cells.all(|cell| matches!(cell.verdict, Verdict::NotCheckable(_)))
 }
 
 fn is_wrong(table: &TableFinding<'_>) -> bool {
@@ -88,7 +89,7 @@ fn is_wrong(table: &TableFinding<'_>) -> bool {
 }
 
 fn cells<'t>(table: &'t TableFinding<'_>) -> impl Iterator<Item = &'t CellFinding> {
-    table.cells.iter().flatten()
+    table.claiming()
 }
 
 fn one_table(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'_>) {
@@ -142,6 +143,9 @@ fn cell_text(cell: &CellFinding, promised: bool) -> String {
     // printed definition.
     let otherwise = cell.verdict == Verdict::Reproduced && cell.as_read.is_some();
     let otherwise = if otherwise { Word::OtherReading.mark() } else { "" };
+    if cell.is_blank() {
+        return printed.to_owned();
+    }
     let mut lines = vec![format!("{printed} {}{otherwise}", cell.verdict.word().mark())];
     lines.extend(below(cell, promised));
     lines.join("\n")
@@ -279,7 +283,7 @@ fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
             missing.push(format!("{names} not stated"));
         }
         missing.extend(finding.fitting.as_ref().map(|fitting| reading::fitting(fitting, count)));
-        if cells(finding).any(|cell| cell.printed.is_none() && !cell.is_blank()) {
+        if cells(finding).any(|cell| cell.printed.is_none()) {
             missing.push("the cells are lost".to_owned());
         }
         if missing.is_empty() {

@@ -1,7 +1,7 @@
 //! The head of an audit's report: the counts of each paper's claims.
 
 use super::headline::headline;
-use crate::audit::{PaperAudit, Tally, Word};
+use crate::audit::{PaperAudit, TableFinding, Tally, Word};
 use crate::claim::Kind;
 use crate::report::told::counts;
 use crate::report::words::sheet::{Grid, Sheet};
@@ -49,10 +49,9 @@ fn cells(audits: &[PaperAudit<'_>]) -> Grid {
         .map(|word| format!("{} {}", word.mark(), word.name().replace('-', "-\n")));
     let rows = audits.iter().map(|audit| {
         let counts = audit.tally(&[Kind::Table]);
-        let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
-        let unprinted = cells.filter(|cell| cell.printed.is_none());
-        let (blank, lost): (Vec<_>, Vec<_>) = unprinted.partition(|cell| cell.is_blank());
-        let (lost, printed) = (lost.len(), counts.total() - lost.len() - blank.len());
+        let cells = audit.tables.iter().flat_map(TableFinding::claiming);
+        let lost = cells.filter(|cell| cell.printed.is_none()).count();
+        let printed = counts.total() - lost;
         let all = match (printed, lost) {
             (0, 0) => NONE.to_owned(),
             (printed, 0) => printed.to_string(),

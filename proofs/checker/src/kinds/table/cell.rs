@@ -26,7 +26,8 @@ pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Chec
     let position = format!("{} {} ", place.0 + 1, place.1 + 1);
     let said = said.strip_prefix(&position).ok_or(Reason::Cell)?;
     let (said, assumed) = said.split_once(" assuming ").unwrap_or((said, ""));
-    let (printed, rest) = match (said.strip_prefix("lost "), table.printed(place)) {
+    let word = if table.is_blank(place) { "blank " } else { "lost " };
+    let (printed, rest) = match (said.strip_prefix(word), table.printed(place)) {
         (Some(rest), None) => (None, rest),
         (None, Some((text, decimal))) => {
             let said = said.strip_prefix('"').and_then(|said| said.rsplit_once("\" "));
@@ -145,7 +146,9 @@ impl Cell<'_> {
                 // Under assumptions there is no refutation, only a difference.
                 let due = if self.plain { Verdict::Refuted } else { Verdict::Differs };
                 compare(verdict == due, &verdict, &due, Reason::Assumed)?;
-                self.need(found == "neither", exact, Reason::Nearest)?;
+                // A depth is neither cut nor rounded away.
+                let is_near = if self.is_depth() { found == "nearest" } else { found != "neither" };
+                self.need(!is_near, exact, Reason::Nearest)?;
                 self.no_slip(exact, Some(as_printed))?;
                 for way in ["down", "nearest"].iter().filter(|_| self.is_depth()) {
                     let slip = Reason::Slip(Text(format!("{} {way}", Verdict::Rounding)));

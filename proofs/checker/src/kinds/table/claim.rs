@@ -143,7 +143,10 @@ impl<'a> Table<'a> {
         if claim.text("cells") == Some("lost") {
             return Ok(table);
         }
-        let printed = |place: Place| table.printed(place).is_some() || table.is_blank(place);
+        let printed = |place: Place| {
+            let text = table.text(place).map_or("", |(text, _)| text);
+            table.is_blank(place) || table.printed(place).is_some() && !is_blank(text)
+        };
         let printed = even && table.places().all(printed);
         let why = "the numbers of cells and headers differ, or a cell is no number";
         printed.then_some(table).ok_or_else(|| Stop::Wrong(why.into()))
@@ -183,11 +186,12 @@ impl<'a> Table<'a> {
     /// A cell as printed and as a number; `None` if it is lost, blank or no number.
     pub fn printed(&self, place: Place) -> Option<(&'a str, Decimal)> {
         let (text, read) = self.text(place)?;
-        Some((text, Decimal::printed(read)?))
+        let decimal = Decimal::printed(read)?;
+        Some((text, if self.tolerance.is_some() { decimal.whole() } else { decimal }))
     }
 
     /// Whether nothing is printed in a cell.
-    fn is_blank(&self, place: Place) -> bool {
+    pub fn is_blank(&self, place: Place) -> bool {
         self.text(place).is_some_and(|(_, read)| is_blank(read))
     }
 
@@ -251,6 +255,7 @@ impl<'a> Table<'a> {
         let definitions = read.definitions.as_ref().unwrap_or(&self.paper.definitions);
         let mut scope = Scope::new(definitions, self.paper.library, &read.reading);
         scope.memory = Rc::clone(&read.memory);
+        scope.beyond.clone_from(&self.paper.beyond);
         let known = self.assumed.iter().filter(|(name, _)| assumed.contains(*name));
         for (name, value) in self.given.iter().chain(known) {
             let value = read.parameters.get(name).unwrap_or(value);

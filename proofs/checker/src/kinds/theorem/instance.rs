@@ -51,10 +51,10 @@ impl<'a> Instance<'a> {
         let same = |known: &&str| known.split_whitespace().eq(reference.split_whitespace());
         let listed = known.iter().any(same);
         compare(listed, reference, &known.join(", "), Reason::Restated)?;
-        let mut scope = paper.scope();
-        scope.values.clone_from(&paper.given);
+        let mut scope = paper.stated();
         // The theorem defines these names, whatever the paper states.
         scope.values.retain(|name, _| !OF_THEOREMS.contains(&&name[..]));
+        scope.beyond.retain(|name, _| !OF_THEOREMS.contains(&&name[..]));
         scope.reserved = &OF_THEOREMS;
         let mut left: BTreeSet<&str> = claim.names("values").collect();
         for (name, value) in values {
