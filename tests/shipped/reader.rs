@@ -33,6 +33,7 @@ fn bad_files() {
         ("'k/2'", "'1/(k-1)'", &["division by zero"]),
         ("'k/2'", "'sqrt(-k)'", &["sqrt"]),
         ("'0.5f', '1'", "'0.5f', 'x'", &["`x`"]),
+        ("'0.5f', '1'", "['0.5f'], '1'", &["equally many entries"]),
         ("'0.5f', '1'", "'0.5f', '1e99f'", &["no finite value"]),
         ("cells = ", "numbers = ", &["numbers"]),
         ("equals = ", "value = ", &["value"]),

@@ -139,6 +139,73 @@ fn a_cell_that_is_no_number_is_not_lost() {
     }
 }
 
+/// A cell in which nothing is printed claims nothing: its line is neither that of a number nor that of a lost one.
+#[test]
+fn a_blank_cell_claims_nothing() {
+    let kept = "  kept 1 2 1 1 1\n";
+    let with = |cell: &str, line: &str, kept_too: bool| {
+        let claims = altered(CLAIMS, "'6']]", &format!("{cell}]]"));
+        let certificate = altered(CERTIFICATE, "\"6\" 6 confirmed", line);
+        let certificate = if kept_too { certificate } else { altered(&certificate, kept, "") };
+        let report = check(&claims, &[&certificate]).expect("a claim file");
+        let valid = report
+            .claims
+            .iter()
+            .any(|(.., id, outcome)| id == "t" && matches!(outcome, Outcome::Valid));
+        valid.then(|| report.verdicts["t"].clone())
+    };
+    let said = Some("1 confirmed; promises: 1 kept".to_owned());
+    for cell in ["''", "'—'", "' -- '", "{ printed = '6', read = '–', note = 'n' }"] {
+        assert_eq!(with(cell, "blank 6", false), said, "{cell}");
+        assert_eq!(with(cell, "lost 6", false), None, "{cell}");
+    }
+    assert_eq!(with("'6'", "blank 6", false), None);
+    let read = "{ printed = '—', read = '6', note = 'n' }";
+    assert_eq!(with(read, "\"—\" 6 confirmed", true), None);
+}
+
+/// A stated value beyond a cap leaves open the claims that need it, and no others.
+#[test]
+fn stated_values_beyond_a_cap() {
+    for (given, twice, expected) in [
+        ("2^9223372036854775808", "2*w", 5),
+        ("10^200000", "2*w + 0*big", 4),
+        ("binomial(10^7, 10001)", "2*w + 0*big", 4),
+    ] {
+        let claims = altered(CLAIMS, "[define]", &format!("[given]\nbig = '{given}'\n[define]"));
+        let claims = altered(&claims, "twice = '2*w'", &format!("twice = '{twice}'"));
+        assert_eq!(shown(&claims, CERTIFICATE), Some(expected), "{given}");
+        let report = check(&claims, &[CERTIFICATE]).expect("a claim file");
+        let wrong =
+            report.claims.iter().any(|(.., outcome)| matches!(outcome, Outcome::Invalid(..)));
+        assert!(!wrong, "{given}");
+    }
+}
+
+/// Lists beside each other have equally many numbers: those of a table that is jagged have no certain places.
+#[test]
+fn lists_of_numbers_are_even() {
+    let shown = |cells: &str, equals: &str| {
+        let claims = format!(
+            "key = 'p'\n[project]\nname = 'n'\n[[shipped]]\nid = 's'\nlocus = 'l'\ntitle = 't'\ntype = 'f64'\n\
+             indices = ['k = 1..4']\n{equals}\ncells = {cells}\n"
+        );
+        let cells: String = (1..=4).map(|k| format!(" cell {k} \"{k}\" nearest\n")).collect();
+        let head = "subcert-certificate 4\nproject p\nshipped s\n bits 64\n";
+        self::shown(&claims, &format!("{head}{cells} outcome nearest\nend 1\n"))
+    };
+    for even in ["['1', '2', '3', '4']", "[['1', '2'], ['3', '4']]", "[[['1', '2', '3', '4']]]"] {
+        assert_eq!(shown(even, "equals = 'k'"), Some(1), "{even}");
+        assert_eq!(shown("['1', '2', '3', '4']", &format!("equals_cells = {even}")), Some(1));
+    }
+    for uneven in
+        ["[['1', '2', '3'], ['4']]", "[['1', '2', '3'], '4']", "[[['1'], '2'], ['3', '4']]"]
+    {
+        assert_eq!(shown(uneven, "equals = 'k'"), Some(0), "{uneven}");
+        assert_eq!(shown("['1', '2', '3', '4']", &format!("equals_cells = {uneven}")), Some(0));
+    }
+}
+
 /// A definition is read in one way.
 #[test]
 fn a_definition_is_read_once() {

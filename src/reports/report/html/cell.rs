@@ -27,6 +27,9 @@ pub(super) fn cell(
 ) -> Markup {
     let (table, promised) = (&table.id, table.promise.is_some());
     let anchor = anchor(table, row, column);
+    if cell.is_blank() {
+        return html! { td.cell id=(anchor) { (cell.shown()) } };
+    }
     let look = Look::of(cell.verdict.word());
     let broken = if is_broken(cell) { BROKEN } else { "" };
     let link = format!("#{anchor}");
@@ -43,8 +46,7 @@ pub(super) fn cell(
                 (command::explain(context, &anchor))
             }
             a.open href=(link) {
-                (cell.shown())
-                @if !cell.is_blank() { " " (badge(cell.verdict.word())) }
+                (cell.shown()) " " (badge(cell.verdict.word()))
                 @if is_broken(cell) {
                     span.flag aria-hidden="true" { "⚑" }
                     span.hidden { ", promise broken" }
