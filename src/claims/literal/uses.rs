@@ -181,7 +181,7 @@ impl<'a> Uses<'a> {
     fn names(&self, bytes: Range<usize>, name: &str) -> bool {
         let mut words = Tokens::of_macro(self.source, self.language, bytes);
         std::iter::from_fn(|| words.next().transpose())
-            .any(|word| word.map_or(true, |word| self.source.text[word.span] == *name))
+            .any(|word| !word.is_ok_and(|word| self.source.text[word.span] != *name))
     }
 
     fn text(&self, at: usize) -> &'a str {
