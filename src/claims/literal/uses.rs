@@ -1,7 +1,8 @@
 //! Whether the numbers of a table may be changed where its name is used.
 //!
-//! A table that its language keeps as it is, such as one with `const`, is changed nowhere but by an explicit change of something with its name. Of
-//! any other table each use has to be a read that is known to change nothing; all others are refused, also those that change nothing.
+//! A table that its language keeps as it is, such as one with `const`, is refused only where something with its
+//! name is changed explicitly. Of any other table each use has to be a read that is known to change nothing; all
+//! others are refused, also those that change nothing.
 
 use super::declared::{element, statement};
 use super::directive::words;

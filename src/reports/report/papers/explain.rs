@@ -114,7 +114,14 @@ pub(crate) fn cell_facts(cell: &CellFinding) -> Vec<(String, String)> {
     if let Some(verdict) = &cell.verdict_if_assumed {
         fact("verdict, if they were stated", verdict_text(verdict));
     }
-    fact("verdict", verdict_text(&cell.verdict));
+    fact(
+        "verdict",
+        if cell.is_blank() {
+            "none: nothing is printed, and so nothing is claimed".to_owned()
+        } else {
+            verdict_text(&cell.verdict)
+        },
+    );
     match &cell.sound {
         Some(Sound::Depth { level, block }) => {
             fact("sound depth", format!("{level}, with c = {block}"));
