@@ -120,7 +120,7 @@ fn bad_tables_of_orders_and_exponents_are_refused_with_their_place() {
     let of = "scheme = 'four-point:w=w'\n";
     for (fields, at, says) in [
         (table("['chaikin', 'chaikin']", "['order']", "[[1], [2]]"), "'chaikin'", "twice"),
-        (values(of, "['1/2', '0.50']", "[['1'], ['1']]"), "'0.50'", "there already"),
+        (values(of, "['1/2', '0.50']", "[['1'], ['1']]"), "'0.50'", "twice"),
         (table("[]", "['order']", "[]"), "[]", "at least one header"),
         (table("['chaikin']", "[]", "[[]]"), "[]", "at least one column"),
         (table("['chaikin']", "['order', 'order']", "[[1, 1]]"), "'order'", "twice"),
