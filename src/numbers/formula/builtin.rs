@@ -2,7 +2,7 @@
 
 use super::ast::{Operator, OptionWord};
 use super::error::FormulaErrorKind;
-use super::root::{ROOT, root, square_root};
+use super::root::{ROOT, SQUARE_ROOT, root, square_root};
 use super::value::Value;
 use crate::exact::{Integer, Rational};
 
@@ -18,7 +18,7 @@ pub(super) const NAMES: [&str; 12] = [
     "binomial",
     "sum",
     COSINE,
-    "sqrt",
+    SQUARE_ROOT,
     ROOT,
 ];
 
@@ -68,7 +68,7 @@ pub(super) fn call<V: Value>(
         ("mod", [x, modulus]) => modulo(x, modulus),
         ("kronecker", [left, right]) => kronecker(left, right),
         ("binomial", [top, bottom]) => binomial(top, bottom),
-        ("sqrt", [x]) => square_root(x),
+        (SQUARE_ROOT, [x]) => square_root(x),
         (ROOT, [coefficients @ .., number]) => {
             integer("the number of a root", number).and_then(|number| root(coefficients, number))
         }

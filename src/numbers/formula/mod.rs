@@ -12,8 +12,8 @@
 //! binomial(t, k)                t(t-1)…(t-k+1)/k!, t rational, k = 0, 1, …
 //! sum(h = 1..m, body)           0 when m < 1
 //! max(h = 1..m, body)  min(…)   over a range, which must not be empty
-//! cos(2*pi*j/n)                 of any rational multiple of pi
-//! sqrt(x)                       of x >= 0
+//! cos(2*pi*j/n)   cos(π/n)      of any rational multiple of pi
+//! sqrt(x)   √3   √(x + 1)       of x >= 0
 //! root([c0, c1, …], i)          the real root number i, from 1, of c0 + c1*x + …
 //! T(c, order = forward)         whatever the context offers; options are words
 //! ```

@@ -1,8 +1,9 @@
 //! Parsing of formulas, with winnow.
 
+use super::angle::PI;
 use super::ast::{Expr, Fold, Node, Operator, OptionWord};
 use super::error::{FormulaError, FormulaErrorKind, MAX_FORMULA_LENGTH};
-use super::root::ROOT;
+use super::root::{ROOT, SQUARE_ROOT};
 use super::token::{
     Failure, Input, Parsed, continues_name, identifier, located, nested, number, required,
     skip_space, space, starts_name, starts_number, symbol, token_at,
@@ -12,6 +13,12 @@ use winnow::combinator::{cut_err, delimited, opt, peek, preceded, repeat};
 use winnow::error::{ErrMode, ParserError};
 use winnow::stream::{LocatingSlice, Location, Stateful, Stream};
 use winnow::token::{any, one_of, take_while};
+
+/// `√3` is `sqrt(3)`; it binds as a call does: `√3/2` is `sqrt(3)/2`.
+const ROOT_SIGN: char = '√';
+
+/// Another name of `pi`.
+const PI_SIGN: &str = "π";
 
 /// Parses a formula.
 ///
@@ -116,6 +123,15 @@ fn primary(input: &mut Input<'_>) -> Parsed<Expr> {
     if starts_name(next) {
         return name_or_call(input);
     }
+    if next == ROOT_SIGN {
+        let start = input.current_token_start();
+        symbol(ROOT_SIGN).parse_next(input)?;
+        let of = nested(primary).parse_next(input)?;
+        let span = start..of.span.end;
+        let function = SQUARE_ROOT.to_owned();
+        let node = Node::Call { function, arguments: vec![of], options: Vec::new() };
+        return Ok(Expr { node, span });
+    }
     required("a number, a name or `(`", winnow::combinator::fail).parse_next(input)
 }
 
@@ -135,6 +151,7 @@ fn name_or_call(input: &mut Input<'_>) -> Parsed<Expr> {
         });
     }
     if opt(symbol('(')).parse_next(input)?.is_none() {
+        let name = if name == PI_SIGN { PI } else { name };
         return Ok(Expr { node: Node::Name(name.to_owned()), span: start..end });
     }
     let node = match Fold::named(name) {

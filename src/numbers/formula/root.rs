@@ -9,6 +9,9 @@ use crate::exact::{FieldError, Rational};
 /// the first arguments.
 pub(super) const ROOT: &str = "root";
 
+/// The function that the sign √ stands for.
+pub(super) const SQUARE_ROOT: &str = "sqrt";
+
 /// √x, for x ≥ 0.
 pub(super) fn square_root<V: Value>(x: &V) -> Result<V, FormulaErrorKind> {
     if x.vanishes() == Some(true) {

@@ -145,6 +145,10 @@ impl Parser {
         match self.text.peek() {
             Some(c) if c.is_ascii_digit() || c == '.' || is_fraction(c) => self.number(),
             Some(c) if starts_name(c) => self.name_or_call(),
+            Some(_) if self.text.token("√") => {
+                let of = self.nested(Self::primary)?;
+                Ok(Expr::Of(Head::Call("sqrt".to_owned(), Vec::new()), vec![of]))
+            }
             _ => Err("a number, a name or `(`"),
         }
     }
@@ -191,7 +195,7 @@ impl Parser {
             return Ok(Expr::Of(Head::Member(name), indices));
         }
         if !self.text.token("(") {
-            return Ok(Expr::Name(name));
+            return Ok(Expr::Name(if name == "π" { "pi".to_owned() } else { name }));
         }
         let fold = ["sum", "max", "min"].contains(&name.as_str());
         let index = if fold { self.assigned() } else { None };
