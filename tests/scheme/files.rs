@@ -42,6 +42,28 @@ fn a_file_is_a_scheme_with_parameters() {
     std::fs::remove_file(path).unwrap();
 }
 
+/// Of the schemes of one file, as those of a claim file, one is named.
+#[test]
+fn one_of_several_schemes() {
+    let text = "[[scheme]]\nname = 'one'\nparameters.w = { default = '1/8' }\n\
+                mask = '[2*w, 1 - 2*w, 1 - 2*w, 2*w]'\n[[scheme]]\nname = 'two'\nmask = '[1, 4, 6, 4, 1]/8'\n\
+                [[scheme]]\nname = 'three'\nuse = 'chaikin'\n[paper]\nkey = 'any'\n";
+    let path = write("several.toml", text.as_bytes()).display().to_string();
+    assert_eq!(mask(&format!("{path}:one")), mask("chaikin"));
+    assert_eq!(mask(&format!("{path}:one:w=1/16")), mask("[1, 7, 7, 1]/8"));
+    assert_eq!(mask(&format!("{path}:two")), mask("b-spline:degree=3"));
+    for (of, part) in [
+        ("", "this file has several schemes"),
+        (":tow", "no scheme `tow`; did you mean `two`?"),
+        (":three", "`three` stands for another scheme"),
+        (":two:w=1", "no parameter `w`"),
+    ] {
+        let error = parse_scheme(&format!("{path}{of}")).unwrap_err().to_string();
+        assert!(error.contains(part), "{of}: {error}");
+    }
+    std::fs::remove_file(path).unwrap();
+}
+
 /// The mask in one text is that of the command line, with names of the file in it.
 #[test]
 fn a_mask_in_one_text() {

@@ -7,7 +7,7 @@ use subcert::exact::{Rational, RealCyclotomic, Scalar as _};
 use subcert::formula::{Parameters, evaluate, parse};
 use subcert::scheme::{
     AnyScheme, LocalError, LocalRules, Orbit, SchemeError, find, parse_any_scheme,
-    parse_local_rules, parse_scheme, read_scheme,
+    parse_local_rules, parse_rules_of_valence, parse_scheme, read_scheme,
 };
 
 const TRIANGLE: &str = "\
@@ -90,6 +90,31 @@ fn masks_and_rings_are_told_apart() {
     // Cosines need numbers that have them.
     let rational = find("doo-sabin").unwrap().ring(&[("n".to_owned(), r(5, 1))].into());
     assert!(rational.unwrap_err().to_string().contains("cos(2*pi/5) is not rational"));
+}
+
+/// A weight is a formula in the valence, in SCHEME and as a default in the file.
+#[test]
+fn weights_by_valence() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/loop-beta.toml");
+    let loops = "(5/8 - (3/8 + cos(2*π/N)/4)^2)/N";
+    assert_eq!(ring(&format!("{file}:beta={loops},N=7")).weights(), ring("loop:N=7").weights());
+    let apart = parse_rules_of_valence(&format!("{file}:beta={loops}"), Some(7)).unwrap();
+    assert_eq!(apart.weights(), ring("loop:N=7").weights());
+    let text = std::fs::read_to_string(file).unwrap();
+    let text =
+        text.replace("parameters.beta = {", &format!("parameters.beta = {{ default = '{loops}',"));
+    let definition = read_scheme(&SourceText::new("mine.toml", text)).unwrap();
+    let valence = [("N".to_owned(), RealCyclotomic::from(7))].into();
+    assert_eq!(definition.ring(&valence).unwrap().weights(), ring("loop:N=7").weights());
+    for (scheme, part) in [
+        ("beta=3/(8*N)", "needs its parameter `N`: write `"),
+        ("beta=3/(8*N)", ":beta=3/(8*N),N=…`"),
+        ("N=5,beta=3/(8*n)", "unknown name `n`; did you mean `N`?"),
+        ("N=beta,beta=3/N", "is given by itself"),
+    ] {
+        let error = parse_local_rules(&format!("{file}:{scheme}")).unwrap_err().to_string();
+        assert!(error.contains(part), "{scheme}: {error}");
+    }
 }
 
 /// The error of a text, wherever it shows.

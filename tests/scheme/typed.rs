@@ -59,6 +59,11 @@ fn names_are_parameters() {
     // Coefficients of the mask of Daubechies with two vanishing moments.
     let irrational = "[1 + sqrt(3), 3 + sqrt(3), 3 - sqrt(3), 1 - sqrt(3)]/4";
     assert_eq!(parse_algebraic(irrational).expect("a mask").arity(), 2);
+    let signs = "[1 + √3, 3 + √(3), 3 - √3, 1 - √3]/4";
+    assert_eq!(
+        parse_algebraic(signs).expect("a mask"),
+        parse_algebraic(irrational).expect("a mask")
+    );
 }
 
 /// Cubic B-splines, as people type and copy them.
@@ -84,6 +89,8 @@ fn one_mask_in_many_forms() {
         "[0.125 0.5 0.75 0.5 0.125]",
         "root([-64, 0, 0, 1], 1)/32 [1, 4, 6, 4, 1]",
         "[1 - w, 4, 6, 4, 1 + w]/8:w=0",
+        "√64/64*[1, 4, 6, 4, 1]",
+        "[a, b, 3/4, b, a]:a=1/8,b=4*a",
     ] {
         assert_eq!(mask(text), cubic, "{text}");
     }
@@ -128,6 +135,12 @@ fn what_is_no_mask_is_refused() {
         ("[1, 2; 3, 4]", "commas beside semicolons"),
         ("[0,125; 0,5]", "commas beside semicolons"),
         ("[1 - 1 2]", "expected an operator"),
+        (
+            "[a, b, b, a]",
+            "add up to 2*a + 2*b; for the arity 2 write 1 - a for b, or 2/(2*a + 2*b)*[a, b, b, a]",
+        ),
+        ("[-w, 0, 1/2 + w, 1, 1/2 + w, 0, -w]/2", "add up to 1; write 2*[-w, "),
+        ("[w, 1, w]:w=1/3", "add up to 1 + 2*w"),
         ("[1, 2}", "does not close"),
         ("{1, 2", "the list has no end"),
         ("(1, 2", "the list has no end"),

@@ -117,7 +117,7 @@ impl<'a> Library<'a> {
         let [instance] = scheme else { return self.ring(scheme) };
         let definition = self.define(&instance.name)?;
         let mut parameters = instance.parameters.clone();
-        definition.set_valence(&instance.name, &mut parameters, valence)?;
+        definition.set_valence(&instance.name, &instance.parameters, &mut parameters, valence)?;
         definition.ring(&parameters)
     }
 
@@ -211,7 +211,7 @@ impl<'a> Library<'a> {
         match self.paper.schemes.get(name) {
             Some(SchemeSource::Own(definition)) => Ok(definition),
             _ => find_in_catalogue(name).map_err(|error| match error {
-                SchemeError::Unknown { name, mut known } => {
+                SchemeError::Unknown { name, mut known, .. } => {
                     known.splice(0..0, self.paper.schemes.keys().cloned());
                     SchemeError::UnknownInPaper { name, known }
                 }

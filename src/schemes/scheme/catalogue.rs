@@ -53,6 +53,38 @@ pub fn notes(scheme: &str) -> Vec<String> {
     steps.map(told).into_iter().collect()
 }
 
+/// The most schemes that a name describes.
+const MAX_DESCRIBED: usize = 4;
+
+/// Numbers as the names of schemes have them.
+const NUMBERS: [&str; 9] = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine"];
+
+/// The schemes that this may be another name of: whose name is the same with numbers in words, or whose name, title and
+/// source have all of its words; none where these are many.
+pub(super) fn described(name: &str) -> Vec<&'static Entry> {
+    let name = name.to_lowercase();
+    let word = |c: char| {
+        let number =
+            c.to_digit(10).and_then(|d| NUMBERS.get(usize::try_from(d).ok()?.checked_sub(1)?));
+        number.map_or_else(|| c.to_string(), |word| format!("{word}-"))
+    };
+    let spelled = name.replace('√', "sqrt");
+    let in_words: String = name.chars().map(word).collect::<String>().replace("--", "-");
+    if let Some(entry) = find(&spelled).or_else(|| find(&in_words)) {
+        return vec![entry];
+    }
+    let words: Vec<&str> = name
+        .split(|c: char| !c.is_alphanumeric())
+        .filter(|word| word.chars().count() > 2)
+        .collect();
+    let has_all = |entry: &&Entry| {
+        let text = format!("{} {} {}", entry.name, entry.title, entry.citation).to_lowercase();
+        words.iter().all(|word| text.contains(word))
+    };
+    let found: Vec<&Entry> = catalogue().iter().filter(has_all).collect();
+    if words.is_empty() || found.len() > MAX_DESCRIBED { Vec::new() } else { found }
+}
+
 /// The scheme of the catalogue with this name, if there is one.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Entry> {

@@ -7,7 +7,7 @@ use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
 use crate::cap::Cap;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, common_conductor};
-use crate::formula::{LocatedFormula, Scope, Value, evaluate};
+use crate::formula::{FormulaErrorKind, FreeNames, LocatedFormula, Scope, Value, evaluate};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -194,16 +194,33 @@ impl SchemeDefinition {
             if complete.contains_key(name) {
                 continue;
             }
-            let Some(default) = &spec.default else {
-                return Err(SchemeError::MissingParameter {
-                    scheme: self.name.clone(),
-                    parameter: name.clone(),
-                });
-            };
-            let value = self.value(default, &BTreeMap::new(), &[])?;
-            complete.insert(name.clone(), value);
+            complete.insert(name.clone(), self.default_value(name, values)?);
         }
         Ok(complete)
+    }
+
+    /// The default of a parameter, in whose formula the parameters that are given have their values.
+    ///
+    /// # Errors
+    /// When it has no default, or the formula has no value.
+    pub(super) fn default_value<V: Value>(
+        &self,
+        name: &str,
+        given: &BTreeMap<String, V>,
+    ) -> Result<V, SchemeError> {
+        let missing = |parameter: &str| SchemeError::MissingParameter {
+            scheme: self.name.clone(),
+            parameter: parameter.to_owned(),
+        };
+        let default = self.parameters.get(name).and_then(|spec| spec.default.as_ref());
+        let default = default.ok_or_else(|| missing(name))?;
+        let none = BTreeMap::new();
+        let open = |name: &String| self.parameters.contains_key(name) && !given.contains_key(name);
+        if let Some(other) = FreeNames::new(&none).of(&default.expr).into_iter().find(open) {
+            return Err(missing(&other));
+        }
+        evaluate(&default.expr, &Scope::new(&none, &()).with_all(given))
+            .map_err(|error| SchemeError::File(Box::new(default.diagnostic(&error))))
     }
 
     /// An error if a parameter is below its least value. Only rational values are
@@ -238,8 +255,17 @@ impl SchemeDefinition {
         for (name, index) in indices {
             scope = scope.with(*name, V::from_rational(&Rational::from(*index)));
         }
-        evaluate(&formula.expr, &scope)
-            .map_err(|error| SchemeError::File(Box::new(formula.diagnostic(&error))))
+        evaluate(&formula.expr, &scope).map_err(|error| {
+            let diagnostic = formula.diagnostic(&error);
+            SchemeError::File(Box::new(match &error.kind {
+                FormulaErrorKind::UnknownName { name, .. } if error.definition.is_none() => {
+                    diagnostic.with_help(format!(
+                        "the file states its parameters: parameters.{name} = {{}}, or {{ default = '1/16' }}"
+                    ))
+                }
+                _ => diagnostic,
+            }))
+        })
     }
 
     pub(super) fn integer<V: Value>(

@@ -1,6 +1,7 @@
 //! Why a text gives no scheme.
 
 use super::axes::MAX_AXES;
+use super::reference::split_name;
 use crate::cap::Cap;
 use crate::diagnostic::Diagnostic;
 use crate::formula::FormulaError;
@@ -20,6 +21,14 @@ pub enum ReferenceError {
         text: String,
         /// What is wrong with it.
         reason: String,
+    },
+    /// A value without the name of its parameter.
+    #[error("`{text}`: a parameter is given as name=value; write `{write}`")]
+    Unnamed {
+        /// The text.
+        text: String,
+        /// The text with the name.
+        write: String,
     },
     /// A parameter's value is not a formula.
     #[error("in `{text}`: {error}")]
@@ -60,11 +69,13 @@ pub enum SchemeError {
     /// There is no scheme of this name.
     #[error(
         "unknown scheme `{name}`{}; a scheme may also be the path of a .toml file, or a mask such as `[1, 3, 3, 1]/4`",
-        names(.name, .known.iter().map(String::as_str))
+        names_or_described(.name, .described, .known)
     )]
     Unknown {
         /// The name.
         name: String,
+        /// Those whose description has all words of the name.
+        described: Vec<String>,
         /// The names that exist.
         known: Vec<String>,
     },
@@ -80,8 +91,11 @@ pub enum SchemeError {
         /// The names that exist.
         known: Vec<String>,
     },
-    /// A parameter has neither a value nor a default.
-    #[error("`{scheme}` needs its parameter `{parameter}`: write `{scheme}:{parameter}=…`")]
+    /// A parameter has neither a value nor a default. The scheme may have values of others.
+    #[error(
+        "`{scheme}` needs its parameter `{parameter}`: write `{scheme}{}{parameter}=…`",
+        if split_name(.scheme).1.is_empty() { ":" } else { "," }
+    )]
     MissingParameter {
         /// The scheme.
         scheme: String,
@@ -216,6 +230,16 @@ pub enum SchemeError {
 }
 
 impl SchemeError {
+    /// The same error, with all that is typed for the scheme where a parameter is missing: so one can go on from there.
+    pub(super) fn of_scheme(self, text: &str) -> SchemeError {
+        match self {
+            SchemeError::MissingParameter { parameter, .. } => {
+                SchemeError::MissingParameter { scheme: text.to_owned(), parameter }
+            }
+            other => other,
+        }
+    }
+
     /// The cap that the scheme is beyond, if nothing else is wrong.
     #[must_use]
     pub fn cap(&self) -> Option<Cap> {
@@ -227,6 +251,18 @@ impl SchemeError {
             _ => None,
         }
     }
+}
+
+/// The schemes that are described by a name, or else the names that are like it.
+fn names_or_described(name: &str, described: &[String], known: &[String]) -> String {
+    if name.contains('=') {
+        return "; a value of a parameter stands behind its scheme and a colon, as in `four-point:w=1/16`".to_owned();
+    }
+    if described.is_empty() {
+        return names(name, known.iter().map(String::as_str));
+    }
+    let listed: Vec<String> = described.iter().map(|name| format!("`{name}`")).collect();
+    format!("; did you mean {}? `subcert schemes` lists all", listed.join(" or "))
 }
 
 fn parameters(known: &[String]) -> String {

@@ -10,10 +10,11 @@ use super::spanned::Spanned;
 use super::toml_file::from_toml;
 use super::typed::{self, Typed};
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::formula::LocatedFormula;
+use crate::formula::{LocatedFormula, is_identifier};
+use crate::suggestion::known;
 use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
-use serde::de::{SeqAccess, Visitor};
+use serde::de::{IgnoredAny, SeqAccess, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
@@ -90,7 +91,10 @@ pub struct SchemeTable {
 
 #[derive(Debug, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "a table such as { default = '1/16' }, or {} where a value must be given"
+)]
 struct ParameterTable {
     /// Its value where none is given.
     default: Option<Spanned<String>>,
@@ -122,6 +126,66 @@ struct ParameterTable {
 /// ```
 pub fn read_scheme(source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnostic> {
     let table: SchemeTable = from_toml(source)?;
+    table.define(source)
+}
+
+/// The schemes of a file that has several, such as a claim file.
+#[derive(Deserialize)]
+struct Several {
+    scheme: Vec<SchemeTable>,
+}
+
+/// Whether a file has several schemes.
+#[derive(Deserialize)]
+struct HasSeveral {
+    scheme: Option<IgnoredAny>,
+}
+
+/// Reads a scheme from the text of a TOML file: the one that stands there alone, or under `[[scheme]]` the one of this name.
+///
+/// # Errors
+/// As [`read_scheme`]; also when there is no scheme of this name, and when there are several and no name is given.
+pub(super) fn read_one_scheme(
+    source: &Arc<SourceText>,
+    name: Option<&str>,
+) -> Result<SchemeDefinition, Diagnostic> {
+    let tables = match from_toml::<HasSeveral>(source) {
+        Ok(HasSeveral { scheme: Some(_) }) => from_toml::<Several>(source)?.scheme,
+        _ => vec![from_toml::<SchemeTable>(source)?],
+    };
+    let names: Vec<&str> = tables.iter().map(|table| table.name.get_ref().as_str()).collect();
+    let written = |name: &&str| format!("`{}:{name}`", source.name);
+    let found = match (name, &tables[..]) {
+        (None, [only]) => Some(only),
+        (None, _) => None,
+        (Some(name), _) => tables.iter().find(|table| table.name.get_ref() == name),
+    };
+    let Some(table) = found else {
+        let places: Vec<String> = names.iter().map(written).collect();
+        let help = format!("write {}", places.join(" or "));
+        let message = name.map_or_else(
+            || "this file has several schemes".to_owned(),
+            |name| {
+                format!("this file has no scheme `{name}`{}", known(name, names.iter().copied()))
+            },
+        );
+        let error = Diagnostic::new(
+            source,
+            tables.first().map_or(0..0, |first| first.name.span()),
+            message,
+        );
+        return Err(match name {
+            Some(name) if is_identifier(name) => {
+                error.with_help(format!("{help}; a parameter is given as {name}=…"))
+            }
+            _ => error.with_help(help),
+        });
+    };
+    if let Some(other) = table.alias() {
+        let message = format!("`{}` stands for another scheme", table.name.get_ref());
+        let help = format!("write `{}` itself", other.get_ref());
+        return Err(Diagnostic::new(source, other.span(), message).with_help(help));
+    }
     table.define(source)
 }
 
@@ -242,7 +306,7 @@ impl SchemeTable {
         };
         let start = span.start + start;
         let Typed { offset, rows, .. } =
-            typed::mask(source, start..start + text.len(), definitions)?;
+            typed::mask(source, start..start + text.len(), definitions, &BTreeMap::new())?;
         Ok((Some(offset), Coefficients::Listed(rows)))
     }
 

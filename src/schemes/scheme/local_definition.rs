@@ -78,14 +78,15 @@ impl SchemeDefinition {
     /// Gives the parameter that is a valence this value.
     ///
     /// # Errors
-    /// When it has a value among these, or there is none. The error calls the scheme by the `name` that is given.
-    pub fn set_valence<V: Value>(
+    /// When it is `given` already, or there is none. The error calls the scheme by the `name` that is given.
+    pub fn set_valence<V: Value, G>(
         &self,
         name: &str,
+        given: &BTreeMap<String, G>,
         values: &mut BTreeMap<String, V>,
         valence: usize,
     ) -> Result<(), SchemeError> {
-        let open = self.valence_name(values);
+        let open = self.valence_name(given);
         let open = open.ok_or_else(|| SchemeError::NoValence { scheme: name.to_owned() })?;
         values.insert(open.to_owned(), V::from_rational(&Rational::from(valence)));
         Ok(())

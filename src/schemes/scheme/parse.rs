@@ -4,15 +4,16 @@ use super::Scheme;
 use super::catalogue;
 use super::definition::SchemeDefinition;
 use super::error::{ReferenceError, SchemeError};
-use super::file::read_scheme;
+use super::file::read_one_scheme;
 use super::local_rules::LocalRules;
 use super::mask::Mask;
-use super::reference::{Instance, Reference};
+use super::reference::{Part, Reference, in_file, split_name};
 use super::typed::{is_typed, typed};
 use crate::diagnostic::SourceText;
 use crate::exact::{AlgebraicNumber, FieldElement, Rational, RealCyclotomic};
-use crate::formula::{Parameters, Value};
+use crate::formula::{Expr, FreeNames, Parameters, Value, evaluate};
 use std::collections::BTreeMap;
+use std::hash::Hash;
 use std::path::Path;
 
 /// The greatest size of a scheme file, in bytes.
@@ -117,7 +118,7 @@ pub fn find_definition(text: &str) -> Result<SchemeDefinition, SchemeError> {
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
 pub fn parse_local_rules(text: &str) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
-    Named::read(text)?.ring()
+    Named::read(text)?.ring(None)
 }
 
 /// The ring that SCHEME names, with `valence` for its parameter `N` or `n`, if one is given.
@@ -137,17 +138,7 @@ pub fn parse_rules_of_valence(
     text: &str,
     valence: Option<usize>,
 ) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
-    let named = Named::read(text)?;
-    let (Some(valence), [instance]) = (valence, &named.instances()?[..]) else {
-        return named.ring();
-    };
-    let definition = named.definition(&instance.name)?;
-    if !definition.is_ring() {
-        return named.ring();
-    }
-    let mut parameters = instance.parameters.clone();
-    definition.set_valence(text.trim(), &mut parameters, valence)?;
-    definition.ring(&parameters)
+    Named::read(text)?.ring(valence)
 }
 
 /// The scheme or the ring that SCHEME names.
@@ -166,7 +157,7 @@ pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
     let named = Named::read(text)?;
     let names: Vec<&str> = named.reference.names().collect();
     match names[..] {
-        [name] if named.definition(name)?.is_ring() => named.ring().map(AnyScheme::LocalRules),
+        [name] if named.definition(name)?.is_ring() => named.ring(None).map(AnyScheme::LocalRules),
         _ => named.scheme().map(AnyScheme::Uniform),
     }
 }
@@ -187,9 +178,9 @@ pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
 /// ```
 pub fn parse_algebraic(text: &str) -> Result<Mask<FieldElement>, SchemeError> {
     let named = Named::read(text)?;
-    let (instance, definition) = named.factor(&Parameters::<AlgebraicNumber>::default())?;
+    let factor = named.factor(&Parameters::<AlgebraicNumber>::default(), None)?;
     // The coefficients of a mask are in one field.
-    let mask = definition.mask(&instance.parameters)?;
+    let mask = factor.mask()?;
     Ok(mask.map(|c| c.element().clone()))
 }
 
@@ -215,6 +206,7 @@ pub fn files_without_offset(text: &str) -> Result<Vec<Option<String>>, SchemeErr
 pub fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition, SchemeError> {
     catalogue::find(name).ok_or_else(|| SchemeError::Unknown {
         name: name.to_owned(),
+        described: catalogue::described(name).iter().map(|entry| entry.name.clone()).collect(),
         known: catalogue::catalogue().iter().map(|entry| entry.name.clone()).collect(),
     })
 }
@@ -222,21 +214,25 @@ pub fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition, Scheme
 /// A reference, with the definitions in the files that it names, and of the masks in it.
 pub(super) struct Named<'a> {
     text: &'a str,
-    reference: Reference,
+    pub(super) reference: Reference,
     defined: BTreeMap<String, SchemeDefinition>,
 }
 
 impl Named<'_> {
     pub(super) fn read(text: &str) -> Result<Named<'_>, SchemeError> {
-        let reference = Reference::parse(text)?;
+        let reference =
+            Reference::parse(text).map_err(|error| named_value(text).unwrap_or(error))?;
         let mut defined = BTreeMap::new();
-        for name in reference.names() {
-            if is_file(name) {
+        for part in reference.parts() {
+            let name = &part.name[..];
+            if let Some((path, own)) = in_file(name) {
                 // An error calls the scheme by what is typed: the name in the file is unknown outside of it.
-                let definition = SchemeDefinition { name: name.to_owned(), ..read_file(name)? };
+                let definition = read_file(path, own)?;
+                let definition = SchemeDefinition { name: name.to_owned(), ..definition };
                 defined.insert(name.to_owned(), definition);
             } else if is_typed(name) {
-                let definition = typed(name).map_err(|error| SchemeError::File(Box::new(error)))?;
+                let definition = typed(name, &part.parameters)
+                    .map_err(|error| SchemeError::File(Box::new(error)))?;
                 defined.insert(name.to_owned(), definition);
             }
         }
@@ -250,49 +246,113 @@ impl Named<'_> {
         }
     }
 
-    fn instances<V: Value>(&self) -> Result<Vec<Instance<V>>, SchemeError> {
-        self.instances_in(&Parameters::default())
-    }
-
-    /// What SCHEME names where it is no tensor product.
+    /// What SCHEME names where it is no tensor product, with a valence that is given apart, if rules around a vertex
+    /// or on a face are named.
     pub(super) fn factor<V: Value>(
         &self,
         parameters: &Parameters<V>,
-    ) -> Result<(Instance<V>, &SchemeDefinition), SchemeError> {
-        let mut instances = self.instances_in(parameters)?;
-        let (Some(instance), true) = (instances.pop(), instances.is_empty()) else {
-            return Err(SchemeError::TensorProduct { scheme: self.text.trim().to_owned() });
-        };
-        let definition = self.definition(&instance.name)?;
-        Ok((instance, definition))
+        valence: Option<usize>,
+    ) -> Result<Factor<'_, V>, SchemeError> {
+        match self.reference.parts() {
+            [part] => self.factor_of(part, parameters, valence),
+            _ => Err(SchemeError::TensorProduct { scheme: self.text.trim().to_owned() }),
+        }
     }
 
-    fn instances_in<V: Value>(
-        &self,
+    /// One factor with the values of its parameters. In the formula of a value, a name is one of these `parameters`, or
+    /// another parameter of the same factor.
+    fn factor_of<'n, V: Value>(
+        &'n self,
+        part: &'n Part,
         parameters: &Parameters<V>,
-    ) -> Result<Vec<Instance<V>>, SchemeError> {
-        self.reference.instances(parameters).map_err(|error| {
-            let text = self.text.to_owned();
-            SchemeError::Reference(ReferenceError::Formula { text, error })
-        })
+        valence: Option<usize>,
+    ) -> Result<Factor<'n, V>, SchemeError> {
+        let definition = self.definition(&part.name)?;
+        let mut values = BTreeMap::new();
+        if let Some(valence) = valence.filter(|_| definition.is_ring()) {
+            definition.set_valence(&part.text, &part.parameters, &mut values, valence)?;
+        }
+        let none = BTreeMap::new();
+        let mut free = FreeNames::new(&none);
+        let mut rest: Vec<(&String, &Expr)> = part.parameters.iter().collect();
+        while !rest.is_empty() {
+            let known =
+                Parameters(values.clone().into_iter().chain(parameters.0.clone()).collect());
+            let mut missing = |expr: &Expr| {
+                let is_missing = |name: &String| {
+                    definition.parameters.contains_key(name) && !known.0.contains_key(name)
+                };
+                free.of(expr).into_iter().find(is_missing)
+            };
+            let (ready, later): (Vec<_>, Vec<_>) =
+                rest.into_iter().partition(|(_, expr)| missing(expr).is_none());
+            for (name, expr) in &ready {
+                let value = evaluate(expr, &known).map_err(|error| {
+                    let text = self.text.to_owned();
+                    SchemeError::Reference(ReferenceError::Formula { text, error })
+                })?;
+                values.insert((*name).clone(), value);
+            }
+            if let (true, Some((_, expr))) = (ready.is_empty(), later.first()) {
+                let name = missing(expr).expect("it is not ready");
+                if part.parameters.contains_key(&name) {
+                    let reason = format!("the value of `{name}` is given by itself");
+                    return Err(ReferenceError::form(&part.text, &reason).into());
+                }
+                let value = definition.default_value(&name, &values);
+                values.insert(name, value.map_err(|error| error.of_scheme(&part.text))?);
+            }
+            rest = later;
+        }
+        Ok(Factor { text: &part.text, definition, parameters: values })
     }
 
     fn scheme(&self) -> Result<Scheme<Rational>, SchemeError> {
-        let instances = self.instances()?.into_iter();
-        let mask = |instance: Instance| self.definition(&instance.name)?.mask(&instance.parameters);
-        Ok(Scheme::of(instances.map(mask).collect::<Result<Vec<Mask>, SchemeError>>()?))
+        let none = Parameters::default();
+        let mask = |part: &Part| self.factor_of(part, &none, None)?.mask();
+        let masks = self.reference.parts().iter().map(mask);
+        Ok(Scheme::of(masks.collect::<Result<Vec<Mask>, SchemeError>>()?))
     }
 
-    fn ring(&self) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
-        match &self.instances()?[..] {
-            [instance] => self.definition(&instance.name)?.ring(&instance.parameters),
+    fn ring(&self, valence: Option<usize>) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
+        match self.reference.parts() {
+            [part] => self.factor_of(part, &Parameters::default(), valence)?.ring(),
             _ => Err(SchemeError::NotRing { scheme: self.text.trim().to_owned() }),
         }
     }
 }
 
-fn is_file(name: &str) -> bool {
-    Path::new(name).extension().is_some_and(|extension| extension == "toml")
+/// A factor of SCHEME, with values of its parameters.
+pub(super) struct Factor<'a, V> {
+    text: &'a str,
+    pub(super) definition: &'a SchemeDefinition,
+    pub(super) parameters: BTreeMap<String, V>,
+}
+
+impl<V: Value + Eq + Hash> Factor<'_, V> {
+    pub(super) fn ring(&self) -> Result<LocalRules<V>, SchemeError> {
+        self.definition.ring(&self.parameters).map_err(|error| error.of_scheme(self.text))
+    }
+}
+
+impl<V: Value + PartialEq> Factor<'_, V> {
+    pub(super) fn mask(&self) -> Result<Mask<V>, SchemeError> {
+        self.definition.mask(&self.parameters).map_err(|error| error.of_scheme(self.text))
+    }
+}
+
+/// The error that a value stands without the name of its parameter, where there is only one that it can be of.
+fn named_value(text: &str) -> Option<ReferenceError> {
+    let (name, value) = split_name(text.trim());
+    if value.trim().is_empty() || value.contains(['=', ':']) || value.contains(" x ") {
+        return None;
+    }
+    let definition = find_definition(name).ok()?;
+    let mut names = definition.parameters.keys();
+    let (Some(parameter), None) = (names.next(), names.next()) else { return None };
+    let value = if value.trim() == parameter { "…" } else { value };
+    let write = format!("{name}:{parameter}={value}");
+    Some(ReferenceError::Unnamed { text: text.trim().to_owned(), write })
 }
 
 /// The error that the directory or file at `path` is not a scheme; `None` if nothing is
@@ -308,8 +368,9 @@ fn other_file(path: &str) -> Option<SchemeError> {
     Some(SchemeError::OtherFile { path: path.to_owned(), what })
 }
 
-fn read_file(path: &str) -> Result<SchemeDefinition, SchemeError> {
+fn read_file(path: &str, own: Option<&str>) -> Result<SchemeDefinition, SchemeError> {
     let unreadable = |reason: String| SchemeError::Unreadable { path: path.to_owned(), reason };
     let text = crate::diagnostic::read_text(Path::new(path), MAX_FILE_BYTES).map_err(unreadable)?;
-    read_scheme(&SourceText::new(path, text)).map_err(|error| SchemeError::File(Box::new(error)))
+    read_one_scheme(&SourceText::new(path, text), own)
+        .map_err(|error| SchemeError::File(Box::new(error)))
 }

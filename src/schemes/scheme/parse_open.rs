@@ -41,9 +41,11 @@ pub fn parse_parametric(text: &str, parameter: &str) -> Result<Mask<Polynomial>,
 /// ```
 pub fn open_parameters(text: &str) -> Result<Vec<String>, SchemeError> {
     let named = Named::read(text)?;
-    let (instance, definition) = named.factor(&Parameters::<Polynomial>::default())?;
-    let known = definition.parameters.keys();
-    Ok(known.filter(|name| !instance.parameters.contains_key(*name)).cloned().collect())
+    let [part] = named.reference.parts() else {
+        return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
+    };
+    let known = named.definition(&part.name)?.parameters.keys();
+    Ok(known.filter(|name| !part.parameters.contains_key(*name)).cloned().collect())
 }
 
 /// The mask that SCHEME names, with some parameters left open, as [`parse_parametric`].
@@ -73,13 +75,14 @@ pub fn parse_in_parameters(
     let named = Named::read(text)?;
     let variables = parameters.iter().map(|name| ((*name).to_owned(), Polynomial::variable(name)));
     let variables: BTreeMap<String, Polynomial> = variables.collect();
-    let (mut instance, definition) = named.factor(&Parameters(variables.clone()))?;
+    let mut factor = named.factor(&Parameters(variables.clone()), None)?;
+    let definition = factor.definition;
     for (name, variable) in variables {
         if definition.parameters.contains_key(&name) {
-            instance.parameters.entry(name).or_insert(variable);
+            factor.parameters.entry(name).or_insert(variable);
         }
     }
-    let mask = definition.mask(&instance.parameters)?;
+    let mask = factor.mask()?;
     let occurs = |name: &str| mask.rules().rows().iter().flatten().any(|entry| entry.has(name));
     match parameters.iter().find(|name| !occurs(name)) {
         Some(name) => Err(independent(name, definition.parameters.keys().cloned().collect())),
@@ -117,14 +120,12 @@ pub fn parse_rules_in_parameter(
     let named = Named::read(text)?;
     let variable = Polynomial::variable(parameter);
     let values = BTreeMap::from([(parameter.to_owned(), variable.clone())]);
-    let (mut instance, definition) = named.factor(&Parameters(values))?;
+    let mut factor = named.factor(&Parameters(values), valence)?;
+    let definition = factor.definition;
     if definition.parameters.contains_key(parameter) {
-        instance.parameters.entry(parameter.to_owned()).or_insert(variable);
+        factor.parameters.entry(parameter.to_owned()).or_insert(variable);
     }
-    if let Some(valence) = valence.filter(|_| definition.is_ring()) {
-        definition.set_valence(text.trim(), &mut instance.parameters, valence)?;
-    }
-    let ring = definition.ring(&instance.parameters)?;
+    let ring = factor.ring()?;
     if ring.weights().values().iter().any(|weight| weight.has(parameter)) {
         Ok(ring)
     } else {

@@ -26,9 +26,11 @@ impl fmt::Display for Reference {
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Part {
-    name: String,
-    parameters: BTreeMap<String, Expr>,
+pub(super) struct Part {
+    /// All of it.
+    pub(super) text: String,
+    pub(super) name: String,
+    pub(super) parameters: BTreeMap<String, Expr>,
 }
 
 impl Reference {
@@ -72,7 +74,7 @@ impl Reference {
                     return Err(form("a parameter is given twice"));
                 }
             }
-            Ok(Part { name: name.to_owned(), parameters })
+            Ok(Part { text: part.trim().to_owned(), name: name.to_owned(), parameters })
         };
         let parts = parts.iter().map(read).collect::<Result<Vec<Part>, _>>()?;
         Ok(Reference { text: text.trim().to_owned(), parts })
@@ -89,6 +91,11 @@ impl Reference {
             free.filter(|name| names.contains(&name[..])).collect::<BTreeSet<String>>()
         };
         self.formulas().flat_map(of).collect()
+    }
+
+    /// The factors.
+    pub(super) fn parts(&self) -> &[Part] {
+        &self.parts
     }
 
     /// The names of the schemes that this refers to, one per factor.
@@ -148,15 +155,42 @@ impl<V: fmt::Display> fmt::Display for Instance<V> {
 }
 
 /// Splits a factor of SCHEME into the name and the parameters at the first colon, or at the first
-/// colon after `.toml` if a path is given. So the colon in `C:` does not count.
+/// colon after `.toml` if a path is given. So the colon in `C:` does not count. To the name `mine.toml:own` belongs which of
+/// the schemes of a file it is.
+///
+/// ```
+/// use subcert::scheme::split_name;
+///
+/// assert_eq!(split_name("four-point:w=1/16"), ("four-point", "w=1/16"));
+/// assert_eq!(split_name("mine.toml:w=1/16"), ("mine.toml", "w=1/16"));
+/// assert_eq!(split_name("mine.toml:own:w=1/16"), ("mine.toml:own", "w=1/16"));
+/// ```
 #[must_use]
 pub fn split_name(part: &str) -> (&str, &str) {
-    let path_end = part.find(".toml").map_or(0, |start| start + ".toml".len());
-    match part[path_end..].find(':') {
-        Some(colon) => (&part[..path_end + colon], &part[path_end + colon + 1..]),
-        None => (part, ""),
+    let path_end = part.find(TOML).map_or(0, |start| start + TOML.len());
+    let colon = |from: usize| part[from..].find(':').map(|at| from + at);
+    let Some(first) = colon(path_end) else { return (part, "") };
+    let next = colon(first + 1).unwrap_or(part.len());
+    let is_name = path_end > 0
+        && !part[first + 1..next].trim().is_empty()
+        && !part[first + 1..next].contains('=');
+    match if is_name { next } else { first } {
+        end if end == part.len() => (part, ""),
+        end => (&part[..end], &part[end + 1..]),
     }
 }
+
+/// The path of the file, and the scheme in it, if the name of a scheme is one.
+pub(super) fn in_file(name: &str) -> Option<(&str, Option<&str>)> {
+    let end = name.find(TOML)? + TOML.len();
+    match name[end..].strip_prefix(':') {
+        Some(own) => Some((&name[..end], Some(own.trim()))),
+        None => name.ends_with(TOML).then_some((name, None)),
+    }
+}
+
+/// How the path of a file of schemes ends.
+const TOML: &str = ".toml";
 
 /// Splits `text` at the commas outside all brackets.
 fn split_top_level(text: &str) -> Vec<&str> {

@@ -183,7 +183,7 @@ impl<'a> Library<'a> {
         }
     }
 
-    /// The parameters of a scheme. Missing ones have their defaults.
+    /// The parameters of a scheme. Missing ones have their defaults, which may use those that are given.
     pub fn complete(
         &self,
         name: &str,
@@ -194,12 +194,14 @@ impl<'a> Library<'a> {
         if parameters.keys().any(|given| known.iter().all(|(known, _)| known != given)) {
             return wrong(name, "it has no such parameter");
         }
+        let mut scope = self.closed();
+        scope.values = parameters.clone();
         for (parameter, about) in known {
             if !parameters.contains_key(parameter) {
                 let Some(default) = about.text("default") else {
                     return wrong(name, "a parameter is missing");
                 };
-                parameters.insert(parameter.clone(), self.closed().value(&formula(default)?)?);
+                parameters.insert(parameter.clone(), scope.value(&formula(default)?)?);
             }
         }
         Ok(parameters)

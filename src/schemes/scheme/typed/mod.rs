@@ -3,8 +3,8 @@
 use super::definition::{CatalogueFacts, Coefficients, ParameterSpec, ROUNDED, SchemeDefinition};
 use super::rules::MAX_ARITY;
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::exact::{AlgebraicNumber, Rational, Scalar as _};
-use crate::formula::{FreeNames, LocatedFormula, Scope, evaluate};
+use crate::exact::{AlgebraicNumber, Polynomial, Rational, Scalar as _};
+use crate::formula::{Expr, FreeNames, LocatedFormula, Scope, Value, evaluate};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
@@ -18,17 +18,24 @@ pub(super) use text::is_typed;
 /// What the error messages call the text.
 const SOURCE: &str = "SCHEME";
 
-/// Where a parameter may have any value, it has this one.
+/// What the sum of coefficients with parameters has to be.
+const EVERYWHERE: &str =
+    "the coefficients of a mask of arity n add up to n for all values of its parameters";
+
+/// Where parameters may have any values, the first has this one, the second 8 times this, the third 27 times this.
 const ANY: (i64, i64) = (355, 113);
 
-/// The scheme with the mask of the text; names in its formulas are parameters.
+/// The scheme with the mask of the text; names in its formulas are parameters, of which some are `given`.
 ///
 /// # Errors
 /// As [`mask`].
-pub(super) fn typed(text: &str) -> Result<SchemeDefinition, Diagnostic> {
+pub(super) fn typed(
+    text: &str,
+    given: &BTreeMap<String, Expr>,
+) -> Result<SchemeDefinition, Diagnostic> {
     let source = SourceText::new(SOURCE, text);
     let definitions = BTreeMap::new();
-    let Typed { offset, rows, names } = mask(&source, 0..text.len(), &definitions)?;
+    let Typed { offset, rows, names } = mask(&source, 0..text.len(), &definitions, given)?;
     let open = ParameterSpec { default: None, least: None, about: String::new() };
     Ok(SchemeDefinition {
         name: text.to_owned(),
@@ -55,7 +62,7 @@ pub(super) struct Typed {
 /// and behind it, such as `/4`. Braces do too, and round brackets.
 ///
 /// It is x'_m = Σ_j a_{m − nj + h} x_j with h = ⌊L/2⌋, so that a_h is where a point stays. The coefficients of a mask of
-/// arity n add up to n, which gives n.
+/// arity n add up to n, which gives n: where the values of parameters that are given are put in, for all of the others.
 ///
 /// # Errors
 /// When the text has another form, a coefficient is no formula, or the sum is no arity.
@@ -63,12 +70,25 @@ pub(super) fn mask(
     source: &Arc<SourceText>,
     range: Range<usize>,
     definitions: &BTreeMap<String, LocatedFormula>,
+    given: &BTreeMap<String, Expr>,
 ) -> Result<Typed, Diagnostic> {
     let coefficients = text::coefficients(source, range.clone())?;
     let mut free = FreeNames::new(definitions);
     let names: BTreeSet<String> =
         coefficients.iter().flat_map(|formula| free.of(&formula.expr)).collect();
-    let arity = arity((source, &range), &coefficients, definitions, &names)?;
+    let value = |(name, expr): (&String, &Expr)| {
+        let span = range.clone();
+        let (expr, source, text) = (expr.clone(), Arc::clone(source), String::new());
+        (name.clone(), LocatedFormula { expr, text, source, span })
+    };
+    let values = given.iter().filter(|(name, _)| names.contains(*name)).map(value);
+    let valued: BTreeMap<String, LocatedFormula> = values.chain(definitions.clone()).collect();
+    let at_all = arity((source, &range), &coefficients, definitions, &names);
+    let arity = at_all.or_else(|error| {
+        let mut free = FreeNames::new(&valued);
+        let names = coefficients.iter().flat_map(|formula| free.of(&formula.expr)).collect();
+        arity((source, &range), &coefficients, &valued, &names).map_err(|_| error)
+    })?;
     let number = |value: isize| LocatedFormula::read(source, range.clone(), &value.to_string());
     let (first, rows) = rules(&coefficients, arity, &number(0)?);
     Ok(Typed { offset: number(first)?, rows, names })
@@ -84,26 +104,35 @@ fn arity(
     definitions: &BTreeMap<String, LocatedFormula>,
     names: &BTreeSet<String>,
 ) -> Result<usize, Diagnostic> {
-    let any = AlgebraicNumber::from_rational(&Rational::new(ANY.0, ANY.1));
-    let values = names.iter().map(|name| (name.clone(), any.clone())).collect();
-    let scope = Scope::new(definitions, &()).with_all(&values);
-    let value = |formula: &LocatedFormula| {
-        evaluate(&formula.expr, &scope).map_err(|error| formula.diagnostic(&error))
+    let any = |at: usize| {
+        let cube = Rational::from((at + 1).pow(3));
+        AlgebraicNumber::from_rational(&(Rational::new(ANY.0, ANY.1) * cube))
     };
-    let values: Vec<AlgebraicNumber> =
-        coefficients.iter().map(value).collect::<Result<_, Diagnostic>>()?;
+    let any = names.iter().enumerate().map(|(at, name)| (name.clone(), any(at))).collect();
+    let values = values_at(coefficients, definitions, &any)?;
     let wrong = |message: String| Diagnostic::new(source, range.clone(), message);
     let sum = Sum::of(&values).map_err(|error| wrong(error.to_string()).with_cap(error.cap()))?;
+    let variables = names.iter().map(|name| (name.clone(), Polynomial::variable(name))).collect();
+    let general = values_at(coefficients, definitions, &variables).ok();
+    let general = general.map(|values| Polynomial::total(&values));
+    // A sum that is no polynomial, as one with square roots, is known where there are no parameters.
+    let constant = general.as_ref().map(|sum| sum.as_constant().is_some());
+    let is_known = names.is_empty() || constant == Some(true);
+    let list = &source.text[range.clone()];
+    if let (Some(general), Some(false)) = (&general, constant) {
+        let (words, found) = sum::in_parameters(general, names, &sum.arities(), list);
+        return Err(
+            wrong(format!("the coefficients add up to {words}{found}")).with_help(EVERYWHERE)
+        );
+    }
     let arity = sum.arity();
-    let is_known = names.is_empty();
-    let fits = arity.is_some_and(|arity| !is_known || sum.is_uniform(arity));
+    let fits = arity.is_some_and(|arity| !names.is_empty() || sum.is_uniform(arity));
     let factors = if fits || !is_known { Vec::new() } else { sum.factors() };
     let words = sum.words().filter(|_| is_known);
     match (arity, &factors[..], words) {
         (_, [_, ..], Some(words)) => {
-            let write = |(n, factor): &(usize, String)| {
-                format!("write {factor}*{} for the arity {n}", &source.text[range.clone()])
-            };
+            let write =
+                |(n, factor): &(usize, String)| format!("write {factor}*{list} for the arity {n}");
             let write: Vec<String> = factors.iter().map(write).collect();
             let write = write.join(", or ");
             let error = wrong(format!("the coefficients add up to {words}; {write}"));
@@ -120,6 +149,19 @@ fn arity(
             Err(wrong(message).with_help(text::HELP))
         }
     }
+}
+
+/// The values of coefficients at values of their names.
+fn values_at<V: Value>(
+    coefficients: &[LocatedFormula],
+    definitions: &BTreeMap<String, LocatedFormula>,
+    values: &BTreeMap<String, V>,
+) -> Result<Vec<V>, Diagnostic> {
+    let scope = Scope::new(definitions, &()).with_all(values);
+    let value = |formula: &LocatedFormula| {
+        evaluate(&formula.expr, &scope).map_err(|error| formula.diagnostic(&error))
+    };
+    coefficients.iter().map(value).collect()
 }
 
 /// The least d, and for each α = 0, …, n−1 the coefficients a_{α + h − nd} for all d from it on for which some rule has

@@ -1,8 +1,9 @@
 //! What coefficients add up to.
 
 use super::super::rules::MAX_ARITY;
-use crate::exact::{AlgebraicNumber, FieldError, Rational, Scalar as _};
+use crate::exact::{AlgebraicNumber, FieldError, Polynomial, Rational, Scalar as _};
 use crate::formula::Value as _;
+use std::collections::BTreeSet;
 
 /// The longest sum that a message states.
 const MAX_WORDS: usize = 40;
@@ -51,11 +52,15 @@ impl Sum {
 
     /// The arities n of which these are the coefficients but for a factor, each with the factor.
     pub(super) fn factors(&self) -> Vec<(usize, String)> {
+        self.arities().into_iter().filter_map(|n| Some((n, self.over(n)?))).collect()
+    }
+
+    /// The arities for which the sums of all rules are equal, and not 0.
+    pub(super) fn arities(&self) -> Vec<usize> {
         if self.sum.sign() == 0 {
             return Vec::new();
         }
-        let arities = (2..=self.values.len().min(MAX_ARITY)).filter(|n| self.is_uniform(*n));
-        arities.filter_map(|n| Some((n, self.over(n)?))).collect()
+        (2..=self.values.len().min(MAX_ARITY)).filter(|n| self.is_uniform(*n)).collect()
     }
 
     /// n over the sum.
@@ -68,4 +73,33 @@ impl Sum {
         let square = self.sum.times(&self.sum).as_rational()?;
         (self.sum.sign() > 0).then(|| format!("sqrt({})", &n * &n / square))
     }
+}
+
+/// A sum that depends on parameters, and what makes it an arity n: a factor before the list, or the value of a parameter in
+/// which the sum is linear.
+pub(super) fn in_parameters(
+    sum: &Polynomial,
+    names: &BTreeSet<String>,
+    arities: &[usize],
+    list: &str,
+) -> (String, String) {
+    let words = sum.to_string();
+    let solved = |n: usize| {
+        names.iter().rev().find_map(|name| {
+            // n = s + c·x
+            let variable = Polynomial::variable(name);
+            let c = sum.coefficient(name);
+            let inverse = c.as_rational().filter(|c| !c.is_zero())?.recip();
+            let rest = sum.minus(&variable.times(&Polynomial::constant(c)));
+            let value = Polynomial::constant(Rational::from(n)).minus(&rest);
+            let value = value.times(&Polynomial::constant(inverse));
+            (!value.has(name)).then(|| format!("{value} for {name}, or "))
+        })
+    };
+    let written = |n: &usize| {
+        let solved = solved(*n).unwrap_or_default();
+        format!("; for the arity {n} write {solved}{n}/({words})*{list}")
+    };
+    let found: String = arities.iter().take(2).map(written).collect();
+    (words, found)
 }

@@ -9,6 +9,14 @@ use std::sync::Arc;
 pub(super) const HELP: &str =
     "write the coefficients a_0, …, a_L of a mask as [1, 3, 3, 1]/4, or as 1/4*[1, 3, 3, 1]";
 
+/// What helps where a symbol stands in place of the list of its coefficients.
+const SYMBOL: &str =
+    "a symbol is written as the list of its coefficients: (1 + z)^3/4 is [1, 3, 3, 1]/4";
+const SYMBOL_VARIABLE: char = 'z';
+
+/// What helps where blanks separate coefficients.
+const COMMAS: &str = "blanks separate plain numbers only: write commas between coefficients, in one list for all rules";
+
 /// Signs of a product.
 const TIMES: [char; 3] = ['*', '·', '×'];
 const OVER: [char; 3] = ['/', '\u{2044}', '\u{2215}'];
@@ -39,7 +47,10 @@ pub(super) fn coefficients(
     let wrong = |span: Range<usize>, message: &str| {
         Diagnostic::new(source, place(span), message).with_help(HELP)
     };
-    let list = list(text).map_err(|(span, message)| wrong(span, message))?;
+    let list = list(text).map_err(|(span, message)| {
+        let error = wrong(span, message);
+        if text.contains(SYMBOL_VARIABLE) { error.with_help(SYMBOL) } else { error }
+    })?;
     let behind = &text[list.span.end..];
     let before = factor_before(source, place(0..list.span.start))?;
     factor_behind(source, place(list.span.end..text.len()))?;
@@ -57,7 +68,9 @@ pub(super) fn coefficients(
             ));
         }
         // A mistake in the coefficient itself is said of the coefficient alone.
-        LocatedFormula::read(source, place(span.clone()), piece)?;
+        LocatedFormula::read(source, place(span.clone()), piece).map_err(|error| {
+            if piece.contains(char::is_whitespace) { error.with_help(COMMAS) } else { error }
+        })?;
         let whole = format!("{before}({piece}){}", behind.trim());
         coefficients.push(LocatedFormula::read(source, place(span), &whole)?);
     }
