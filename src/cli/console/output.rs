@@ -8,8 +8,11 @@ use std::fmt::Display;
 use std::io::{ErrorKind, Write as _};
 use std::path::Path;
 use std::process::ExitCode;
+use subcert::bound::polynomial_rules;
 use subcert::diagnostic::{Diagnostic, Errors, wrapped};
 use subcert::exact::{Enclosed, Rational, format::short, parse_rational};
+use subcert::scheme::{SchemeError, parse_parametric};
+use subcert::smoothness::SpecialValues;
 
 /// The exit code when a reader such as `head` has gone away: success.
 pub(crate) const BROKEN_PIPE: u8 = 0;
@@ -42,13 +45,41 @@ impl From<Errors> for Failure {
     }
 }
 
-impl From<subcert::scheme::SchemeError> for Failure {
-    fn from(error: subcert::scheme::SchemeError) -> Failure {
+impl From<SchemeError> for Failure {
+    fn from(error: SchemeError) -> Failure {
         match error {
-            subcert::scheme::SchemeError::File(diagnostic) => Failure::from(*diagnostic),
+            SchemeError::File(diagnostic) => Failure::from(*diagnostic),
+            SchemeError::MissingParameter { ref scheme, ref parameter } => {
+                let family = of_family(scheme, parameter).unwrap_or_default();
+                Failure::Input(format!("{error}{family}"))
+            }
             other => Failure::Input(other.to_string()),
         }
     }
+}
+
+/// What there is to know of a family whose parameter has no value, if it is one parameter in which the mask is polynomial.
+fn of_family(scheme: &str, parameter: &str) -> Option<String> {
+    let mask = parse_parametric(scheme, parameter).ok()?;
+    let rules = polynomial_rules(mask.rules(), parameter).ok()?;
+    let special = SpecialValues::of(&rules);
+    let such = special.best().map_or_else(String::new, |value| {
+        let (more, order) = (format!(", such as {value}"), special.sum_rules);
+        format!("{more}, where the sum rules are of a higher order than {order}")
+    });
+    Some(format!(
+        "{such}; `subcert range {} --param {parameter} --smoothness 1` says for which {parameter} the limits are C^1",
+        quoted(scheme)
+    ))
+}
+
+/// A text as a shell takes it: in quotes where it needs them.
+pub(crate) fn quoted(text: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./:=,+%@".contains(c);
+    if !text.is_empty() && text.chars().all(is_plain) {
+        return text.to_owned();
+    }
+    format!("'{}'", text.replace('\'', "'\\''"))
 }
 
 impl Failure {

@@ -248,3 +248,15 @@ pub(crate) fn misplaced_rows(rows: &[(usize, i64)]) -> Option<String> {
     let then = "then the sum rules hold up to order 2 at least";
     (!all.is_empty()).then(|| format!("{}: {then}", all.join(", and ")))
 }
+
+/// For which m the limits are proven to be C^m, and for which not.
+pub(crate) fn proved_continuity(continuity: Option<usize>, fails: Option<usize>) -> String {
+    match (continuity, fails) {
+        (_, Some(0)) => "diverges".to_owned(),
+        (Some(m), Some(fails)) if fails == m + 1 => format!("C^{m}, not C^{fails}"),
+        (Some(m), Some(fails)) => format!("C^{m}, not C^{fails}; between is open"),
+        (Some(m), None) => format!("C^{m} at least"),
+        (None, Some(fails)) => format!("convergence is open, not C^{fails}"),
+        (None, None) => "open".to_owned(),
+    }
+}

@@ -5,6 +5,7 @@ mod range;
 pub(super) mod sets;
 pub(super) mod smooth_map;
 mod smooth_range;
+pub(super) mod special;
 mod vertex_range;
 
 pub(super) use range::range;

@@ -4,15 +4,18 @@ use super::level::{Function, Level};
 use super::sets::{Set, write_irrational};
 use super::smooth_map::smooth_map;
 use super::smooth_range::smooth_range;
+use super::special::write_special;
 use super::vertex_range::of_rules;
 use crate::cli::arguments::RangeArguments;
 use crate::cli::console::answer::{Answer, SCHEMA, show};
-use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::console::output::{Failure, Outcome, quoted};
 use serde::Serialize;
 use subcert::bound::{Order, ParameterRange, RangeError, norm_function, polynomial_rules};
 use subcert::exact::Polynomial;
+use subcert::report::json::SpecialForm;
 use subcert::report::{Grid, Sheet};
-use subcert::scheme::{Rules, open_parameters, parse_parametric};
+use subcert::scheme::{Mask, open_parameters, parse_parametric};
+use subcert::smoothness::SpecialValues;
 use subcert::suggestion::known;
 
 pub(crate) fn range(arguments: &RangeArguments) -> Outcome {
@@ -53,8 +56,8 @@ pub(crate) fn range(arguments: &RangeArguments) -> Outcome {
     if let Some(m) = arguments.smoothness {
         return smooth_range(arguments, parameter, &mask, m);
     }
-    let answer = Range::of(arguments, parameter, &mask.difference())
-        .map_err(|e| Failure::Input(e.to_string()))?;
+    let answer =
+        Range::of(arguments, parameter, &mask).map_err(|e| Failure::Input(e.to_string()))?;
     show(&arguments.output, &answer)
 }
 
@@ -73,8 +76,9 @@ fn the_parameter(scheme: &str) -> Result<String, Failure> {
             let names = open.iter().chain([&last]).map(|name| format!("`{name}`"));
             let names: Vec<String> = names.collect();
             Err(Failure::Input(format!(
-                "the mask of `{scheme}` may depend on {}: name one, as in `subcert range {scheme} {last}`",
-                names.join(", ")
+                "the mask of `{scheme}` may depend on {}: name one, as in `subcert range {} {last}`",
+                names.join(", "),
+                quoted(scheme)
             )))
         }
     }
@@ -94,15 +98,17 @@ pub(crate) struct Range<'a> {
     levels: Vec<Level>,
     /// The union of these sets.
     union: Set,
+    /// The values at which the sum rules are of a higher order, or the support is shorter.
+    special: Vec<SpecialForm>,
 }
 
 impl<'a> Range<'a> {
     fn of(
         arguments: &'a RangeArguments,
         parameter: &'a str,
-        difference: &Rules<Polynomial>,
+        mask: &Mask<Polynomial>,
     ) -> Result<Range<'a>, RangeError> {
-        let difference = polynomial_rules(difference, parameter)?;
+        let difference = polynomial_rules(&mask.difference(), parameter)?;
         let found = ParameterRange::new(&difference, arguments.block.levels)?;
         let level = |(c, set)| {
             let function = || norm_function(&difference, c, Order::Adjoint);
@@ -112,7 +118,9 @@ impl<'a> Range<'a> {
         };
         let levels = (1..).zip(&found.levels).map(level).collect::<Result<_, RangeError>>()?;
         let union = Set::of(&found.union, parameter);
-        Ok(Range { schema: SCHEMA, scheme: &arguments.scheme, parameter, levels, union })
+        let special = SpecialValues::of(&polynomial_rules(mask.rules(), parameter)?);
+        let special = SpecialForm::all(&special, parameter);
+        Ok(Range { schema: SCHEMA, scheme: &arguments.scheme, parameter, levels, union, special })
     }
 }
 
@@ -130,11 +138,13 @@ impl Answer for Range<'_> {
         rows.push(vec!["any of these".to_owned(), union.words()]);
         let header = vec!["c".to_owned(), format!("T_c < 1 for these {parameter}")];
         sheet.grid(Grid::of(header, rows, 2));
+        let special = self.special.iter().map(|one| &one.place);
         let functions =
             || levels.iter().filter_map(|level| Some((level.c, level.function.as_ref()?)));
         let breaks = functions().flat_map(|(_, function)| &function.places);
         let sets = levels.iter().map(|level| &level.intervals);
-        write_irrational(&mut sheet, parameter, sets, breaks);
+        write_special(&mut sheet, &self.special, parameter);
+        write_irrational(&mut sheet, parameter, sets, breaks.chain(special));
         sheet.text(
             "The sets are exact; a decimal that ends in … is cut. The scheme converges in each of \
              them. The set of c is a part of that of every multiple of c.",

@@ -2,16 +2,18 @@
 
 use super::level::Level;
 use super::sets::{Set, write_irrational};
+use super::special::{higher, write_special};
 use crate::cli::arguments::RangeArguments;
 use crate::cli::console::answer::{Answer, SCHEMA, show};
-use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::console::output::{Failure, Outcome, quoted};
 use crate::cli::console::progress::Progress;
 use serde::Serialize;
 use subcert::bound::polynomial_rules;
 use subcert::exact::{IntervalSet, Polynomial, Rational};
+use subcert::report::json::SpecialForm;
 use subcert::report::{Grid, Sheet, reduction, up};
 use subcert::scheme::Mask;
-use subcert::smoothness::smooth_range as computed;
+use subcert::smoothness::{SmoothRangeError, SpecialValues, smooth_range as computed};
 
 pub(crate) fn smooth_range(
     arguments: &RangeArguments,
@@ -22,7 +24,17 @@ pub(crate) fn smooth_range(
     let input = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
     let rules = polynomial_rules(mask.rules(), parameter).map_err(|e| input(&e))?;
     let progress = Progress::of_search(true);
-    let range = computed(&rules, m, arguments.block.levels).map_err(|e| input(&e))?;
+    let special = SpecialValues::of(&rules);
+    let range = computed(&rules, m, arguments.block.levels).map_err(|error| match &error {
+        SmoothRangeError::SumRules { needed, .. } => {
+            let scheme = quoted(&arguments.scheme);
+            let places = higher(&special, parameter, *needed).map(|places| {
+                format!("; single values have them: {places}; `subcert range {scheme} --param {parameter}` says more")
+            });
+            input(&format!("{error}{}", places.unwrap_or_default()))
+        }
+        _ => input(&error),
+    })?;
     drop(progress);
     let levels = (1_u32..).zip(&range.contraction.levels);
     let level = |(c, set)| Level { c, intervals: Set::of(set, parameter), function: None };
@@ -37,6 +49,7 @@ pub(crate) fn smooth_range(
         gap: range.gap.as_ref().map(up),
         levels: levels.map(level).collect(),
         is_complete: range.gap.as_ref().is_some_and(Rational::is_zero),
+        special: SpecialForm::all(&special, parameter),
         reduction: (!range.reduction.is_empty()).then(|| reduction(&range, parameter)),
     };
     show(&arguments.output, &answer)
@@ -64,6 +77,8 @@ pub(crate) struct SmoothRange<'a> {
     gap: Option<String>,
     /// For c = 1, 2, … the part of `inside` where the differences contract in c levels.
     levels: Vec<Level>,
+    /// The values at which the sum rules are of a higher order, or the support is shorter.
+    special: Vec<SpecialForm>,
     /// Whether the length of what is in neither is 0.
     #[serde(skip)]
     is_complete: bool,
@@ -98,7 +113,8 @@ impl Answer for SmoothRange<'_> {
         let header = vec!["c".to_owned(), format!("the differences of {what} contract")];
         sheet.grid(Grid::of(header, rows, 2));
         let sets = [inside, outside].into_iter().chain(levels.iter().map(|level| &level.intervals));
-        write_irrational(&mut sheet, parameter, sets, std::iter::empty());
+        write_special(&mut sheet, &self.special, parameter);
+        write_irrational(&mut sheet, parameter, sets, self.special.iter().map(|one| &one.place));
         sheet.text(
             "Inside, all limits have this smoothness: by contraction, and by invariant hulls on intervals \
              with rational ends. Outside, some limit does not have it, or the scheme diverges: a product of \

@@ -1,10 +1,13 @@
 //! The facts of schemes in words.
 
-use crate::cli::console::quantity::is_fraction;
+use crate::cli::console::quantity::{is_fraction, proved_continuity};
 use crate::cli::ranges::sets::Set;
+use crate::cli::ranges::special::write_special;
 use std::collections::BTreeSet;
 use subcert::facts::{Depths, FamilyFacts, ParameterFacts};
-use subcert::report::json::{CurveForm, DepthForm, Exact, FactsForm, StencilForm, ValenceForm};
+use subcert::report::json::{
+    CurveForm, DepthForm, Exact, FactsForm, SpecialForm, StencilForm, ValenceForm,
+};
 use subcert::report::{Grid, SCOPE, Sheet};
 
 /// How smooth its limits are, in a sentence.
@@ -38,6 +41,10 @@ fn write_family(family: &FamilyFacts, sheet: &mut Sheet) {
     sheet.grid(Grid::of(["", "all limits", "not all"], family.ranges.iter().map(row), 3));
     let end = &family.end;
     sheet.text(format!("What is in neither set is open; `subcert range` looks closer. {end}."));
+    let special = family.special.as_ref();
+    let special =
+        special.map(|values| SpecialForm::all(values, &family.parameter)).unwrap_or_default();
+    write_special(sheet, &special, &family.parameter);
 }
 
 pub(crate) fn sheet(facts: &FactsForm, family: Option<&FamilyFacts>) -> Sheet {
@@ -208,14 +215,7 @@ fn shortened(decimal: &str) -> String {
 
 /// C^m in words.
 pub(crate) fn continuity(curve: &CurveForm) -> String {
-    match (curve.continuity, curve.continuity_fails) {
-        (_, Some(0)) => "diverges".to_owned(),
-        (Some(m), Some(fails)) if fails == m + 1 => format!("C^{m}, not C^{fails}"),
-        (Some(m), Some(fails)) => format!("C^{m}, not C^{fails}; between is open"),
-        (Some(m), None) => format!("C^{m} at least"),
-        (None, Some(fails)) => format!("convergence is open, not C^{fails}"),
-        (None, None) => "open".to_owned(),
-    }
+    proved_continuity(curve.continuity, curve.continuity_fails)
 }
 
 /// The exponent in words.

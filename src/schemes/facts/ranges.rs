@@ -7,7 +7,7 @@ use crate::exact::IntervalSet;
 use crate::scheme::{
     find_definition, parse_local_rules, parse_parametric, parse_rules_in_parameter,
 };
-use crate::smoothness::{SmoothRangeError, smooth_range};
+use crate::smoothness::{SmoothRangeError, SpecialValues, smooth_range};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
@@ -41,6 +41,8 @@ pub struct FamilyFacts {
     pub ranges: Vec<ParameterFacts>,
     /// Why there are no more.
     pub end: String,
+    /// The special values of the parameter of a mask.
+    pub special: Option<SpecialValues>,
 }
 
 impl FamilyFacts {
@@ -75,7 +77,10 @@ impl FamilyFacts {
         } else {
             parameter_facts(&entry.name, parameter).ok()?
         };
-        Some(FamilyFacts { parameter: parameter.clone(), ranges, end })
+        let special = parse_parametric(&entry.name, parameter).ok();
+        let special = special.and_then(|mask| polynomial_rules(mask.rules(), parameter).ok());
+        let special = special.as_ref().map(SpecialValues::of);
+        Some(FamilyFacts { parameter: parameter.clone(), ranges, end, special })
     }
 }
 

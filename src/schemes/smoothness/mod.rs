@@ -32,6 +32,7 @@ mod range_error;
 mod region;
 mod reproduction;
 mod search;
+mod special;
 mod symbol;
 mod transition;
 
@@ -45,5 +46,6 @@ pub use range::{SmoothRange, smooth_range};
 pub use range_error::SmoothRangeError;
 pub use region::{Certain, Sides};
 pub use reproduction::reproduction_degree;
+pub use special::{SpecialValue, SpecialValues};
 pub use symbol::Symbol;
 pub use transition::transition_matrices;

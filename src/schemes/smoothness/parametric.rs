@@ -110,6 +110,11 @@ impl<P: Scalar + PartialEq> ParametricSymbol<P> {
         ParametricSymbol { arity: rules.arity(), coefficients: coefficients.collect() }.trimmed()
     }
 
+    /// From the constant term upwards.
+    pub(super) fn coefficients(&self) -> &[P] {
+        &self.coefficients
+    }
+
     fn trimmed(mut self) -> ParametricSymbol<P> {
         let zero = P::zero();
         while self.coefficients.last() == Some(&zero) {

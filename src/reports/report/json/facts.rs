@@ -2,8 +2,8 @@
 
 use super::SCHEMA;
 use super::exact::Exact;
-use super::sets::Interval;
-use crate::exact::Rational;
+use super::sets::{Interval, Number as RootNumber};
+use crate::exact::{Rational, RealAlgebraic};
 use crate::facts::{
     CurveFacts, FamilyFacts, ParameterFacts, PointPlacement, SchemeFacts, ValenceFacts,
 };
@@ -11,7 +11,7 @@ use crate::limit::{Functional, TwoSidedDepth};
 use crate::report::json::smooth::smoothness::HoelderForm;
 use crate::report::json::smooth::vertex::VertexForm;
 use crate::scheme::notes;
-use crate::smoothness::Coefficient;
+use crate::smoothness::{Coefficient, SpecialValue, SpecialValues};
 use serde::Serialize;
 
 /// What `subcert scheme` writes: the facts of one scheme.
@@ -38,6 +38,8 @@ pub struct Ranges {
     pub orders: Vec<Order>,
     /// Why there are no more.
     pub end: String,
+    /// The values at which more holds; none of rules around a vertex or on a face.
+    pub special: Vec<SpecialForm>,
 }
 
 /// Where the limits are C^m. What is in neither set is open.
@@ -191,6 +193,45 @@ pub struct ValenceForm {
     pub open: Option<String>,
 }
 
+/// A value of the parameter at which the sum rules are of a higher order than at most values, or the support is shorter.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SpecialForm {
+    /// The value.
+    pub value: RootNumber,
+    /// The order of the sum rules there.
+    pub sum_rules: usize,
+    /// The ends of the support of the basic limit function there.
+    pub support: [Exact; 2],
+    /// The largest m for which the limits are proven to be C^m there; null where that is not examined, or open.
+    pub continuity: Option<usize>,
+    /// The least m for which it is proven that not all limits are C^m there; null where that is not examined, or open.
+    pub continuity_fails: Option<usize>,
+    /// The value itself.
+    #[serde(skip)]
+    pub place: RealAlgebraic,
+}
+
+impl SpecialForm {
+    /// The forms of all special values.
+    #[must_use]
+    pub fn all(values: &SpecialValues, parameter: &str) -> Vec<SpecialForm> {
+        let special = |one: &SpecialValue| {
+            let found = one.smoothness.as_ref();
+            let (low, high) = &one.support;
+            SpecialForm {
+                value: RootNumber::of(&one.value, parameter),
+                sum_rules: one.sum_rules,
+                support: [Exact::of(low), Exact::of(high)],
+                continuity: found.and_then(|found| found.continuity),
+                continuity_fails: found.and_then(|found| found.continuity_fails),
+                place: one.value.clone(),
+            }
+        };
+        values.values.iter().map(special).collect()
+    }
+}
+
 impl<'a> Facts<'a> {
     /// The form of what is known of a scheme, and of its family.
     #[must_use]
@@ -201,7 +242,7 @@ impl<'a> Facts<'a> {
 
 impl Ranges {
     fn of(family: &FamilyFacts) -> Ranges {
-        let FamilyFacts { parameter, ranges, end } = family;
+        let FamilyFacts { parameter, ranges, end, special } = family;
         let order = |range: &ParameterFacts| Order {
             smoothness: range.m,
             valence: range.valence,
@@ -213,6 +254,9 @@ impl Ranges {
             parameter: parameter.clone(),
             orders: ranges.iter().map(order).collect(),
             end: end.clone(),
+            special: special
+                .as_ref()
+                .map_or_else(Vec::new, |values| SpecialForm::all(values, parameter)),
         }
     }
 }

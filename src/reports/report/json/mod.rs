@@ -31,8 +31,8 @@ pub use errata::{
 pub use exact::{Exact, Named};
 pub use explain::Explained;
 pub use facts::{
-    CurveForm, DepthForm, Facts, FactsForm, OffsetForm, OpenForm, Order, Ranges, StencilForm,
-    ValenceForm, WeightForm,
+    CurveForm, DepthForm, Facts, FactsForm, OffsetForm, OpenForm, Order, Ranges, SpecialForm,
+    StencilForm, ValenceForm, WeightForm,
 };
 pub use offset::BetterOffset;
 pub use sets::{Interval, Number as RootNumber};
