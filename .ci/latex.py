@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Compiles the errata of the papers, as `errata --format latex` writes them, and their corrected tables, as
-`explain KEY:ID --format latex` does, with pdflatex.
+`explain KEY:ID --format latex` does, and answers about schemes, with pdflatex.
 
     .ci/latex.py [PROGRAM]
 
@@ -51,6 +51,29 @@ def tables(program: str, folder: str) -> None:
             (Path(folder) / f"{claims.stem}-tables.tex").write_text(document)
 
 
+ANSWERS = [
+    ["smoothness", "four-point"],
+    ["smoothness", "loop", "--valences", "3..6"],
+    ["range", "six-point", "w"],
+    ["range", "four-point", "w", "--smoothness", "1"],
+    ["scheme", "[⅛, ½, ¾, ½, ⅛]", "four-point:w=1/20"],
+    ["scheme", "[1 + √3, 3 + √3, 3 - √3, 1 - √3]/4"],
+    ["scheme", "catmull-clark"],
+    ["constants", "chaikin x four-point"],
+    ["spectrum", "catmull-clark", "--valence", "5"],
+    ["depth", "chaikin", "--tolerance", "1/100"],
+    ["jsr", "examples/pair.txt"],
+    ["certify", "chaikin"],
+]
+
+
+def answers(program: str, folder: str) -> None:
+    """One document with the answers about schemes."""
+    command = [[program, *words, "--format", "latex"] for words in ANSWERS]
+    texts = [subprocess.run(one, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout for one in command]
+    (Path(folder) / "answers.tex").write_text(HEAD + "\n\\clearpage\n".join(texts) + "\\end{document}\n")
+
+
 def main() -> int:
     program = sys.argv[1] if len(sys.argv) > 1 else "target/release/subcert"
     if not shutil.which("pdflatex") or not shutil.which("kpsewhich") or missing("booktabs.sty"):
@@ -59,6 +82,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([program, "--quiet", "errata", "--format", "latex", "-o", folder], cwd=ROOT, check=True)
         tables(program, folder)
+        answers(program, folder)
         papers = sorted(Path(folder).glob("*.tex"))
         for paper in papers:
             command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", paper.name]
@@ -69,7 +93,7 @@ def main() -> int:
                 print(f"{paper.name}: {' '.join(errors)}", file=sys.stderr)
     if not papers or wrong:
         return 1
-    print(f"{len(papers)} documents of errata and corrected tables compile")
+    print(f"{len(papers)} documents of errata, corrected tables and answers compile")
     return 0
 
 
