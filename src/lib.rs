@@ -1,6 +1,43 @@
 //! Exact constants of subdivision schemes, and audits of the papers that publish
 //! them.
 //!
+//! | you want to | start at |
+//! |---|---|
+//! | test your own f64 code against exact values | [`oracle`], [`assert_slice_within_ulps!`] |
+//! | name a scheme, read one from a file or from text | [`parse_scheme`](scheme::parse_scheme), [`parse_local_rules`](scheme::parse_local_rules) |
+//! | make a mask of numbers of your own | [`Mask::new`](scheme::Mask::new); `Ratio<i64>` and `BigRational` are [`Rational`](exact::Rational)s by `into()` |
+//! | refine a polygon, a net, a mesh exactly | [`refine_polygon`](oracle::refine_polygon), [`refine_grid`](oracle::refine_grid), [`refine_mesh`](mesh::refine_mesh) |
+//! | know the constants T_c, Λ_c and the depth | [`Constants`](bound::Constants), [`Distances`](limit::Distances), [`MeshDistances`](patch::MeshDistances) |
+//! | know how smooth limits are | [`Smoothness`](smoothness::Smoothness), [`smooth_range`](smoothness::smooth_range), [`characteristic`] |
+//! | know eigenvalues and stencils | [`spectrum`] |
+//! | audit a paper or a program | [`audit`](mod@audit), [`shipped`] |
+//!
+//! Your own code is tested like this:
+//!
+//! ```
+//! use subcert::assert_slice_within_ulps;
+//! use subcert::oracle::{Boundary, refine_polygon};
+//! use subcert::scheme::parse_scheme;
+//!
+//! /// Chaikin's corner cutting of a closed polygon.
+//! fn mine(points: &[f64]) -> Vec<f64> {
+//!     let next = points.iter().cycle().skip(1);
+//!     let pair = |(a, b): (&f64, &f64)| [0.75 * a + 0.25 * b, 0.25 * a + 0.75 * b];
+//!     points.iter().zip(next).flat_map(pair).collect()
+//! }
+//!
+//! let scheme = parse_scheme("chaikin")?;
+//! let exact = refine_polygon(scheme.masks()[0].rules(), &[0, 4, 4, 0], 1, Boundary::Closed)?;
+//! assert_slice_within_ulps!(mine(&[0.0, 4.0, 4.0, 0.0]), exact, 2.0, "one level");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! What can go wrong is an error of its type, and not a panic, but for division by 0, negative tolerances, and what the
+//! documentation of a function states under *Panics*. Without the program, `default-features = false` leaves out
+//! the feature `cli` and its crates; `gmp` takes GMP for large numbers.
+//!
+//! How many levels until every polygon is close to its limit:
+//!
 //! ```
 //! use subcert::bound::{Constants, SoundBound};
 //! use subcert::exact::Rational;

@@ -5,8 +5,8 @@ use super::budget::Budget;
 use super::power::{ClassCap, Order};
 use crate::exact::Rational;
 use crate::scheme::{Mask, Rules};
-use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// The operator whose power has the constant as its norm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -30,7 +30,7 @@ pub enum Suprema {
 type Key = (Option<Operator>, u32, Order);
 
 /// A mask with its constants T_c, Λ_c and joint constants. Each is computed when it is
-/// first needed, and then kept.
+/// first needed, and then kept, for all threads.
 ///
 /// ```
 /// use subcert::bound::{Constants, Operator, Order, Suprema};
@@ -49,8 +49,8 @@ type Key = (Option<Operator>, u32, Order);
 pub struct Constants {
     mask: Mask,
     difference: Rules,
-    known: RefCell<BTreeMap<Key, Rational>>,
-    searches: RefCell<BTreeMap<(Operator, Order), PowerSearch>>,
+    known: Mutex<BTreeMap<Key, Rational>>,
+    searches: Mutex<BTreeMap<(Operator, Order), PowerSearch>>,
     budget: Budget,
     extreme: bool,
 }
@@ -104,7 +104,7 @@ impl Constants {
             return Ok(greatest_sum(rules));
         }
         self.once((Some(operator), c, order), || {
-            let mut searches = self.searches.borrow_mut();
+            let mut searches = locked(&self.searches);
             let search = searches.entry((operator, order));
             let new = || {
                 let search = PowerSearch::new(rules, order).with_budget(self.budget.clone());
@@ -146,13 +146,19 @@ impl Constants {
         key: Key,
         compute: impl FnOnce() -> Result<Rational, ClassCap>,
     ) -> Result<Rational, ClassCap> {
-        if let Some(value) = self.known.borrow().get(&key) {
-            return Ok(value.clone());
+        let known = locked(&self.known).get(&key).cloned();
+        if let Some(value) = known {
+            return Ok(value);
         }
         let value = compute()?;
-        self.known.borrow_mut().insert(key, value.clone());
+        locked(&self.known).insert(key, value.clone());
         Ok(value)
     }
+}
+
+/// What is known, also after a stop in another thread.
+fn locked<T>(known: &Mutex<T>) -> MutexGuard<'_, T> {
+    known.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The greatest sum of the absolute values of a row.
