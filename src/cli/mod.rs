@@ -12,7 +12,7 @@ mod schemes;
 mod smoothness;
 mod spectrum;
 
-use arguments::{Arguments, Command, grouped};
+use arguments::{Arguments, Command, grouped, with_hint};
 use clap::parser::ValueSource;
 use clap::{CommandFactory as _, FromArgMatches as _};
 use console::output::{Failure, Outcome};
@@ -46,6 +46,8 @@ pub(crate) fn run() -> ExitCode {
     let (mut arguments, given, name) = match parsed {
         Ok(parsed) => parsed,
         Err(error) => {
+            let typed: Vec<String> = std::env::args().collect();
+            let error = with_hint(error, &typed);
             // Help and version come this way too, with exit code 0.
             let code = if error.use_stderr() { 2 } else { 0 };
             return match error.print() {

@@ -13,7 +13,19 @@ fn refused_paper(name: &str, text: &str) -> String {
 
 #[test]
 fn schemes_and_their_parameters() {
-    let cases: [(&str, &[&str]); 13] = [
+    let cases: [(&str, &[&str]); 19] = [
+        ("4-point:w=1/16", &["unknown scheme `4-point`; did you mean `four-point`?"]),
+        ("dyn-levin-gregory", &["did you mean `four-point`"]),
+        ("four-point:1/16", &["write `four-point:w=1/16`"]),
+        (
+            "[-w, 0, 1/2 + w, 1, 1/2 + w, 0, -w]",
+            &[
+                "such as 1/16",
+                "`subcert range '[-w, 0, 1/2 + w, 1, 1/2 + w, 0, -w]' --param w --smoothness 1`",
+            ],
+        ),
+        ("ball-storry:N=5,gamma=1/20", &["write `ball-storry:N=5,gamma=1/20,beta=…`"]),
+        ("[-w 0 1/2+w 1 1/2+w 0 -w]", &["write commas between coefficients"]),
         (
             "six-pont:w=1",
             &["unknown scheme `six-pont`; did you mean `six-point`?", "binary-three-point"],
@@ -59,6 +71,18 @@ fn numbers_and_flags() {
         &["the value of `w` is missing", "write `six-point:w=3/256`"],
     );
     assert_parts(&refused(["frobnicate"]), &["frobnicate"]);
+    let cases: [(&[&str], &str); 7] = [
+        (&["constants", "four-point", "w=1/16"], "'four-point:w=1/16'"),
+        (&["constants", "four-point", "--w", "1/16"], "'four-point:w=1/16'"),
+        (&["constants", "four-point", "--w=1/16"], "'four-point:w=1/16'"),
+        (&["smoothness", "four-point", "--param", "w=1/16"], "'four-point:w=1/16'"),
+        (&["smoothness", "four-point", "--param", "w"], "`subcert range 'four-point' --param w`"),
+        (&["constants", "[1,", "3,", "3,", "1]/4"], "in brackets and in quotes"),
+        (&["constants", "-1/16, 9/16, 9/16, -1/16"], "in brackets and in quotes"),
+    ];
+    for (arguments, part) in cases {
+        assert_parts(&refused(arguments.iter().copied()), &["tip: ", part]);
+    }
 }
 
 #[test]

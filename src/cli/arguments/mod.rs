@@ -3,6 +3,7 @@
 mod examples;
 mod findings;
 mod groups;
+mod hints;
 mod meshes;
 mod papers;
 mod schemes;
@@ -13,6 +14,7 @@ mod time;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub(super) use findings::{FindingFormat, FindingOutput};
 pub(super) use groups::grouped;
+pub(super) use hints::with_hint;
 pub(super) use meshes::{
     ClosedArgument, IsolatedArgument, LimitArguments, MeshBoundary, MeshOutput, MeshOutputFormat,
     RefineArguments,

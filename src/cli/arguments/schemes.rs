@@ -22,6 +22,9 @@ fn count(text: &str) -> Result<usize, String> {
 /// How many boxes of two parameters are examined unless another number is asked for.
 pub(in crate::cli) const BOXES: usize = 1_000;
 
+/// Other names of `--tolerance`.
+const TOLERANCE: [&str; 3] = ["tol", "eps", "epsilon"];
+
 /// The most levels where classes are visited one by one: a binary scheme has so many then.
 const FEW_LEVELS: u32 = MAX_CLASSES.ilog2();
 
@@ -50,7 +53,7 @@ pub(in crate::cli) struct DeepBlock {
 #[derive(Debug, Args)]
 pub(in crate::cli) struct Spread {
     /// The spread β: the largest difference of neighbouring control points
-    #[arg(long, value_name = "B", default_value = "1", allow_hyphen_values = true)]
+    #[arg(long, alias = "beta", value_name = "B", default_value = "1", allow_hyphen_values = true)]
     pub(in crate::cli) spread: String,
 }
 
@@ -75,7 +78,7 @@ pub(in crate::cli) struct DepthArguments {
     pub(in crate::cli) scheme: String,
     /// The tolerance ε in the unit of the coordinates, an exact number such as 1/1000 or 4.35e-5; with --relative a share of the
     /// diagonal
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    #[arg(long, aliases = TOLERANCE, value_name = "E", allow_hyphen_values = true)]
     pub(in crate::cli) tolerance: String,
     #[command(flatten)]
     pub(in crate::cli) spread: Spread,
@@ -140,18 +143,18 @@ pub(in crate::cli) struct RangeArguments {
     #[arg(value_name = "PARAM", conflicts_with = "param")]
     pub(in crate::cli) names: Vec<String>,
     /// The same as PARAM
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, aliases = ["parameter", "params", "parameters"], value_name = "NAME")]
     pub(in crate::cli) param: Vec<String>,
     #[command(flatten)]
     pub(in crate::cli) block: Block,
     /// Where the limits are C^M, and where they are not, in place of T_c < 1
-    #[arg(long, value_name = "M", conflicts_with = "function", allow_negative_numbers = true, value_parser = count)]
+    #[arg(long, alias = "continuity", value_name = "M", conflicts_with = "function", allow_negative_numbers = true, value_parser = count)]
     pub(in crate::cli) smoothness: Option<usize>,
     /// Rules around a vertex or on a face, with `--smoothness 1`: the valences [default: as in SCHEME]
-    #[arg(long, value_name = "FIRST..LAST", value_parser = super::smoothness::valences, requires = "smoothness")]
+    #[arg(long, alias = "valence", value_name = "FIRST..LAST", value_parser = super::smoothness::valences, requires = "smoothness")]
     pub(in crate::cli) valences: Option<Valences>,
     /// The region of a map of two parameters, such as a=-1..1,b=0..1/2 [default: from -1 to 1]
-    #[arg(long, value_name = "BOX", requires = "smoothness", allow_hyphen_values = true)]
+    #[arg(long, aliases = ["box", "region"], value_name = "BOX", requires = "smoothness", allow_hyphen_values = true)]
     pub(in crate::cli) bounds: Option<String>,
     #[arg(long, value_name = "N", requires = "smoothness",
           help = format!("The number of boxes to examine for a map, up to {MAX_BOXES} [default: {BOXES}]"))]
@@ -171,11 +174,11 @@ pub(in crate::cli) struct CertifyArguments {
     #[command(flatten)]
     pub(in crate::cli) block: Block,
     /// A tolerance ε for the depth by a formula, the least k with σβCᵏ/(1 − C) ≤ ε (may be repeated)
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    #[arg(long, aliases = TOLERANCE, value_name = "E", allow_hyphen_values = true)]
     pub(in crate::cli) tolerance: Vec<String>,
     /// The spread β in that formula: the largest difference of neighbouring control points
     /// [default: 1]
-    #[arg(long, value_name = "B", allow_hyphen_values = true)]
+    #[arg(long, alias = "beta", value_name = "B", allow_hyphen_values = true)]
     pub(in crate::cli) spread: Option<String>,
     #[command(flatten)]
     pub(in crate::cli) output: Output,
@@ -339,7 +342,7 @@ pub(in crate::cli) struct PlotArguments {
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
     /// The region of two parameters without a value, such as a=-1..1,b=0..1/2 [default: from -1 to 1]
-    #[arg(long, value_name = "BOX", allow_hyphen_values = true)]
+    #[arg(long, aliases = ["box", "region"], value_name = "BOX", allow_hyphen_values = true)]
     pub(in crate::cli) bounds: Option<String>,
     /// The file for the picture [default: the standard output]
     #[arg(id = "output", short = 'o', long, value_name = "FILE")]

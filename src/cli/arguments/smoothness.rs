@@ -14,7 +14,7 @@ pub(in crate::cli) struct SmoothnessArguments {
     ))]
     pub(in crate::cli) scheme: String,
     /// Rules around a vertex or on a face: the valences, or all from 3 on at once
-    #[arg(long, value_name = "FIRST..LAST|all", value_parser = valences, conflicts_with = "certificate")]
+    #[arg(long, alias = "valence", value_name = "FIRST..LAST|all", value_parser = valences, conflicts_with = "certificate")]
     pub(in crate::cli) valences: Option<Valences>,
     /// Write a certificate of the radius and of what follows, for subcert-check --radius
     #[arg(long, value_name = "FILE")]

@@ -11,7 +11,7 @@ pub(in crate::cli) struct SpectrumArguments {
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
     /// The valence: the value of the parameter N or n of the rules
-    #[arg(long, value_name = "N", value_parser = valence)]
+    #[arg(long, alias = "valences", value_name = "N", value_parser = valence)]
     pub(in crate::cli) valence: Option<usize>,
     /// In place of a valence: the number of faces between two sharp edges at the vertex, or at a boundary vertex
     #[arg(long, value_name = "FACES", value_parser = faces, conflicts_with = "valence")]
@@ -29,7 +29,7 @@ pub(in crate::cli) struct TableArguments {
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
     /// The valences of rules around a vertex or on a face, from the first to the last
-    #[arg(long, value_name = "FIRST..LAST", value_parser = valences)]
+    #[arg(long, alias = "valence", value_name = "FIRST..LAST", value_parser = valences)]
     pub(in crate::cli) valences: Option<(usize, usize)>,
     /// In place of valences: the numbers of faces between two sharp edges at the vertex, from the first to the last
     #[arg(long, value_name = "FIRST..LAST", value_parser = sectors, conflicts_with = "valences")]
@@ -104,7 +104,9 @@ impl From<TypeArgument> for RealType {
 
 /// A valence.
 fn valence(text: &str) -> Result<usize, String> {
-    text.parse().map_err(|_| "a valence is a whole number from 3 on".to_owned())
+    let several = "; `subcert scheme` and `subcert table` take several";
+    let end = if text.contains("..") { several } else { "" };
+    text.parse().map_err(|_| format!("a valence is a whole number from 3 on{end}"))
 }
 
 /// A number of faces.
