@@ -15,7 +15,7 @@ fn refused_paper(name: &str, text: &str) -> String {
 fn schemes_and_their_parameters() {
     let cases: [(&str, &[&str]); 19] = [
         ("4-point:w=1/16", &["unknown scheme `4-point`; did you mean `four-point`?"]),
-        ("dyn-levin-gregory", &["did you mean `four-point`"]),
+        ("dyn-levin-gregory", &["or `four-point` or"]),
         ("four-point:1/16", &["write `four-point:w=1/16`"]),
         (
             "[-w, 0, 1/2 + w, 1, 1/2 + w, 0, -w]",

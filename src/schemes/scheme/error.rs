@@ -1,7 +1,6 @@
 //! Why a text gives no scheme.
 
 use super::axes::MAX_AXES;
-use super::reference::split_name;
 use crate::cap::Cap;
 use crate::diagnostic::Diagnostic;
 use crate::formula::FormulaError;
@@ -94,7 +93,7 @@ pub enum SchemeError {
     /// A parameter has neither a value nor a default. The scheme may have values of others.
     #[error(
         "`{scheme}` needs its parameter `{parameter}`: write `{scheme}{}{parameter}=…`",
-        if split_name(.scheme).1.is_empty() { ":" } else { "," }
+        if .scheme.contains('=') { "," } else { ":" }
     )]
     MissingParameter {
         /// The scheme.
