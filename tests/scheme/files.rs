@@ -49,9 +49,9 @@ fn one_of_several_schemes() {
                 mask = '[2*w, 1 - 2*w, 1 - 2*w, 2*w]'\n[[scheme]]\nname = 'two'\nmask = '[1, 4, 6, 4, 1]/8'\n\
                 [[scheme]]\nname = 'three'\nuse = 'chaikin'\n[paper]\nkey = 'any'\n";
     let path = write("several.toml", text.as_bytes()).display().to_string();
-    assert_eq!(mask(&format!("{path}:one")), mask("chaikin"));
+    assert_eq!(mask(&format!("{path}:one")), mask("[1, 3, 3, 1]/4"));
     assert_eq!(mask(&format!("{path}:one:w=1/16")), mask("[1, 7, 7, 1]/8"));
-    assert_eq!(mask(&format!("{path}:two")), mask("b-spline:degree=3"));
+    assert_eq!(mask(&format!("{path}:two")), mask("[1, 4, 6, 4, 1]/8"));
     for (of, part) in [
         ("", "this file has several schemes"),
         (":tow", "no scheme `tow`; did you mean `two`?"),

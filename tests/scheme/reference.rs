@@ -46,7 +46,12 @@ fn what_is_not_a_scheme() {
     ] {
         let error = parse_scheme(text).expect_err(text);
         assert!(
-            matches!(error, SchemeError::Reference(ReferenceError::Form { .. })),
+            matches!(
+                error,
+                SchemeError::Reference(
+                    ReferenceError::Form { .. } | ReferenceError::Unnamed { .. }
+                )
+            ),
             "{text}: {error}"
         );
         assert!(error.to_string().contains(reason), "{text}: {error}");
