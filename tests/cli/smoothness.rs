@@ -110,7 +110,7 @@ fn bad_input_of_these() {
     let range = |m| refused(["range", "four-point", "--param", "w", "--smoothness", m]);
     assert_parts(&range("2"), &["sum rules of order 3", "order 2", "w = 1/16 (order 4)"]);
     let special = written(["range", "four-point", "--param", "w", "--smoothness", "1"]);
-    let rows = ["Special values", "1/16   4", "-3 to 3   C^1, not C^2"];
+    let rows = ["Special values", "1/16   4", "-3 to 3   C¹, not C²"];
     assert!(rows.iter().all(|row| special.contains(row)), "{special}");
     assert_parts(&range("-1"), &["not a whole number"]);
 }
