@@ -190,7 +190,8 @@ fn lists_of_numbers_are_even() {
             "key = 'p'\n[project]\nname = 'n'\n[[shipped]]\nid = 's'\nlocus = 'l'\ntitle = 't'\ntype = 'f64'\n\
              indices = ['k = 1..4']\n{equals}\ncells = {cells}\n"
         );
-        let cells: String = (1..=4).map(|k| format!(" cell {k} \"{k}\" nearest\n")).collect();
+        let cells: Vec<String> = (1..=4).map(|k| format!(" cell {k} \"{k}\" nearest\n")).collect();
+        let cells = cells.concat();
         let head = "subcert-certificate 4\nproject p\nshipped s\n bits 64\n";
         self::shown(&claims, &format!("{head}{cells} outcome nearest\nend 1\n"))
     };

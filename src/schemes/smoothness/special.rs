@@ -54,6 +54,9 @@ impl SpecialValues {
     /// assert_eq!(zero.support, ((-1).into(), 1.into()));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    ///
+    /// # Panics
+    /// When the mask has 2^63 coefficients.
     #[must_use]
     pub fn of(rules: &Rules<RationalPolynomial>) -> SpecialValues {
         let (n, width) = (rules.arity(), rules.width());
