@@ -98,10 +98,17 @@ fn own_schemes_have_pages() {
     }
     std::fs::remove_dir_all(&folder).expect("the folder goes");
     let scheme = std::fs::read_to_string("examples/my-scheme.toml").expect("the example");
-    let names = ["a b.toml", "a-b.toml"].map(|name| TemporaryFile::new(name, &scheme));
-    let clash = ["atlas", names[0].path(), names[1].path(), "--format", "html", "-o", path];
+    let [first, second] = [" ", "-"].map(|between| {
+        let path = format!("{path}{between}clash.toml");
+        std::fs::write(&path, &scheme).expect("a temporary file");
+        path
+    });
+    let clash = ["atlas", &first, &second, "--format", "html", "-o", path];
     assert_parts(&refused(clash), &["would have one name", "two folders"]);
     assert!(!folder.exists(), "half-written");
+    for file in [first, second] {
+        std::fs::remove_file(file).expect("the file goes");
+    }
 }
 
 /// What is drawn of a scheme of the catalogue is drawn of the same file of one's own.

@@ -55,7 +55,7 @@ pub(super) struct Arguments {
     #[arg(short, long, global = true)]
     pub(super) quiet: bool,
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..),
-          help = time::help())]
+          help = seconds_help())]
     pub(super) seconds: Option<u32>,
 }
 
@@ -194,4 +194,15 @@ pub(super) struct Output {
     /// The file for the results [default: the standard output]
     #[arg(id = "output", short = 'o', long, value_name = "FILE")]
     pub(super) file: Option<PathBuf>,
+}
+
+/// The seconds of a command that answers about one scheme, one set of matrices or one mesh.
+const SECONDS: u32 = 60;
+
+/// What `--seconds` is, for help texts.
+fn seconds_help() -> String {
+    format!(
+        "End after so many seconds: print what is proved by then, or, where a part is no answer, an error that says what \
+         takes less time [default: {SECONDS}; none for commands about papers, `oracle` and `atlas`]"
+    )
 }

@@ -1,17 +1,6 @@
 //! How long commands may take.
 
-use super::Command;
-
-/// The seconds of a command that answers about one scheme, one set of matrices or one mesh.
-const SECONDS: u32 = 60;
-
-/// What `--seconds` is.
-pub(super) fn help() -> String {
-    format!(
-        "End after so many seconds: print what is proved by then, or, where a part is no answer, an error that says what \
-         takes less time [default: {SECONDS}; none for commands about papers, `oracle` and `atlas`]"
-    )
-}
+use super::{Command, SECONDS};
 
 impl Command {
     /// The seconds that it has unless others are asked for; none without an end.
