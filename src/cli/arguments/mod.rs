@@ -5,6 +5,7 @@ mod findings;
 mod groups;
 mod hints;
 mod meshes;
+mod oracle;
 mod papers;
 mod schemes;
 mod smoothness;
@@ -19,14 +20,15 @@ pub(super) use meshes::{
     ClosedArgument, IsolatedArgument, LimitArguments, MeshBoundary, MeshOutput, MeshOutputFormat,
     RefineArguments,
 };
+pub(super) use oracle::{OracleArguments, OracleFormat};
 pub(super) use papers::{
     AuditArguments, CoverageArguments, ErrataArguments, ErrataFormat, ExplainArguments,
     NewArguments, ProveArguments, is_of_papers,
 };
 pub(super) use schemes::{
     AnyBoundary, AtlasArguments, BOXES, BoundaryArgument, CertifyArguments, ConstantsArguments,
-    DepthArguments, DistanceArgument, FacesArgument, OracleArguments, OracleFormat, PlotArguments,
-    RangeArguments, SchemeArguments, SchemesArguments,
+    DepthArguments, DistanceArgument, FacesArgument, PlotArguments, RangeArguments,
+    SchemeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};
 pub(super) use spectrum::{SpectrumArguments, TableArguments};

@@ -3,6 +3,7 @@
 pub(super) mod commands;
 pub(super) mod mesh;
 mod mesh_form;
+pub(super) mod mesh_input;
 pub(super) mod net;
 mod oracle;
 pub(super) mod polygon;

@@ -1,7 +1,8 @@
 //! Tensor nets for `subcert refine`, `limit`, `oracle` and `depth`.
 
-use super::mesh::{deliver, in_form, input, note_what_is_lost, noted, text_of};
+use super::mesh::{deliver, in_form, input, note_what_is_lost, noted};
 use super::mesh_form::OF_NETS;
+use super::mesh_input::text_of;
 use super::polygon::empty_line;
 use crate::cli::arguments::{ClosedArgument, MeshOutput, MeshOutputFormat, OracleFormat};
 use crate::cli::console::answer::SCHEMA;

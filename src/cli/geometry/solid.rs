@@ -1,7 +1,8 @@
 //! `subcert refine` and `subcert limit`, and `subcert oracle --mesh`, of hexahedral solids.
 
-use super::mesh::{deliver, in_form, input, text_of};
+use super::mesh::{deliver, in_form, input};
 use super::mesh_form::OF_SOLIDS;
+use super::mesh_input::text_of;
 use super::net::limit_at;
 use crate::cli::arguments::{LimitArguments, MeshOutputFormat, OracleFormat, RefineArguments};
 use crate::cli::console::answer::SCHEMA;

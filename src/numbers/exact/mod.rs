@@ -67,10 +67,8 @@ pub use polynomials::rational_polynomial::RationalPolynomial;
 pub use polynomials::sturm::SturmSequence;
 pub use polynomials::univariate::IntegerPolynomial;
 pub use printed::decimal::{Decimal, Rounding};
-pub use printed::read::{
-    MAX_DIGITS, MAX_EXPONENT, NumberError, is_blank, is_vulgar, parse_decimal, parse_printed,
-    parse_rational,
-};
+pub use printed::error::{MAX_DIGITS, MAX_EXPONENT, NumberError};
+pub use printed::read::{is_blank, is_vulgar, parse_decimal, parse_printed, parse_rational};
 pub use rational::Rational;
 pub use real::algebraic::RealAlgebraic;
 pub use real::comparable::comparable;

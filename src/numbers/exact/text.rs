@@ -1,6 +1,7 @@
 //! Numbers as text, in programs and in files.
 
-use super::printed::read::{MAX_DIGITS, NumberError, integer_in, parse_rational};
+use super::printed::error::{MAX_DIGITS, NumberError};
+use super::printed::read::{integer_in, parse_rational};
 use super::{Integer, Rational};
 use serde::de::{self, Deserialize, Deserializer};
 use serde::ser::{self, Serialize, Serializer};

@@ -4,6 +4,7 @@ use super::spanned::Spanned;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{LocatedFormula, PI, is_identifier};
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Parses a TOML string as a formula.
@@ -46,4 +47,29 @@ pub fn identifier(source: &Arc<SourceText>, name: &Spanned<String>) -> Result<St
     let message = format!("`{}` cannot be a name in a formula", name.get_ref());
     Err(Diagnostic::new(source, name.span(), message)
         .with_help("use a letter or `_`, then letters, digits and `_`"))
+}
+
+/// The formulas of the rules of a mask, as lists of texts.
+///
+/// # Errors
+/// When there is none, or a text is no formula.
+pub(super) fn rules(
+    source: &Arc<SourceText>,
+    whole: Range<usize>,
+    rules: &[Spanned<Vec<Spanned<String>>>],
+) -> Result<Vec<Vec<LocatedFormula>>, Diagnostic> {
+    let empty = |span: Range<usize>| {
+        Diagnostic::new(source, span, "a mask needs at least one coefficient in each rule")
+            .with_help("write a rule as ['3/4', '1/4']")
+    };
+    if rules.is_empty() {
+        return Err(empty(whole));
+    }
+    let rule = |row: &Spanned<Vec<Spanned<String>>>| {
+        if row.get_ref().is_empty() {
+            return Err(empty(row.span()));
+        }
+        row.get_ref().iter().map(|text| formula(source, text)).collect()
+    };
+    rules.iter().map(rule).collect()
 }

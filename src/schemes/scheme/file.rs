@@ -3,7 +3,7 @@
 use super::definition::{
     CatalogueFacts, Coefficients, ParameterSpec, RuleFormulas, SchemeDefinition,
 };
-use super::fields::{definitions, formula, identifier};
+use super::fields::{definitions, formula, identifier, rules};
 use super::local_file::{EdgeTable, OrbitTable, WeightTable, ring};
 use super::local_formulas::{LocalFormulas, NEW_INDEX, OLD_INDEX};
 use super::spanned::Spanned;
@@ -257,7 +257,7 @@ impl SchemeTable {
         match (&self.mask, &self.arity, &self.width, &self.entry) {
             (Some(mask), None, None, None) => match mask.get_ref() {
                 MaskTable::Rules(rules) => {
-                    Ok((None, Coefficients::Listed(listed(source, mask.span(), rules)?)))
+                    Ok((None, Coefficients::Listed(self::rules(source, mask.span(), rules)?)))
                 }
                 MaskTable::Text(text) => self.text(source, mask.span(), text, definitions),
             },
@@ -337,25 +337,4 @@ impl SchemeTable {
         }
         ring(source, orbits, weights, edges)
     }
-}
-
-fn listed(
-    source: &Arc<SourceText>,
-    whole: Range<usize>,
-    rules: &[Spanned<Vec<Spanned<String>>>],
-) -> Result<Vec<Vec<LocatedFormula>>, Diagnostic> {
-    let empty = |span: Range<usize>| {
-        Diagnostic::new(source, span, "a mask needs at least one coefficient in each rule")
-            .with_help("write a rule as ['3/4', '1/4']")
-    };
-    if rules.is_empty() {
-        return Err(empty(whole));
-    }
-    let rule = |row: &Spanned<Vec<Spanned<String>>>| {
-        if row.get_ref().is_empty() {
-            return Err(empty(row.span()));
-        }
-        row.get_ref().iter().map(|text| formula(source, text)).collect()
-    };
-    rules.iter().map(rule).collect()
 }

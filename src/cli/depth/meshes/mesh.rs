@@ -13,7 +13,7 @@ use crate::cli::arguments::{AnyBoundary, DepthArguments};
 use crate::cli::console::answer::deliver;
 use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Outcome, positive};
-use crate::cli::geometry::mesh::{Given, failure, read, with_boundary};
+use crate::cli::geometry::mesh_input::{Given, failure, read, with_boundary};
 use std::path::Path;
 use subcert::mesh::MeshScheme;
 use subcert::patch::{FORMULA_PAPER, MeshDistances, a_priori, formula_level};

@@ -280,6 +280,7 @@ impl CurveForm {
         let smoothness = facts.smoothness.as_ref().ok();
         let best = facts.best_offset.as_ref();
         let limit = facts.limit.as_ref().ok();
+        let open = |(fact, reason)| OpenForm { fact, reason };
         CurveForm {
             arity: facts.symbol.arity(),
             points: facts.points,
@@ -315,11 +316,7 @@ impl CurveForm {
                 let moved = moved.map(|(place, stencil)| StencilForm::of(place, stencil));
                 std::iter::once(zero).chain(moved).collect()
             }),
-            open: facts
-                .open()
-                .into_iter()
-                .map(|(fact, reason)| OpenForm { fact, reason })
-                .collect(),
+            open: facts.open().into_iter().map(open).collect(),
         }
     }
 }
