@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
 use crate::scheme::{Spanned, definitions, formula, identifier};
 use serde::Deserialize;
-use serde::de::Visitor;
+use serde::de::{Unexpected, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -98,9 +98,10 @@ impl<'de> Deserialize<'de> for CellsField {
                 if text == "lost" {
                     return Ok(CellsField::Lost);
                 }
-                Err(E::custom(
-                    "a text is no cells, and a file is not read: write them here, in rows such as \
-                     [['0.68', '0.31'], …], or \"lost\"",
+                Err(E::invalid_value(
+                    Unexpected::Str(text),
+                    &"rows of cells such as [['0.68', '0.31'], …], which are written here, as a file is not \
+                      read, or \"lost\"",
                 ))
             }
             fn visit_seq<S: serde::de::SeqAccess<'de>>(
