@@ -11,15 +11,20 @@ use subcert::exact::{Enclosed, Rational, RealCyclotomic, RealExpression};
 use subcert::float::nearest;
 use subcert::formula::{Scope, evaluate, parse};
 
-/// A real number: exactly as text, as a fraction if it is one, and the nearest float.
+/// The most binary digits that tell an expression from 0 where it is asked whether it is a fraction.
+const MOST_DIGITS: u64 = 1 << 12;
+
+/// A real number: exactly as text, as a fraction if it is known to be one, and the nearest float.
 pub(crate) type Real = (String, Option<Fraction>, f64);
 
 fn of(value: &(impl Enclosed + Display), rational: Option<&Rational>) -> Real {
     (value.to_string(), rational.map(fraction), nearest(value))
 }
 
+/// Nested roots of high degrees have so many digits that the question would take minutes.
 pub(crate) fn of_expression(value: &RealExpression) -> Real {
-    of(value, value.as_rational())
+    let asked = value.separation() <= MOST_DIGITS;
+    of(value, if asked { value.as_rational() } else { None })
 }
 
 pub(crate) fn of_cyclotomic(value: &RealCyclotomic) -> Real {
