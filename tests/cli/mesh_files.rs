@@ -1,6 +1,6 @@
 //! Files of meshes and polygons as programs write them: what is read, what is noted, and what is joined.
 
-use super::{TemporaryFile, assert_parts, refused, subcert, written};
+use super::{TemporaryFile, assert_parts, refused, subcert, temporary, written};
 use serde_json::Value;
 use std::fmt::Write as _;
 
@@ -387,7 +387,7 @@ fn what_is_too_far_is_printed_as_farther_than_the_tolerance() {
 /// The ending says the form, or the message says which endings there are; nothing is made by the way.
 #[test]
 fn endings_decide() {
-    let folder = std::env::temp_dir().join(format!("subcert-{}-endings", std::process::id()));
+    let folder = temporary("endings");
     std::fs::create_dir_all(&folder).expect("a folder");
     let path = |name: &str| folder.join(name).to_str().expect("a path").to_owned();
     let schemes: [(&[&str], &str, &str); 12] = [

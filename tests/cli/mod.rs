@@ -26,6 +26,7 @@ mod terminal;
 mod time;
 
 use snapbox::cmd::{Command, cargo_bin};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The program with these arguments, in the project's folder.
@@ -60,15 +61,19 @@ fn assert_parts(message: &str, parts: &[&str]) {
     }
 }
 
+/// A path for a test alone, which ends with this name: tests run side by side, and use the same names.
+fn temporary(name: &str) -> PathBuf {
+    static COUNT: AtomicUsize = AtomicUsize::new(0);
+    let (process, count) = (std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
+    std::env::temp_dir().join(format!("subcert-{process}-{count}-{name}"))
+}
+
 /// A file with this text, which is gone when this is dropped.
-struct TemporaryFile(std::path::PathBuf);
+struct TemporaryFile(PathBuf);
 
 impl TemporaryFile {
     fn new(name: &str, text: &str) -> TemporaryFile {
-        // Tests run side by side, and use the same names.
-        static COUNT: AtomicUsize = AtomicUsize::new(0);
-        let own = (std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
-        let path = std::env::temp_dir().join(format!("subcert-{}-{}-{name}", own.0, own.1));
+        let path = temporary(name);
         std::fs::write(&path, text).expect("a temporary file");
         TemporaryFile(path)
     }

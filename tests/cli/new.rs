@@ -1,6 +1,6 @@
 //! Templates of claim files, claim files from the standard input, and what is denied of them.
 
-use super::{assert_parts, refused, subcert, written};
+use super::{assert_parts, refused, subcert, temporary, written};
 use std::collections::BTreeSet;
 
 const EVERY_FAULT: &str =
@@ -45,7 +45,7 @@ fn the_commented_tables_of_the_template_audit_cleanly() {
 
 #[test]
 fn a_file_that_is_there_stays() {
-    let folder = std::env::temp_dir().join(format!("subcert-{}-new", std::process::id()));
+    let folder = temporary("new");
     std::fs::create_dir_all(&folder).expect("a folder");
     let program = snapbox::cmd::cargo_bin!("subcert");
     let new = || {

@@ -1,6 +1,6 @@
 //! What the commands write.
 
-use super::{TemporaryFile, subcert, written};
+use super::{TemporaryFile, subcert, temporary, written};
 use crate::common::papers::AUDITS;
 use snapbox::{assert_data_eq, file};
 use subcert::audit::audit;
@@ -139,7 +139,7 @@ fn explain_a_table_of_smoothness() {
 #[cfg(unix)]
 #[test]
 fn a_link_is_written_through() {
-    let folder = std::env::temp_dir().join(format!("subcert-{}-links", std::process::id()));
+    let folder = temporary("links");
     std::fs::create_dir_all(&folder).expect("a folder");
     let (file, link, round) = (folder.join("file.txt"), folder.join("link"), folder.join("round"));
     std::os::unix::fs::symlink("file.txt", &link).expect("a link");
@@ -350,7 +350,7 @@ fn certificates_of_a_claim_file() {
         .assert()
         .success()
         .stdout_eq(file!["snapshots/certified.txt"]);
-    let folder = std::env::temp_dir().join(format!("subcert-{}-prove", std::process::id()));
+    let folder = temporary("prove");
     let path = folder.to_str().expect("a UTF-8 path");
     for _ in 0..2 {
         // The second time, there is something to be replaced.

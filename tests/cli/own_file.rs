@@ -1,6 +1,6 @@
 //! What the program says to someone who comes with a claim file, or with another file, of their own.
 
-use super::{TemporaryFile, assert_parts, refused, subcert, written};
+use super::{TemporaryFile, assert_parts, refused, subcert, temporary, written};
 
 const PAPER: &str = r#"key = "roe2027"
 [paper]
@@ -93,7 +93,7 @@ fn hints_name_the_file() {
 #[test]
 fn certificates_are_said_of_every_claim() {
     let file = file("certified.toml");
-    let folder = std::env::temp_dir().join(format!("subcert-{}-own-pages", std::process::id()));
+    let folder = temporary("own-pages");
     let path = folder.to_str().expect("a UTF-8 path");
     let pages = ["audit", file.path(), "--certified", "--format", "html", "-o", path];
     subcert(pages).assert().success();

@@ -1,13 +1,13 @@
 //! Pages of audits: files in a folder, whole or not at all.
 
-use super::{TemporaryFile, assert_parts, refused, written};
+use super::{TemporaryFile, assert_parts, refused, temporary, written};
 use std::fs::{read_dir, read_to_string, remove_dir_all, write};
 
 const PAPER: &str = "examples/my-paper.toml";
 
 #[test]
 fn a_page_for_each_paper_and_an_index() {
-    let folder = std::env::temp_dir().join(format!("subcert-{}-pages", std::process::id()));
+    let folder = temporary("pages");
     let path = folder.to_str().expect("a UTF-8 path");
     // Twice: what is there is replaced.
     for _ in 0..2 {
@@ -56,7 +56,7 @@ fn no_paper_takes_the_place_of_the_index() {
     let text = read_to_string(PAPER).expect("the example").replace("doe2026-corner", "index");
     let file = TemporaryFile::new("index.toml", "");
     write(file.path(), text).expect("the file");
-    let folder = std::env::temp_dir().join(format!("subcert-{}-index", std::process::id()));
+    let folder = temporary("index");
     let path = folder.to_str().expect("a UTF-8 path");
     let message = refused(["audit", file.path(), "--format", "html", "-o", path]);
     assert_parts(&message, &["a paper of the key `index`", "another key"]);
@@ -68,7 +68,7 @@ fn a_finding_goes_to_the_output_to_a_file_or_into_a_folder() {
     let explain = ["explain", "doe2026-corner:table-1:1:3", PAPER, "--format", "html"];
     let page = written(explain);
     assert!(page.starts_with("<!DOCTYPE html>") && page.contains("doe2026-corner:table-1:1:3"));
-    let folder = std::env::temp_dir().join(format!("subcert-{}-findings", std::process::id()));
+    let folder = temporary("findings");
     let path = folder.to_str().expect("a UTF-8 path");
     let said = written(explain.into_iter().chain(["-o", path]));
     assert_eq!(said, format!("{path}/doe2026-corner.table-1.1.3.html\n"));

@@ -1,6 +1,6 @@
 //! `subcert plot`, the pages of `subcert atlas`, and tables of masks.
 
-use super::{TemporaryFile, assert_parts, refused, written};
+use super::{TemporaryFile, assert_parts, refused, temporary, written};
 
 #[test]
 fn a_picture_goes_to_the_output_or_into_a_file() {
@@ -29,7 +29,7 @@ fn nonsense_is_refused() {
 /// An index, a page for each entry, and the pages of audits that they link to.
 #[test]
 fn the_atlas_is_a_folder_of_pages() {
-    let folder = std::env::temp_dir().join(format!("subcert-{}-atlas", std::process::id()));
+    let folder = temporary("atlas");
     let path = folder.to_str().expect("a UTF-8 path");
     let claims = "proofs/claims/smoothness/lane1980.toml";
     let arguments = [
@@ -78,7 +78,7 @@ fn the_atlas_is_a_folder_of_pages() {
 /// One's own schemes have pages like those of the catalogue.
 #[test]
 fn own_schemes_have_pages() {
-    let folder = std::env::temp_dir().join(format!("subcert-{}-own-atlas", std::process::id()));
+    let folder = temporary("own-atlas");
     let path = folder.to_str().expect("a UTF-8 path");
     let own = ["examples/my-scheme.toml", "examples/my-scheme.toml:w=1/8", "[1, 3, 3, 1]/4"];
     let arguments = [&["atlas"], &own[..], &["chaikin", "--format", "html", "-o", path]].concat();

@@ -1,6 +1,6 @@
 //! The commands on claim files of projects.
 
-use super::{TemporaryFile, assert_parts, refused, subcert, written};
+use super::{TemporaryFile, assert_parts, refused, subcert, temporary, written};
 
 const WEIGHTS: &str = "examples/weights.toml";
 
@@ -70,7 +70,7 @@ fn every_format() {
 
 #[test]
 fn pages_and_the_standard_input() {
-    let folder = std::env::temp_dir().join(format!("subcert-{}-projects", std::process::id()));
+    let folder = temporary("projects");
     let path = folder.to_str().expect("a UTF-8 path");
     subcert(["audit", WEIGHTS, "--certified", "--format", "html", "-o", path]).assert().success();
     let index = std::fs::read_to_string(folder.join("index.html")).expect("an index");

@@ -1,6 +1,6 @@
 //! Widths, colours, quiet runs, and what every command says of itself.
 
-use super::{subcert, written};
+use super::{subcert, temporary, written};
 use crate::common::papers::AUDITS;
 use serde_json::Value;
 use subcert::report::coverage_sheet;
@@ -194,7 +194,7 @@ fn examples_of_the_help_run() {
 
 #[test]
 fn man_pages_of_every_command() {
-    let folder = std::env::temp_dir().join(format!("subcert-{}-man", std::process::id()));
+    let folder = temporary("man");
     written(["man", folder.to_str().expect("a UTF-8 path")]);
     let page = |name: &str| std::fs::read_to_string(folder.join(name));
     let whole = page("subcert.1").expect("a page");

@@ -3,10 +3,10 @@
 use crate::exact::{Decimal, Interval, IntervalSet, Rational, RealAlgebraic};
 use std::ops::{Bound, Range};
 
-/// The digits that an end needs to be called rounded, from the first that is not 0.
+/// The digits that a decimal needs to be called rounded, from the first that is not 0.
 const MIN_DIGITS: usize = 2;
 
-/// Whether an end of a range may be a rounded one.
+/// Whether an end of a range, or a side of an equation, may be a rounded one.
 pub(crate) fn is_rounded(end: &Decimal) -> bool {
     end.significant_digits() >= MIN_DIGITS
 }

@@ -1,7 +1,7 @@
 //! Judging an equation.
 
 use crate::cap::Cap;
-use crate::claim::{Equation, EquationBody, Identity, Index, Paper};
+use crate::claim::{Equation, EquationBody, Identity, Index, Paper, is_rounded};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::evaluation::shape::Shapes;
@@ -80,14 +80,14 @@ fn compare(
     Ok(EquationVerdict::Fails { cases: cases.len(), failures, mends })
 }
 
-/// How a side that is one decimal came from the number on the other side: rounded to the nearest, or, with 2 digits or more, cut or
+/// How a side that is one decimal came from the number on the other side: rounded to the nearest, or, if it has digits enough, cut or
 /// rounded away from zero.
 fn rounding(printed: &LocatedFormula, other: &Polynomial) -> Option<Rounding> {
     let decimal = parse_decimal(&printed.text).ok().filter(|decimal| decimal.exponent() < 0)?;
     let rounding = decimal.rounding_of(&other.as_rational()?);
     match rounding {
         Rounding::Nearest => Some(rounding),
-        Rounding::Cut | Rounding::Up => (decimal.significant_digits() >= 2).then_some(rounding),
+        Rounding::Cut | Rounding::Up => is_rounded(&decimal).then_some(rounding),
         Rounding::Exact | Rounding::Neither => None,
     }
 }
