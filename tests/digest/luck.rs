@@ -93,11 +93,11 @@ fn the_only_number_is_no_luck() {
     assert!(explaining.all(|reading| !finding.is_by_luck(reading, (0, 0))));
 }
 
-/// A table of d(n) = n + 5000, whose alternative is n, for these n.
+/// A table of d(n) = n² + 5000, whose alternative is n, for these n.
 fn identity(n: &[String], cells: &[String]) -> String {
     let list = |all: &[String]| format!("'{}'", all.join("', '"));
     format!(
-        "[define]\nd = 'n + 5000'\n[[alternative]]\nof = 'd'\nlabel = 'other'\nvalue = 'n'\n\
+        "[define]\nd = 'n*n + 5000'\n[[alternative]]\nof = 'd'\nlabel = 'other'\nvalue = 'n'\n\
          [[table]]\nid = 't'\nlocus = 'T'\nvalue = 'd'\n\
          columns = {{ name = 'n', values = [{}] }}\ncells = [[{}]]\n",
         list(n),
@@ -253,5 +253,46 @@ fn a_power_of_ten_is_no_rounding_of_a_small_value() {
         assert!(verdicts[..2].iter().all(|verdict| *verdict == Verdict::Refuted));
         // 5001 is more than half of it.
         assert_eq!(verdicts[2], Verdict::Confirmed);
+    });
+}
+
+/// A table of one row with this value, in which the parameters are given.
+fn row(given: &str, value: &str, header: &str, columns: &[String], cells: &[String]) -> String {
+    let list = |all: &[String]| format!("'{}'", all.join("', '"));
+    format!(
+        "[given]\n{given}\n[[scheme]]\nname = 's'\nuse = 'chaikin'\n[[table]]\nid = 't'\nlocus = 'T'\n\
+         scheme = 's'\nvalue = '{value}'\ncolumns = {{ name = '{header}', values = [{}] }}\ncells = [[{}]]\n",
+        list(columns),
+        list(cells)
+    )
+}
+
+/// Numbers that are a constant times the values of the printed text are one number, however many they are: a scale that
+/// hits the constant by luck gives them all.
+#[test]
+fn a_constant_is_one_number() {
+    let three = |k: &f64| format!("{k:.*}", (2.0 - k.log10().floor()) as usize);
+    for constant in [0.137, 0.219, 0.0883] {
+        let levels: Vec<String> = (1..9).map(|k| k.to_string()).collect();
+        let halves: Vec<String> = (1..9).map(|k| three(&(constant * 0.5_f64.powi(k)))).collect();
+        let places: Vec<String> = (1..9).map(|k| format!("{}.7", 2 * k)).collect();
+        let times: Vec<String> =
+            (1..9).map(|k| three(&(constant * (2.0 * f64::from(k) + 0.7)))).collect();
+        for claims in [
+            row("T = '1'", "T*contraction(1)^c", "c", &levels, &halves),
+            row("r = '1/10'", "r*x", "x", &places, &times),
+        ] {
+            searched(&claims, |search, verdicts| {
+                assert!(search.most >= 3 && search.best.is_empty(), "{search:?}");
+                assert!(verdicts.iter().all(|verdict| *verdict == Verdict::Refuted));
+            });
+        }
+    }
+    // With as many digits as no scale has by luck, it is an explanation.
+    let cells: Vec<String> =
+        (1..9).map(|k| format!("{:.13}", 10.0 / 73.0 * 0.5_f64.powi(k))).collect();
+    let levels: Vec<String> = (1..9).map(|k| k.to_string()).collect();
+    searched(&row("T = '1'", "T*contraction(1)^c", "c", &levels, &cells), |search, _| {
+        assert_eq!(search.best[0].count(), 8);
     });
 }

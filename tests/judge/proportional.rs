@@ -13,8 +13,8 @@ fn of(value: &str) -> (String, bool) {
         "key = 'k'\n[paper]\nauthors = ['A']\ntitle = 't'\nvenue = 'v'\nyear = '1'\n\
          [define]\nhalf = 'w/2'\nrest = 'w + half'\n\
          [[table]]\nid = 't'\nlocus = 'T'\ntitle = 't'\nvalue = '{value}'\ngiven = {{ w = '1' }}\n\
-         columns = {{ name = 'a', values = ['1.237', '2.771', '3.913', '5.119', '6.337'] }}\n\
-         cells = [['2.16475', '4.84925', '6.84775', '8.95825', '11.08975']]\n"
+         columns = {{ name = 'a', values = ['1.23456784', '2.77123416', '3.91345648', '5.11978124', '6.33712348'] }}\n\
+         cells = [['2.16049372', '4.84965978', '6.84854884', '8.95961717', '11.08996609']]\n"
     );
     let paper = read_paper(&SourceText::new("k.toml", text.clone())).expect("a claim file");
     let audit = audit(&paper).expect("an audit");

@@ -444,7 +444,7 @@ fn powers_have_no_scale() {
             "key = 'k'\n[paper]\nauthors = []\ntitle = ''\nvenue = ''\nyear = ''\n[[table]]\n\
              id = 't'\nlocus = ''\nvalue = '{value}'\ngiven = {{ k = '1' }}\n\
              columns = {{ name = 'a', values = ['1', '2', '3'] }}\n\
-             cells = [['1.428571', '2.857143', '4.285714']]\n",
+             cells = [['1.428571428571', '2.857142857143', '4.285714285714']]\n",
         )
     };
     for (value, found) in [("a*k", true), ("a*2^k", false)] {
@@ -594,8 +594,9 @@ fn large_families_have_fewer_differences() {
             };
             let cell = |x: usize| {
                 let term = |i: usize| {
-                    let factor = if i <= changed { 3 } else { 1 };
-                    factor * i64::try_from(x.pow(u32::try_from(i).expect("small"))).expect("small")
+                    let factor = if i <= changed { i + 1 } else { 1 };
+                    i64::try_from(factor).expect("small")
+                        * i64::try_from(x.pow(u32::try_from(i).expect("small"))).expect("small")
                 };
                 format!(
                     "'{}'",

@@ -128,6 +128,17 @@ impl Difference {
         matches!(self, Difference::Copied(_))
     }
 
+    /// Whether it may bring a constant that fits by luck: all do but the ways of choices, which are few, and the same for
+    /// every paper.
+    pub(crate) fn brings_constants(&self) -> bool {
+        match self {
+            Difference::Way(..) => false,
+            Difference::Alternative { .. } | Difference::Copied(_) | Difference::Scale { .. } => {
+                true
+            }
+        }
+    }
+
     /// The name of the choice, the definition or the parameter; all quantities from another place
     /// have one name.
     #[must_use]
@@ -213,6 +224,11 @@ impl Explanation {
     #[must_use]
     pub fn differs(&self) -> String {
         differs(&self.differences, &self.solved)
+    }
+
+    /// Whether a constant of this reading may fit by luck.
+    pub(crate) fn brings_constants(&self) -> bool {
+        self.differences.iter().any(Difference::brings_constants)
     }
 
     /// The rank of a reading: by the number of cells that it explains, then those that keep every number that the

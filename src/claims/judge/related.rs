@@ -9,6 +9,7 @@ use crate::finding::{
 use crate::judge::kind::Judge;
 use crate::judge::parallel;
 use crate::judge::reading::chance::{Evidence, is_small};
+use crate::judge::reading::dependence::Known;
 use crate::judge::reading::plain::{as_plain, height};
 use crate::judge::reading::space::Family;
 use crate::judge::recovery::{self, RecoveredValues, Values, combinations, reproduced};
@@ -256,7 +257,8 @@ fn has_evidence(pairs: &[(&TableFinding<'_>, &TableFinding<'_>)], value: &Ration
             for (column, cell) in printed.iter().enumerate() {
                 let left = then.cells[row][column].verdict != Verdict::Reproduced;
                 let Some(printed) = cell.printed().filter(|_| left) else { continue };
-                cells.push((printed, is_depth, (start + row, start + column)));
+                let place = (start + row, start + column);
+                cells.push((Known { place, printed, value: None }, is_depth));
                 count += usize::from(now.cells[row][column].verdict == Verdict::Reproduced);
             }
         }

@@ -2,7 +2,9 @@
 
 use crate::claim::Printed;
 use crate::exact::{Integer, Rational};
-use crate::judge::reading::space::PrintedCells;
+use crate::finding::{Explanation, Values};
+use crate::judge::reading::dependence::{self, Known};
+use crate::judge::reading::space::{PrintedCells, ReadingSpace};
 use std::collections::BTreeMap;
 
 /// A reading is reported if luck gives as good a reading in at most one of this many tables of
@@ -15,6 +17,9 @@ const LIKELY_DEPTHS: i64 = 4;
 
 /// The most digits of a number that count.
 const MOST_DIGITS: usize = 18;
+
+/// How many times as rare as another cell that tells something a cell may be that a constant connects with it.
+const MOST_TIMES: u64 = 10;
 
 /// The greatest binary logarithm of the number x of [`Evidence::chance`].
 const MOST_DOUBLINGS: u32 = 128;
@@ -44,8 +49,8 @@ fn rarity(part: &Integer) -> u64 {
 
 /// What cells tell of a reading that explains so many of them.
 pub(crate) struct Evidence {
-    /// Of each printed number that tells something, the one in how many values that becomes it, and
-    /// in how many cells it stands.
+    /// Of each class of printed numbers that tell something, the one in how many values, at least, that becomes one of
+    /// them, and in how many cells they stand.
     numbers: Vec<(u64, usize)>,
     /// How many cells tell nothing.
     silent: usize,
@@ -59,47 +64,75 @@ impl Evidence {
         is_depth: bool,
         counts: impl Fn(usize, usize) -> bool,
     ) -> Evidence {
+        Evidence::with(printed, is_depth, None, counts)
+    }
+
+    /// As [`Evidence::new`]. Cells that a constant connects with the values `as_printed` are one number.
+    fn with(
+        printed: &PrintedCells<'_>,
+        is_depth: bool,
+        as_printed: Option<&Values>,
+        counts: impl Fn(usize, usize) -> bool,
+    ) -> Evidence {
         let places = printed.iter().enumerate().flat_map(|(row, cells)| {
             cells.iter().enumerate().map(move |(column, cell)| (*cell, (row, column)))
         });
         let places = places.filter(|(_, (row, column))| counts(*row, *column));
-        Evidence::of(places.filter_map(|(cell, place)| Some((cell?, is_depth, place))))
+        let value = |(row, column): (usize, usize)| as_printed?[row][column].as_ref();
+        Evidence::of(places.filter_map(|(printed, place)| {
+            Some((Known { place, printed: printed?, value: value(place) }, is_depth))
+        }))
     }
 
-    /// The evidence of these cells, each with whether it is a depth, and its row and column.
+    /// The evidence of these cells, each with whether it is a depth.
     ///
     /// Printed numbers with the same telling part are one number, wherever they stand and however they are written. So
-    /// are equal depths in one row or column, and those that are connected in this way.
-    pub(crate) fn of<'p>(
-        cells: impl IntoIterator<Item = (&'p Printed, bool, (usize, usize))>,
-    ) -> Evidence {
-        let (mut all, mut silent) = (Vec::new(), 0);
-        for (printed, is_depth, place) in cells {
+    /// are equal depths in one row or column, other numbers that a constant connects with the printed text
+    /// ([`dependence::connected`]), and those that are connected in this way.
+    pub(crate) fn of<'p>(cells: impl IntoIterator<Item = (Known<'p>, bool)>) -> Evidence {
+        let (mut all, mut others, mut silent) = (Vec::new(), Vec::new(), 0);
+        for (cell, is_depth) in cells {
+            let decimal = &cell.printed.decimal;
             let (one_in, number) = if is_depth {
-                (one_in(printed, true), printed.decimal.value().to_string())
+                (one_in(cell.printed, true), decimal.value().to_string())
             } else {
-                let part = printed.decimal.telling_part();
+                let part = decimal.telling_part();
                 (rarity(&part), part.to_string())
             };
             match one_in {
                 1 => silent += 1,
-                _ => all.push((one_in, number, is_depth, place)),
+                _ => {
+                    all.push((one_in, number, is_depth, cell.place));
+                    others.push(if is_depth { Known { value: None, ..cell } } else { cell });
+                }
             }
         }
-        // For each cell an earlier one with the same number, or itself.
-        let mut earlier: Vec<usize> = (0..all.len()).collect();
+        let (mut classes, mut connected) = (Classes::new(all.len()), Classes::new(all.len()));
+        for set in dependence::connected(&others) {
+            set.iter().for_each(|at| connected.join(set[0], *at));
+        }
+        let mut rarest = vec![0; all.len()];
+        for (at, (one_in, ..)) in all.iter().enumerate() {
+            let most = &mut rarest[connected.root(at)];
+            *most = (*most).max(*one_in);
+        }
         let mut first = BTreeMap::new();
         for (at, (_, number, is_depth, (row, column))) in all.iter().enumerate() {
+            classes.join(at, connected.root(at));
             let lines = [(Some(row), None), (None, Some(column))];
             for line in if *is_depth { &lines[..] } else { &[(None, None)] } {
-                let other = *first.entry((number, *line)).or_insert(at);
-                let (one, other) = (root(&mut earlier, at), root(&mut earlier, other));
-                earlier[one.max(other)] = one.min(other);
+                classes.join(at, *first.entry((number, *line)).or_insert(at));
             }
         }
-        let mut numbers: Vec<(u64, usize)> = all.iter().map(|(one_in, ..)| (*one_in, 0)).collect();
-        for at in 0..all.len() {
-            numbers[root(&mut earlier, at)].1 += 1;
+        let mut numbers: Vec<(u64, usize)> = vec![(u64::MAX, 0); all.len()];
+        for (at, (one_in, ..)) in all.iter().enumerate() {
+            // Of what a constant connects, the least rare cells tell nothing.
+            if *one_in < rarest[connected.root(at)] / MOST_TIMES {
+                silent += 1;
+                continue;
+            }
+            let (least, cells) = &mut numbers[classes.root(at)];
+            (*least, *cells) = ((*least).min(*one_in), *cells + 1);
         }
         numbers.retain(|(_, cells)| *cells > 0);
         Evidence { numbers, silent }
@@ -147,13 +180,66 @@ impl Evidence {
     }
 }
 
-/// The first cell with the number of a cell. The links to it become shorter.
-fn root(earlier: &mut [usize], mut at: usize) -> usize {
-    while earlier[at] != at {
-        earlier[at] = earlier[earlier[at]];
-        at = earlier[at];
+/// The evidence of the same cells for readings of both kinds.
+pub(crate) struct BothEvidence {
+    /// For those that bring no constant.
+    by_choices: Evidence,
+    /// For those that may hit a constant by luck, and with it all cells that it connects with the printed text.
+    with_constants: Evidence,
+}
+
+impl BothEvidence {
+    /// The evidence of the printed cells of these readings that `counts` holds for. Recovered values are such constants
+    /// themselves, and the printed text is a reading like the others there.
+    pub(crate) fn new(
+        space: &ReadingSpace<'_>,
+        counts: impl Fn(usize, usize) -> bool,
+    ) -> BothEvidence {
+        let (printed, is_depth) = (space.printed, space.is_depth());
+        let values = space.assume.is_empty().then_some(&space.as_printed);
+        BothEvidence {
+            by_choices: Evidence::new(printed, is_depth, &counts),
+            with_constants: Evidence::with(printed, is_depth, values, &counts),
+        }
     }
-    at
+
+    /// How many cells these are.
+    pub(crate) fn cells(&self) -> usize {
+        self.by_choices.cells()
+    }
+
+    /// The evidence for a reading.
+    pub(crate) fn of(&self, reading: Option<&Explanation>) -> &Evidence {
+        match reading.is_some_and(Explanation::brings_constants) {
+            true => &self.with_constants,
+            false => &self.by_choices,
+        }
+    }
+}
+
+/// Classes of cells: for each cell an earlier one of its class, or itself.
+struct Classes(Vec<usize>);
+
+impl Classes {
+    /// Each cell has its own class.
+    fn new(cells: usize) -> Classes {
+        Classes((0..cells).collect())
+    }
+
+    /// Makes the classes of two cells one.
+    fn join(&mut self, one: usize, other: usize) {
+        let (one, other) = (self.root(one), self.root(other));
+        self.0[one.max(other)] = one.min(other);
+    }
+
+    /// The first cell of the class of a cell. The links to it become shorter.
+    fn root(&mut self, mut at: usize) -> usize {
+        while self.0[at] != at {
+            self.0[at] = self.0[self.0[at]];
+            at = self.0[at];
+        }
+        at
+    }
 }
 
 /// Whether a chance is so small that a reading is reported.

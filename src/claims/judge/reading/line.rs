@@ -4,7 +4,7 @@
 use crate::exact::Integer;
 use crate::finding::{Explanation, Line, LineReading, Values};
 use crate::judge::compare;
-use crate::judge::reading::chance::{Evidence, is_small};
+use crate::judge::reading::chance::{BothEvidence, is_small};
 use crate::judge::reading::space::ReadingSpace;
 use crate::judge::reading::tried::{self, Evaluated, Part, best};
 
@@ -67,7 +67,8 @@ fn one(
     (lines, recovered): (usize, &Integer),
 ) -> Option<LineReading> {
     let inside = |row: usize, column: usize| left[row][column] && line.holds(row, column);
-    let of_line = Evidence::new(space.printed, space.is_depth(), inside);
+    let both = BothEvidence::new(space, inside);
+    let of_line = both.of(None);
     let cells = of_line.cells();
     let factor = Integer::from(tried::parts(space.judge.paper) * SHIFTS.len() * lines) * recovered;
     let least = Integer::from(parts.first()?.all.len()) * &factor;
@@ -80,16 +81,22 @@ fn one(
         for shift in SHIFTS {
             let values = |one: &Evaluated| shifted(&one.values, shift, &inside);
             let explanations: Vec<Explanation> = space.explanations(all, values).collect();
-            let Some(best) = best(&explanations).into_iter().next() else { continue };
-            let known = found.as_ref().map_or(0, |found| found.best.count());
-            if best.count() <= known || !of_line.are_several(best.count()) {
-                continue;
-            }
-            let chance = of_line.chance(best.count(), &(Integer::from(*tried) * &factor));
-            if is_small(&chance) {
-                let tried = tried * SHIFTS.len() * lines;
-                let needs = space.needs(&explanations);
-                found = Some(LineReading { line, cells, shift, tried, best, chance, needs });
+            // A reading that brings no constant needs less to be no luck.
+            let by_choices = explanations.iter().filter(|one| !one.brings_constants());
+            let by_choices: Vec<Explanation> = by_choices.cloned().collect();
+            for candidates in [&explanations, &by_choices] {
+                let Some(best) = best(candidates).into_iter().next() else { continue };
+                let (of_line, known) = (both.of(Some(&best)), found.as_ref());
+                let known = known.map_or(0, |found| found.best.count());
+                if best.count() <= known || !of_line.are_several(best.count()) {
+                    continue;
+                }
+                let chance = of_line.chance(best.count(), &(Integer::from(*tried) * &factor));
+                if is_small(&chance) {
+                    let tried = tried * SHIFTS.len() * lines;
+                    let needs = space.needs(&explanations);
+                    found = Some(LineReading { line, cells, shift, tried, best, chance, needs });
+                }
             }
         }
     }

@@ -14,6 +14,7 @@ pub(crate) mod chance;
 mod consistent;
 mod copied;
 mod degree;
+pub(crate) mod dependence;
 mod explain;
 mod form;
 mod line;

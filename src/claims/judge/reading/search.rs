@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Integer, Rational};
 use crate::finding::{COPIED, CellFinding, CellKind, Explanation, Search, WayCounts};
-use crate::judge::reading::chance::{Evidence, is_small};
+use crate::judge::reading::chance::{BothEvidence, Evidence, is_small};
 use crate::judge::reading::space::{Family, PrintedCells, ReadingSpace, needed, printed};
 use crate::judge::reading::tried::{Evaluated, Part, parts};
 use crate::judge::reading::{line, tried};
@@ -57,7 +57,7 @@ pub(crate) fn search(
     // The cells that the printed text gives without assumptions do not support another reading.
     let is_given =
         |row: usize, column: usize| as_printed[row][column] && findings[row][column].is_plain();
-    let others = Evidence::new(&printed, space.is_depth(), |row, column| !is_given(row, column));
+    let others = BothEvidence::new(&space, |row, column| !is_given(row, column));
     let given = cells.len() - others.cells();
     let values = recovered.clone().unwrap_or_else(Integer::one);
     let shares = parts(judge.paper);
@@ -65,10 +65,9 @@ pub(crate) fn search(
         recovered.is_none() || is_determined(&space, best, candidates, shares * tried)
     };
     let least = if recovered.is_some() { 0 } else { count };
-    let judged = |explanations: &[Explanation], tried: usize| {
-        let best = tried::best(explanations);
+    let of_best = |best: Vec<Explanation>, tried: usize| {
         let most = best.first().map_or(0, Explanation::count);
-        let beyond = most.saturating_sub(given);
+        let (beyond, others) = (most.saturating_sub(given), others.of(best.first()));
         let chance = others.chance(beyond, &(Integer::from(shares * tried) * &values));
         let sure = most > least
             && others.are_enough(beyond)
@@ -76,6 +75,16 @@ pub(crate) fn search(
             && best.first().is_some_and(|best| determined(best, tried));
         let best = if sure { best } else { Vec::new() };
         BestOfPart { best, most, chance }
+    };
+    let judged = |explanations: &[Explanation], tried: usize| {
+        let found = of_best(tried::best(explanations), tried);
+        // A reading that gives as many and brings no constant needs less to be no luck.
+        let equal = |one: &&Explanation| one.count() == found.most && !one.brings_constants();
+        let equal: Vec<Explanation> = explanations.iter().filter(equal).cloned().collect();
+        match found.best.is_empty() && !equal.is_empty() {
+            true => of_best(tried::best(&equal), tried),
+            false => found,
+        }
     };
     let mut tried = space.count(plain);
     let mut found = judged(&explanations, tried);

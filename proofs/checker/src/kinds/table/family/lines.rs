@@ -1,6 +1,6 @@
 //! Rows and columns of refuted cells: no reading of one of them alone gives these, other than by luck.
 
-use super::luck::Evidence;
+use super::luck::{BothEvidence, Evidence};
 use super::members::explained;
 use crate::kinds::table::claim::{Cells, Place, Table};
 use crate::numbers::{Q, Value, count};
@@ -20,8 +20,8 @@ pub const MAX_LINES: usize = 8;
 pub struct Line {
     /// Its cells that no reading explains.
     pub cells: Cells,
-    /// Of each part of the family, the most of them that a reading explains by luck.
-    pub by_luck: [usize; 2],
+    /// The most of them that a reading explains by luck: one that brings no constant, another first member, and a copied one.
+    pub by_luck: [usize; 3],
 }
 
 /// The number of readings of rows and columns for each reading of the table.
@@ -42,6 +42,7 @@ pub fn lines(
     left: &Cells,
     refuted: &[Place],
     sizes: &[Q; 2],
+    evidence: impl Fn(&Cells) -> Result<BothEvidence, Stop>,
 ) -> Result<Vec<Line>, Stop> {
     let (rows, columns) = table.size();
     if rows.min(columns) < 2 || rows * columns > MAX_CELLS {
@@ -53,11 +54,13 @@ pub fn lines(
     for (axis, number) in of_rows.union(&of_columns) {
         let inside = |(place, _): &&(Place, _)| [place.0, place.1][*axis] == *number;
         let cells: Cells = left.iter().filter(inside).cloned().collect();
-        let evidence = Evidence::new(table, &cells);
-        let mut by_luck = [cells.len(); 2];
-        for (most, size) in by_luck.iter_mut().zip(sizes) {
+        let evidence = evidence(&cells)?;
+        let mut by_luck = [cells.len(); 3];
+        let [first, both] = sizes;
+        let kinds = [(false, first), (true, first), (true, both)];
+        for (most, (constants, size)) in by_luck.iter_mut().zip(kinds) {
             // More cells are less likely.
-            while *most > 0 && !is_luck(table, &evidence, *most, size)? {
+            while *most > 0 && !is_luck(table, evidence.of(constants), *most, size)? {
                 *most -= 1;
             }
         }
@@ -81,13 +84,13 @@ impl Line {
         self.cells.iter().map(|(place, _)| value(*place)).collect()
     }
 
-    /// Whether these values explain so many cells that it is no luck for a reading of this part.
+    /// Whether these values explain so many cells that it is no luck for a reading of this kind, counted as above.
     pub fn is_explained(
         &self,
         values: &[Option<Value>],
         decimals: &str,
-        part: usize,
+        kind: usize,
     ) -> Result<bool, Stop> {
-        Ok(explained(&self.cells, values, decimals)?.len() > self.by_luck[part])
+        Ok(explained(&self.cells, values, decimals)?.len() > self.by_luck[kind])
     }
 }

@@ -1,11 +1,12 @@
 //! Luck: how many cells readings of unrelated values would explain.
 
-use crate::kinds::table::claim::{Cells, Place, Table};
-use crate::numbers::{Q, telling_part};
+use super::dependence::dependent;
+use crate::kinds::table::claim::{Cells, Table};
+use crate::numbers::{Q, Value, telling_part};
 use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Wrong depths are often a level or two off.
 const DEPTHS: i64 = 4;
@@ -19,11 +20,37 @@ const MAX_DOUBLINGS: usize = 128;
 /// A reading is luck if a thousandth of the tables of unrelated values, or more, have one as good.
 const RARE: u64 = 1_000;
 
-/// The telling numbers of cells: of each, one of how many values becomes it, and how many cells it has.
+/// How many times as rare as another cell that tells something a cell may be that it depends on.
+const MOST_TIMES: u64 = 10;
+
+/// The telling numbers of cells: of each, one of how many values at least becomes it, and how many cells it has.
 pub struct Evidence {
     numbers: Vec<(u64, usize)>,
     /// The number of cells that tell nothing.
     silent: usize,
+}
+
+/// The evidence of the same cells for readings that bring no constant, and for others.
+pub struct BothEvidence {
+    by_choices: Evidence,
+    with_constants: Evidence,
+}
+
+impl BothEvidence {
+    /// The evidence of cells with these values as printed; without values, it is the same for all readings.
+    pub fn new(
+        table: &Table<'_>,
+        cells: &Cells,
+        as_printed: Option<&[Option<Value>]>,
+    ) -> Result<BothEvidence, Stop> {
+        let by_choices = Evidence::new(table, cells, None)?;
+        Ok(BothEvidence { by_choices, with_constants: Evidence::new(table, cells, as_printed)? })
+    }
+
+    /// That for readings which bring constants, or not.
+    pub fn of(&self, constants: bool) -> &Evidence {
+        if constants { &self.with_constants } else { &self.by_choices }
+    }
 }
 
 /// One of how many unrelated values is a depth of so many levels.
@@ -39,11 +66,16 @@ fn rarity(digits: &str) -> Option<u64> {
 
 impl Evidence {
     /// The evidence of cells. Those with the same telling part are one number; equal depths are if they are in one row or
-    /// column, or joined by such pairs.
-    pub fn new(table: &Table<'_>, cells: &Cells) -> Evidence {
+    /// column. `as_printed` are the values of the cells as printed, where cells may depend on each other by these.
+    pub fn new(
+        table: &Table<'_>,
+        cells: &Cells,
+        as_printed: Option<&[Option<Value>]>,
+    ) -> Result<Evidence, Stop> {
         let is_depth = table.tolerance.is_some();
-        let (mut places, mut silent) = (BTreeMap::<String, (u64, Vec<Place>)>::new(), 0);
-        for (place, decimal) in cells {
+        let (mut telling, mut values, mut rarities) = (Cells::new(), Vec::new(), Vec::new());
+        let mut same = BTreeMap::<(String, Option<usize>, Option<usize>), Vec<usize>>::new();
+        for (at, (place, decimal)) in cells.iter().enumerate() {
             let (rarity, number) = if is_depth {
                 (rarity_of_depth(&decimal.value), decimal.value.to_string())
             } else {
@@ -51,17 +83,34 @@ impl Evidence {
                 (rarity(&part).unwrap_or(1), part)
             };
             if rarity == 1 {
-                silent += 1;
-            } else {
-                places.entry(number).or_insert((rarity, Vec::new())).1.push(*place);
+                continue;
+            }
+            let lines = [(Some(place.0), None), (None, Some(place.1))];
+            for (row, column) in if is_depth { &lines[..] } else { &[(None, None)] } {
+                same.entry((number.clone(), *row, *column)).or_default().push(telling.len());
+            }
+            telling.push((*place, decimal.clone()));
+            values.push(as_printed.filter(|_| !is_depth).and_then(|values| values[at].clone()));
+            rarities.push(rarity);
+        }
+        let mut sets: Vec<Vec<usize>> = same.into_values().collect();
+        let dependent = dependent(table, &telling, &values)?;
+        // Of what depends on each other, the least rare cells tell nothing.
+        let mut told = vec![true; telling.len()];
+        for class in united(telling.len(), &dependent) {
+            let most = class.iter().map(|at| rarities[*at]).max().unwrap_or(1);
+            class.iter().for_each(|at| told[*at] = rarities[*at] >= most / MOST_TIMES);
+        }
+        sets.extend(dependent);
+        let mut numbers = Vec::new();
+        for class in united(telling.len(), &sets) {
+            let told = class.iter().filter(|at| told[**at]).map(|at| rarities[*at]);
+            if let Some(least) = told.clone().min() {
+                numbers.push((least, told.count()));
             }
         }
-        let mut numbers = Vec::new();
-        for (rarity, places) in places.into_values() {
-            let sizes = if is_depth { joined(&places) } else { vec![places.len()] };
-            numbers.extend(sizes.into_iter().map(|size| (rarity, size)));
-        }
-        Evidence { numbers, silent }
+        let telling: usize = numbers.iter().map(|(_, size)| *size).sum();
+        Ok(Evidence { numbers, silent: cells.len() - telling })
     }
 
     /// Whether m of these cells have two telling numbers, whichever cells they are.
@@ -104,27 +153,34 @@ impl Evidence {
     }
 }
 
-/// The sizes of the sets of places that rows and columns join.
-fn joined(places: &[Place]) -> Vec<usize> {
-    let (mut rows, mut columns) = (BTreeMap::new(), BTreeMap::new());
-    for &(row, column) in places {
-        rows.entry(row).or_insert_with(Vec::new).push((row, column));
-        columns.entry(column).or_insert_with(Vec::new).push((row, column));
+/// The numbers below `count`, in classes: those in one set, and what such sets join, are one.
+fn united(count: usize, sets: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let mut of: Vec<Vec<usize>> = vec![Vec::new(); count];
+    for (set, numbers) in sets.iter().enumerate() {
+        for number in numbers {
+            of[*number].push(set);
+        }
     }
-    let mut left: BTreeSet<Place> = places.iter().copied().collect();
-    let mut sizes = Vec::new();
-    while let Some(start) = left.pop_first() {
-        let (mut size, mut next) = (1, vec![start]);
-        while let Some((row, column)) = next.pop() {
-            let near = [rows.remove(&row), columns.remove(&column)];
-            for place in near.into_iter().flatten().flatten().filter(|place| left.remove(place)) {
-                size += 1;
-                next.push(place);
+    let (mut seen, mut used) = (vec![false; count], vec![false; sets.len()]);
+    let mut classes = Vec::new();
+    for start in 0..count {
+        let (mut class, mut next) = (Vec::new(), vec![start]);
+        while let Some(number) = next.pop() {
+            if std::mem::replace(&mut seen[number], true) {
+                continue;
+            }
+            class.push(number);
+            for set in &of[number] {
+                if !std::mem::replace(&mut used[*set], true) {
+                    next.extend(&sets[*set]);
+                }
             }
         }
-        sizes.push(size);
+        if !class.is_empty() {
+            classes.push(class);
+        }
     }
-    sizes
+    classes
 }
 
 /// A positive number mantissa·2^exponent, with a mantissa from 2^63 to 2^64 once it is rounded.

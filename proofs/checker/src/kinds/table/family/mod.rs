@@ -3,6 +3,7 @@
 
 pub mod copied;
 pub mod degree;
+pub mod dependence;
 pub mod lines;
 pub mod listed;
 pub mod luck;
@@ -17,7 +18,7 @@ use crate::text::{At, Block, Checked, Reason, Stop, Toml, agree, compare, requir
 use copied::copied;
 use lines::{MAX_LINES, SHIFTS, lines};
 use listed::{Listed, same};
-use luck::Evidence;
+use luck::{BothEvidence, Evidence};
 use members::{Members, explained, members, read, values};
 use scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
 use std::collections::{BTreeMap, BTreeSet};
@@ -93,7 +94,7 @@ fn family(
             roundings(table, member).iter().map(|_| readings).sum::<i64>();
     }
     let family = Family { table, cells, plain, best: best[0], second, sizes };
-    let cells = &family.cells;
+    let (cells, mut by_choices) = (&family.cells, false);
     let lines = family.lines(reads, whole, refuted)?;
     while let Some(said) = block.maybe("member") {
         let (differences, said) = said.split_once(':').ok_or(Reason::Malformed("`:`"))?;
@@ -104,6 +105,7 @@ fn family(
         let roundings = roundings(table, &member);
         let values = values(table, cells, &read)?;
         let elsewhere = read.copied().is_some();
+        let kind = usize::from(elsewhere) + usize::from(read.brings_constants());
         let best = if elsewhere { second.unwrap_or(0) } else { best[0] };
         let mut found = Vec::new();
         for decimals in roundings {
@@ -114,6 +116,7 @@ fn family(
                 let more = count > best && is_scale(table, cells, name, base, &read)?;
                 require(!more, Reason::NotBest(best, count))?;
             }
+            by_choices |= count == best && !read.brings_constants();
             found.push(count.to_string());
         }
         let of_cells =
@@ -122,9 +125,9 @@ fn family(
         for (line, shift) in lines.iter().flat_map(|line| SHIFTS.map(|shift| (line, shift))) {
             let values = line.shifted(table, &of_cells, shift);
             for decimals in roundings {
-                let mut given = line.is_explained(&values, decimals, usize::from(elsewhere))?;
+                let mut given = line.is_explained(&values, decimals, kind)?;
                 if let Some((name, base)) = scale.filter(|_| !given && !elsewhere) {
-                    let most = line.by_luck[0];
+                    let most = line.by_luck[1];
                     let count = at_best_scale(table, &line.cells, &values, decimals, (base, most))?;
                     given = count > most && is_scale(table, cells, name, base, &read)?;
                 }
@@ -136,7 +139,7 @@ fn family(
         listed.compare(numbers, cells, &values)?;
     }
     let complete = require(members.is_empty() && listed.all_met(), Reason::Member);
-    complete.and_then(|()| family.compare(reads, whole)).at(line)
+    complete.and_then(|()| family.compare(reads, whole, by_choices)).at(line)
 }
 
 /// The roundings of decimals that a member has.
@@ -221,8 +224,16 @@ struct Family<'f> {
 }
 
 impl Family<'_> {
-    /// Compares the readings that are given with the family, and checks that they are no luck.
-    fn compare(&self, reads: &Reads, whole: Option<&Read>) -> Checked<()> {
+    /// The evidence of some of the cells. At recovered values, the printed text is a reading like the others, and no cells
+    /// depend on each other by it.
+    fn evidence(&self, cells: &Cells) -> Result<BothEvidence, Stop> {
+        let printed = self.plain.then(|| values(self.table, cells, &self.table.as_printed));
+        BothEvidence::new(self.table, cells, printed.transpose()?.as_deref())
+    }
+
+    /// Compares the readings that are given with the family, and checks that they are no luck. `by_choices` says whether a
+    /// first member that brings no constant explains as many cells as any.
+    fn compare(&self, reads: &Reads, whole: Option<&Read>, by_choices: bool) -> Checked<()> {
         let Family { table, cells, plain, best, .. } = self;
         let explained_by =
             |read: &Read| explained(cells, &values(table, cells, read)?, read.decimals());
@@ -235,14 +246,15 @@ impl Family<'_> {
         let counts = |at: &Place| !plain || left.contains(at);
         let others: Cells = cells.iter().filter(|(at, _)| counts(at)).cloned().collect();
         let sizes = self.readings(&self.cells)?;
-        let others = Evidence::new(table, &others);
-        let lucky = |m: usize, part: usize| {
-            let m = m.saturating_sub(given);
+        let others = self.evidence(&others)?;
+        let lucky = |m: usize, part: usize, constants: bool| {
+            let (m, others) = (m.saturating_sub(given), others.of(constants));
             Ok::<bool, Stop>(!others.are_enough(m) || others.is_luck(table, m, &sizes[part])?)
         };
         // No member of this part explains more than `than` cells, or that would be luck.
         let no_better = |most: usize, part: usize, than: usize| {
-            Ok::<bool, Stop>(most <= than || lucky(most, part)?)
+            let constants = part == 1 || !by_choices;
+            Ok::<bool, Stop>(most <= than || lucky(most, part, constants)?)
         };
         let second = self.second.unwrap_or(0);
         if let Some(read) = whole {
@@ -251,7 +263,7 @@ impl Family<'_> {
             let most = if part == 1 { second } else { *best };
             require(found.len() == most, Reason::NotBest(most, found.len()))?;
             require(most > given, Reason::NotBest(most, given))?;
-            require(!lucky(most, part)?, Reason::Luck)?;
+            require(!lucky(most, part, read.brings_constants())?, Reason::Luck)?;
             if part == 1 {
                 require(no_better(*best, 0, most - 1)?, Reason::NotBest(most, *best))?;
             } else {
@@ -269,7 +281,11 @@ impl Family<'_> {
         for part in reads.all(*plain).filter(|part| !part.is_whole()) {
             let (cells, found) = self.explained_in_line(part, &left)?;
             let size = &sizes[usize::from(part.read.copied().is_some())];
-            let lucky = lines::is_luck(table, &Evidence::new(table, &cells), found.len(), size)?;
+            let lucky = {
+                let evidence = self.evidence(&cells)?;
+                let evidence = evidence.of(part.read.brings_constants());
+                lines::is_luck(table, evidence, found.len(), size)?
+            };
             require(!lucky, Reason::Luck)?;
             left.retain(|place| !found.contains(place));
         }
@@ -312,7 +328,8 @@ impl Family<'_> {
             left.retain(|place| !found.contains(place));
         }
         let left: Cells = self.cells.iter().filter(|(at, _)| left.contains(at)).cloned().collect();
-        Ok(lines(self.table, &left, refuted, &self.readings(&self.cells)?)?)
+        let evidence = |cells: &Cells| self.evidence(cells);
+        Ok(lines(self.table, &left, refuted, &self.readings(&self.cells)?, evidence)?)
     }
 
     /// Checks that the cells which tell a parameter's value are no luck by themselves, for each
@@ -342,7 +359,8 @@ impl Family<'_> {
                 rest = others.into_iter().map(|(cell, _)| cell).collect();
             }
             let size = &self.readings(&cells)?[part];
-            let lucky = Evidence::new(table, &tried).is_luck(table, tried.len() - missed, size)?;
+            let evidence = Evidence::new(table, &tried, None)?;
+            let lucky = evidence.is_luck(table, tried.len() - missed, size)?;
             require(!lucky, undetermined())?;
         }
         Ok(())
