@@ -125,3 +125,13 @@ fn an_index_has_no_schemes() {
     let error = error.expect_err("no index");
     assert_eq!(error.message, "an index needs either `values`, or `from` and `to`");
 }
+
+#[test]
+fn an_index_has_each_value_once() {
+    let equation = "[[equation]]\nid = 'e'\nlocus = ''\nleft = ['1', '2']\nright = '1'\n\
+                    indices = [{ name = 'i', values = ['1', '1.0'] }]\n";
+    let error = read_paper(&SourceText::new("axes.toml", format!("{PAPER}{equation}")));
+    let error = error.expect_err("one index for two cases");
+    assert_eq!(error.message, "the value 1.0 stands here twice");
+    assert!(error.source.text[error.span.start..].starts_with("'1.0'"), "{error}");
+}

@@ -56,7 +56,8 @@ fn a_stopped_search_is_no_worse_than_the_guarantee() {
     let file = TemporaryFile::new("cube.obj", &cube("1"));
     for distance in ["parametric", "geometric"] {
         let asked = ["depth", "catmull-clark", "--mesh", file.path(), "--tolerance", "1e-5"];
-        let more = ["--distance", distance, "--seconds", "1", "--format", "json"];
+        // The guarantee needs a part of a second, and more on a machine with much to do.
+        let more = ["--distance", distance, "--seconds", "5", "--format", "json"];
         let text = written(asked.into_iter().chain(more).collect::<Vec<_>>());
         let found: serde_json::Value = serde_json::from_str(&text).expect("JSON");
         let [level, known] =

@@ -228,6 +228,9 @@ fn proofs_by_hand_stand_on_claims_that_hold() {
     assert_eq!(verdict("2"), TheoremVerdict::Open);
     let refuted = paper(&theorem("says = 'x'\nrefuted_by = 'here'"));
     assert_eq!(judged(&refuted).theorems[0].verdict, TheoremVerdict::Refuted);
+    // A proof of the program goes before a text that refutes.
+    let proved = "scheme = 'chaikin'\nbounds = 'distance'\nby = 'beta/2*(1/2)^k'\nfrom = '0'\nrefuted_by = 'here'";
+    assert_eq!(judged(&paper(&theorem(proved))).theorems[0].verdict, TheoremVerdict::Proved);
     // Data go before a proof.
     let both = "scheme = 'chaikin'\nbounds = 'distance'\nby = 'beta/3*(1/2)^k'\nfrom = '0'\nproved_by = 'here'";
     assert_eq!(judged(&paper(&theorem(both))).theorems[0].verdict, TheoremVerdict::Refuted);

@@ -97,6 +97,22 @@ fn from_index(first: i64) -> Outcome {
 }
 
 // The first index i64::MIN has no absolute value in an i64.
+/// Numbers may be written with as many digits as values may have.
+#[test]
+fn long_numbers_are_read() {
+    let power = num_bigint::BigInt::from(2).pow(100_000).to_string();
+    let table = |verdict: &str| {
+        let claims = "key = \"k\"\n[[table]]\nid = \"t\"\nvalue = '2^100000'\n\
+                      columns = { name = \"x\", values = ['1'] }\ncells = [['1']]";
+        let block = format!("table t\n  value 2^100000\n  cell 1 1 \"1\" {verdict}");
+        of_block(claims, &block)
+    };
+    let family = format!("{power} refuted\n  family 0\n  values 1 1 {power}\n  member : 0 0 0 : 1");
+    assert_eq!(table(&family), Outcome::Valid);
+    let wrong = family.replace(&power, &format!("{power}1"));
+    assert!(matches!(table(&wrong), Outcome::Invalid(..)));
+}
+
 #[test]
 fn an_index_at_the_ends_of_machine_integers_refutes_nothing() {
     for first in [i64::MIN, i64::MIN + 1, i64::MAX, -1_000_001, 1_000_001] {

@@ -12,8 +12,8 @@ use std::ops::Neg;
 /// A rational number.
 pub type Q = BigRational;
 
-/// The most digits of a number.
-const MAX_DIGITS: usize = 10_000;
+/// The most digits of a number: as many as a value of 500,000 binary digits has.
+const MAX_DIGITS: usize = 150_516;
 
 /// The greatest exponent.
 const MAX_EXPONENT: i64 = 1_000;

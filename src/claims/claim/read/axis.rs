@@ -7,6 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, parse_rational};
 use crate::scheme::{Spanned, formula, identifier};
 use serde::Deserialize;
+use std::collections::BTreeSet;
 
 #[derive(Debug, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -121,9 +122,18 @@ impl Reader<'_> {
     pub(super) fn index(&self, table: &Spanned<AxisTable>) -> Result<Index, Diagnostic> {
         let AxisTable { label, values, schemes, from, to, .. } = table.get_ref();
         match (values, schemes, from, to) {
-            (Some(_), None, None, None) => {
-                let (name, label, values) = self.values(table)?;
-                let values = values.into_iter().map(|(entry, value)| (value, entry.printed));
+            (Some(values), None, None, None) => {
+                let (name, label, found) = self.values(table)?;
+                let mut seen = BTreeSet::new();
+                for ((entry, value), field) in found.iter().zip(values.get_ref()) {
+                    if !seen.insert(value) {
+                        let message = format!("the value {} stands here twice", entry.printed);
+                        return Err(self
+                            .error(field.span(), message)
+                            .with_help("an index has each of its values once"));
+                    }
+                }
+                let values = found.into_iter().map(|(entry, value)| (value, entry.printed));
                 Ok(Index::Listed { name, label, values: values.collect() })
             }
             (None, None, Some(from), Some(to)) => {

@@ -144,8 +144,9 @@ fn one<'a>(
         (finding.verdict, finding.proof) = (TheoremVerdict::Refuted, None);
         finding.corrections = corrections(paper, theorem, &cases)?;
         finding.repairs = repairs(paper, theorem, &cases, &finding.cases, &finding.corrections)?;
-    } else if finding.verdict == TheoremVerdict::Open && closed(theorem) {
-        // A theorem about a single scheme, without open values, has only this case.
+    } else if finding.verdict != TheoremVerdict::Proved && closed(theorem) {
+        // A theorem about a single scheme, without open values, has only this case. Its proof is worth more than a
+        // text that says the contrary.
         if let [CaseFinding { outcome: Outcome::Proved, .. }] = &finding.cases[..] {
             finding.verdict = TheoremVerdict::Proved;
             finding.proof = Some("by exact suprema at finitely many levels, and T_c".to_owned());
