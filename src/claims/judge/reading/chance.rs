@@ -99,17 +99,18 @@ impl Evidence {
                 let part = decimal.telling_part();
                 (rarity(&part), part.to_string())
             };
-            match one_in {
-                1 => silent += 1,
-                _ => {
-                    all.push((one_in, number, is_depth, cell.place));
-                    others.push(if is_depth { Known { value: None, ..cell } } else { cell });
-                }
+            if one_in == 1 {
+                silent += 1;
+                continue;
             }
+            all.push((one_in, number, is_depth, cell.place));
+            others.push(if is_depth { Known { value: None, ..cell } } else { cell });
         }
         let (mut classes, mut connected) = (Classes::new(all.len()), Classes::new(all.len()));
         for set in dependence::connected(&others) {
-            set.iter().for_each(|at| connected.join(set[0], *at));
+            for at in &set {
+                connected.join(set[0], *at);
+            }
         }
         let mut rarest = vec![0; all.len()];
         for (at, (one_in, ..)) in all.iter().enumerate() {
@@ -210,10 +211,8 @@ impl BothEvidence {
 
     /// The evidence for a reading.
     pub(crate) fn of(&self, reading: Option<&Explanation>) -> &Evidence {
-        match reading.is_some_and(Explanation::brings_constants) {
-            true => &self.with_constants,
-            false => &self.by_choices,
-        }
+        let constants = reading.is_some_and(Explanation::brings_constants);
+        if constants { &self.with_constants } else { &self.by_choices }
     }
 }
 

@@ -37,11 +37,12 @@ pub(crate) fn connected(cells: &[Known<'_>]) -> Vec<Vec<usize>> {
     let known: Vec<(usize, Rational)> =
         cells.iter().enumerate().filter_map(|(at, cell)| Some((at, far(cell)?))).collect();
     let mut sets = Vec::new();
-    for interval in [factors, summands] {
-        let intervals = known
-            .iter()
-            .filter_map(|(at, value)| Some((*at, interval(cells[*at].printed, value)?)));
-        let intervals: Vec<(usize, Interval)> = intervals.collect();
+    let of = |interval: &dyn Fn(&Printed, &Rational) -> Option<Interval>| {
+        let ends =
+            |(at, value): &(usize, Rational)| Some((*at, interval(cells[*at].printed, value)?));
+        known.iter().filter_map(ends).collect::<Vec<(usize, Interval)>>()
+    };
+    for intervals in [of(&factors), of(&|printed, value| Some(summands(printed, value)))] {
         let place = |at: usize| cells[at].place;
         let rows: BTreeSet<usize> = intervals.iter().map(|(at, _)| place(*at).0).collect();
         let columns: BTreeSet<usize> = intervals.iter().map(|(at, _)| place(*at).1).collect();
@@ -89,18 +90,15 @@ fn cut(value: &RealCyclotomic) -> Option<Rational> {
 /// The K for which K·value is at most a unit from what is printed.
 fn factors(printed: &Printed, value: &Rational) -> Option<Interval> {
     let (shown, unit) = (printed.decimal.value(), printed.decimal.unit());
-    let (one, other) = if value.is_zero() {
-        return None;
-    } else {
-        ((&shown - &unit) / value, (&shown + &unit) / value)
-    };
+    let ends = |value: &Rational| ((&shown - &unit) / value, (&shown + &unit) / value);
+    let (one, other) = (!value.is_zero()).then(|| ends(value))?;
     Some(if one <= other { (one, other) } else { (other, one) })
 }
 
 /// The D for which value + D is at most a unit from what is printed.
-fn summands(printed: &Printed, value: &Rational) -> Option<Interval> {
+fn summands(printed: &Printed, value: &Rational) -> Interval {
     let (shown, unit) = (printed.decimal.value() - value, printed.decimal.unit());
-    Some((&shown - &unit, shown + unit))
+    (&shown - &unit, shown + unit)
 }
 
 /// The most intervals that have a number in common; of several such sets the one with the least number.

@@ -79,12 +79,8 @@ pub(crate) fn search(
     let judged = |explanations: &[Explanation], tried: usize| {
         let found = of_best(tried::best(explanations), tried);
         // A reading that gives as many and brings no constant needs less to be no luck.
-        let equal = |one: &&Explanation| one.count() == found.most && !one.brings_constants();
-        let equal: Vec<Explanation> = explanations.iter().filter(equal).cloned().collect();
-        match found.best.is_empty() && !equal.is_empty() {
-            true => of_best(tried::best(&equal), tried),
-            false => found,
-        }
+        let equal = without_constants(explanations, found.most);
+        if found.best.is_empty() && !equal.is_empty() { of_best(equal, tried) } else { found }
     };
     let mut tried = space.count(plain);
     let mut found = judged(&explanations, tried);
@@ -140,6 +136,12 @@ pub(crate) fn search(
         }),
         needs,
     )))
+}
+
+/// The best of the readings that explain so many cells and bring no constant.
+fn without_constants(explanations: &[Explanation], most: usize) -> Vec<Explanation> {
+    let fits = |one: &&Explanation| one.count() == most && !one.brings_constants();
+    tried::best(&explanations.iter().filter(fits).cloned().collect::<Vec<_>>())
 }
 
 /// Whether the cells that tell something of the recovered values are no luck under a reading, for

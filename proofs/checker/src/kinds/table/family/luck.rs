@@ -99,7 +99,9 @@ impl Evidence {
         let mut told = vec![true; telling.len()];
         for class in united(telling.len(), &dependent) {
             let most = class.iter().map(|at| rarities[*at]).max().unwrap_or(1);
-            class.iter().for_each(|at| told[*at] = rarities[*at] >= most / MOST_TIMES);
+            for at in class {
+                told[at] = rarities[at] >= most / MOST_TIMES;
+            }
         }
         sets.extend(dependent);
         let mut numbers = Vec::new();
