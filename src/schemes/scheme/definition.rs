@@ -4,6 +4,7 @@ use super::error::SchemeError;
 use super::local_formulas::LocalFormulas;
 use super::mask::{Mask, MaskError};
 use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
+use super::symbol::SymbolFormula;
 use crate::cap::Cap;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, common_conductor};
@@ -63,7 +64,7 @@ pub struct SchemeDefinition {
     pub(super) coefficients: Coefficients,
 }
 
-/// The two ways to define a mask, and the definition of a ring.
+/// The three ways to define a mask, and the definition of a ring.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Coefficients {
     /// One formula for each coefficient.
@@ -71,6 +72,8 @@ pub(super) enum Coefficients {
     /// One formula for all coefficients a_{α,j}, where α is called `alpha` and j is
     /// called `r`.
     Rule(Box<RuleFormulas>),
+    /// A Laurent polynomial, which has the offset.
+    Symbol(Box<SymbolFormula>),
     /// A ring: formulas for the weights between orbits of points.
     LocalRules(Box<LocalFormulas>),
 }
@@ -112,7 +115,7 @@ impl SchemeDefinition {
         values: &BTreeMap<String, V>,
     ) -> Result<Mask<V>, SchemeError> {
         let parameters = self.complete(values)?;
-        let offset = match &self.offset {
+        let mut offset = match &self.offset {
             Some(formula) => {
                 self.integer(formula, &parameters, &[], "the offset", -10_000..10_001)?
             }
@@ -134,6 +137,11 @@ impl SchemeDefinition {
                     .map(|alpha| (0..width).map(|r| coefficient(alpha, r)).collect())
                     .collect::<Result<Vec<Vec<V>>, SchemeError>>()?
             }
+            Coefficients::Symbol(symbol) => {
+                let rows;
+                (rows, offset) = self.rules_of(symbol, &parameters)?;
+                rows
+            }
             Coefficients::LocalRules(_) => {
                 return Err(SchemeError::LocalRules { scheme: self.name.clone() });
             }
@@ -148,7 +156,9 @@ impl SchemeDefinition {
     /// Whether this is a mask whose offset is not stated, and therefore 0.
     #[must_use]
     pub fn leaves_offset_out(&self) -> bool {
-        self.offset.is_none() && !matches!(self.coefficients, Coefficients::LocalRules(_))
+        let own =
+            matches!(self.coefficients, Coefficients::LocalRules(_) | Coefficients::Symbol(_));
+        self.offset.is_none() && !own
     }
 
     /// An error unless some field within the cap contains all `coefficients`.
@@ -259,9 +269,7 @@ impl SchemeDefinition {
             let diagnostic = formula.diagnostic(&error);
             SchemeError::File(Box::new(match &error.kind {
                 FormulaErrorKind::UnknownName { name, .. } if error.definition.is_none() => {
-                    diagnostic.with_help(format!(
-                        "the file states its parameters: parameters.{name} = {{}}, or {{ default = '1/16' }}"
-                    ))
+                    diagnostic.with_help(states(name))
                 }
                 _ => diagnostic,
             }))
@@ -313,9 +321,15 @@ impl SchemeDefinition {
         match &self.coefficients {
             Coefficients::Rule(rule) => (&rule.entry.source, rule.entry.span.clone()),
             Coefficients::Listed(rows) => (&rows[0][0].source, extent(rows)),
+            Coefficients::Symbol(symbol) => (&symbol.formula.source, symbol.formula.span.clone()),
             Coefficients::LocalRules(ring) => ring.whole(),
         }
     }
+}
+
+/// What helps where a formula of a file has a name that is no parameter.
+pub(super) fn states(name: &str) -> String {
+    format!("the file states its parameters: parameters.{name} = {{}}, or {{ default = '1/16' }}")
 }
 
 /// `error` with a label that states the values of the parameters.

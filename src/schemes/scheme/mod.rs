@@ -23,6 +23,7 @@ mod parse_open;
 mod reference;
 mod rules;
 mod spanned;
+mod symbol;
 mod toml_file;
 mod typed;
 
