@@ -4,7 +4,7 @@ use super::error::SchemeError;
 use super::local_formulas::LocalFormulas;
 use super::mask::{Mask, MaskError};
 use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
-use super::symbol::SymbolFormula;
+use super::symbol::{SymbolFormula, states};
 use crate::cap::Cap;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, common_conductor};
@@ -156,9 +156,8 @@ impl SchemeDefinition {
     /// Whether this is a mask whose offset is not stated, and therefore 0.
     #[must_use]
     pub fn leaves_offset_out(&self) -> bool {
-        let own =
-            matches!(self.coefficients, Coefficients::LocalRules(_) | Coefficients::Symbol(_));
-        self.offset.is_none() && !own
+        use Coefficients::{Listed, Rule};
+        self.offset.is_none() && matches!(self.coefficients, Listed(_) | Rule(_))
     }
 
     /// An error unless some field within the cap contains all `coefficients`.
@@ -325,11 +324,6 @@ impl SchemeDefinition {
             Coefficients::LocalRules(ring) => ring.whole(),
         }
     }
-}
-
-/// What helps where a formula of a file has a name that is no parameter.
-pub(super) fn states(name: &str) -> String {
-    format!("the file states its parameters: parameters.{name} = {{}}, or {{ default = '1/16' }}")
 }
 
 /// `error` with a label that states the values of the parameters.

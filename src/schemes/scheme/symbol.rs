@@ -123,7 +123,7 @@ impl SchemeDefinition {
             let diagnostic = symbol.formula.diagnostic(&error);
             file(match &error.kind {
                 FormulaErrorKind::UnknownName { name, .. } if error.definition.is_none() => {
-                    diagnostic.with_help(super::definition::states(name))
+                    diagnostic.with_help(states(name))
                 }
                 _ => diagnostic,
             })
@@ -146,4 +146,9 @@ impl SchemeDefinition {
         let row = |alpha: i64| (first..=last).map(|at| value.coefficient(alpha - n * at)).collect();
         Ok(((0..n).map(row).collect(), first))
     }
+}
+
+/// What helps where a formula of a file has a name that is no parameter.
+pub(super) fn states(name: &str) -> String {
+    format!("the file states its parameters: parameters.{name} = {{}}, or {{ default = '1/16' }}")
 }
