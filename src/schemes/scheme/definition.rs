@@ -1,10 +1,10 @@
 //! Scheme definitions: formulas over parameters, and the masks that they give.
 
-use super::error::SchemeError;
+use super::error::{SchemeError, at_values};
 use super::local_formulas::LocalFormulas;
 use super::mask::{Mask, MaskError};
 use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
-use super::symbol::{SymbolFormula, states};
+use super::typed::symbol::{SymbolFormula, states};
 use crate::cap::Cap;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, common_conductor};
@@ -138,8 +138,11 @@ impl SchemeDefinition {
                     .collect::<Result<Vec<Vec<V>>, SchemeError>>()?
             }
             Coefficients::Symbol(symbol) => {
+                let size = |it| self.integer(it, &parameters, &[], "the arity", 2..cap(MAX_ARITY));
+                let stated = symbol.arity.as_ref().map(size).transpose()?;
+                let rules = symbol.rules(&self.definitions, &parameters, stated);
                 let rows;
-                (rows, offset) = self.rules_of(symbol, &parameters)?;
+                (rows, offset) = rules.map_err(|error| SchemeError::File(Box::new(error)))?;
                 rows
             }
             Coefficients::LocalRules(_) => {
@@ -166,21 +169,22 @@ impl SchemeDefinition {
         coefficients: impl Iterator<Item = &'a V>,
     ) -> Result<(), SchemeError> {
         let mut conductors = coefficients.map(Value::conductor);
-        conductors.try_fold(1, common_conductor).map(|_| ()).map_err(|error| {
-            let (source, span) = self.whole();
-            let diagnostic = Diagnostic::new(source, span, error.to_string());
-            SchemeError::File(Box::new(diagnostic.with_cap(error.cap())))
-        })
+        let all = conductors.try_fold(1, common_conductor);
+        all.map(|_| ()).map_err(|error| self.apart(&error.into()))
+    }
+
+    /// The error that no field within the caps has all coefficients.
+    fn apart(&self, error: &FormulaErrorKind) -> SchemeError {
+        let (source, span) = self.whole();
+        let diagnostic = Diagnostic::new(source, span, error.to_string());
+        SchemeError::File(Box::new(diagnostic.with_cap(error.cap())))
     }
 
     /// The coefficients in one field; an error when no field within the caps has them.
     fn in_one_field<V: Value>(&self, rows: Vec<Vec<V>>) -> Result<Vec<Vec<V>>, SchemeError> {
         let lengths: Vec<usize> = rows.iter().map(Vec::len).collect();
-        let all = V::together(rows.into_iter().flatten().collect()).map_err(|error| {
-            let (source, span) = self.whole();
-            let diagnostic = Diagnostic::new(source, span, error.to_string());
-            SchemeError::File(Box::new(diagnostic.with_cap(error.cap())))
-        })?;
+        let all = V::together(rows.into_iter().flatten().collect());
+        let all = all.map_err(|error| self.apart(&error))?;
         let mut all = all.into_iter();
         Ok(lengths.into_iter().map(|length| all.by_ref().take(length).collect()).collect())
     }
@@ -324,18 +328,6 @@ impl SchemeDefinition {
             Coefficients::LocalRules(ring) => ring.whole(),
         }
     }
-}
-
-/// `error` with a label that states the values of the parameters.
-pub(super) fn at_values<V: Value>(
-    error: Diagnostic,
-    parameters: &BTreeMap<String, V>,
-) -> Diagnostic {
-    // The value of a parameter that is left open is its own name, and is not stated.
-    let stated = parameters.iter().map(|(name, value)| (name, value.to_string()));
-    let stated = stated.filter(|(name, value)| *name != value);
-    let stated: Vec<String> = stated.map(|(name, value)| format!("{name} = {value}")).collect();
-    if stated.is_empty() { error } else { error.with_label(format!("at {}", stated.join(", "))) }
 }
 
 fn cap(max: usize) -> i64 {

@@ -23,7 +23,6 @@ mod parse_open;
 mod reference;
 mod rules;
 mod spanned;
-mod symbol;
 mod toml_file;
 mod typed;
 

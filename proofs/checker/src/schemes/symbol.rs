@@ -10,10 +10,10 @@ use std::collections::BTreeMap;
 const Z: &str = "z";
 
 /// The greatest |k| of a power z^k.
-const MAX_POWER: i64 = 16_384;
+const MAX_POWER: u64 = 16_384;
 
 /// The greatest |exponent| of what has z in it.
-const MAX_EXPONENT: i64 = 64;
+const MAX_EXPONENT: u64 = 64;
 
 /// How deep the formulas in z may be nested, with those that they name.
 const MAX_DEPTH: usize = 200;
@@ -139,12 +139,12 @@ impl Expansion<'_> {
             self.scope.spend(power.cost(&power))?;
             return sum([(0, power)]);
         }
-        if exponent.abs() > MAX_EXPONENT {
+        if exponent.unsigned_abs() > MAX_EXPONENT {
             return Err(Stop::Capped("the exponent of a symbol"));
         }
         let one = sum([(0, Value::int(1))])?;
         let mut power = one.clone();
-        for _ in 0..exponent.abs() {
+        for _ in 0..exponent.unsigned_abs() {
             power = self.times(&power, base)?;
         }
         if exponent < 0 { self.over(&one, &power) } else { Ok(power) }
@@ -204,7 +204,7 @@ fn constant(symbol: &Laurent) -> Option<Value> {
 fn sum(terms: impl IntoIterator<Item = (i64, Value)>) -> Result<Laurent, Stop> {
     let mut sum = Laurent::new();
     for (power, c) in terms {
-        if power.abs() > MAX_POWER {
+        if power.unsigned_abs() > MAX_POWER {
             return Err(Stop::Capped("the powers of z in a symbol"));
         }
         let known = sum.remove(&power);

@@ -2,26 +2,24 @@
 
 use super::definition::{CatalogueFacts, Coefficients, ParameterSpec, ROUNDED, SchemeDefinition};
 use super::rules::MAX_ARITY;
-use super::symbol::SymbolFormula;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{AlgebraicNumber, Polynomial, Rational, Scalar as _};
 use crate::formula::{Expr, FreeNames, LocatedFormula, Scope, Value, evaluate};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
+use sum::{EVERYWHERE, Sum};
+use symbol::SymbolFormula;
+use text::MASK;
 
 mod sum;
+pub(super) mod symbol;
 mod text;
 
-pub(super) use sum::Sum;
-pub(super) use text::{MASK, is_sum, is_typed};
+pub(super) use text::is_typed;
 
 /// What the error messages call the text.
 const SOURCE: &str = "SCHEME";
-
-/// What the sum of coefficients with parameters has to be.
-pub(super) const EVERYWHERE: &str =
-    "the coefficients of a mask of arity n add up to n for all values of its parameters";
 
 /// Where parameters may have any values, the first has this one, the second 8 times this, the third 27 times this.
 const ANY: (i64, i64) = (355, 113);

@@ -8,8 +8,12 @@ use std::collections::BTreeSet;
 /// The longest sum that a message states.
 const MAX_WORDS: usize = 40;
 
+/// What the sum of coefficients with parameters has to be.
+pub(super) const EVERYWHERE: &str =
+    "the coefficients of a mask of arity n add up to n for all values of its parameters";
+
 /// The sum of coefficients.
-pub(in crate::scheme) struct Sum<V> {
+pub(super) struct Sum<V> {
     values: Vec<V>,
     sum: V,
 }
@@ -19,28 +23,33 @@ impl<V: Value + PartialEq> Sum<V> {
     ///
     /// # Errors
     /// When no field within the caps has them all.
-    pub(in crate::scheme) fn of(values: Vec<V>) -> Result<Sum<V>, FormulaErrorKind> {
+    pub(super) fn of(values: Vec<V>) -> Result<Sum<V>, FormulaErrorKind> {
         let values = V::together(values)?;
         let sum = V::total(&values);
         Ok(Sum { values, sum })
     }
 
+    /// The sum.
+    pub(super) fn total(&self) -> &V {
+        &self.sum
+    }
+
     /// The sum, if it is the arity of a mask.
-    pub(in crate::scheme) fn arity(&self) -> Option<usize> {
+    pub(super) fn arity(&self) -> Option<usize> {
         let sum = self.sum.as_rational().filter(Rational::is_integer)?;
         let arity = usize::try_from(sum.numerator().to_i64()?).ok()?;
         (2..=MAX_ARITY).contains(&arity).then_some(arity)
     }
 
     /// Whether the sums of the n rules are equal.
-    pub(in crate::scheme) fn is_uniform(&self, arity: usize) -> bool {
+    pub(super) fn is_uniform(&self, arity: usize) -> bool {
         let rule = |alpha| V::total(self.values.iter().skip(alpha).step_by(arity));
         let first = rule(0);
         (1..arity).all(|alpha| rule(alpha) == first)
     }
 
     /// The sum in words, where it is plain and short.
-    pub(in crate::scheme) fn words(&self) -> Option<String> {
+    pub(super) fn words(&self) -> Option<String> {
         let words = if let Some(sum) = self.sum.as_rational() {
             sum.to_string()
         } else {
@@ -51,7 +60,7 @@ impl<V: Value + PartialEq> Sum<V> {
     }
 
     /// The arities n of which these are the coefficients but for a factor, each with the factor.
-    pub(in crate::scheme) fn factors(&self) -> Vec<(usize, String)> {
+    pub(super) fn factors(&self) -> Vec<(usize, String)> {
         self.arities().into_iter().filter_map(|n| Some((n, self.over(n)?))).collect()
     }
 

@@ -2,13 +2,13 @@
 
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{
-    LocatedFormula, Node, Operator, SYMBOL_VARIABLE, continues_name, parse, starts_name,
+    LocatedFormula, Node, Operator, SYMBOL_VARIABLE, continues_name, starts_name,
 };
 use std::ops::Range;
 use std::sync::Arc;
 
 /// How a mask is written.
-pub(in crate::scheme) const MASK: &str = "write the coefficients a_0, …, a_L of a mask as [1, 3, 3, 1]/4, or as 1/4*[1, 3, 3, 1], or its symbol as (1 + z)^3/4";
+pub(super) const MASK: &str = "write the coefficients a_0, …, a_L of a mask as [1, 3, 3, 1]/4, or as 1/4*[1, 3, 3, 1], or its symbol as (1 + z)^3/4";
 
 /// What helps where a symbol stands in place of the list of its coefficients.
 const SYMBOL: &str =
@@ -38,14 +38,10 @@ pub(in crate::scheme) fn is_typed(name: &str) -> bool {
         || is_symbol(name)
 }
 
-/// Whether this is the symbol of a mask: no list, and a formula in `z`. What has signs of operations may be one with a
-/// mistake.
+/// Whether this is the symbol of a mask: no list, and a sum or product in `z`, maybe with a mistake. With hyphens alone, as in `a-z`, it is a name.
 pub(super) fn is_symbol(text: &str) -> bool {
-    if text.trim_start().starts_with(['[', '{']) || list(text).is_ok() || !has_variable(text) {
-        return false;
-    }
-    text.contains(['^', '(', '*', '+'])
-        || parse(text).is_ok_and(|formula| !matches!(formula.node, Node::Name(_)))
+    let is_list = text.trim_start().starts_with(['[', '{']) || list(text).is_ok();
+    !is_list && has_variable(text) && text.contains(['^', '(', '*', '·', '×', '+'])
 }
 
 /// Whether `z` is a word in a text; a number may stand before it, as it does by mistake in `2z`.
@@ -244,7 +240,7 @@ fn factor_behind(source: &Arc<SourceText>, span: Range<usize>) -> Result<(), Dia
 }
 
 /// Whether a formula is a sum or a difference without brackets around it.
-pub(in crate::scheme) fn is_sum(formula: &LocatedFormula) -> bool {
+pub(super) fn is_sum(formula: &LocatedFormula) -> bool {
     match &formula.expr.node {
         Node::Chain(first, rest) => {
             let added =

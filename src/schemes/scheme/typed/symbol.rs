@@ -1,9 +1,8 @@
 //! Masks by their symbols.
 
-use super::definition::SchemeDefinition;
-use super::error::SchemeError;
-use super::rules::MAX_ARITY;
-use super::typed::{EVERYWHERE, MASK, Sum, is_sum};
+use super::super::rules::MAX_ARITY;
+use super::sum::{EVERYWHERE, Sum};
+use super::text::{MASK, is_sum};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{
     FormulaErrorKind, FreeNames, Laurent, LocatedFormula, SYMBOL_VARIABLE, Scope, Value, evaluate,
@@ -20,11 +19,11 @@ const MAX_WORDS: usize = 200;
 /// The scheme is x'_m = Σ_j a_{m − nj} x_j. So rule α has a_{α − n(o + j)} at place j, and o is the least number for which
 /// some rule has a coefficient at place 0: −⌊K/n⌋ for the highest power K.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct SymbolFormula {
+pub(in crate::scheme) struct SymbolFormula {
     /// The formula in `z`.
-    pub(super) formula: LocatedFormula,
+    pub(in crate::scheme) formula: LocatedFormula,
     /// The arity, if it is stated; otherwise it is the value at z = 1.
-    pub(super) arity: Option<LocatedFormula>,
+    pub(in crate::scheme) arity: Option<LocatedFormula>,
 }
 
 impl SymbolFormula {
@@ -32,7 +31,7 @@ impl SymbolFormula {
     ///
     /// # Errors
     /// When it is no formula, or has another `z` than its variable.
-    pub(super) fn read(
+    pub(in crate::scheme) fn read(
         source: &Arc<SourceText>,
         span: Range<usize>,
         text: &str,
@@ -68,7 +67,6 @@ impl SymbolFormula {
         coefficients: Vec<V>,
         stated: Option<usize>,
     ) -> Result<usize, Diagnostic> {
-        let general = V::total(&coefficients);
         let sum = Sum::of(coefficients)
             .map_err(|error| self.error(error.to_string()).with_cap(error.cap()))?;
         let arity = sum.arity();
@@ -93,62 +91,54 @@ impl SymbolFormula {
         if let Some(arity) = stated.or(arity) {
             return Ok(arity);
         }
-        let found: String = words.unwrap_or_else(|| general.to_string());
+        let found: String = words.unwrap_or_else(|| sum.total().to_string());
         let found = if found.len() > MAX_WORDS { "do not" } else { &format!("add up to {found}") };
-        let help = if general.as_rational().is_some() { MASK } else { EVERYWHERE };
+        let help = if sum.total().as_rational().is_some() { MASK } else { EVERYWHERE };
         Err(self
             .error(format!(
                 "the coefficients of a mask of arity n = 2, …, {MAX_ARITY} add up to n, and these {found}"
             ))
             .with_help(help))
     }
-}
 
-impl SchemeDefinition {
-    /// The rules of a symbol at these values of the parameters, and the offset.
-    pub(super) fn rules_of<V: Value + PartialEq>(
+    /// The rules at these values of the parameters, and the offset; with an arity n that is stated, or else a(1).
+    ///
+    /// # Errors
+    /// When the formula has no value, or the sum of the coefficients is no arity.
+    pub(in crate::scheme) fn rules<V: Value + PartialEq>(
         &self,
-        symbol: &SymbolFormula,
+        definitions: &BTreeMap<String, LocatedFormula>,
         parameters: &BTreeMap<String, V>,
-    ) -> Result<(Vec<Vec<V>>, i64), SchemeError> {
-        let file = |error: Diagnostic| SchemeError::File(Box::new(error));
-        let constants: BTreeMap<String, Laurent<V>> = parameters
-            .iter()
-            .map(|(name, value)| (name.clone(), Laurent::constant(value.clone())))
-            .collect();
-        let scope = Scope::new(&self.definitions, &())
+        stated: Option<i64>,
+    ) -> Result<(Vec<Vec<V>>, i64), Diagnostic> {
+        let constant =
+            |(name, value): (&String, &V)| (name.clone(), Laurent::constant(value.clone()));
+        let constants: BTreeMap<String, Laurent<V>> = parameters.iter().map(constant).collect();
+        let scope = Scope::new(definitions, &())
             .with_all(&constants)
             .with(SYMBOL_VARIABLE, Laurent::variable());
-        let value = evaluate(&symbol.formula.expr, &scope).map_err(|error| {
-            let diagnostic = symbol.formula.diagnostic(&error);
-            file(match &error.kind {
+        let value = evaluate(&self.formula.expr, &scope).map_err(|error| {
+            let diagnostic = self.formula.diagnostic(&error);
+            match &error.kind {
                 FormulaErrorKind::UnknownName { name, .. } if error.definition.is_none() => {
                     diagnostic.with_help(states(name))
                 }
                 _ => diagnostic,
-            })
-        })?;
-        let stated = match &symbol.arity {
-            Some(arity) => {
-                let range = 2..i64::try_from(MAX_ARITY).expect("a small cap") + 1;
-                let arity = self.integer(arity, parameters, &[], "the arity", range)?;
-                usize::try_from(arity).ok()
             }
-            None => None,
-        };
+        })?;
         let Some((low, high)) = value.powers() else {
-            return Err(file(symbol.error("this symbol is 0").with_help(MASK)));
+            return Err(self.error("this symbol is 0").with_help(MASK));
         };
         let coefficients = (low..=high).map(|power| value.coefficient(power)).collect();
-        let arity = symbol.arity(coefficients, stated).map_err(file)?;
+        let arity = self.arity(coefficients, stated.and_then(|n| usize::try_from(n).ok()))?;
         let n = i64::try_from(arity).expect("a small arity");
-        let (first, last) = (-high.div_euclid(n), (n - 1 - low).div_euclid(n));
+        let (first, last) = (-high.div_euclid(n), -low.div_euclid(n));
         let row = |alpha: i64| (first..=last).map(|at| value.coefficient(alpha - n * at)).collect();
         Ok(((0..n).map(row).collect(), first))
     }
 }
 
 /// What helps where a formula of a file has a name that is no parameter.
-pub(super) fn states(name: &str) -> String {
+pub(in crate::scheme) fn states(name: &str) -> String {
     format!("the file states its parameters: parameters.{name} = {{}}, or {{ default = '1/16' }}")
 }
