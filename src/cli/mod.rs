@@ -12,7 +12,7 @@ mod schemes;
 mod smoothness;
 mod spectrum;
 
-use arguments::{Arguments, Command, grouped, with_hint};
+use arguments::{Arguments, Command, grouped, with_hint, with_masks};
 use clap::parser::ValueSource;
 use clap::{CommandFactory as _, FromArgMatches as _};
 use console::output::{Failure, Outcome};
@@ -34,7 +34,7 @@ pub(crate) fn run() -> ExitCode {
         std::process::exit(FAULT);
     }));
     let command = grouped(Arguments::command()).color(terminal::early_color(std::env::args_os()));
-    let parsed = command.try_get_matches().and_then(|found| {
+    let parsed = command.try_get_matches_from(with_masks(std::env::args_os())).and_then(|found| {
         let arguments = Arguments::from_arg_matches(&found)?;
         let given = found.subcommand().is_some_and(|(_, own)| {
             let ids = own.ids().any(|id| id == "format");

@@ -7,6 +7,7 @@ mod levels;
 mod papers;
 mod printed;
 mod smoothness;
+mod symbols;
 mod theorems;
 mod vertex;
 mod vertex_range;

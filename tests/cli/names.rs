@@ -59,3 +59,31 @@ fn the_values_at_which_a_mask_is_none() {
     assert_parts(&at(":w=1/5"), &["rule 0 sums to 6/5", "at w = 1/5"]);
     assert_parts(&at(""), &["rule 0 sums to 5/4", "at w = 1/4"]);
 }
+
+/// A symbol is a name of a scheme, also where it begins with a minus; what is none is refused with its place.
+#[test]
+fn symbols_in_place_of_names() {
+    let lines = |text: &str| {
+        let said = written(["constants", text, "-c", "1"]);
+        said.lines().skip(2).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let four = lines("four-point:w=1/16");
+    for text in [
+        "-z^-3*(1+z)^4*(1-4*z+z^2)/16",
+        "z^-1*(1+z)^2/2*(1 - 2*w*(1-z)^2*(1+z^2)/z^2):w=1/16",
+        "-1/16*[1, 0, -9, -16, -9, 0, 1]",
+    ] {
+        assert_eq!(lines(text), four, "{text}");
+    }
+    for (text, parts) in [
+        ("(1+z)^1000000000", &["at most 64", "SCHEME:1:1"][..]),
+        (
+            "-z^-3*(1+z)^4/(1-2*z)",
+            &["leaves a remainder", "a factor of what stands before it", "SCHEME:1:"],
+        ),
+        ("(1+z)^4/16", &["write 2*(1+z)^4/16 for the arity 2"]),
+        ("2z + 1", &["expected an operator", "write products with `*`"]),
+    ] {
+        assert_parts(&refused(["constants", text]), parts);
+    }
+}

@@ -5,6 +5,7 @@ mod caps;
 mod cosine;
 mod dependence;
 mod errors;
+mod laurent;
 mod roots;
 mod scope;
 mod syntax;

@@ -170,7 +170,7 @@ fn errors_say_where_what_and_what_would_be_right() {
         (
             "name = 'a'",
             "'a'",
-            "either `mask`, or `arity`, `width` and `entry`",
+            "either `mask`, or `symbol`, or `arity`, `width` and `entry`",
             "mask = [['3/4', '1/4']",
         ),
         (

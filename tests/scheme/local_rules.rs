@@ -238,7 +238,7 @@ fn errors_say_where_what_and_what_would_be_right() {
             "offset = '0'\nparameters.w",
             "'corner'",
             "either a mask or a ring",
-            "`mask`, `arity`",
+            "`mask`, `symbol`, `arity`",
         ),
         (
             "parameters.w",

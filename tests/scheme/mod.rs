@@ -6,4 +6,5 @@ mod files;
 mod local_rules;
 mod mask;
 mod reference;
+mod symbol;
 mod typed;

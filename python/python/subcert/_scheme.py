@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from fractions import Fraction
 from os import PathLike
@@ -382,7 +383,7 @@ class Scheme:
     Fraction(89, 128)
     >>> Scheme(mask=[["3/4", "1/4"], ["1/4", "3/4"]]).contraction(2)
     Fraction(1, 4)
-    >>> Scheme([0.25, 0.75, 0.75, 0.25]) == Scheme("[1, 3, 3, 1]/4")
+    >>> Scheme([0.25, 0.75, 0.75, 0.25]) == Scheme("[1, 3, 3, 1]/4") == Scheme("z^-1*(1 + z)^3/4")
     True
     >>> Scheme("chaikin").depth("1/100", spread=1).level
     3
@@ -746,7 +747,7 @@ def _above(value: Fraction) -> float:
 
 _MASKS = (
     'write the rules of a mask as Scheme(mask=[["3/4", "1/4"], ["1/4", "3/4"]]), or its symbol as text, '
-    'Scheme("[1, 3, 3, 1]/4")'
+    'Scheme("[1, 3, 3, 1]/4") or Scheme("z^-1*(1 + z)^3/4")'
 )
 
 
@@ -800,10 +801,12 @@ def _of_floats(rows: List[List[Any]], symbol: bool, array: bool) -> Optional[str
 def _is_mask(text: str) -> bool:
     """Whether a name is a mask as text, and not a file or a product.
 
-    >>> _is_mask("[1, 3, 3, 1]/4"), _is_mask("chaikin"), _is_mask("[1].toml")
-    (True, False, False)
+    >>> _is_mask("[1, 3, 3, 1]/4"), _is_mask("(1 + z)^3/4"), _is_mask("chaikin"), _is_mask("[1].toml")
+    (True, True, False, False)
     """
-    return ("[" in text or "{" in text) and ".toml" not in text and " x " not in text
+    # The variable of a symbol is a word; a value of a parameter is behind the colon.
+    symbol = re.search(r"\bz\b", text.partition(":")[0])
+    return ("[" in text or "{" in text or symbol is not None) and ".toml" not in text and " x " not in text
 
 
 def _text(name: str, parameters: Dict[str, Number]) -> str:

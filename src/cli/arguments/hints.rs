@@ -2,6 +2,7 @@
 
 use clap::Error;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use std::ffi::OsString;
 use subcert::exact::parse_rational;
 use subcert::formula::is_identifier;
 
@@ -19,6 +20,23 @@ pub(in crate::cli) fn with_hint(mut error: Error, arguments: &[String]) -> Error
         error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![found.into()]));
     }
     error
+}
+
+/// The arguments, where a mask that begins with a minus, such as `-z^-1*(1 - z)`, is no list of flags: behind a blank,
+/// which the readers of schemes and numbers take away, clap reads it as a value.
+pub(in crate::cli) fn with_masks(
+    arguments: impl Iterator<Item = OsString>,
+) -> impl Iterator<Item = OsString> {
+    let is_mask = |argument: &str| {
+        let begins =
+            |c: char| c == 'z' || c == '√' || c == '.' || c.is_numeric() || "([{".contains(c);
+        let rest = argument.strip_prefix('-').unwrap_or_default();
+        rest.starts_with(begins) && rest.contains(['(', '[', '{', '^'])
+    };
+    arguments.map(move |argument| match argument.to_str() {
+        Some(text) if is_mask(text) => format!(" {text}").into(),
+        _ => argument,
+    })
 }
 
 fn hint(unknown: &str, similar: bool, arguments: &[String]) -> Option<String> {

@@ -15,7 +15,7 @@ mod time;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub(super) use findings::{FindingFormat, FindingOutput};
 pub(super) use groups::grouped;
-pub(super) use hints::with_hint;
+pub(super) use hints::{with_hint, with_masks};
 pub(super) use meshes::{
     ClosedArgument, IsolatedArgument, LimitArguments, MeshBoundary, MeshOutput, MeshOutputFormat,
     RefineArguments,

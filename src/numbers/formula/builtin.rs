@@ -164,9 +164,7 @@ fn divide<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
     if left.quotient_size(right) > MAX_BITS {
         return Err(FormulaErrorKind::too_large("the number of bits", MAX_BITS));
     }
-    left.quotient(right).ok_or(FormulaErrorKind::Unsupported(
-        "division by a symbolic parameter is not an identity of polynomials, and by what may be 0 it has no value",
-    ))
+    left.divided(right)
 }
 
 /// `value` as a machine integer; an error unless it is an integer of absolute value below
@@ -198,7 +196,8 @@ pub(super) fn power<V: Value>(base: &V, exponent: &V) -> Result<V, FormulaErrorK
         return Err(FormulaErrorKind::too_large(what, MAX_SYMBOLIC_POWER));
     }
     let one = V::from_rational(&Rational::one());
-    let power = (0..magnitude).try_fold(one.clone(), |power, _| multiply(&power, base))?;
+    let power =
+        (0..magnitude).try_fold(one.clone(), |power, _| apply(Operator::Multiply, power, base))?;
     if exponent < 0 { divide(&one, &power) } else { Ok(power) }
 }
 

@@ -55,6 +55,7 @@ mod display;
 mod error;
 mod evaluate;
 mod free;
+mod laurent;
 mod located;
 mod parse;
 mod root;
@@ -74,6 +75,7 @@ pub use error::{CallError, FormulaError, FormulaErrorKind, MAX_FORMULA_LENGTH, M
 pub use evaluate::evaluate;
 pub use evaluate::evaluate_with;
 pub use free::FreeNames;
+pub use laurent::{Laurent, MAX_SYMBOL_POWER, SYMBOL_VARIABLE};
 pub use located::LocatedFormula;
 pub use parse::parse;
 pub use root_error::RootError;

@@ -18,6 +18,8 @@ pub enum RootError {
     Degree,
     /// The coefficients themselves have roots in them.
     Coefficients,
+    /// The coefficients have the variable of a symbol in them.
+    Variable,
     /// The sign of a radicand is not decided.
     Undecided,
 }
@@ -37,6 +39,9 @@ impl From<RootError> for FormulaErrorKind {
             ),
             RootError::Coefficients => FormulaErrorKind::Unsupported(
                 "the coefficients of `root` are numbers without `sqrt` and `root` here",
+            ),
+            RootError::Variable => FormulaErrorKind::Unsupported(
+                "`sqrt` and `root` are for numbers, and this has the variable z of a symbol in it",
             ),
             RootError::Undecided => {
                 FormulaErrorKind::Unsupported("it is not decided whether this is 0 or positive")

@@ -29,6 +29,15 @@ pub trait Value: Scalar + std::fmt::Display {
     }
     /// self / divisor, for divisor ≠ 0.
     fn quotient(&self, divisor: &Self) -> Option<Self>;
+    /// self / divisor, for divisor ≠ 0.
+    ///
+    /// # Errors
+    /// When the type does not have the quotient.
+    fn divided(&self, divisor: &Self) -> Result<Self, FormulaErrorKind> {
+        self.quotient(divisor).ok_or(FormulaErrorKind::Unsupported(
+            "division by a symbolic parameter is not an identity of polynomials, and by what may be 0 it has no value",
+        ))
+    }
     /// |self|.
     fn absolute(&self) -> Option<Self>;
     /// The greater of the two.

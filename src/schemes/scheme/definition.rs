@@ -1,9 +1,10 @@
 //! Scheme definitions: formulas over parameters, and the masks that they give.
 
-use super::error::SchemeError;
+use super::error::{SchemeError, at_values};
 use super::local_formulas::LocalFormulas;
 use super::mask::{Mask, MaskError};
 use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
+use super::typed::symbol::{SymbolFormula, states};
 use crate::cap::Cap;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, common_conductor};
@@ -63,7 +64,7 @@ pub struct SchemeDefinition {
     pub(super) coefficients: Coefficients,
 }
 
-/// The two ways to define a mask, and the definition of a ring.
+/// The three ways to define a mask, and the definition of a ring.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Coefficients {
     /// One formula for each coefficient.
@@ -71,6 +72,8 @@ pub(super) enum Coefficients {
     /// One formula for all coefficients a_{α,j}, where α is called `alpha` and j is
     /// called `r`.
     Rule(Box<RuleFormulas>),
+    /// A Laurent polynomial, which has the offset.
+    Symbol(Box<SymbolFormula>),
     /// A ring: formulas for the weights between orbits of points.
     LocalRules(Box<LocalFormulas>),
 }
@@ -112,7 +115,7 @@ impl SchemeDefinition {
         values: &BTreeMap<String, V>,
     ) -> Result<Mask<V>, SchemeError> {
         let parameters = self.complete(values)?;
-        let offset = match &self.offset {
+        let mut offset = match &self.offset {
             Some(formula) => {
                 self.integer(formula, &parameters, &[], "the offset", -10_000..10_001)?
             }
@@ -134,6 +137,14 @@ impl SchemeDefinition {
                     .map(|alpha| (0..width).map(|r| coefficient(alpha, r)).collect())
                     .collect::<Result<Vec<Vec<V>>, SchemeError>>()?
             }
+            Coefficients::Symbol(symbol) => {
+                let size = |it| self.integer(it, &parameters, &[], "the arity", 2..cap(MAX_ARITY));
+                let stated = symbol.arity.as_ref().map(size).transpose()?;
+                let rules = symbol.rules(&self.definitions, &parameters, stated);
+                let rows;
+                (rows, offset) = rules.map_err(|error| SchemeError::File(Box::new(error)))?;
+                rows
+            }
             Coefficients::LocalRules(_) => {
                 return Err(SchemeError::LocalRules { scheme: self.name.clone() });
             }
@@ -148,7 +159,8 @@ impl SchemeDefinition {
     /// Whether this is a mask whose offset is not stated, and therefore 0.
     #[must_use]
     pub fn leaves_offset_out(&self) -> bool {
-        self.offset.is_none() && !matches!(self.coefficients, Coefficients::LocalRules(_))
+        use Coefficients::{Listed, Rule};
+        self.offset.is_none() && matches!(self.coefficients, Listed(_) | Rule(_))
     }
 
     /// An error unless some field within the cap contains all `coefficients`.
@@ -157,21 +169,22 @@ impl SchemeDefinition {
         coefficients: impl Iterator<Item = &'a V>,
     ) -> Result<(), SchemeError> {
         let mut conductors = coefficients.map(Value::conductor);
-        conductors.try_fold(1, common_conductor).map(|_| ()).map_err(|error| {
-            let (source, span) = self.whole();
-            let diagnostic = Diagnostic::new(source, span, error.to_string());
-            SchemeError::File(Box::new(diagnostic.with_cap(error.cap())))
-        })
+        let all = conductors.try_fold(1, common_conductor);
+        all.map(|_| ()).map_err(|error| self.apart(&error.into()))
+    }
+
+    /// The error that no field within the caps has all coefficients.
+    fn apart(&self, error: &FormulaErrorKind) -> SchemeError {
+        let (source, span) = self.whole();
+        let diagnostic = Diagnostic::new(source, span, error.to_string());
+        SchemeError::File(Box::new(diagnostic.with_cap(error.cap())))
     }
 
     /// The coefficients in one field; an error when no field within the caps has them.
     fn in_one_field<V: Value>(&self, rows: Vec<Vec<V>>) -> Result<Vec<Vec<V>>, SchemeError> {
         let lengths: Vec<usize> = rows.iter().map(Vec::len).collect();
-        let all = V::together(rows.into_iter().flatten().collect()).map_err(|error| {
-            let (source, span) = self.whole();
-            let diagnostic = Diagnostic::new(source, span, error.to_string());
-            SchemeError::File(Box::new(diagnostic.with_cap(error.cap())))
-        })?;
+        let all = V::together(rows.into_iter().flatten().collect());
+        let all = all.map_err(|error| self.apart(&error))?;
         let mut all = all.into_iter();
         Ok(lengths.into_iter().map(|length| all.by_ref().take(length).collect()).collect())
     }
@@ -259,9 +272,7 @@ impl SchemeDefinition {
             let diagnostic = formula.diagnostic(&error);
             SchemeError::File(Box::new(match &error.kind {
                 FormulaErrorKind::UnknownName { name, .. } if error.definition.is_none() => {
-                    diagnostic.with_help(format!(
-                        "the file states its parameters: parameters.{name} = {{}}, or {{ default = '1/16' }}"
-                    ))
+                    diagnostic.with_help(states(name))
                 }
                 _ => diagnostic,
             }))
@@ -313,21 +324,10 @@ impl SchemeDefinition {
         match &self.coefficients {
             Coefficients::Rule(rule) => (&rule.entry.source, rule.entry.span.clone()),
             Coefficients::Listed(rows) => (&rows[0][0].source, extent(rows)),
+            Coefficients::Symbol(symbol) => (&symbol.formula.source, symbol.formula.span.clone()),
             Coefficients::LocalRules(ring) => ring.whole(),
         }
     }
-}
-
-/// `error` with a label that states the values of the parameters.
-pub(super) fn at_values<V: Value>(
-    error: Diagnostic,
-    parameters: &BTreeMap<String, V>,
-) -> Diagnostic {
-    // The value of a parameter that is left open is its own name, and is not stated.
-    let stated = parameters.iter().map(|(name, value)| (name, value.to_string()));
-    let stated = stated.filter(|(name, value)| *name != value);
-    let stated: Vec<String> = stated.map(|(name, value)| format!("{name} = {value}")).collect();
-    if stated.is_empty() { error } else { error.with_label(format!("at {}", stated.join(", "))) }
 }
 
 fn cap(max: usize) -> i64 {

@@ -3,8 +3,9 @@
 use super::axes::MAX_AXES;
 use crate::cap::Cap;
 use crate::diagnostic::Diagnostic;
-use crate::formula::FormulaError;
+use crate::formula::{FormulaError, Value};
 use crate::suggestion::known as names;
+use std::collections::BTreeMap;
 
 /// Why a text is not a scheme reference.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -274,4 +275,16 @@ fn parameters(known: &[String]) -> String {
 
 fn which_is(text: &str) -> String {
     if text.is_empty() { String::new() } else { format!("; its meaning: {text}") }
+}
+
+/// `error` with a label that states the values of the parameters.
+pub(super) fn at_values<V: Value>(
+    error: Diagnostic,
+    parameters: &BTreeMap<String, V>,
+) -> Diagnostic {
+    // An open parameter has its own name as value, which is not stated.
+    let stated = parameters.iter().map(|(name, value)| (name, value.to_string()));
+    let stated = stated.filter(|(name, value)| *name != value);
+    let stated: Vec<String> = stated.map(|(name, value)| format!("{name} = {value}")).collect();
+    if stated.is_empty() { error } else { error.with_label(format!("at {}", stated.join(", "))) }
 }

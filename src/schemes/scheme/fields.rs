@@ -3,9 +3,40 @@
 use super::spanned::Spanned;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{LocatedFormula, PI, is_identifier};
+use serde::Deserialize;
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{SeqAccess, Visitor};
 use std::collections::BTreeMap;
+use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
+
+/// A mask: lists of formulas, one for each rule, or one text. The mask, each rule and each formula has its place.
+#[derive(Debug)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
+pub(super) enum MaskTable {
+    Rules(Vec<Spanned<Vec<Spanned<String>>>>),
+    Text(String),
+}
+
+impl<'de> Deserialize<'de> for MaskTable {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<MaskTable, D::Error> {
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = MaskTable;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a list of rules, or a mask in quotes such as '[1, 3, 3, 1]/4'")
+            }
+            fn visit_str<E>(self, text: &str) -> Result<MaskTable, E> {
+                Ok(MaskTable::Text(text.to_owned()))
+            }
+            fn visit_seq<S: SeqAccess<'de>>(self, rules: S) -> Result<MaskTable, S::Error> {
+                Vec::deserialize(SeqAccessDeserializer::new(rules)).map(MaskTable::Rules)
+            }
+        }
+        deserializer.deserialize_any(Either)
+    }
+}
 
 /// Parses a TOML string as a formula.
 ///

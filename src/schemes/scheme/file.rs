@@ -3,49 +3,21 @@
 use super::definition::{
     CatalogueFacts, Coefficients, ParameterSpec, RuleFormulas, SchemeDefinition,
 };
-use super::fields::{definitions, formula, identifier, rules};
+use super::fields::{MaskTable, definitions, formula, identifier, rules};
 use super::local_file::{EdgeTable, OrbitTable, WeightTable, ring};
 use super::local_formulas::{LocalFormulas, NEW_INDEX, OLD_INDEX};
 use super::spanned::Spanned;
 use super::toml_file::from_toml;
+use super::typed::symbol::SymbolFormula;
 use super::typed::{self, Typed};
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::formula::{LocatedFormula, is_identifier};
+use crate::formula::{LocatedFormula, SYMBOL_VARIABLE, is_identifier};
 use crate::suggestion::known;
 use serde::Deserialize;
-use serde::de::value::SeqAccessDeserializer;
-use serde::de::{IgnoredAny, SeqAccess, Visitor};
+use serde::de::IgnoredAny;
 use std::collections::BTreeMap;
-use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
-
-/// A mask: lists of formulas, one for each rule, or one text. The mask, each rule and each formula has its place.
-#[derive(Debug)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
-enum MaskTable {
-    Rules(Vec<Spanned<Vec<Spanned<String>>>>),
-    Text(String),
-}
-
-impl<'de> Deserialize<'de> for MaskTable {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<MaskTable, D::Error> {
-        struct Either;
-        impl<'de> Visitor<'de> for Either {
-            type Value = MaskTable;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a list of rules, or a mask in quotes such as '[1, 3, 3, 1]/4'")
-            }
-            fn visit_str<E>(self, text: &str) -> Result<MaskTable, E> {
-                Ok(MaskTable::Text(text.to_owned()))
-            }
-            fn visit_seq<S: SeqAccess<'de>>(self, rules: S) -> Result<MaskTable, S::Error> {
-                Vec::deserialize(SeqAccessDeserializer::new(rules)).map(MaskTable::Rules)
-            }
-        }
-        deserializer.deserialize_any(Either)
-    }
-}
 
 /// A scheme in TOML, as a whole file or as an entry `[[scheme]]`.
 #[derive(Debug, Deserialize)]
@@ -71,7 +43,7 @@ pub struct SchemeTable {
     definitions: BTreeMap<Spanned<String>, Spanned<String>>,
     /// The index offset of the limit: a formula, or `first`.
     offset: Option<Spanned<String>>,
-    /// How many points a point becomes.
+    /// How many points a point becomes: with `entry`, and where it may stand with `symbol`, whose value at z = 1 it is.
     arity: Option<Spanned<String>>,
     /// How many coefficients a rule has, with `entry`.
     width: Option<Spanned<String>>,
@@ -79,6 +51,8 @@ pub struct SchemeTable {
     entry: Option<Spanned<String>>,
     /// The rules: `[['3/4', '1/4'], ['1/4', '3/4']]`, or the mask in one text: `'[1, 3, 3, 1]/4'`.
     mask: Option<Spanned<MaskTable>>,
+    /// The symbol of the mask, a Laurent polynomial in z: `'z^-1*(1 + z)^3/4'`.
+    symbol: Option<Spanned<String>>,
     /// Of a ring: the number of points of each orbit.
     orbits: Option<OrbitTable>,
     /// Of a ring: for each orbit of new points, the weights of the orbits of old points.
@@ -198,6 +172,7 @@ impl SchemeTable {
             || self.width.is_some()
             || self.entry.is_some()
             || self.mask.is_some()
+            || self.symbol.is_some()
             || self.is_ring()
             || !self.parameters.is_empty()
             || !self.definitions.is_empty();
@@ -254,14 +229,21 @@ impl SchemeTable {
             let formulas = self.ring(source)?;
             return Ok((None, Coefficients::LocalRules(Box::new(formulas))));
         }
+        if let (Some(symbol), None, None, None) =
+            (&self.symbol, &self.mask, &self.width, &self.entry)
+        {
+            let formula = self.symbol(source, symbol)?;
+            return Ok((None, Coefficients::Symbol(Box::new(formula))));
+        }
+        let symbol = self.symbol.is_some();
         match (&self.mask, &self.arity, &self.width, &self.entry) {
-            (Some(mask), None, None, None) => match mask.get_ref() {
+            (Some(mask), None, None, None) if !symbol => match mask.get_ref() {
                 MaskTable::Rules(rules) => {
                     Ok((None, Coefficients::Listed(self::rules(source, mask.span(), rules)?)))
                 }
                 MaskTable::Text(text) => self.text(source, mask.span(), text, definitions),
             },
-            (None, Some(arity), Some(width), Some(entry)) => {
+            (None, Some(arity), Some(width), Some(entry)) if !symbol => {
                 let formulas = RuleFormulas {
                     arity: formula(source, arity)?,
                     width: formula(source, width)?,
@@ -272,11 +254,11 @@ impl SchemeTable {
             _ => Err(Diagnostic::new(
                 source,
                 self.name.span(),
-                "a scheme needs either `mask`, or `arity`, `width` and `entry`",
+                "a scheme needs either `mask`, or `symbol`, or `arity`, `width` and `entry`",
             )
             .with_help(
                 "mask = '[1, 3, 3, 1]/4' is the mask in one text, and mask = [['3/4', '1/4'], \
-                 ['1/4', '3/4']] lists the rules; `entry` is one formula for all coefficients, in alpha = 0..arity-1 and r = 0..width-1; a ring has \
+                 ['1/4', '3/4']] lists the rules; symbol = '(1 + z)^3/4' is the symbol; `entry` is one formula for all coefficients, in alpha = 0..arity-1 and r = 0..width-1; a ring has \
                  `orbits`, `weights` and `edges` instead",
             )),
         }
@@ -310,13 +292,37 @@ impl SchemeTable {
         Ok((Some(offset), Coefficients::Listed(rows)))
     }
 
+    /// The symbol, which fixes the offset.
+    fn symbol(
+        &self,
+        source: &Arc<SourceText>,
+        symbol: &Spanned<String>,
+    ) -> Result<SymbolFormula, Diagnostic> {
+        if let Some(offset) = &self.offset {
+            let message = "a symbol has its offset: the coefficient of z^k makes the point k of the next level from point 0";
+            return Err(Diagnostic::new(source, offset.span(), message)
+                .with_help("leave out `offset`, and multiply the symbol by a power of z to shift it, as in z^-2*(1 + z)^4/8"));
+        }
+        for name in self.parameters.keys().chain(self.definitions.keys()) {
+            if name.get_ref() == SYMBOL_VARIABLE {
+                let message = "`z` is the variable of the symbol";
+                return Err(
+                    Diagnostic::new(source, name.span(), message).with_help("take another name")
+                );
+            }
+        }
+        let arity = self.arity.as_ref().map(|text| formula(source, text)).transpose()?;
+        let read = SymbolFormula::read(source, symbol.span(), symbol.get_ref())?;
+        Ok(SymbolFormula { arity, ..read })
+    }
+
     fn ring(&self, source: &Arc<SourceText>) -> Result<LocalFormulas, Diagnostic> {
         let at_name = |message: &str| Diagnostic::new(source, self.name.span(), message);
-        let of_mask = [&self.offset, &self.arity, &self.width, &self.entry];
+        let of_mask = [&self.offset, &self.arity, &self.width, &self.entry, &self.symbol];
         if self.mask.is_some() || of_mask.iter().any(|field| field.is_some()) {
             let message = "a scheme has either a mask or a ring, not both";
             return Err(at_name(message).with_help(
-                "`mask`, `arity`, `width`, `entry` and `offset` make a mask; `orbits`, `weights` \
+                "`mask`, `symbol`, `arity`, `width`, `entry` and `offset` make a mask; `orbits`, `weights` \
                  and `edges` a ring",
             ));
         }

@@ -1,7 +1,7 @@
 //! Rings from formulas over parameters and indices.
 
-use super::definition::{Coefficients, SchemeDefinition, at_values};
-use super::error::SchemeError;
+use super::definition::{Coefficients, SchemeDefinition};
+use super::error::{SchemeError, at_values};
 use super::local_formulas::{End, LocalFormulas, NEW_INDEX, OLD_INDEX};
 use super::local_rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit, point_name};
 use crate::diagnostic::Diagnostic;

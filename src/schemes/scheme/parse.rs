@@ -41,9 +41,10 @@ impl From<LocalRules> for AnyScheme {
 }
 
 /// The exact scheme that SCHEME names: a catalogue entry such as `six-point:w=3/256`, a file such as
-/// `my.toml:w=1/16`, a mask such as `[1, 3, 3, 1]/4`, `1/4*{1, 3, 3, 1}` or `[w, 1/2, 1 - 2*w, 1/2, w]:w=1/8`, or two with ` x ` between them.
+/// `my.toml:w=1/16`, a mask such as `[1, 3, 3, 1]/4`, `1/4*{1, 3, 3, 1}` or `[w, 1/2, 1 - 2*w, 1/2, w]:w=1/8`, its symbol such as `z^-1*(1+z)^3/4`, or two with ` x ` between them.
 ///
-/// A mask `[a_0, …, a_L]` has the arity n = Σ_s a_s, and refines x'_m = Σ_j a_{m − nj + ⌊L/2⌋} x_j.
+/// A mask `[a_0, …, a_L]` has the arity n = Σ_s a_s, and refines x'_m = Σ_j a_{m − nj + ⌊L/2⌋} x_j. A symbol
+/// Σ_k a_k z^k has the arity n = Σ_k a_k, and refines x'_m = Σ_j a_{m − nj} x_j.
 ///
 /// # Errors
 /// When there is no such scheme, it is a ring, a parameter is missing, or the file is not

@@ -12,6 +12,9 @@ pub const OF_THEOREMS: [&str; 6] = ["beta", "beta_1", "beta_2", "beta_3", "k", "
 const OF_ENTRIES: [&str; 2] = ["alpha", "r"];
 const OF_WEIGHTS: [&str; 2] = ["i", "j"];
 
+/// The variable of a symbol.
+const OF_SYMBOLS: [&str; 1] = ["z"];
+
 /// Checks that no name has two meanings. Each claim has names of its own.
 pub fn misuse<'a>(file: &Toml, claims: impl Iterator<Item = Vec<&'a str>>) -> Result<(), String> {
     distinct("scheme", file.list("scheme").iter().filter_map(|scheme| scheme.text("name")))?;
@@ -31,6 +34,7 @@ pub fn misuse<'a>(file: &Toml, claims: impl Iterator<Item = Vec<&'a str>>) -> Re
 /// Checks that the parameters, named formulas and indices of a scheme have different names.
 fn of_scheme(scheme: &Toml) -> Result<(), String> {
     let indices: &[&str] = match (scheme.get("entry"), scheme.get("orbits")) {
+        _ if scheme.get("symbol").is_some() => &OF_SYMBOLS,
         (Some(_), _) => &OF_ENTRIES,
         (_, Some(_)) => &OF_WEIGHTS,
         _ => &[],

@@ -2,7 +2,7 @@
 
 use super::products::Products;
 use super::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Scheme};
-use super::typed;
+use super::{symbol, typed};
 use crate::formulas::{Definitions, Indices, Reading, Scope, formula, formulas, free};
 use crate::numbers::{Meter, Value};
 use crate::text::{Stop, Toml};
@@ -226,11 +226,20 @@ impl<'a> Library<'a> {
             None => wrong(name, "`mask` or `entry` is missing"),
         };
         let offset = if table.get("offset").is_some() { integer("offset", MAX_OFFSET)? } else { 0 };
-        if let Some(text) = table.text("mask") {
-            if table.get("offset").is_some() {
+        let whole = match (table.text("mask"), table.text("symbol")) {
+            (None, None) => None,
+            _ if table.get("offset").is_some() => {
                 return wrong(name, "a mask in one text has its offset");
             }
-            let (offset, mask) = typed::mask(text, &scope)?;
+            (Some(text), None) => Some(typed::mask(text, &scope)?),
+            (None, Some(text))
+                if ["mask", "width", "entry"].iter().all(|key| table.get(key).is_none()) =>
+            {
+                Some(symbol::mask(text, table.text("arity"), &scope)?)
+            }
+            _ => return wrong(name, "its mask is given twice"),
+        };
+        if let Some((offset, mask)) = whole {
             let scheme = Rc::new(Scheme::new(mask, offset)?);
             self.schemes.borrow_mut().insert(key, Rc::clone(&scheme));
             return Ok(scheme);

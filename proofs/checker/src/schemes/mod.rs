@@ -8,6 +8,7 @@ mod orbits;
 mod powers;
 mod products;
 mod scheme;
+mod symbol;
 mod typed;
 
 pub use catalogue::catalogue;

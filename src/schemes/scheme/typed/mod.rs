@@ -1,4 +1,4 @@
-//! A mask that is typed in place of a name: `[1, 3, 3, 1]/4`.
+//! A mask that is typed in place of a name: `[1, 3, 3, 1]/4`, or `(1 + z)^3/4`.
 
 use super::definition::{CatalogueFacts, Coefficients, ParameterSpec, ROUNDED, SchemeDefinition};
 use super::rules::MAX_ARITY;
@@ -8,9 +8,12 @@ use crate::formula::{Expr, FreeNames, LocatedFormula, Scope, Value, evaluate};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
-use sum::Sum;
+use sum::{EVERYWHERE, Sum};
+use symbol::SymbolFormula;
+use text::MASK;
 
 mod sum;
+pub(super) mod symbol;
 mod text;
 
 pub(super) use text::is_typed;
@@ -18,24 +21,27 @@ pub(super) use text::is_typed;
 /// What the error messages call the text.
 const SOURCE: &str = "SCHEME";
 
-/// What the sum of coefficients with parameters has to be.
-const EVERYWHERE: &str =
-    "the coefficients of a mask of arity n add up to n for all values of its parameters";
-
 /// Where parameters may have any values, the first has this one, the second 8 times this, the third 27 times this.
 const ANY: (i64, i64) = (355, 113);
 
 /// The scheme with the mask of the text; names in its formulas are parameters, of which some are `given`.
 ///
 /// # Errors
-/// As [`mask`].
+/// As [`mask`], and as [`SymbolFormula::read`] for a symbol.
 pub(super) fn typed(
     text: &str,
     given: &BTreeMap<String, Expr>,
 ) -> Result<SchemeDefinition, Diagnostic> {
     let source = SourceText::new(SOURCE, text);
     let definitions = BTreeMap::new();
-    let Typed { offset, rows, names } = mask(&source, 0..text.len(), &definitions, given)?;
+    let (offset, coefficients, names) = if text::is_symbol(text) {
+        let symbol = SymbolFormula::read(&source, 0..text.len(), text)?;
+        let names = symbol.names(&definitions);
+        (None, Coefficients::Symbol(Box::new(symbol)), names)
+    } else {
+        let Typed { offset, rows, names } = mask(&source, 0..text.len(), &definitions, given)?;
+        (Some(offset), Coefficients::Listed(rows), names)
+    };
     let open = ParameterSpec { default: None, least: None, about: String::new() };
     Ok(SchemeDefinition {
         name: text.to_owned(),
@@ -45,8 +51,8 @@ pub(super) fn typed(
         parameters: names.into_iter().map(|name| (name, open.clone())).collect(),
         facts: CatalogueFacts::default(),
         definitions,
-        offset: Some(offset),
-        coefficients: Coefficients::Listed(rows),
+        offset,
+        coefficients,
     })
 }
 
@@ -111,7 +117,7 @@ fn arity(
     let any = names.iter().enumerate().map(|(at, name)| (name.clone(), any(at))).collect();
     let values = values_at(coefficients, definitions, &any)?;
     let wrong = |message: String| Diagnostic::new(source, range.clone(), message);
-    let sum = Sum::of(&values).map_err(|error| wrong(error.to_string()).with_cap(error.cap()))?;
+    let sum = Sum::of(values).map_err(|error| wrong(error.to_string()).with_cap(error.cap()))?;
     let variables = names.iter().map(|name| (name.clone(), Polynomial::variable(name))).collect();
     let general = values_at(coefficients, definitions, &variables).ok();
     let general = general.map(|values| Polynomial::total(&values));
@@ -146,7 +152,7 @@ fn arity(
             let message = format!(
                 "the coefficients of a mask of arity n = 2, …, {MAX_ARITY} add up to n, and these {found}"
             );
-            Err(wrong(message).with_help(text::HELP))
+            Err(wrong(message).with_help(MASK))
         }
     }
 }

@@ -1,28 +1,37 @@
 //! What coefficients add up to.
 
 use super::super::rules::MAX_ARITY;
-use crate::exact::{AlgebraicNumber, FieldError, Polynomial, Rational, Scalar as _};
-use crate::formula::Value as _;
+use crate::exact::{Polynomial, Rational, Scalar as _};
+use crate::formula::{FormulaErrorKind, Value};
 use std::collections::BTreeSet;
 
 /// The longest sum that a message states.
 const MAX_WORDS: usize = 40;
 
+/// What the sum of coefficients with parameters has to be.
+pub(super) const EVERYWHERE: &str =
+    "the coefficients of a mask of arity n add up to n for all values of its parameters";
+
 /// The sum of coefficients.
-pub(super) struct Sum {
-    values: Vec<AlgebraicNumber>,
-    sum: AlgebraicNumber,
+pub(super) struct Sum<V> {
+    values: Vec<V>,
+    sum: V,
 }
 
-impl Sum {
+impl<V: Value + PartialEq> Sum<V> {
     /// The sum of these numbers.
     ///
     /// # Errors
     /// When no field within the caps has them all.
-    pub(super) fn of(values: &[AlgebraicNumber]) -> Result<Sum, FieldError> {
-        let values = AlgebraicNumber::together(values)?;
-        let sum = AlgebraicNumber::total(&values);
+    pub(super) fn of(values: Vec<V>) -> Result<Sum<V>, FormulaErrorKind> {
+        let values = V::together(values)?;
+        let sum = V::total(&values);
         Ok(Sum { values, sum })
+    }
+
+    /// The sum.
+    pub(super) fn total(&self) -> &V {
+        &self.sum
     }
 
     /// The sum, if it is the arity of a mask.
@@ -34,7 +43,7 @@ impl Sum {
 
     /// Whether the sums of the n rules are equal.
     pub(super) fn is_uniform(&self, arity: usize) -> bool {
-        let rule = |alpha| AlgebraicNumber::total(self.values.iter().skip(alpha).step_by(arity));
+        let rule = |alpha| V::total(self.values.iter().skip(alpha).step_by(arity));
         let first = rule(0);
         (1..arity).all(|alpha| rule(alpha) == first)
     }
@@ -45,7 +54,7 @@ impl Sum {
             sum.to_string()
         } else {
             let square = self.sum.times(&self.sum).as_rational()?;
-            (self.sum.sign() > 0).then(|| format!("sqrt({square})"))?
+            (self.is_positive()).then(|| format!("sqrt({square})"))?
         };
         (words.len() <= MAX_WORDS).then_some(words)
     }
@@ -57,10 +66,14 @@ impl Sum {
 
     /// The arities for which the sums of all rules are equal, and not 0.
     pub(super) fn arities(&self) -> Vec<usize> {
-        if self.sum.sign() == 0 {
+        if self.sum.vanishes() == Some(true) {
             return Vec::new();
         }
         (2..=self.values.len().min(MAX_ARITY)).filter(|n| self.is_uniform(*n)).collect()
+    }
+
+    fn is_positive(&self) -> bool {
+        self.sum.vanishes() == Some(false) && self.sum.absolute().as_ref() == Some(&self.sum)
     }
 
     /// n over the sum.
@@ -71,7 +84,7 @@ impl Sum {
         }
         // n/s = √(n²/s²)
         let square = self.sum.times(&self.sum).as_rational()?;
-        (self.sum.sign() > 0).then(|| format!("sqrt({})", &n * &n / square))
+        (self.is_positive()).then(|| format!("sqrt({})", &n * &n / square))
     }
 }
 

@@ -1,18 +1,18 @@
 //! The text of a mask: one list of coefficients, with factors before and behind it.
 
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::formula::{LocatedFormula, Node, Operator, continues_name, starts_name};
+use crate::formula::{
+    LocatedFormula, Node, Operator, SYMBOL_VARIABLE, continues_name, starts_name,
+};
 use std::ops::Range;
 use std::sync::Arc;
 
 /// How a mask is written.
-pub(super) const HELP: &str =
-    "write the coefficients a_0, …, a_L of a mask as [1, 3, 3, 1]/4, or as 1/4*[1, 3, 3, 1]";
+pub(super) const MASK: &str = "write the coefficients a_0, …, a_L of a mask as [1, 3, 3, 1]/4, or as 1/4*[1, 3, 3, 1], or its symbol as (1 + z)^3/4";
 
 /// What helps where a symbol stands in place of the list of its coefficients.
 const SYMBOL: &str =
-    "a symbol is written as the list of its coefficients: (1 + z)^3/4 is [1, 3, 3, 1]/4";
-const SYMBOL_VARIABLE: char = 'z';
+    "a symbol has a key of its own: symbol = '(1 + z)^3/4' in place of mask = '[1, 3, 3, 1]/4'";
 
 /// What helps where blanks separate coefficients.
 const COMMAS: &str = "blanks separate plain numbers only: write commas between coefficients, in one list for all rules";
@@ -35,6 +35,21 @@ pub(in crate::scheme) fn is_typed(name: &str) -> bool {
     name.contains(['[', '{'])
         || name.starts_with('(')
         || groups(name).is_ok_and(|groups| groups.iter().any(listed))
+        || is_symbol(name)
+}
+
+/// Whether this is the symbol of a mask: no list, and a sum or product in `z`, maybe with a mistake. With hyphens alone, as in `a-z`, it is a name.
+pub(super) fn is_symbol(text: &str) -> bool {
+    let is_list = text.trim_start().starts_with(['[', '{']) || list(text).is_ok();
+    !is_list && has_variable(text) && text.contains(['^', '(', '*', '·', '×', '+'])
+}
+
+/// Whether `z` is a word in a text; a number may stand before it, as it does by mistake in `2z`.
+fn has_variable(text: &str) -> bool {
+    let words = text.split(|c| !continues_name(c));
+    words
+        .map(|word| word.trim_start_matches(|c: char| c.is_ascii_digit()))
+        .any(|word| word == SYMBOL_VARIABLE)
 }
 
 /// The places of the coefficients of the mask that stands in this range, and the formula of each with the factors.
@@ -45,11 +60,11 @@ pub(super) fn coefficients(
     let text = &source.text[range.clone()];
     let place = |span: Range<usize>| range.start + span.start..range.start + span.end;
     let wrong = |span: Range<usize>, message: &str| {
-        Diagnostic::new(source, place(span), message).with_help(HELP)
+        Diagnostic::new(source, place(span), message).with_help(MASK)
     };
     let list = list(text).map_err(|(span, message)| {
         let error = wrong(span, message);
-        if text.contains(SYMBOL_VARIABLE) { error.with_help(SYMBOL) } else { error }
+        if has_variable(text) { error.with_help(SYMBOL) } else { error }
     })?;
     let behind = &text[list.span.end..];
     let before = factor_before(source, place(0..list.span.start))?;
@@ -191,7 +206,7 @@ fn pieces(text: &str, inside: Range<usize>) -> Result<Vec<Range<usize>>, &'stati
 /// The factor before the list, in brackets and with `*`.
 fn factor_before(source: &Arc<SourceText>, span: Range<usize>) -> Result<String, Diagnostic> {
     let before = &source.text[span.clone()];
-    let wrong = |message: &str| Diagnostic::new(source, span.clone(), message).with_help(HELP);
+    let wrong = |message: &str| Diagnostic::new(source, span.clone(), message).with_help(MASK);
     if before.trim().is_empty() {
         return Ok(String::new());
     }
@@ -210,7 +225,7 @@ fn factor_before(source: &Arc<SourceText>, span: Range<usize>) -> Result<String,
 /// Checks that a product stands behind the list.
 fn factor_behind(source: &Arc<SourceText>, span: Range<usize>) -> Result<(), Diagnostic> {
     let behind = source.text[span.clone()].trim();
-    let wrong = |message: &str| Diagnostic::new(source, span.clone(), message).with_help(HELP);
+    let wrong = |message: &str| Diagnostic::new(source, span.clone(), message).with_help(MASK);
     if behind.is_empty() {
         return Ok(());
     }
@@ -225,7 +240,7 @@ fn factor_behind(source: &Arc<SourceText>, span: Range<usize>) -> Result<(), Dia
 }
 
 /// Whether a formula is a sum or a difference without brackets around it.
-fn is_sum(formula: &LocatedFormula) -> bool {
+pub(super) fn is_sum(formula: &LocatedFormula) -> bool {
     match &formula.expr.node {
         Node::Chain(first, rest) => {
             let added =

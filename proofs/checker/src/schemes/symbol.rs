@@ -1,0 +1,217 @@
+//! A mask by its symbol Σ_k a_k z^k: the formula is multiplied out.
+
+use super::scheme::MAX_ARITY;
+use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Scope, formula, names};
+use crate::numbers::Value;
+use crate::text::Stop;
+use std::collections::BTreeMap;
+
+/// The variable.
+const Z: &str = "z";
+
+/// The greatest |k| of a power z^k.
+const MAX_POWER: u64 = 16_384;
+
+/// The greatest |exponent| of what has z in it.
+const MAX_EXPONENT: u64 = 64;
+
+/// How deep the formulas in z may be nested, with those that they name.
+const MAX_DEPTH: usize = 200;
+
+/// The coefficients by the powers of z; none is 0.
+type Laurent = BTreeMap<i64, Value>;
+
+/// The offset and the rules of a symbol: a_k is in the rule α = k mod n, of the point (α − k)/n. The arity n is stated, or
+/// else the value at z = 1.
+pub(super) fn mask(
+    text: &str,
+    stated: Option<&str>,
+    scope: &Scope<'_>,
+) -> Result<(i64, Vec<Vec<Value>>), Stop> {
+    let symbol = Expansion { scope }.of(&formula(text)?, &mut Vec::new(), 0)?;
+    let n = match stated {
+        Some(arity) => scope.value(&formula(arity)?)?,
+        None => Value::total(symbol.values())?,
+    };
+    let n = n.integer(MAX_ARITY.into())?;
+    if n < 2 {
+        return Err(wrong("its value at z = 1 is no arity"));
+    }
+    let place = |k: i64| (k.rem_euclid(n) - k) / n;
+    let (Some((low, _)), Some((high, _))) = (symbol.first_key_value(), symbol.last_key_value())
+    else {
+        return Err(wrong("it is 0"));
+    };
+    let (first, last) = (place(*high), place(*low));
+    let coefficient = |k: i64| symbol.get(&k).cloned().unwrap_or_else(|| Value::int(0));
+    let row = |alpha: i64| (first..=last).map(|point| coefficient(alpha - n * point)).collect();
+    Ok((first, (0..n).map(row).collect()))
+}
+
+fn wrong(what: &str) -> Stop {
+    Stop::Wrong(format!("a symbol: {what}"))
+}
+
+struct Expansion<'s> {
+    scope: &'s Scope<'s>,
+}
+
+impl Expansion<'_> {
+    fn of(&self, expr: &Expr, indices: &mut Indices, depth: usize) -> Result<Laurent, Stop> {
+        if depth == MAX_DEPTH {
+            return Err(Stop::Capped("the nesting of formulas"));
+        }
+        let found = names(expr, self.scope.definitions);
+        self.scope.spend(1 + found.len() as u64)?;
+        if !found.contains(Z) {
+            return sum([(0, self.scope.evaluate(expr, indices)?)]);
+        }
+        match expr {
+            Expr::Name(name) if name == Z => sum([(1, Value::int(1))]),
+            Expr::Name(name) => {
+                let definition = self.scope.definitions.get(name);
+                let definition = definition.ok_or_else(|| wrong("a name is unknown"))?;
+                self.of(definition, indices, depth + 1)
+            }
+            Expr::Of(Head::Minus, parts) if parts.len() == 1 => {
+                let of = self.of(&parts[0], indices, depth + 1)?;
+                of.into_iter().map(|(k, c)| Ok((k, c.negated()?))).collect()
+            }
+            Expr::Of(Head::Chain(operators), parts) => {
+                let mut parts = parts.iter();
+                let first = parts.next().ok_or_else(|| wrong("an operand is missing"))?;
+                let mut value = self.of(first, indices, depth + 1)?;
+                for (operator, part) in operators.iter().zip(parts) {
+                    let right = self.of(part, indices, depth + 1)?;
+                    value = match operator {
+                        '+' => sum(value.into_iter().chain(right))?,
+                        '-' => {
+                            let negated = right.into_iter().map(|(k, c)| Ok((k, c.negated()?)));
+                            let negated = negated.collect::<Result<Laurent, Stop>>()?;
+                            sum(value.into_iter().chain(negated))?
+                        }
+                        '/' => self.over(&value, &right)?,
+                        _ => self.times(&value, &right)?,
+                    };
+                }
+                Ok(value)
+            }
+            Expr::Of(Head::Power, parts) if parts.len() == 2 => {
+                let base = self.of(&parts[0], indices, depth + 1)?;
+                let exponent = self.scope.evaluate(&parts[1], indices)?.integer(MAX_INTEGER)?;
+                self.power(&base, exponent)
+            }
+            Expr::Of(Head::Over(fold, index), parts) if fold == "sum" && parts.len() == 3 => {
+                if index == Z {
+                    return Err(wrong("`z` is an index"));
+                }
+                self.scope.index(index)?;
+                let [from, to] = [0, 1].map(|end| self.scope.evaluate(&parts[end], indices));
+                let mut total = Laurent::new();
+                for i in from?.integer(MAX_INTEGER)?..=to?.integer(MAX_INTEGER)? {
+                    indices.push((index.clone(), Value::int(i)));
+                    let term = self.of(&parts[2], indices, depth + 1);
+                    indices.pop();
+                    let term = term?;
+                    self.scope.spend((total.len() + term.len()) as u64)?;
+                    total = sum(total.into_iter().chain(term))?;
+                }
+                Ok(total)
+            }
+            _ => Err(wrong("`z` stands where it has no meaning")),
+        }
+    }
+
+    fn times(&self, left: &Laurent, right: &Laurent) -> Result<Laurent, Stop> {
+        let mut terms = Vec::new();
+        for (p, a) in left {
+            for (q, b) in right {
+                self.scope.spend(a.cost(b))?;
+                terms.push((p + q, a.times(b)?));
+            }
+        }
+        sum(terms)
+    }
+
+    fn power(&self, base: &Laurent, exponent: i64) -> Result<Laurent, Stop> {
+        if let Some(constant) = constant(base) {
+            let power = constant.power(exponent)?;
+            self.scope.spend(power.cost(&power))?;
+            return sum([(0, power)]);
+        }
+        if exponent.unsigned_abs() > MAX_EXPONENT {
+            return Err(Stop::Capped("the exponent of a symbol"));
+        }
+        let one = sum([(0, Value::int(1))])?;
+        let mut power = one.clone();
+        for _ in 0..exponent.unsigned_abs() {
+            power = self.times(&power, base)?;
+        }
+        if exponent < 0 { self.over(&one, &power) } else { Ok(power) }
+    }
+
+    /// The quotient, which leaves no remainder. By a number or one power of z each coefficient is divided; otherwise the
+    /// terms of one end of the dividend are taken away, one after the other.
+    fn over(&self, left: &Laurent, divisor: &Laurent) -> Result<Laurent, Stop> {
+        let (Some((first, low)), Some((last, high))) =
+            (divisor.first_key_value(), divisor.last_key_value())
+        else {
+            return Err(Stop::Undefined("division by zero"));
+        };
+        if first == last {
+            let each = |(k, c): (&i64, &Value)| {
+                self.scope.spend(c.cost_of_quotient(low))?;
+                Ok((k - first, c.over(low)?))
+            };
+            return sum(left.iter().map(each).collect::<Result<Vec<_>, Stop>>()?);
+        }
+        let (from_above, end, lead) =
+            if high.number().is_ok() { (true, last, high) } else { (false, first, low) };
+        let (mut rest, mut quotient) = (left.clone(), Laurent::new());
+        while let (Some(least), Some(most)) = (rest.keys().next(), rest.keys().next_back()) {
+            // What is left is longer than the divisor, as a multiple of it is.
+            if most - least < last - first {
+                return Err(wrong("a division leaves a remainder"));
+            }
+            let at = if from_above { *most } else { *least };
+            let k = at - end;
+            let c = rest[&at].over(lead)?;
+            self.scope.spend(rest[&at].cost_of_quotient(lead))?;
+            for (power, d) in divisor {
+                self.scope.spend(c.cost(d))?;
+                let known = rest.remove(&(power + k)).unwrap_or_else(|| Value::int(0));
+                let value = known.minus(&c.times(d)?)?;
+                if !value.is_zero() {
+                    rest.insert(power + k, value);
+                }
+            }
+            quotient.insert(k, c);
+        }
+        sum(quotient)
+    }
+}
+
+/// The number, or the polynomial in parameters, that this is without z.
+fn constant(symbol: &Laurent) -> Option<Value> {
+    match (symbol.len(), symbol.get(&0)) {
+        (0, _) => Some(Value::int(0)),
+        (1, found) => found.cloned(),
+        _ => None,
+    }
+}
+
+/// The sum of these terms.
+fn sum(terms: impl IntoIterator<Item = (i64, Value)>) -> Result<Laurent, Stop> {
+    let mut sum = Laurent::new();
+    for (power, c) in terms {
+        if power.unsigned_abs() > MAX_POWER {
+            return Err(Stop::Capped("the powers of z in a symbol"));
+        }
+        let known = sum.remove(&power);
+        let value = known.map_or(Ok(c.clone()), |known| known.plus(1, &c))?;
+        if !value.is_zero() {
+            sum.insert(power, value);
+        }
+    }
+    Ok(sum)
+}
