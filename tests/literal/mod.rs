@@ -1,6 +1,7 @@
 //! Tables of numbers in the source files of programs.
 
 mod laws;
+mod phases;
 mod refused;
 mod sources;
 

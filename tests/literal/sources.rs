@@ -5,15 +5,15 @@ use subcert::literal::Language::{self, C, JavaScript, Matlab, Python, Rust, Shad
 use subcert::literal::Precision::{Double, Single};
 
 /// What is held, in doubles, or words of the error.
-type Expected = Result<&'static [f64], &'static str>;
+pub(super) type Expected = Result<&'static [f64], &'static str>;
 
-const TWO: Expected = Ok(&[0.5, 0.25]);
-const ONE: Expected = Ok(&[0.5]);
+pub(super) const TWO: Expected = Ok(&[0.5, 0.25]);
+pub(super) const ONE: Expected = Ok(&[0.5]);
 const CALL: Expected = Err("is not computed");
-const CHANGED: Expected = Err("is changed here");
-const MAY_BE: Expected = Err("may be changed");
+pub(super) const CHANGED: Expected = Err("is changed here");
+pub(super) const MAY_BE: Expected = Err("may be changed");
 const UNEVEN: Expected = Err("do not have equally many numbers");
-const CONDITIONAL: Expected = Err("a conditional of the preprocessor");
+pub(super) const CONDITIONAL: Expected = Err("a conditional of the preprocessor");
 
 const TEXTS: &[(Language, &str, Expected)] = &[
     // Lines that are joined, and comments and texts that hide what looks like code.
@@ -237,7 +237,7 @@ fn as_the_language_reads_it() {
     }
 }
 
-fn check(language: Language, text: &str, expected: &Expected) {
+pub(super) fn check(language: Language, text: &str, expected: &Expected) {
     let shape = [expected.map_or(2, <[f64]>::len)];
     match (read(language, text, &shape), expected) {
         (Ok(table), Ok(numbers)) => {

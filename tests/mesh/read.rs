@@ -272,3 +272,24 @@ proptest! {
         }
     }
 }
+
+/// What a file says twice, or otherwise than its counts say, is refused.
+#[test]
+fn contradictions() {
+    let ply = |properties: &str, row: &str| {
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n{properties}\nend_header\n0 0 0 5\n1 0 0 5\n0 1 0 5\n{row}\n"
+        )
+    };
+    let face = "element face 1\nproperty list uchar int vertex_indices";
+    check(MeshFormat::Ply, &ply(&format!("property float x\n{face}"), "3 0 1 2"), 7, "twice");
+    let lists = format!("{face}\nproperty list uchar int vertex_index");
+    check(MeshFormat::Ply, &ply(&lists, "3 0 1 2 3 0 2 1"), 9, "twice");
+    let vtk = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 5\n3 0 1 2\n";
+    check(MeshFormat::Vtk, vtk, 8, "which have 4 numbers and not 5");
+    let usd = "#usda 1.0\ndef Mesh \"m\" {\npoint3f[] points = [(0,0,0)]\npoint3f[] points = [(1,0,0)]\n}\n";
+    check(MeshFormat::Usda, usd, 4, "for the second time");
+    let off = SourceText::new("mesh", "OFF\n3 1 0\n0 0 0\n1 0 0 7\n0 1 0\n3 0 1 2\n");
+    let read = read_mesh(&off, MeshFormat::Off).expect("a mesh");
+    assert!(read.notes()[0].contains("behind x, y and z"));
+}

@@ -110,3 +110,35 @@ fn a_value_beyond_a_cap_is_open() {
     assert!(cap.is_some_and(|cap| cap.starts_with("the power is too large; at most")));
     assert_eq!((&finding.cells[1].error, &finding.sums), (&None, &None));
 }
+
+/// Errors against tolerances that agree with them in more digits than are printed, and against 0 that is written in roots.
+#[test]
+fn errors_are_compared_exactly() {
+    let zero = "sqrt(5 + 2*sqrt(6)) - sqrt(2) - sqrt(3)";
+    for (equals, cell, tolerance, kept) in [
+        (
+            "sqrt(2)",
+            "1.4142135623730951",
+            "0.000000000000000096672933134529130371871688598255864426823320",
+            false,
+        ),
+        (
+            "sqrt(2)",
+            "1.4142135623730951",
+            "0.000000000000000096672933134529130371871688598255864426823329",
+            true,
+        ),
+        (zero, "0.0", "1e-200", true),
+        (zero, "1e-300", "1e-200", true),
+        (zero, "1e-100", "1e-200", false),
+    ] {
+        let text = format!("{}tolerance = '{tolerance}'\n", table("f64", "", equals, &[cell]));
+        let project = project(&text);
+        let found = found(&project);
+        let tolerance = &project.shipped[0].tolerance.as_ref().expect("a tolerance").1;
+        assert_eq!(found.is_within(0, tolerance), Some(kept), "{equals}: {cell}");
+        let error = found.cells[0].error.as_ref().expect("an error");
+        assert_eq!(error.is_zero(), cell == "0.0", "{equals}: {cell}");
+        assert_eq!(error <= tolerance || equals != zero, kept || equals != zero, "{cell}");
+    }
+}

@@ -3,7 +3,7 @@
 use super::expression::Expression;
 use super::language::{Language, Precision};
 use super::number::number;
-use super::reader::{MAX_DEPTH, Reader};
+use super::reader::{MAX_DEPTH, MAX_OPERATIONS, Reader};
 use super::token::Kind;
 use crate::diagnostic::Diagnostic;
 
@@ -12,7 +12,7 @@ impl Reader<'_> {
     pub(super) fn sum(&mut self, depth: usize) -> Result<Expression, Diagnostic> {
         let mut left = self.product(depth)?;
         while let Some(Kind::Sign(sign @ ('+' | '-'))) = self.peek() {
-            if self.is_next_in_row() {
+            if self.is_next_in_row() || self.ends_row() {
                 break;
             }
             self.at += 1;
@@ -24,6 +24,9 @@ impl Reader<'_> {
     fn product(&mut self, depth: usize) -> Result<Expression, Diagnostic> {
         let mut left = self.factor(depth)?;
         while let Some(Kind::Sign(sign @ ('*' | '/'))) = self.peek() {
+            if self.ends_row() {
+                break;
+            }
             self.at += 1;
             left = self.operation(sign, left, |reader| reader.factor(depth))?;
         }
@@ -36,6 +39,10 @@ impl Reader<'_> {
         left: Expression,
         right: impl FnOnce(&mut Self) -> Result<Expression, Diagnostic>,
     ) -> Result<Expression, Diagnostic> {
+        self.operations += 1;
+        if self.operations > MAX_OPERATIONS {
+            return Err(self.wrong(format!("more than {MAX_OPERATIONS} operations in a number")));
+        }
         let repeated = matches!(self.peek(), Some(Kind::Sign('*' | '/')));
         if repeated {
             return Err(self.wrong("`**` and `//` are not computed".to_owned()));

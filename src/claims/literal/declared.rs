@@ -1,6 +1,6 @@
 //! The type that a source gives to the numbers of a table.
 
-use super::directive::{macros, words};
+use super::directive::words;
 use super::entry::Entry;
 use super::language::{Language, Precision};
 use super::token::{Kind, Token};
@@ -169,51 +169,6 @@ pub(super) fn declared(
         }
     }
     found
-}
-
-/// How many numbers the declaration of the name at `at` has, where it says so: those that are not written are 0. Its
-/// list has so many items, which may be lists.
-pub(super) fn size(
-    source: &Arc<SourceText>,
-    language: Language,
-    tokens: &[Token],
-    at: usize,
-    (rows, lists): (usize, bool),
-) -> Result<Option<usize>, Diagnostic> {
-    let text = |at: usize| tokens.get(at).map_or("", |token| &source.text[token.span.clone()]);
-    let number = |at: usize| -> Result<Option<usize>, Diagnostic> {
-        let defined = macros(source, language, tokens.iter().enumerate(), text(at))?;
-        let word = match &defined[..] {
-            [one] if one.tokens.len() == 1 => &source.text[one.tokens[0].span.clone()],
-            _ => text(at),
-        };
-        Ok(word.parse().ok())
-    };
-    let before = if language.is_native() { statement(tokens, at)..at } else { at..at };
-    let vector =
-        before.clone().find_map(|at| element(text(at), language)).map_or(1, |(_, size)| size);
-    let (mut sizes, mut next) = (vec![vector], at + 1);
-    let array = before.clone().any(|at| text(at) == "array");
-    for at in before.filter(|&at| array && tokens[at].kind == Kind::Number) {
-        sizes.extend(number(at)?);
-    }
-    while language.is_native() && text(next) == "[" {
-        if text(next + 1) == "]" {
-            if !lists && text(next + 2) == "[" {
-                return Ok(None);
-            }
-            sizes.push(rows);
-            next += 2;
-            continue;
-        }
-        let Some(size) = number(next + 1)?.filter(|_| text(next + 2) == "]") else {
-            return Ok(None);
-        };
-        sizes.push(size);
-        next += 3;
-    }
-    let known = sizes[0] > 1 || sizes.len() > 1;
-    Ok(sizes.into_iter().try_fold(1_usize, usize::checked_mul).filter(|_| known))
 }
 
 /// Where the declaration of the name at `at` begins: behind a semicolon, a brace, a colon, a bracket that is open, or a line

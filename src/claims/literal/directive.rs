@@ -6,16 +6,24 @@ use crate::diagnostic::{Diagnostic, SourceText};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The words of a line for the preprocessor: `#ifndef A` gives `ifndef` and `A`.
-pub(super) fn words<'a>(source: &'a SourceText, token: &Token) -> Vec<&'a str> {
-    let line = &source.text[token.span.clone()];
-    line.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty()).collect()
+/// The words of a line for the preprocessor, without comments: `#ifndef A` gives `ifndef` and `A`. Those behind one that is not
+/// read are left out.
+fn parts(source: &Arc<SourceText>, line: &Token) -> Vec<Token> {
+    let span = line.span.start + 1..line.span.end;
+    let mut words = Tokens::of_macro(source, Language::C, span);
+    let words = std::iter::from_fn(|| words.next().ok().flatten());
+    words.skip_while(|word| matches!(word.kind, Kind::Sign(_))).collect()
+}
+
+/// The texts of these words.
+pub(super) fn words<'a>(source: &'a Arc<SourceText>, line: &Token) -> Vec<&'a str> {
+    parts(source, line).into_iter().map(|word| &source.text[word.span]).collect()
 }
 
 /// The conditional that is open before a word; that of an include guard does not count, where `#define` of the same
 /// name follows and nothing but other lines for the preprocessor stands before.
 pub(super) fn conditional(
-    source: &SourceText,
+    source: &Arc<SourceText>,
     tokens: &[Token],
     at: usize,
 ) -> Option<Range<usize>> {
@@ -32,10 +40,9 @@ pub(super) fn conditional(
                 let next = tokens.get(place + 1).filter(|next| next.kind == Kind::Directive);
                 let defines = next.map(|next| self::words(source, next)).unwrap_or_default();
                 let name = match words[..] {
-                    ["ifndef", name] => Some(name),
-                    ["if", "defined", name] if source.text[token.span.clone()].contains('!') => {
-                        Some(name)
-                    }
+                    ["ifndef", name]
+                    | ["if", "!", "defined", name]
+                    | ["if", "!", "defined", "(", name, ")"] => Some(name),
                     _ => None,
                 };
                 let guard = only_directives
@@ -83,14 +90,15 @@ pub(super) fn macros<'t>(
 ) -> Result<Vec<Macro>, Diagnostic> {
     let mut macros = Vec::new();
     for (at, token) in lines.filter(|(_, token)| token.kind == Kind::Directive) {
-        let kind = match words(source, token)[..] {
-            [kind @ ("define" | "undef"), first, ..] if first == name => kind,
+        let (kind, span) = match &parts(source, token)[..] {
+            [kind, first, ..] if source.text[first.span.clone()] == *name => {
+                (&source.text[kind.span.clone()], first.span.clone())
+            }
             _ => continue,
         };
-        let line = &source.text[token.span.clone()];
-        let begin = line.find(kind).unwrap_or(0) + kind.len();
-        let begin = token.span.start + begin + line[begin..].find(name).unwrap_or(0);
-        let span = begin..begin + name.len();
+        if !matches!(kind, "define" | "undef") {
+            continue;
+        }
         let wrong = |message| Err(Diagnostic::new(source, span.clone(), message).with_help(TYPED));
         if kind == "undef" {
             return wrong(format!("the macro `{name}` is removed here"));

@@ -1,9 +1,11 @@
 //! Where the numbers of a table stand in a file.
 
-use super::declared::{Typed, declared, size, statement};
-use super::directive::{Macro, TYPED, conditional, is_open, macros, words};
+use super::compiled::{is_compiled, not_conditional};
+use super::declared::{Typed, declared};
+use super::directive::{Macro, TYPED, is_open, macros, words};
 use super::language::Language;
 use super::place::Place;
+use super::size::size;
 use super::token::{Kind, Token, Tokens};
 use super::uses::Uses;
 use crate::diagnostic::{Diagnostic, SourceText};
@@ -201,9 +203,15 @@ fn is_kept(
     let name = &source.text[tokens[at].span.clone()];
     let uses = Uses::new(source, language, tokens);
     let table = uses.declared(at, value);
+    if let Some(word) = uses.own_constructor(value) {
+        let called = &source.text[tokens[word].span.clone()];
+        let message = format!("`{called}` has a meaning of its own in this file");
+        return Err(Diagnostic::new(source, tokens[word].span.clone(), message).with_help(TYPED));
+    }
+    let shared = || Some((at, uses.shared(at, table)?));
     let fault = others.iter().find_map(|&other| Some((other, uses.fault(other, table)?)));
     let hidden = || Some((uses.hidden(name, table)?, "may be changed where this is used"));
-    let Some((place, fault)) = fault.or_else(hidden) else { return Ok(()) };
+    let Some((place, fault)) = fault.or_else(hidden).or_else(shared) else { return Ok(()) };
     let message = format!("`{name}` {fault}, so that the program may hold other numbers later");
     Err(Diagnostic::new(source, tokens[place].span.clone(), message)
         .with_place(tokens[at].span.clone(), "declared here")
@@ -211,44 +219,6 @@ fn is_kept(
             "{}type the numbers that it holds in the end into the claim file, as `cells`, or rename one of the two",
             language.constant().map_or(String::new(), |how| format!("declare it {how}, or "))
         )))
-}
-
-/// Refuses a table of which a conditional of the preprocessor says whether it is compiled, or with which type.
-fn is_compiled(
-    source: &Arc<SourceText>,
-    language: Language,
-    tokens: &[Token],
-    at: usize,
-) -> Result<(), Diagnostic> {
-    if !language.has_preprocessor() {
-        return Ok(());
-    }
-    let start = statement(tokens, at);
-    // `#endif` between the type and the name.
-    let split = start.checked_sub(1).map(|before| &tokens[before]).filter(|before| {
-        let qualifies = |token: &Token| {
-            let word = &source.text[token.span.clone()];
-            token.kind != Kind::Name || ["const", "static", "constexpr", "inline"].contains(&word)
-        };
-        before.kind == Kind::Directive
-            && matches!(words(source, before).first(), Some(&("endif" | "else" | "elif")))
-            && tokens[start..at].iter().all(qualifies)
-    });
-    not_conditional(source, tokens, at, split.map(|token| token.span.clone()))
-}
-
-/// Refuses what a conditional of the preprocessor, open before a word or `other`, may leave out.
-fn not_conditional(
-    source: &Arc<SourceText>,
-    tokens: &[Token],
-    at: usize,
-    other: Option<Range<usize>>,
-) -> Result<(), Diagnostic> {
-    let Some(span) = conditional(source, tokens, at).or(other) else { return Ok(()) };
-    let message = "whether this is compiled depends on a conditional of the preprocessor";
-    Err(Diagnostic::new(source, tokens[at].span.clone(), message)
-        .with_place(span.start..span.start + 1, "this one")
-        .with_help("copy what is compiled into a file without conditionals, or type the numbers into the claim file, as `cells`"))
 }
 
 /// How many items an initialiser has in its outermost bracket, and whether these are lists.

@@ -13,6 +13,7 @@
 //! | [`Precision`] | the type of the table |
 
 mod arithmetic;
+mod compiled;
 mod constructor;
 mod declared;
 mod directive;
@@ -24,8 +25,10 @@ mod number;
 mod place;
 mod quoted;
 mod reader;
+mod size;
 mod table;
 mod token;
+mod unclear;
 mod uses;
 mod whole;
 

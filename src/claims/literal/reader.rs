@@ -14,6 +14,9 @@ pub const MAX_ENTRIES: usize = 100_000;
 /// How deep brackets and signs may be nested.
 pub(super) const MAX_DEPTH: usize = 64;
 
+/// The most operations in one number: its value is computed by as deep a recursion.
+pub(super) const MAX_OPERATIONS: usize = 1_000;
+
 /// The line of a place, for places that come in order.
 struct Lines<'a> {
     text: &'a str,
@@ -41,6 +44,8 @@ pub(super) struct Reader<'a> {
     tokens: &'a [Token],
     pub(super) at: usize,
     lines: Lines<'a>,
+    /// How many operations the number has up to here.
+    pub(super) operations: usize,
     /// The types that constructors give to the numbers.
     pub(super) types: Vec<Typed>,
     /// Whether blanks part the numbers, as in a row of MATLAB.
@@ -56,7 +61,8 @@ impl<'a> Reader<'a> {
         tokens: &'a [Token],
     ) -> Reader<'a> {
         let (types, lines) = (Vec::new(), Lines::new(source));
-        Reader { source, language, tokens, at: 0, lines, types, in_row: false, mixes: false }
+        let (in_row, mixes) = (false, false);
+        Reader { source, language, tokens, at: 0, lines, operations: 0, types, in_row, mixes }
     }
 
     pub(super) fn peek(&self) -> Option<Kind> {
@@ -204,6 +210,12 @@ impl<'a> Reader<'a> {
         self.in_row && self.is_apart(self.at) && !self.is_apart(self.at + 1)
     }
 
+    /// Whether a line ends a row before the word here, whatever stands in the next line.
+    pub(super) fn ends_row(&self) -> bool {
+        let ends = |between: &str| between.contains('\n') && !between.contains("...");
+        self.in_row && ends(self.between(self.at))
+    }
+
     /// Whether the bracket that opens here has several rows.
     fn has_rows(&self) -> bool {
         let mut depth = 0_usize;
@@ -261,6 +273,7 @@ impl<'a> Reader<'a> {
             return Err(self.wrong(format!("more than {MAX_ENTRIES} numbers")));
         }
         let start = self.span().start;
+        self.operations = 0;
         let expression = self.sum(0)?;
         let end = self.tokens[self.at - 1].span.end;
         entries.push(Entry { span: start..end, line: self.lines.of(start), expression });

@@ -57,6 +57,16 @@ pub fn read_literals(
         let message = format!("a shape of no numbers, or of more than {MAX_ENTRIES}: {shape:?}");
         return Err(Diagnostic::new(source, 0..0, message));
     };
+    let mut ends = source.text.match_indices(['\r', '\u{2028}', '\u{2029}']);
+    let other = ends.find(|(at, end)| match *end {
+        "\r" => !source.text[at + 1..].starts_with('\n'),
+        _ => language == Language::JavaScript,
+    });
+    if let Some((at, end)) = other {
+        let message = "a character that ends lines in some languages, and in others does not";
+        return Err(Diagnostic::new(source, at..at + end.len(), message)
+            .with_help("end the lines with \\n or \\r\\n"));
+    }
     let (source, found) = initialiser(source, language, after)?;
     let Initialiser { tokens, name, mut types, directives, size } = found;
     let source = &source;

@@ -1,10 +1,35 @@
 //! The words of a source file.
 
 use super::language::Language;
-use super::quoted::{directive_length, raw_length, regex_length, template_length};
+use super::quoted::{
+    block_length, directive_length, number_length, raw_length, regex_length, template_length,
+};
 use crate::diagnostic::{Diagnostic, SourceText};
 use std::ops::Range;
 use std::sync::Arc;
+
+/// Words after which `/` divides nothing and `'` transposes nothing.
+const VALUELESS: [&str; 19] = [
+    "return",
+    "typeof",
+    "case",
+    "in",
+    "of",
+    "instanceof",
+    "new",
+    "delete",
+    "void",
+    "throw",
+    "do",
+    "else",
+    "yield",
+    "await",
+    "default",
+    "if",
+    "elseif",
+    "while",
+    "switch",
+];
 
 /// What a word is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,20 +56,31 @@ pub(super) struct Token {
 /// Reads words from a place on. Comments and white space are left out.
 pub(super) struct Tokens<'a> {
     source: &'a Arc<SourceText>,
-    language: Language,
+    pub(super) language: Language,
     at: usize,
     /// Whether the last word ends a value, so that `/` divides it.
-    value: bool,
+    pub(super) value: bool,
     /// Where the words end.
     end: usize,
     /// Whether these are the words of a macro, in which `\` joins lines.
     in_macro: bool,
+    /// Whether no word stands before on this line; comments are blanks.
+    fresh: bool,
+    /// The last word, where it is a sign.
+    pub(super) last: Option<char>,
+    /// Whether the last word is the second sign of `++` or `--`.
+    doubled: bool,
+    /// Whether the last word is followed by a condition in brackets.
+    condition: bool,
+    /// The brackets that are open, and whether each holds a condition, behind which no value ends.
+    pub(super) open: Vec<(char, bool)>,
 }
 
 impl<'a> Tokens<'a> {
     pub(super) fn new(source: &'a Arc<SourceText>, language: Language) -> Tokens<'a> {
         let end = source.text.len();
-        Tokens { source, language, at: 0, value: false, end, in_macro: false }
+        let mark = end - source.text.trim_start_matches('\u{feff}').len();
+        Tokens { in_macro: false, fresh: true, ..Tokens::of_macro(source, language, mark..end) }
     }
 
     /// The words of a macro, which stand at these bytes.
@@ -53,7 +89,19 @@ impl<'a> Tokens<'a> {
         language: Language,
         bytes: Range<usize>,
     ) -> Tokens<'a> {
-        Tokens { source, language, at: bytes.start, value: false, end: bytes.end, in_macro: true }
+        Tokens {
+            source,
+            language,
+            at: bytes.start,
+            value: false,
+            end: bytes.end,
+            in_macro: true,
+            fresh: false,
+            last: None,
+            doubled: false,
+            condition: false,
+            open: Vec::new(),
+        }
     }
 
     fn rest(&self) -> &'a str {
@@ -63,7 +111,7 @@ impl<'a> Tokens<'a> {
     /// The next word; `None` at the end of the file.
     ///
     /// # Errors
-    /// When a comment or a text has no end, or `\` joins two lines.
+    /// When a comment or a text has no end, `\` joins two lines, or it depends on more than the words before what stands here.
     pub(super) fn next(&mut self) -> Result<Option<Token>, Diagnostic> {
         self.skip()?;
         let (start, rest) = (self.at, self.rest());
@@ -80,8 +128,8 @@ impl<'a> Tokens<'a> {
         } else if first.is_alphabetic() || first == '_' {
             self.at += length(rest, |c| c.is_alphanumeric() || c == '_');
             Kind::Name
-        } else if first == '#' && self.language.has_preprocessor() && self.begins_line() {
-            self.at += directive_length(rest);
+        } else if self.fresh && self.is_directive(rest) {
+            self.at += directive_length(rest, self.language);
             Kind::Directive
         } else if self.is_quote(first, rest) {
             self.at += self.text_length(first)?;
@@ -89,20 +137,46 @@ impl<'a> Tokens<'a> {
         } else if let Some(length) = self.regex(rest) {
             self.at += length;
             Kind::Text
-        } else if first == '\\' && self.language.has_preprocessor() {
-            let message = "`\\` joins two lines outside of a macro";
-            return Err(Diagnostic::new(self.source, start..start + 1, message)
-                .with_help("write both as one line, without the `\\`"));
         } else {
             self.at += first.len_utf8();
             Kind::Sign(first)
         };
         let word = &self.source.text[start..self.at];
-        self.value = match kind {
-            Kind::Sign(sign) => matches!(sign, ')' | ']' | '}'),
-            _ => !matches!(word, "return" | "typeof" | "case"),
-        };
+        if let Some((message, help)) = self.unclear(kind, word, rest) {
+            let end = start + first.len_utf8();
+            return Err(Diagnostic::new(self.source, start..end, message).with_help(help));
+        }
+        self.passed(kind, start);
         Ok(Some(Token { kind, span: start..self.at }))
+    }
+
+    /// Notes what the next word depends on.
+    fn passed(&mut self, kind: Kind, start: usize) {
+        let (before, word) = self.source.text[..self.at].split_at(start);
+        let member = self.last == Some('.');
+        self.value = match kind {
+            Kind::Sign(')' | ']' | '}') => !self.open.pop().is_some_and(|(_, condition)| condition),
+            // `i++`, but not `1 + +i`
+            Kind::Sign(sign @ ('+' | '-')) => !self.doubled && before.ends_with(sign),
+            Kind::Sign('\'') => self.language == Language::Matlab,
+            Kind::Sign(_) => false,
+            _ => member || !VALUELESS.contains(&word),
+        };
+        if let Kind::Sign(sign @ ('(' | '[' | '{')) = kind {
+            self.open.push((sign, sign == '(' && self.condition));
+        }
+        self.condition = self.language == Language::JavaScript
+            && !member
+            && matches!(word, "if" | "while" | "for" | "with");
+        self.last = if let Kind::Sign(sign) = kind { Some(sign) } else { None };
+        self.doubled = self.value && matches!(kind, Kind::Sign('+' | '-'));
+        self.fresh = kind == Kind::Directive;
+    }
+
+    /// Whether a line for the preprocessor begins here, also with signs that stand for `#`.
+    fn is_directive(&self, rest: &str) -> bool {
+        let marks = ["#", "%:", "??="];
+        self.language.has_preprocessor() && marks.iter().any(|mark| rest.starts_with(mark))
     }
 
     /// The length of a regular expression of JavaScript that begins here.
@@ -113,10 +187,15 @@ impl<'a> Tokens<'a> {
 
     /// Skips white space and comments.
     fn skip(&mut self) -> Result<(), Diagnostic> {
+        let mut goes_on = self.in_macro;
         loop {
             let rest = self.rest();
             let white = length(rest, char::is_whitespace);
+            self.fresh |= rest[..white].contains('\n') && !goes_on;
+            self.value &= !(self.fresh && self.language == Language::Matlab);
             let comment = &rest[white..];
+            goes_on =
+                self.in_macro || self.language == Language::Matlab && comment.starts_with("...");
             let mut marks = self.language.line_comments().iter();
             let continues = self.language == Language::Python || self.in_macro;
             let length =
@@ -187,11 +266,6 @@ impl<'a> Tokens<'a> {
         Err(Diagnostic::new(self.source, start..start + 2, message).with_label("it begins here"))
     }
 
-    fn begins_line(&self) -> bool {
-        let before = self.source.text[..self.at].bytes().rev().take_while(|&b| b != b'\n');
-        before.into_iter().all(|b| b.is_ascii_whitespace())
-    }
-
     /// Whether a text begins here. In Rust, `'a` may be a lifetime.
     fn is_quote(&self, first: char, rest: &str) -> bool {
         match first {
@@ -201,9 +275,10 @@ impl<'a> Tokens<'a> {
                 let (one, two) = (after.next(), after.next());
                 one == Some('\\') || two == Some('\'')
             }
-            // Behind a value it transposes.
+            // Behind a value or a point it transposes.
             '\'' if self.language == Language::Matlab => {
-                !self.value || self.source.text[..self.at].ends_with(char::is_whitespace)
+                let before = &self.source.text[..self.at];
+                !(self.value || self.last == Some('.')) || before.ends_with(char::is_whitespace)
             }
             '"' | '\'' => true,
             _ => false,
@@ -254,51 +329,7 @@ impl<'a> Tokens<'a> {
     }
 }
 
-/// The length of a comment of MATLAB between lines `%{` and `%}`, or of the line.
-fn block_length(comment: &str) -> usize {
-    let (mut depth, mut length) = (0_usize, 0);
-    for line in comment.split_inclusive('\n') {
-        length += line.len();
-        match line.trim() {
-            "%{" => depth += 1,
-            "%}" => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        if depth == 0 {
-            break;
-        }
-    }
-    length
-}
-
 /// How many bytes of a text have this property.
 fn length(text: &str, has: impl Fn(char) -> bool) -> usize {
     text.find(|c| !has(c)).unwrap_or(text.len())
-}
-
-/// A number takes all letters, digits and separators that follow, one point, and signs after an exponent. Two
-/// points in a row are none of it, as in `0..3`.
-fn number_length(rest: &str, language: Language) -> usize {
-    let bytes = rest.as_bytes();
-    let hexadecimal = rest.len() > 1 && bytes[0] == b'0' && bytes[1].eq_ignore_ascii_case(&b'x');
-    let exponents: &[u8] = match language {
-        _ if hexadecimal => b"pP",
-        Language::Matlab => b"eEdD",
-        _ => b"eE",
-    };
-    let mut at = 0;
-    while at < bytes.len() {
-        let (byte, next) = (bytes[at], bytes.get(at + 1).copied());
-        let taken = match byte {
-            b'.' => next != Some(b'.') && !bytes[..at].contains(&b'.'),
-            b'+' | b'-' => at > 0 && exponents.contains(&bytes[at - 1]),
-            b'\'' => language == Language::C && next.is_some_and(|b| b.is_ascii_alphanumeric()),
-            _ => byte.is_ascii_alphanumeric() || byte == b'_',
-        };
-        if !taken {
-            break;
-        }
-        at += 1;
-    }
-    at
 }

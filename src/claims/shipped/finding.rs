@@ -1,6 +1,7 @@
 //! What the audit says of shipped constants.
 
 use super::claim::{Project, ShippedClaim};
+use super::number::Settled as _;
 use crate::cap::Cap;
 use crate::exact::{Rational, RealExpression};
 use crate::verdict::Word;
@@ -51,6 +52,13 @@ impl ShippedFinding<'_> {
         self.count(|verdict| verdict.outcome() == outcome) > 0
     }
 
+    /// Whether a number is at most `tolerance` from its exact value, if that is decided.
+    #[must_use]
+    pub fn is_within(&self, place: usize, tolerance: &Rational) -> Option<bool> {
+        let exact = self.cells[place].exact.as_ref().ok()?;
+        exact.is_near(&self.claim.numbers[place].held, tolerance)
+    }
+
     /// How many numbers have a verdict for which `is` holds.
     #[must_use]
     pub fn count(&self, is: impl Fn(Verdict) -> bool) -> usize {
@@ -65,7 +73,7 @@ pub struct ShippedCell {
     pub exact: Result<RealExpression, Cap>,
     /// The verdict.
     pub verdict: Verdict,
-    /// |held − exact|, to some 30 digits; `None` beyond a cap.
+    /// |held − exact|: 0 where these are equal, else right to 20 digits; `None` where that is not decided, or beyond a cap.
     pub error: Option<Rational>,
 }
 

@@ -1,12 +1,16 @@
 //! Judging the tables of a project.
 
-use super::claim::{NumberType, Project, ShippedClaim};
+use super::claim::{Project, ShippedClaim};
 use super::exact::Values;
 use super::finding::{Outcome, ProjectAudit, ShippedCell, ShippedFinding, Verdict};
+use super::number::{LEVELS, Settled as _};
 use super::verdict::verdict;
 use super::{follows, reading};
 use crate::diagnostic::{Collected, Diagnostic, Errors};
-use crate::exact::{Rational, RealExpression};
+use crate::exact::{Enclosure, Rational, RealCyclotomic, RealExpression, format::short};
+
+/// The digits of an error that are right, as it is printed and as it is compared.
+const ERROR_DIGITS: [u32; 2] = [3, 20];
 
 /// Judges every table of a project.
 ///
@@ -55,7 +59,7 @@ pub fn audit_shipped<'a>(
         let (number, kind) = (&claim.numbers[place], claim.kind);
         let known = exact.as_ref().ok();
         let verdict = known.map_or(Verdict::Open, |exact| verdict(exact, number, kind));
-        let error = known.map(|exact| error(exact, &number.held, kind));
+        let error = known.and_then(|exact| error(exact, &number.held));
         Ok(ShippedCell { exact, verdict, error })
     };
     let cells = (0..claim.numbers.len()).map(cell).collect::<Result<Vec<_>, Diagnostic>>()?;
@@ -77,16 +81,24 @@ pub fn audit_shipped<'a>(
     })
 }
 
-/// |held − x|, from an enclosure that is much finer than the type.
-fn error(x: &RealExpression, held: &Rational, kind: NumberType) -> Rational {
-    let bits = match kind {
-        NumberType::Single | NumberType::Double => 128,
-        NumberType::Decimal(digits) => 4 * digits + 64,
+/// |held − x|: 0 where they are equal, and else so near that its leading digits are right. `None` where it is not decided
+/// whether they are equal.
+fn error(x: &RealExpression, held: &Rational) -> Option<Rational> {
+    if let Some(x) = x.as_number().and_then(RealCyclotomic::as_rational) {
+        return Some((held - x).abs());
+    }
+    if x.against(held)?.is_eq() {
+        return Some(Rational::zero());
+    }
+    // Texts of both lengths, as rounding twice is not rounding once.
+    let digits = |x: &Rational| {
+        let error = (held - x).abs();
+        (x.cmp(held), ERROR_DIGITS.map(|digits| short(&error, digits)))
     };
-    let level = (0..8).find(|level| 64 << level >= bits).unwrap_or(8);
-    let near = x.near(level);
-    let middle = (near.lower() + near.upper()) * Rational::new(1, 2);
-    (held - middle).abs()
+    let middle = |near: Enclosure| (near.lower() + near.upper()) * Rational::new(1, 2);
+    let near = LEVELS.map(|level| x.near(level));
+    let known = near.into_iter().find(|near| digits(near.lower()) == digits(near.upper()));
+    Some((held - middle(known.unwrap_or_else(|| x.near(LEVELS.end - 1)))).abs())
 }
 
 /// The place of the greatest error.

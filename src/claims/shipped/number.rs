@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 pub const DECIDING_BITS: u64 = 10_000;
 
 /// The levels of enclosures of up to that many digits.
-const LEVELS: std::ops::Range<u32> = 0..8;
+pub(super) const LEVELS: std::ops::Range<u32> = 0..8;
 
 /// Questions about an exact number that end within the caps, perhaps without an answer.
 pub(super) trait Settled {

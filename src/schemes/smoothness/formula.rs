@@ -161,10 +161,13 @@ impl fmt::Display for ExponentFormula {
         }
         let polynomial = root.minimal_polynomial().unwrap_or_else(|| root.polynomial());
         let (low, high) = isolating(root, &polynomial);
+        let near = short(root, 12);
+        // A root such as 4.0000000000000001 is printed as 4, and is no fraction.
+        let cut = near.chars().filter(char::is_ascii_digit).count() < 12;
+        let equals = if cut { '≈' } else { '=' };
         write!(
             f,
-            "{whole} - {factor}log_{arity}(x), x = {} the root of {polynomial} from {low} to {high}",
-            short(root, 12)
+            "{whole} - {factor}log_{arity}(x), x {equals} {near} the root of {polynomial} from {low} to {high}"
         )
     }
 }

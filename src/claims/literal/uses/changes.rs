@@ -68,7 +68,8 @@ impl Uses<'_> {
         }
         while let Some(open) = self.open[outer] {
             // An index or an argument is read.
-            if self.is_value(open) && !self.on_next_line(open) {
+            let called = !matches!(self.before(open, 1), "import" | "as" | "del");
+            if called && self.is_value(open) && !self.on_next_line(open) {
                 return false;
             }
             (outer, inner) = (open, self.close[open] + 1);
@@ -81,7 +82,10 @@ impl Uses<'_> {
                 first = open;
             }
         }
-        if matches!(self.text(first), "del" | "import" | "from" | "case") {
+        if matches!(self.text(first), "del" | "from" | "case")
+            || self.before(outer, 1) == "as"
+            || (first..outer).any(|at| matches!(self.text(at), "import" | "del"))
+        {
             return true;
         }
         while inner < self.tokens.len() && !self.on_next_line(inner) {

@@ -5,6 +5,7 @@
 //! others are refused, also those that change nothing.
 
 mod changes;
+mod own;
 mod reads;
 
 use super::declared::statement;
@@ -147,8 +148,10 @@ impl<'a> Uses<'a> {
             let code = match (self.tokens[at].kind, self.language) {
                 (Kind::Directive, _) => {
                     let line = &self.tokens[at];
+                    // `##` makes other names.
                     return words(self.source, line).first() == Some(&"define")
-                        && self.names(line.span.start + 1..line.span.end, name);
+                        && (["##", "%:%:"].iter().any(|signs| text.contains(signs))
+                            || self.names(line.span.start + 1..line.span.end, name));
                 }
                 (Kind::Text, Language::JavaScript) => text.starts_with('`') && text.contains("${"),
                 (Kind::Text, Language::Python) => {
@@ -254,17 +257,17 @@ impl Uses<'_> {
             };
             if selects("[") || self.language == Language::Matlab && (selects("(") || selects("{")) {
                 let close = self.close[next];
-                let inner = |at: &usize| self.open[*at] == Some(next);
-                let commas = (next..close).filter(inner).filter(|&at| self.text(at) == ",").count();
-                // `w[:2]` and `w[...]` are lists, perhaps the same numbers.
-                let list = |at: usize| {
-                    matches!(self.text(at), ":" | "None" | "newaxis")
-                        || self.text(at) == "." && self.text(at + 1) == "."
-                };
-                if self.language != Language::Python {
+                if self.language == Language::Python {
+                    let comma = |at: &usize| self.open[*at] == Some(next) && self.text(*at) == ",";
+                    let mut ends: Vec<usize> = (next + 1..close).filter(comma).collect();
+                    ends.push(close);
+                    let begins = std::iter::once(next).chain(ends.iter().copied());
+                    let mut parts = begins.zip(&ends).map(|(begin, &end)| begin + 1..end);
+                    // `w[:2]` and `w[x]` may be lists, perhaps the same numbers.
+                    let selects = parts.all(|part| self.is_integer(next, part));
+                    chain.selected += if selects { ends.len() } else { 0 };
+                } else {
                     chain.selected += 1;
-                } else if !(next..close).filter(inner).any(list) {
-                    chain.selected += 1 + commas;
                 }
                 chain.words.end = close + 1;
             } else if let Some(member) = member.filter(|&member| self.is_name(member)) {
@@ -283,6 +286,25 @@ impl Uses<'_> {
                 return chain;
             }
         }
+    }
+
+    /// Whether an index of Python, in the bracket `open`, is an integer: a literal, a loop variable, or computed with `+ - * / %`.
+    fn is_integer(&self, open: usize, part: Range<usize>) -> bool {
+        let own = |at: &usize| self.open[*at] == Some(open);
+        let has =
+            |signs: &[&str]| part.clone().filter(own).any(|at| signs.contains(&self.text(at)));
+        if has(&[":", ".", "None"]) {
+            return false;
+        }
+        let word = self.text(part.start);
+        let runs = |at: usize| {
+            let list = self.before(at, 1) == "," && self.before(at, 3) == "for";
+            self.text(at) == word && (list || self.before(at, 1) == "for")
+        };
+        has(&["+", "-", "*", "/", "%"])
+            || part.len() == 1 && self.tokens[part.start].kind == Kind::Number
+            || part.len() == 1 && (0..self.tokens.len()).any(runs)
+            || matches!(word, "int" | "len") && self.text(part.start + 1) == "("
     }
 
     /// Whether a bracket belongs to a call, or to a condition.

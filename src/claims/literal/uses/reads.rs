@@ -1,6 +1,6 @@
 //! Uses that only read the numbers of a table.
 
-use super::{Chain, KEYWORDS, Uses, is_in};
+use super::{Chain, Uses, is_in};
 use crate::literal::declared::element;
 use crate::literal::language::Language;
 use std::ops::Range;
@@ -103,18 +103,6 @@ impl Uses<'_> {
         reads && is_in(functions, word) && !self.defines(word)
     }
 
-    /// Whether the file may have a function of its own with this name.
-    fn defines(&self, name: &str) -> bool {
-        (0..self.tokens.len()).filter(|&at| self.text(at) == name).any(|at| {
-            let before =
-                at.checked_sub(1).filter(|&before| self.is_name(before) && !self.on_next_line(at));
-            let declared = before.is_some_and(|before| !is_in(KEYWORDS, self.text(before)));
-            declared
-                || self.text(at + 1) == "="
-                || matches!(self.before(at, 1), "*" | "&") && !self.is_value(at - 1)
-        })
-    }
-
     /// Whether the value of a number is taken where a language has references.
     fn is_number_here(&self, start: usize, end: usize) -> bool {
         let [before, second, third] = [1, 2, 3].map(|back| self.before(start, back));
@@ -124,7 +112,9 @@ impl Uses<'_> {
         if before == ">" && second == ">" && self.joined(start - 1) {
             return false;
         }
-        let converts = |name: usize| element(self.text(name), self.language).is_some();
+        let converts = |name: usize| {
+            element(self.text(name), self.language).is_some() && !self.defines(self.text(name))
+        };
         if sign(next)
             || matches!(next, ">" | "?" | "&")
             || self.is_argument(start, end, OF_NUMBERS)

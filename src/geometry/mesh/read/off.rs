@@ -8,13 +8,18 @@ use std::sync::Arc;
 pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     let mut lines = Lines::new(source, true);
     let mut parts = Parts::new(source, 0);
-    let (points, faces) = counts(&mut lines)?;
+    let (points, faces, plain) = counts(&mut lines)?;
+    let mut more = false;
     while parts.point_count() < points {
         let found = parts.point_count();
         let line = lines
             .next()
             .ok_or_else(|| lines.cut_off(&format!("{found} of {points} points have been read")))?;
+        more |= plain && line.len() > 3;
         parts.point(lines.point(&line)?, extent(&line))?;
+    }
+    if more {
+        parts.extras.notes.push("what stands behind x, y and z of points is dropped".to_owned());
     }
     while parts.face_count() < faces {
         let found = parts.face_count();
@@ -34,8 +39,9 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     }
 }
 
-/// The numbers of points and faces, in the line of `OFF` or the next.
-fn counts(lines: &mut Lines<'_>) -> Result<(usize, usize), Diagnostic> {
+/// The numbers of points and faces, in the line of `OFF` or the next; whether points have coordinates only.
+fn counts(lines: &mut Lines<'_>) -> Result<(usize, usize, bool), Diagnostic> {
+    let mut plain = true;
     let ended = |lines: &Lines<'_>| lines.cut_off("the numbers of points and faces are missing");
     let mut line = lines.next().ok_or_else(|| ended(lines))?;
     let text = line[0].text.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -46,6 +52,7 @@ fn counts(lines: &mut Lines<'_>) -> Result<(usize, usize), Diagnostic> {
         if line[0].text.is_empty() {
             line.remove(0);
         }
+        plain = header.text == "OFF";
         if !["OFF", "COFF", "NOFF", "CNOFF", "STOFF"].contains(&header.text) {
             let message = format!("`{}` is not supported", header.text);
             return Err(lines
@@ -65,7 +72,7 @@ fn counts(lines: &mut Lines<'_>) -> Result<(usize, usize), Diagnostic> {
         return Err(lines.wrong(extent(&line), message).with_help("write, say, `8 6 12`"));
     };
     let points = lines.natural(points, "the number of points")?;
-    Ok((points, lines.natural(faces, "the number of faces")?))
+    Ok((points, lines.natural(faces, "the number of faces")?, plain))
 }
 
 /// The vertices of a face: their number, then each; a colour may follow.

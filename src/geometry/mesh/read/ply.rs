@@ -114,7 +114,14 @@ fn header(lines: &mut Lines<'_>) -> Result<(Form, Vec<Element>), Diagnostic> {
                 };
                 let list = if words[1] == "list" { Some(kind(2)?) } else { None };
                 let (name, kind) = (name.to_owned(), kind(words.len() - 2)?);
-                element.properties.push(Property { name, kind, list });
+                let property = Property { name, kind, list };
+                let is_there = |other: &Property| {
+                    other.name == property.name || other.has_vertices() && property.has_vertices()
+                };
+                if element.properties.iter().any(is_there) {
+                    return Err(wrong("this property is there twice").with_help("keep one"));
+                }
+                element.properties.push(property);
             }
             ["end_header"] => return Ok((form, elements)),
             _ => return Err(wrong("this is no line of a PLY header")),

@@ -285,7 +285,7 @@ fn vtk_lists(words: &mut Words<'_>) -> Result<Vec<Cell>, Diagnostic> {
     if let Some(word) = words.peek().filter(|word| word.text.eq_ignore_ascii_case("OFFSETS")) {
         return listed(words, &word.place(), (count, size));
     }
-    let mut cells = Vec::new();
+    let (mut cells, mut numbers, mut last) = (Vec::new(), 0, 0..0);
     for found in 0..count {
         let missing = || format!("{found} of {count} cells have been read");
         let (length, start) = words.natural("the number of corners", missing)?;
@@ -296,7 +296,15 @@ fn vtk_lists(words: &mut Words<'_>) -> Result<Vec<Cell>, Diagnostic> {
             corners.push(corner);
             end = place.end;
         }
-        cells.push((corners, start.start..end));
+        numbers += 1 + corners.len();
+        last = start.start..end;
+        cells.push((corners, last.clone()));
+    }
+    if numbers != size {
+        let message =
+            format!("the last of {count} cells, which have {numbers} numbers and not {size}");
+        let help = "the second number after the name of a list counts all numbers of it";
+        return Err(words.wrong(last, message).with_help(help));
     }
     Ok(cells)
 }

@@ -202,8 +202,8 @@ impl<'a> ShippedTable<'a> {
     pub fn of(finding: &'a ShippedFinding<'_>) -> ShippedTable<'a> {
         let claim = finding.claim;
         let kept = |tolerance: &Rational| {
-            let within = |error: &Rational| error <= tolerance;
-            finding.cells.iter().all(|cell| cell.error.as_ref().is_some_and(within))
+            let within = |place| finding.is_within(place, tolerance) == Some(true);
+            (0..finding.cells.len()).all(within)
         };
         ShippedTable {
             id: &claim.id,

@@ -2,7 +2,7 @@
 
 use super::words::{after_at, at, error, type_name};
 use crate::exact::{Rational, RealExpression, format::short};
-use crate::shipped::{BrokenSums, ShippedFinding, SplitEquals};
+use crate::shipped::{BrokenSums, DECIDING_BITS, ShippedFinding, SplitEquals};
 
 /// The digits of a sum.
 const SUM_DIGITS: u32 = 12;
@@ -22,20 +22,23 @@ pub(super) fn greatest_error(finding: &ShippedFinding<'_>) -> Option<String> {
     ))
 }
 
-/// The error as a part of the value, where this is not 0.
-fn relative(error: &Rational, exact: &RealExpression) -> Option<String> {
-    let near = exact.near(2);
-    let middle = (near.lower() + near.upper()) * Rational::new(1, 2);
-    let far = error < &middle.abs();
-    far.then(|| super::words::error(&(error / &middle.abs())))
+/// The error as a part of the value, where this is not 0 and not decided to be less than the error.
+fn relative(size: &Rational, exact: &RealExpression) -> Option<String> {
+    exact.sign_within(DECIDING_BITS).filter(|sign| *sign != 0)?;
+    let part = |x: &Rational| (*size < x.abs()).then(|| error(&(size / &x.abs())));
+    (0..8).map(|level| exact.near(level)).filter(|near| near.sign().is_some()).find_map(|near| {
+        let [lower, upper] = [near.lower(), near.upper()].map(part);
+        (lower == upper).then_some(lower)
+    })?
 }
 
 /// What the project accepts, against the greatest error.
 pub(super) fn tolerance(finding: &ShippedFinding<'_>) -> Option<String> {
     let (text, tolerance) = finding.claim.tolerance.as_ref()?;
-    let errors = || finding.cells.iter().filter_map(|cell| cell.error.as_ref());
-    let greater = errors().filter(|error| *error > tolerance).count();
-    match (greater, errors().count(), finding.cells.len()) {
+    let all = 0..finding.cells.len();
+    let within: Vec<bool> = all.filter_map(|place| finding.is_within(place, tolerance)).collect();
+    let greater = within.iter().filter(|within| !**within).count();
+    match (greater, within.len(), finding.cells.len()) {
         (0, known, all) if known < all => None,
         (0, ..) => Some(format!(
             "The project accepts errors of {text}, and none is greater: a note, not a bug."

@@ -51,8 +51,15 @@ pub fn headline(finding: &ShippedFinding<'_>) -> String {
     let all = finding.cells.len();
     let kind = type_name(claim.kind);
     if finding.is_right() {
-        return match all {
-            1 => format!("The number is the nearest {kind}."),
+        // What a program does to the numbers later is not known.
+        return match (all, &claim.origin) {
+            (1, Origin::Source { file, .. }) => {
+                format!("As written in {file}, the number is the nearest {kind}.")
+            }
+            (_, Origin::Source { file, .. }) => {
+                format!("As written in {file}, all {all} numbers are the nearest {kind}.")
+            }
+            (1, _) => format!("The number is the nearest {kind}."),
             _ => format!("All {all} numbers are the nearest {kind}."),
         };
     }

@@ -198,7 +198,11 @@ impl<'a> Reader<'a> {
         let name = self.text(&last).to_owned();
         self.moved |= name.starts_with("xformOp:") && !field.value.is_empty();
         if let Some(mesh) = mesh {
-            mesh.fields.insert(name, field);
+            let (place, message) = (field.name.clone(), format!("`{name}` for the second time"));
+            if mesh.fields.insert(name, field).is_some_and(|field| !field.value.is_empty()) {
+                let error = Diagnostic::new(self.source, place, message);
+                return Err(error.with_help("keep one of the two"));
+            }
         }
         Ok(())
     }
