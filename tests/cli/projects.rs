@@ -65,7 +65,10 @@ fn every_format() {
     assert_parts(&written(["explain", "weights", WEIGHTS]), &["neighbours", "edges"]);
     assert_parts(&written(["explain", "weights:edges", WEIGHTS]), &["3.0 / 8.0", "k = 4"]);
     let page = written(["explain", "weights:edges", WEIGHTS, "--format", "html"]);
-    assert_parts(&page, &["<!DOCTYPE html>", "As written in weights.c, all 4 numbers are the nearest f64."]);
+    assert_parts(
+        &page,
+        &["<!DOCTYPE html>", "As written in weights.c, all 4 numbers are the nearest f64."],
+    );
 }
 
 #[test]

@@ -7,6 +7,7 @@ use super::language::Language;
 use super::reader::Reader;
 use super::token::{Kind, Token};
 use crate::diagnostic::{Diagnostic, SourceText};
+use crate::exact::Rational;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -90,7 +91,7 @@ fn evaluated(
     }
     let mut reader = Reader::new(source, language, &words);
     let value = reader.sum(0).ok().filter(|_| reader.at == words.len());
-    let value = value.and_then(|value| value.exact()).filter(|value| value.is_integer());
+    let value = value.and_then(|value| value.exact()).filter(Rational::is_integer);
     let size = value.and_then(|value| usize::try_from(value.numerator().to_i128()?).ok());
     size.ok_or_else(|| {
         let message = "a size that is no formula of integers, so that it is not known how many numbers follow as 0";

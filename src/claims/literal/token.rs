@@ -53,25 +53,31 @@ pub(super) struct Token {
     pub(super) span: Range<usize>,
 }
 
+/// What is known of the last word.
+#[derive(Default)]
+pub(super) struct Seen {
+    /// Whether it ends a value, so that `/` divides it.
+    pub(super) value: bool,
+    /// The word, where it is a sign.
+    pub(super) sign: Option<char>,
+    /// Whether it is the second sign of `++` or `--`.
+    doubled: bool,
+    /// Whether a condition in brackets follows.
+    condition: bool,
+}
+
 /// Reads words from a place on. Comments and white space are left out.
 pub(super) struct Tokens<'a> {
     source: &'a Arc<SourceText>,
     pub(super) language: Language,
     at: usize,
-    /// Whether the last word ends a value, so that `/` divides it.
-    pub(super) value: bool,
     /// Where the words end.
     end: usize,
     /// Whether these are the words of a macro, in which `\` joins lines.
     in_macro: bool,
     /// Whether no word stands before on this line; comments are blanks.
     fresh: bool,
-    /// The last word, where it is a sign.
-    pub(super) last: Option<char>,
-    /// Whether the last word is the second sign of `++` or `--`.
-    doubled: bool,
-    /// Whether the last word is followed by a condition in brackets.
-    condition: bool,
+    pub(super) seen: Seen,
     /// The brackets that are open, and whether each holds a condition, behind which no value ends.
     pub(super) open: Vec<(char, bool)>,
 }
@@ -93,13 +99,10 @@ impl<'a> Tokens<'a> {
             source,
             language,
             at: bytes.start,
-            value: false,
             end: bytes.end,
             in_macro: true,
             fresh: false,
-            last: None,
-            doubled: false,
-            condition: false,
+            seen: Seen::default(),
             open: Vec::new(),
         }
     }
@@ -153,23 +156,23 @@ impl<'a> Tokens<'a> {
     /// Notes what the next word depends on.
     fn passed(&mut self, kind: Kind, start: usize) {
         let (before, word) = self.source.text[..self.at].split_at(start);
-        let member = self.last == Some('.');
-        self.value = match kind {
+        let member = self.seen.sign == Some('.');
+        self.seen.value = match kind {
             Kind::Sign(')' | ']' | '}') => !self.open.pop().is_some_and(|(_, condition)| condition),
             // `i++`, but not `1 + +i`
-            Kind::Sign(sign @ ('+' | '-')) => !self.doubled && before.ends_with(sign),
+            Kind::Sign(sign @ ('+' | '-')) => !self.seen.doubled && before.ends_with(sign),
             Kind::Sign('\'') => self.language == Language::Matlab,
             Kind::Sign(_) => false,
             _ => member || !VALUELESS.contains(&word),
         };
         if let Kind::Sign(sign @ ('(' | '[' | '{')) = kind {
-            self.open.push((sign, sign == '(' && self.condition));
+            self.open.push((sign, sign == '(' && self.seen.condition));
         }
-        self.condition = self.language == Language::JavaScript
+        self.seen.condition = self.language == Language::JavaScript
             && !member
             && matches!(word, "if" | "while" | "for" | "with");
-        self.last = if let Kind::Sign(sign) = kind { Some(sign) } else { None };
-        self.doubled = self.value && matches!(kind, Kind::Sign('+' | '-'));
+        self.seen.sign = if let Kind::Sign(sign) = kind { Some(sign) } else { None };
+        self.seen.doubled = self.seen.value && matches!(kind, Kind::Sign('+' | '-'));
         self.fresh = kind == Kind::Directive;
     }
 
@@ -181,7 +184,7 @@ impl<'a> Tokens<'a> {
 
     /// The length of a regular expression of JavaScript that begins here.
     fn regex(&self, rest: &str) -> Option<usize> {
-        let may = self.language == Language::JavaScript && !self.value;
+        let may = self.language == Language::JavaScript && !self.seen.value;
         regex_length(rest).filter(|_| may)
     }
 
@@ -192,7 +195,7 @@ impl<'a> Tokens<'a> {
             let rest = self.rest();
             let white = length(rest, char::is_whitespace);
             self.fresh |= rest[..white].contains('\n') && !goes_on;
-            self.value &= !(self.fresh && self.language == Language::Matlab);
+            self.seen.value &= !(self.fresh && self.language == Language::Matlab);
             let comment = &rest[white..];
             goes_on =
                 self.in_macro || self.language == Language::Matlab && comment.starts_with("...");
@@ -278,7 +281,8 @@ impl<'a> Tokens<'a> {
             // Behind a value or a point it transposes.
             '\'' if self.language == Language::Matlab => {
                 let before = &self.source.text[..self.at];
-                !(self.value || self.last == Some('.')) || before.ends_with(char::is_whitespace)
+                !(self.seen.value || self.seen.sign == Some('.'))
+                    || before.ends_with(char::is_whitespace)
             }
             '"' | '\'' => true,
             _ => false,

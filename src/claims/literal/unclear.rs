@@ -33,12 +33,12 @@ impl Tokens<'_> {
                 Some(("a name with other than ASCII characters", "rename it, or cut the file"))
             }
             (Kind::Text | Kind::Sign('/'), Language::JavaScript)
-                if self.last == Some('}') && regex_length(rest).is_some() =>
+                if self.seen.sign == Some('}') && regex_length(rest).is_some() =>
             {
                 Some(("behind `}`, this divides or begins a regular expression", cut))
             }
             (Kind::Text, Language::Matlab)
-                if word.starts_with('\'') && self.value && !in_matrix =>
+                if word.starts_with('\'') && self.seen.value && !in_matrix =>
             {
                 Some(("behind a blank, `'` transposes or begins a text", cut))
             }
