@@ -98,12 +98,6 @@ impl Read {
         self.differences.iter().map(String::as_str).find(|difference| difference.contains('@'))
     }
 
-    /// Whether a constant of this reading may fit by luck: it has a difference that is no choice, or another parameter.
-    pub fn brings_constants(&self) -> bool {
-        let choice = |difference: &String| !difference.contains(['@', '#']);
-        !self.parameters.is_empty() || !self.differences.iter().all(choice)
-    }
-
     /// The way in which decimals are rounded.
     pub fn decimals(&self) -> &str {
         self.reading.words.get("decimals").map_or("nearest", String::as_str)

@@ -1,7 +1,7 @@
 //! Luck: how many cells readings of unrelated values would explain.
 
 use super::dependence::dependent;
-use crate::kinds::table::claim::{Cells, Table};
+use crate::kinds::table::claim::{Cells, Read, Table};
 use crate::numbers::{Q, Value, telling_part};
 use crate::text::Stop;
 use num_bigint::BigInt;
@@ -50,6 +50,14 @@ impl BothEvidence {
     /// That for readings which bring constants, or not.
     pub fn of(&self, constants: bool) -> &Evidence {
         if constants { &self.with_constants } else { &self.by_choices }
+    }
+}
+
+impl Read {
+    /// Whether a constant of this reading may fit by luck: it has a difference that is no choice, or another parameter.
+    pub fn brings_constants(&self) -> bool {
+        let choice = |difference: &String| !difference.contains(['@', '#']);
+        !self.parameters.is_empty() || !self.differences.iter().all(choice)
     }
 }
 
