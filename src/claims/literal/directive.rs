@@ -90,10 +90,9 @@ pub(super) fn macros<'t>(
 ) -> Result<Vec<Macro>, Diagnostic> {
     let mut macros = Vec::new();
     for (at, token) in lines.filter(|(_, token)| token.kind == Kind::Directive) {
+        let text = |word: &Token| &source.text[word.span.clone()];
         let (kind, span) = match &parts(source, token)[..] {
-            [kind, first, ..] if source.text[first.span.clone()] == *name => {
-                (&source.text[kind.span.clone()], first.span.clone())
-            }
+            [kind, first, ..] if text(first) == name => (text(kind), first.span.clone()),
             _ => continue,
         };
         if !matches!(kind, "define" | "undef") {

@@ -7,7 +7,7 @@ use super::number::{LEVELS, Settled as _};
 use super::verdict::verdict;
 use super::{follows, reading};
 use crate::diagnostic::{Collected, Diagnostic, Errors};
-use crate::exact::{Enclosure, Rational, RealCyclotomic, RealExpression, format::short};
+use crate::exact::{Rational, RealCyclotomic, RealExpression, format::short};
 
 /// The digits of an error that are right, as it is printed and as it is compared.
 const ERROR_DIGITS: [u32; 2] = [3, 20];
@@ -95,10 +95,9 @@ fn error(x: &RealExpression, held: &Rational) -> Option<Rational> {
         let error = (held - x).abs();
         (x.cmp(held), ERROR_DIGITS.map(|digits| short(&error, digits)))
     };
-    let middle = |near: Enclosure| (near.lower() + near.upper()) * Rational::new(1, 2);
     let near = LEVELS.map(|level| x.near(level));
     let known = near.into_iter().find(|near| digits(near.lower()) == digits(near.upper()));
-    Some((held - middle(known.unwrap_or_else(|| x.near(LEVELS.end - 1)))).abs())
+    Some((held - known.unwrap_or_else(|| x.near(LEVELS.end - 1)).middle()).abs())
 }
 
 /// The place of the greatest error.

@@ -74,8 +74,7 @@ impl Expansion<'_> {
                 self.of(definition, indices, depth + 1)
             }
             Expr::Of(Head::Minus, parts) if parts.len() == 1 => {
-                let of = self.of(&parts[0], indices, depth + 1)?;
-                of.into_iter().map(|(k, c)| Ok((k, c.negated()?))).collect()
+                negated(self.of(&parts[0], indices, depth + 1)?)
             }
             Expr::Of(Head::Chain(operators), parts) => {
                 let mut parts = parts.iter();
@@ -85,11 +84,7 @@ impl Expansion<'_> {
                     let right = self.of(part, indices, depth + 1)?;
                     value = match operator {
                         '+' => sum(value.into_iter().chain(right))?,
-                        '-' => {
-                            let negated = right.into_iter().map(|(k, c)| Ok((k, c.negated()?)));
-                            let negated = negated.collect::<Result<Laurent, Stop>>()?;
-                            sum(value.into_iter().chain(negated))?
-                        }
+                        '-' => sum(value.into_iter().chain(negated(right)?))?,
                         '/' => self.over(&value, &right)?,
                         _ => self.times(&value, &right)?,
                     };
@@ -198,6 +193,10 @@ fn constant(symbol: &Laurent) -> Option<Value> {
         (1, found) => found.cloned(),
         _ => None,
     }
+}
+
+fn negated(symbol: Laurent) -> Result<Laurent, Stop> {
+    symbol.into_iter().map(|(k, c)| Ok((k, c.negated()?))).collect()
 }
 
 /// The sum of these terms.

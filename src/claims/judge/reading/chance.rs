@@ -58,17 +58,8 @@ pub(crate) struct Evidence {
 
 impl Evidence {
     /// The evidence of the printed cells that `counts` holds for, in a table of depths or of other
-    /// values.
+    /// values. Cells that a constant connects with the values `as_printed` are one number.
     pub(crate) fn new(
-        printed: &PrintedCells<'_>,
-        is_depth: bool,
-        counts: impl Fn(usize, usize) -> bool,
-    ) -> Evidence {
-        Evidence::with(printed, is_depth, None, counts)
-    }
-
-    /// As [`Evidence::new`]. Cells that a constant connects with the values `as_printed` are one number.
-    fn with(
         printed: &PrintedCells<'_>,
         is_depth: bool,
         as_printed: Option<&Values>,
@@ -90,7 +81,7 @@ impl Evidence {
     /// are equal depths in one row or column, other numbers that a constant connects with the printed text
     /// ([`dependence::connected`]), and those that are connected in this way.
     pub(crate) fn of<'p>(cells: impl IntoIterator<Item = (Known<'p>, bool)>) -> Evidence {
-        let (mut all, mut others, mut silent) = (Vec::new(), Vec::new(), 0);
+        let (mut all, mut known, mut silent) = (Vec::new(), Vec::new(), 0);
         for (cell, is_depth) in cells {
             let decimal = &cell.printed.decimal;
             let (one_in, number) = if is_depth {
@@ -103,11 +94,11 @@ impl Evidence {
                 silent += 1;
                 continue;
             }
-            all.push((one_in, number, is_depth, cell.place));
-            others.push(if is_depth { Known { value: None, ..cell } } else { cell });
+            all.push((one_in, number, is_depth));
+            known.push(cell);
         }
         let (mut classes, mut connected) = (Classes::new(all.len()), Classes::new(all.len()));
-        for set in dependence::connected(&others) {
+        for set in dependence::connected(&known) {
             for at in &set {
                 connected.join(set[0], *at);
             }
@@ -118,7 +109,8 @@ impl Evidence {
             *most = (*most).max(*one_in);
         }
         let mut first = BTreeMap::new();
-        for (at, (_, number, is_depth, (row, column))) in all.iter().enumerate() {
+        for (at, (_, number, is_depth)) in all.iter().enumerate() {
+            let (row, column) = known[at].place;
             classes.join(at, connected.root(at));
             let lines = [(Some(row), None), (None, Some(column))];
             for line in if *is_depth { &lines[..] } else { &[(None, None)] } {
@@ -185,23 +177,23 @@ impl Evidence {
 pub(crate) struct BothEvidence {
     /// For those that bring no constant.
     by_choices: Evidence,
-    /// For those that may hit a constant by luck, and with it all cells that it connects with the printed text.
-    with_constants: Evidence,
+    /// For those that may hit a constant by luck, and with it all cells that it connects with the printed text; `None`
+    /// where it connects none.
+    with_constants: Option<Evidence>,
 }
 
 impl BothEvidence {
-    /// The evidence of the printed cells of these readings that `counts` holds for. Recovered values are such constants
-    /// themselves, and the printed text is a reading like the others there.
+    /// The evidence of the printed cells of these readings that `counts` holds for. No constant connects depths, and
+    /// recovered values are such constants themselves: the printed text is a reading like the others there.
     pub(crate) fn new(
         space: &ReadingSpace<'_>,
         counts: impl Fn(usize, usize) -> bool,
     ) -> BothEvidence {
         let (printed, is_depth) = (space.printed, space.is_depth());
-        let values = space.assume.is_empty().then_some(&space.as_printed);
-        BothEvidence {
-            by_choices: Evidence::new(printed, is_depth, &counts),
-            with_constants: Evidence::with(printed, is_depth, values, &counts),
-        }
+        let of = |values: Option<&Values>| Evidence::new(printed, is_depth, values, &counts);
+        let connects = space.assume.is_empty() && !is_depth;
+        let with_constants = connects.then(|| of(Some(&space.as_printed)));
+        BothEvidence { by_choices: of(None), with_constants }
     }
 
     /// How many cells these are.
@@ -212,7 +204,7 @@ impl BothEvidence {
     /// The evidence for a reading.
     pub(crate) fn of(&self, reading: Option<&Explanation>) -> &Evidence {
         let constants = reading.is_some_and(Explanation::brings_constants);
-        if constants { &self.with_constants } else { &self.by_choices }
+        self.with_constants.as_ref().filter(|_| constants).unwrap_or(&self.by_choices)
     }
 }
 

@@ -34,15 +34,19 @@ type Interval = (Rational, Rational);
 /// If a table was computed with another constant, and by the printed text otherwise, these cells tell one number: the
 /// constant (`proofs/THEOREMS.md`, 51).
 pub(crate) fn connected(cells: &[Known<'_>]) -> Vec<Vec<usize>> {
-    let known: Vec<(usize, Rational)> =
-        cells.iter().enumerate().filter_map(|(at, cell)| Some((at, far(cell)?))).collect();
+    let (mut factors, mut summands) = (Vec::new(), Vec::new());
+    for (at, cell) in cells.iter().enumerate() {
+        let Some(value) = far(cell) else { continue };
+        let (shown, unit) = (cell.printed.decimal.value(), cell.printed.decimal.unit());
+        let (low, high) = (&shown - &unit, shown + unit);
+        if value.sign() != 0 {
+            let (one, other) = (&low / &value, &high / &value);
+            factors.push((at, if value.sign() > 0 { (one, other) } else { (other, one) }));
+        }
+        summands.push((at, (low - &value, high - value)));
+    }
     let mut sets = Vec::new();
-    let of = |interval: &dyn Fn(&Printed, &Rational) -> Option<Interval>| {
-        let ends =
-            |(at, value): &(usize, Rational)| Some((*at, interval(cells[*at].printed, value)?));
-        known.iter().filter_map(ends).collect::<Vec<(usize, Interval)>>()
-    };
-    for intervals in [of(&factors), of(&|printed, value| Some(summands(printed, value)))] {
+    for intervals in [factors, summands] {
         let place = |at: usize| cells[at].place;
         let rows: BTreeSet<usize> = intervals.iter().map(|(at, _)| place(*at).0).collect();
         let columns: BTreeSet<usize> = intervals.iter().map(|(at, _)| place(*at).1).collect();
@@ -85,20 +89,6 @@ fn cut(value: &RealCyclotomic) -> Option<Rational> {
         bits *= 2;
     }
     None
-}
-
-/// The K for which K·value is at most a unit from what is printed.
-fn factors(printed: &Printed, value: &Rational) -> Option<Interval> {
-    let (shown, unit) = (printed.decimal.value(), printed.decimal.unit());
-    let ends = |value: &Rational| ((&shown - &unit) / value, (&shown + &unit) / value);
-    let (one, other) = (!value.is_zero()).then(|| ends(value))?;
-    Some(if one <= other { (one, other) } else { (other, one) })
-}
-
-/// The D for which value + D is at most a unit from what is printed.
-fn summands(printed: &Printed, value: &Rational) -> Interval {
-    let (shown, unit) = (printed.decimal.value() - value, printed.decimal.unit());
-    (&shown - &unit, shown + unit)
 }
 
 /// The most intervals that have a number in common; of several such sets the one with the least number.

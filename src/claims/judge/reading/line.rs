@@ -82,9 +82,7 @@ fn one(
             let values = |one: &Evaluated| shifted(&one.values, shift, &inside);
             let explanations: Vec<Explanation> = space.explanations(all, values).collect();
             // A reading that brings no constant needs less to be no luck.
-            let by_choices = explanations.iter().filter(|one| !one.brings_constants());
-            let by_choices: Vec<Explanation> = by_choices.cloned().collect();
-            for candidates in [&explanations, &by_choices] {
+            for candidates in [&explanations, &tried::by_choices(&explanations)] {
                 let Some(best) = best(candidates).into_iter().next() else { continue };
                 let (of_line, known) = (both.of(Some(&best)), found.as_ref());
                 let known = known.map_or(0, |found| found.best.count());

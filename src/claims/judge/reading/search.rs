@@ -28,7 +28,7 @@ pub(crate) fn search(
     judge: &Evaluator<'_>,
     findings: &[Vec<CellFinding>],
     kind: CellKind,
-    recovered: &Candidates,
+    candidates: &Candidates,
     family: Family,
     plain: &mut Option<Vec<Evaluated>>,
 ) -> Result<Option<Searched>, Diagnostic> {
@@ -48,7 +48,6 @@ pub(crate) fn search(
     };
     let explanations = space.all_explanations(plain);
     let mut needs = space.needs(&explanations);
-    let candidates = recovered;
     let counts = space.assume.iter().filter_map(|name| candidates.get(name));
     let recovered = counts.map(|(count, _)| count.clone()).reduce(|all, count| all * count);
     if count == cells.len() && recovered.is_none() {
@@ -79,8 +78,9 @@ pub(crate) fn search(
     let judged = |explanations: &[Explanation], tried: usize| {
         let found = of_best(tried::best(explanations), tried);
         // A reading that gives as many and brings no constant needs less to be no luck.
-        let equal = without_constants(explanations, found.most);
-        if found.best.is_empty() && !equal.is_empty() { of_best(equal, tried) } else { found }
+        let other = || of_best(tried::best(&tried::by_choices(explanations)), tried);
+        let other = found.best.is_empty().then(other).filter(|other| other.most == found.most);
+        other.unwrap_or(found)
     };
     let mut tried = space.count(plain);
     let mut found = judged(&explanations, tried);
@@ -138,12 +138,6 @@ pub(crate) fn search(
     )))
 }
 
-/// The best of the readings that explain so many cells and bring no constant.
-fn without_constants(explanations: &[Explanation], most: usize) -> Vec<Explanation> {
-    let fits = |one: &&Explanation| one.count() == most && !one.brings_constants();
-    tried::best(&explanations.iter().filter(fits).cloned().collect::<Vec<_>>())
-}
-
 /// Whether the cells that tell something of the recovered values are no luck under a reading, for
 /// each value that the numbers of this table give, where so many readings were tried.
 fn is_determined(
@@ -157,7 +151,7 @@ fn is_determined(
         let telling = tried::telling(space, best, name);
         let m = telling.iter().flatten().filter(|telling| **telling == Some(true)).count();
         let counts = |row: usize, column: usize| telling[row][column].is_some();
-        let cells = Evidence::new(space.printed, space.is_depth(), counts);
+        let cells = Evidence::new(space.printed, space.is_depth(), None, counts);
         let needed = space.needed_with(name);
         let values = needed.iter().filter_map(|name| candidates.get(name));
         let values = values.fold(Integer::one(), |all, (count, _)| all * count.clone());

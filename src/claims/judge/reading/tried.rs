@@ -280,3 +280,8 @@ pub(crate) fn best(explanations: &[Explanation]) -> Vec<Explanation> {
     let most = explanations.iter().map(Explanation::rank).max();
     explanations.iter().filter(|one| Some(one.rank()) == most).cloned().collect()
 }
+
+/// The explanations by readings that bring no constant.
+pub(crate) fn by_choices(explanations: &[Explanation]) -> Vec<Explanation> {
+    explanations.iter().filter(|one| !one.brings_constants()).cloned().collect()
+}

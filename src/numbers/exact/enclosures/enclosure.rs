@@ -51,6 +51,12 @@ impl Enclosure {
         &self.upper
     }
 
+    /// (lower + upper)/2.
+    #[must_use]
+    pub fn middle(&self) -> Rational {
+        (&self.lower + &self.upper) / Rational::from(2)
+    }
+
     /// upper − lower.
     #[must_use]
     pub fn width(&self) -> Rational {

@@ -6,7 +6,7 @@ use crate::audit::{
     SmoothnessFinding, SmoothnessVerdict, Subject, Word,
 };
 use crate::claim::{ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
-use crate::exact::{Enclosed as _, Rational, format::fixed};
+use crate::exact::{Enclosed as _, format::fixed};
 use crate::report::smooth::smoothness;
 use crate::report::told::told;
 use crate::report::words::sheet::{Grid, Sheet};
@@ -198,8 +198,7 @@ fn bound(claim: &SmoothnessClaim) -> Option<String> {
     let SmoothnessStatement::Exponent { exponent, .. } = &**statement else { return None };
     let ExponentStatement::Bounds { at_least, at_most } = exponent else { return None };
     let ((Some(bound), None) | (None, Some(bound))) = (at_least, at_most) else { return None };
-    let enclosure = bound.value.enclosure(1);
-    Some(fixed(&((enclosure.lower() + enclosure.upper()) / Rational::from(2)), PLACES))
+    Some(fixed(&bound.value.enclosure(1).middle(), PLACES))
 }
 
 /// The first of the cells as printed and as it should be, and how many there are. Where promises are broken, or not

@@ -1,7 +1,6 @@
 //! A mask that is typed in place of a name: `[1, 3, 3, 1]/4`, or `(1 + z)^3/4`.
 
 use super::definition::{CatalogueFacts, Coefficients, ParameterSpec, ROUNDED, SchemeDefinition};
-use super::rules::MAX_ARITY;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{AlgebraicNumber, Polynomial, Rational, Scalar as _};
 use crate::formula::{Expr, FreeNames, LocatedFormula, Scope, Value, evaluate};
@@ -137,11 +136,7 @@ fn arity(
     let words = sum.words().filter(|_| is_known);
     match (arity, &factors[..], words) {
         (_, [_, ..], Some(words)) => {
-            let write =
-                |(n, factor): &(usize, String)| format!("write {factor}*{list} for the arity {n}");
-            let write: Vec<String> = factors.iter().map(write).collect();
-            let write = write.join(", or ");
-            let error = wrong(format!("the coefficients add up to {words}; {write}"));
+            let error = wrong(sum::lacks_factor(&words, &factors, list));
             let decimal = coefficients.iter().any(|one| one.text.contains('.'));
             Err(if decimal { error.with_help(ROUNDED) } else { error })
         }
@@ -149,10 +144,7 @@ fn arity(
         (None, _, words) => {
             let found =
                 words.map_or_else(|| "do not".to_owned(), |words| format!("add up to {words}"));
-            let message = format!(
-                "the coefficients of a mask of arity n = 2, …, {MAX_ARITY} add up to n, and these {found}"
-            );
-            Err(wrong(message).with_help(MASK))
+            Err(wrong(sum::no_arity(&found)).with_help(MASK))
         }
     }
 }

@@ -8,6 +8,20 @@ use std::collections::BTreeSet;
 /// The longest sum that a message states.
 const MAX_WORDS: usize = 40;
 
+/// What is wrong with coefficients whose sum has to be multiplied by one of these factors, each with the arity that it gives.
+pub(super) fn lacks_factor(sum: &str, factors: &[(usize, String)], mask: &str) -> String {
+    let write = |(n, factor): &(usize, String)| format!("write {factor}*{mask} for the arity {n}");
+    let write: Vec<String> = factors.iter().map(write).collect();
+    format!("the coefficients add up to {sum}; {}", write.join(", or "))
+}
+
+/// What is wrong with coefficients whose sum is no arity.
+pub(super) fn no_arity(found: &str) -> String {
+    format!(
+        "the coefficients of a mask of arity n = 2, …, {MAX_ARITY} add up to n, and these {found}"
+    )
+}
+
 /// What the sum of coefficients with parameters has to be.
 pub(super) const EVERYWHERE: &str =
     "the coefficients of a mask of arity n add up to n for all values of its parameters";

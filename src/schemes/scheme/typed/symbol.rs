@@ -1,7 +1,6 @@
 //! Masks by their symbols.
 
-use super::super::rules::MAX_ARITY;
-use super::sum::{EVERYWHERE, Sum};
+use super::sum::{EVERYWHERE, Sum, lacks_factor, no_arity};
 use super::text::{MASK, is_sum};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{
@@ -80,12 +79,7 @@ impl SymbolFormula {
         if let ([_, ..], Some(words)) = (&factors[..], &words) {
             let text = self.formula.text.trim();
             let symbol = if is_sum(&self.formula) { format!("({text})") } else { text.to_owned() };
-            let write: Vec<String> = factors
-                .iter()
-                .map(|(n, factor)| format!("write {factor}*{symbol} for the arity {n}"))
-                .collect();
-            let write = write.join(", or ");
-            return Err(self.error(format!("the coefficients add up to {words}; {write}")));
+            return Err(self.error(lacks_factor(words, &factors, &symbol)));
         }
         // Where the sums of the rules are not 1, the mask says which.
         if let Some(arity) = stated.or(arity) {
@@ -94,11 +88,7 @@ impl SymbolFormula {
         let found: String = words.unwrap_or_else(|| sum.total().to_string());
         let found = if found.len() > MAX_WORDS { "do not" } else { &format!("add up to {found}") };
         let help = if sum.total().as_rational().is_some() { MASK } else { EVERYWHERE };
-        Err(self
-            .error(format!(
-                "the coefficients of a mask of arity n = 2, …, {MAX_ARITY} add up to n, and these {found}"
-            ))
-            .with_help(help))
+        Err(self.error(no_arity(found)).with_help(help))
     }
 
     /// The rules at these values of the parameters, and the offset; with an arity n that is stated, or else a(1).

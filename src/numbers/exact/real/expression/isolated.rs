@@ -119,7 +119,7 @@ impl Isolated {
                 outward(&(&(&value * at) + &c.enclosure(level)), places)
             })
         };
-        let middle = Enclosure::exact((near.lower() + near.upper()) / Rational::from(2));
+        let middle = Enclosure::exact(near.middle());
         let slope = value(&derivative(&self.square_free), near);
         slope.sign().filter(|sign| *sign != 0)?;
         let inverse = Enclosure::new(slope.upper().recip(), slope.lower().recip());

@@ -33,23 +33,26 @@ pub struct Evidence {
 /// The evidence of the same cells for readings that bring no constant, and for others.
 pub struct BothEvidence {
     by_choices: Evidence,
-    with_constants: Evidence,
+    /// Where it is another one.
+    with_constants: Option<Evidence>,
 }
 
 impl BothEvidence {
-    /// The evidence of cells with these values as printed; without values, it is the same for all readings.
+    /// The evidence of cells with these values as printed; without values, and for depths, it is the same for all readings.
     pub fn new(
         table: &Table<'_>,
         cells: &Cells,
         as_printed: Option<&[Option<Value>]>,
     ) -> Result<BothEvidence, Stop> {
+        let values = as_printed.filter(|_| table.tolerance.is_none());
+        let with_constants = values.map(|values| Evidence::new(table, cells, Some(values)));
         let by_choices = Evidence::new(table, cells, None)?;
-        Ok(BothEvidence { by_choices, with_constants: Evidence::new(table, cells, as_printed)? })
+        Ok(BothEvidence { by_choices, with_constants: with_constants.transpose()? })
     }
 
     /// That for readings which bring constants, or not.
     pub fn of(&self, constants: bool) -> &Evidence {
-        if constants { &self.with_constants } else { &self.by_choices }
+        self.with_constants.as_ref().filter(|_| constants).unwrap_or(&self.by_choices)
     }
 }
 
@@ -98,7 +101,7 @@ impl Evidence {
                 same.entry((number.clone(), *row, *column)).or_default().push(telling.len());
             }
             telling.push((*place, decimal.clone()));
-            values.push(as_printed.filter(|_| !is_depth).and_then(|values| values[at].clone()));
+            values.push(as_printed.and_then(|values| values[at].clone()));
             rarities.push(rarity);
         }
         let mut sets: Vec<Vec<usize>> = same.into_values().collect();

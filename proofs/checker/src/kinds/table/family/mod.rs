@@ -281,12 +281,9 @@ impl Family<'_> {
         for part in reads.all(*plain).filter(|part| !part.is_whole()) {
             let (cells, found) = self.explained_in_line(part, &left)?;
             let size = &sizes[usize::from(part.read.copied().is_some())];
-            let lucky = {
-                let evidence = self.evidence(&cells)?;
-                let evidence = evidence.of(part.read.brings_constants());
-                lines::is_luck(table, evidence, found.len(), size)?
-            };
-            require(!lucky, Reason::Luck)?;
+            let evidence = self.evidence(&cells)?;
+            let evidence = evidence.of(part.read.brings_constants());
+            require(!lines::is_luck(table, evidence, found.len(), size)?, Reason::Luck)?;
             left.retain(|place| !found.contains(place));
         }
         Ok(())
@@ -328,8 +325,8 @@ impl Family<'_> {
             left.retain(|place| !found.contains(place));
         }
         let left: Cells = self.cells.iter().filter(|(at, _)| left.contains(at)).cloned().collect();
-        let evidence = |cells: &Cells| self.evidence(cells);
-        Ok(lines(self.table, &left, refuted, &self.readings(&self.cells)?, evidence)?)
+        let sizes = self.readings(&self.cells)?;
+        Ok(lines(self.table, &left, refuted, &sizes, |cells| self.evidence(cells))?)
     }
 
     /// Checks that the cells which tell a parameter's value are no luck by themselves, for each
