@@ -93,11 +93,12 @@ fn the_only_number_is_no_luck() {
     assert!(explaining.all(|reading| !finding.is_by_luck(reading, (0, 0))));
 }
 
-/// A table of d(n) = n² + 5000, whose alternative is n, for these n.
+/// A table of d(n) = 2ⁿ, whose alternative is n, for these n. No constant connects d with what is
+/// printed in cells of several n.
 fn identity(n: &[String], cells: &[String]) -> String {
     let list = |all: &[String]| format!("'{}'", all.join("', '"));
     format!(
-        "[define]\nd = 'n*n + 5000'\n[[alternative]]\nof = 'd'\nlabel = 'other'\nvalue = 'n'\n\
+        "[define]\nd = '2^n'\n[[alternative]]\nof = 'd'\nlabel = 'other'\nvalue = 'n'\n\
          [[table]]\nid = 't'\nlocus = 'T'\nvalue = 'd'\n\
          columns = {{ name = 'n', values = [{}] }}\ncells = [[{}]]\n",
         list(n),
