@@ -1,10 +1,16 @@
-//! Constants of masks over any numbers.
+//! Constants of masks.
 
-use crate::bound::{Terms, displacement};
+use crate::bound::{
+    ClassCap, Constants, DepthError, MAX_DEPTH, Operator, Order, Suprema, Terms, best_offset,
+    displacement, surface_displacement,
+};
+use crate::cap::Cap;
+use crate::evaluation::arguments::level;
 use crate::evaluation::options::Options;
-use crate::exact::Real;
-use crate::formula::CallError;
+use crate::exact::{Rational, Real};
+use crate::formula::{Call, CallError, Value};
 use crate::scheme::{Mask, Rules};
+use std::rc::Rc;
 
 /// max_β |Σ_j b_{β,j}|.
 pub(crate) fn total_contraction<S: Real>(difference: &Rules<S>) -> S {
@@ -20,4 +26,95 @@ pub(crate) fn moved<S: Real>(
     let terms = options.terms()?;
     let offset = options.offset(mask.offset(), best)?;
     Ok(displacement(&mask.with_offset(offset), terms))
+}
+
+/// The number c of levels of a constant, which is 1 if it is left out.
+pub(crate) fn levels<V: Value>(c: &[V]) -> Result<u32, CallError> {
+    c.first().map_or(Ok(1), level)
+}
+
+/// Why a logarithm has no value.
+pub(crate) fn no_level(error: &DepthError) -> CallError {
+    match error {
+        DepthError::TooDeep => {
+            let what = "the number of levels, or a number that decides it,";
+            CallError::BeyondCap(Cap::new(what, MAX_DEPTH.into()))
+        }
+        _ => CallError::Undefined(error.to_string()),
+    }
+}
+
+/// What the constants of a call are computed with.
+pub(crate) trait OfMask {
+    /// The constants of the mask, with the numbers of its points that the reading says if it is read in this order.
+    fn in_order(&self, order: Order) -> Rc<Constants>;
+
+    /// Notes that the norm of so many levels is used.
+    fn note(&self, _operator: Operator, _levels: u32, _order: Order) {}
+}
+
+impl OfMask for Rc<Constants> {
+    fn in_order(&self, _: Order) -> Rc<Constants> {
+        Rc::clone(self)
+    }
+}
+
+/// A constant of a rational mask; `None` if there is no such constant of so many arguments.
+pub(crate) fn constant<V: Value>(
+    call: &Call<'_, V>,
+    options: &mut Options<'_>,
+    of: &dyn OfMask,
+) -> Result<Option<V>, CallError> {
+    let own = of.in_order(Order::Adjoint);
+    let value = match (call.function, call.arguments) {
+        ("contraction", c @ ([] | [_])) => {
+            let (c, order) = (levels(c)?, options.order()?);
+            match options.terms()? {
+                Terms::Each => {
+                    of.note(Operator::Difference, c, order);
+                    capped(of.in_order(order).norm(Operator::Difference, c, order))
+                }
+                Terms::Total if c == 1 => Ok(total_contraction(own.difference())),
+                Terms::Total => {
+                    let message = "`terms = total` is defined for c = 1 only";
+                    return Err(CallError::Misuse(message.to_owned()));
+                }
+            }
+        }
+        ("norm", c @ ([] | [_])) => {
+            let (c, order) = (levels(c)?, options.order()?);
+            of.note(Operator::Scheme, c, order);
+            capped(of.in_order(order).norm(Operator::Scheme, c, order))
+        }
+        ("tensor", c @ ([] | [_])) => {
+            let (c, order, suprema) = (levels(c)?, options.order()?, options.suprema()?);
+            if suprema == Suprema::Independent {
+                of.note(Operator::Difference, c, order);
+                of.note(Operator::Scheme, c, order);
+            }
+            capped(of.in_order(order).tensor(c, order, suprema))
+        }
+        ("displacement", []) => {
+            let mask = own.mask();
+            moved(mask, options, || Some(best_offset(mask).0))
+        }
+        ("surface_displacement", [x1, x2, x3]) => {
+            let spreads = [rational(x1)?, rational(x2)?, rational(x3)?];
+            let terms = options.terms()?;
+            Ok(surface_displacement(own.mask(), spreads.each_ref(), terms))
+        }
+        _ => return Ok(None),
+    };
+    value.map(|value| Some(V::from_rational(&value)))
+}
+
+fn capped(value: Result<Rational, ClassCap>) -> Result<Rational, CallError> {
+    value.map_err(|error| CallError::BeyondCap(error.cap()))
+}
+
+/// The value as a rational number; an error if it is irrational.
+fn rational<V: Value>(value: &V) -> Result<Rational, CallError> {
+    value.as_rational().ok_or_else(|| {
+        CallError::Misuse(format!("this is computed at rational numbers only, and not at {value}"))
+    })
 }

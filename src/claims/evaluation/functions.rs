@@ -3,7 +3,7 @@
 use crate::formula::CallError;
 
 /// The calls of all functions, each with its meaning, for help texts.
-pub const QUANTITIES: [(&str, &str); 13] = [
+pub const QUANTITIES: [(&str, &str); 29] = [
     ("contraction(c, order = adjoint|forward)", "T_c; with `terms = total` and c = 1, max |Σ b|"),
     ("norm(c, order = adjoint|forward)", "Λ_c, the norm of the scheme"),
     ("tensor(c, order = …, suprema = independent|joint)", "T_c·Λ_c of the tensor product"),
@@ -32,10 +32,41 @@ pub const QUANTITIES: [(&str, &str); 13] = [
     ),
     ("arity()", "n"),
     ("width()", "N"),
+    ("coefficient(k)", "a_k, a coefficient of the symbol"),
+    ("symbol_at(z)", "Σ a_k z^k"),
+    ("support()", "the length of the support of the basic limit function"),
+    ("support_start()", "where this support begins"),
+    ("support_end()", "where it ends"),
+    ("symmetric()", "1 if the mask reads the same from both ends, else 0"),
+    ("interpolating()", "1 if all points are kept, else 0"),
+    ("sum_rules()", "the order of the sum rules, the number of factors (1 + z + … + z^(n-1))/n"),
+    ("generation()", "the greatest degree of which all polynomials are limits"),
+    (
+        "reproduction(parameters = natural|indexed)",
+        "the greatest degree of which all polynomials are the limits of their values",
+    ),
+    (
+        "approximation_order(data = sampled|adapted)",
+        "the degree of reproduction plus 1; the order of the sum rules",
+    ),
+    ("moment(m)", "∫ x^m φ(x) dx"),
+    ("limit_value(x)", "φ(x), φ the limit of 1 at 0 and 0 elsewhere"),
+    ("inner_product(k, with = NAME)", "∫ φ(x) ψ(x - k) dx; ψ is φ without `with`"),
+    ("orthogonal()", "1 if Σ a_k a_(k+nm) is n for m = 0 and else 0, else 0"),
+    ("biorthogonal(with = NAME)", "the same of a_k and the b_k of another scheme"),
 ];
 
 pub(crate) fn name_of(usage: &str) -> &str {
     usage.split('(').next().unwrap_or(usage)
+}
+
+/// The functions that are about no scheme.
+const WITHOUT_SCHEME: [&str; 3] = ["levels", "convolved", "convolution_norm"];
+
+/// Whether the function with this name may be about a scheme.
+pub(crate) fn is_about_scheme(function: &str) -> bool {
+    let mut names = QUANTITIES.iter().map(|(usage, _)| name_of(usage));
+    names.any(|name| name == function) && !WITHOUT_SCHEME.contains(&function)
 }
 
 pub(crate) fn check_name(function: &str) -> Result<(), CallError> {

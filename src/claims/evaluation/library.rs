@@ -75,6 +75,16 @@ impl<'a> Library<'a> {
         Library { paper, constants, numbered, budget, sound, norms, log_levels }
     }
 
+    /// Whether a scheme of the claim file or of the catalogue has this name.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.paper.schemes.contains_key(name) || find_in_catalogue(name).is_ok()
+    }
+
+    /// The constants of a rational mask.
+    pub(crate) fn constants_of(&self, mask: Mask) -> Rc<Constants> {
+        Rc::new(Constants::new(mask).with_budget(self.budget.clone()))
+    }
+
     /// The scheme that `reference` means in `context`.
     pub(crate) fn resolve(
         &self,
@@ -225,7 +235,7 @@ impl<'a> Library<'a> {
             return Ok(Rc::clone(known));
         }
         let mask = self.define(&instance.name)?.mask(&instance.parameters)?;
-        let constants = Rc::new(Constants::new(mask).with_budget(self.budget.clone()));
+        let constants = self.constants_of(mask);
         self.constants.borrow_mut().insert(instance.clone(), Rc::clone(&constants));
         Ok(constants)
     }
@@ -238,10 +248,7 @@ impl<'a> Library<'a> {
         first: usize,
     ) -> Rc<Constants> {
         let key = (instance.clone(), first);
-        let new = || {
-            let constants = Constants::new(mask.numbered_from(first));
-            Rc::new(constants.with_budget(self.budget.clone()))
-        };
+        let new = || self.constants_of(mask.numbered_from(first));
         Rc::clone(self.numbered.borrow_mut().entry(key).or_insert_with(new))
     }
 

@@ -14,6 +14,7 @@ mod elsewhere;
 mod functions;
 pub(crate) mod library;
 pub(crate) mod limits;
+mod masks;
 mod options;
 pub(crate) mod parametric;
 pub(crate) mod quantity;

@@ -13,6 +13,20 @@ pub(crate) enum Exponent {
     Block,
 }
 
+/// Where the points of a level are: at i/n^k, or at their natural parameters.
+#[derive(Clone, Copy)]
+pub(crate) enum Parameters {
+    Natural,
+    Indexed,
+}
+
+/// The data of which limits approximate a function: its values, or what is adapted to the scheme.
+#[derive(Clone, Copy)]
+pub(crate) enum Data {
+    Sampled,
+    Adapted,
+}
+
 /// The options of a call; each can be used once.
 pub(crate) struct Options<'a> {
     function: &'a str,
@@ -53,6 +67,15 @@ impl<'a> Options<'a> {
 
     pub(crate) fn exponent(&mut self) -> Result<Exponent, CallError> {
         self.choose("exponent", &[("level", Exponent::Level), ("block", Exponent::Block)])
+    }
+
+    pub(crate) fn parameters(&mut self) -> Result<Parameters, CallError> {
+        let choices = [("natural", Parameters::Natural), ("indexed", Parameters::Indexed)];
+        self.choose("parameters", &choices)
+    }
+
+    pub(crate) fn data(&mut self) -> Result<Data, CallError> {
+        self.choose("data", &[("sampled", Data::Sampled), ("adapted", Data::Adapted)])
     }
 
     pub(crate) fn order(&mut self) -> Result<Order, CallError> {

@@ -6,8 +6,7 @@ use crate::bound::{
 };
 use crate::claim::{LocatedReference, Paper};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::arguments::level;
-use crate::evaluation::constants::{moved, total_contraction};
+use crate::evaluation::constants::{levels, moved, total_contraction};
 use crate::evaluation::context::{CellReading, TableContext};
 use crate::evaluation::library::{Library, values};
 use crate::evaluation::options::Options;
@@ -173,10 +172,10 @@ impl Functions<Parametric> for Constants<'_> {
         let found = self.coefficients.shape(call, &mut options)?;
         let mask = &found.mask;
         let value = match (call.function, call.arguments) {
-            ("contraction", [c]) => {
+            ("contraction", c @ ([] | [_])) => {
                 let (order, terms) = (options.order()?, options.terms()?);
                 let difference = found.difference();
-                match (terms, level(c)?) {
+                match (terms, levels(c)?) {
                     (Terms::Each, c) => self.norm(difference, c, order)?,
                     (Terms::Total, 1) => total_contraction(difference),
                     (Terms::Total, _) => {
@@ -185,13 +184,13 @@ impl Functions<Parametric> for Constants<'_> {
                     }
                 }
             }
-            ("norm", [c]) => {
+            ("norm", c @ ([] | [_])) => {
                 let order = options.order()?;
-                self.norm(mask.rules(), level(c)?, order)?
+                self.norm(mask.rules(), levels(c)?, order)?
             }
             ("displacement", []) => moved(mask, &mut options, || None)?,
-            ("tensor", [c]) => {
-                let (order, suprema, c) = (options.order()?, options.suprema()?, level(c)?);
+            ("tensor", c @ ([] | [_])) => {
+                let (order, suprema, c) = (options.order()?, options.suprema()?, levels(c)?);
                 match suprema {
                     Suprema::Independent => {
                         let norm = self.norm(found.difference(), c, order)?;
@@ -204,9 +203,16 @@ impl Functions<Parametric> for Constants<'_> {
                 let message = format!("`{name}` is not computed as a function of a free parameter");
                 return Err(CallError::Misuse(message));
             }
-            _ => shape(mask, || found.difference(), call, &mut options)?,
+            _ => {
+                let other = |name: &str| self.coefficients.named(name);
+                shape(mask, || found.difference(), call, &mut options, other)?
+            }
         };
         options.finished(value)
+    }
+
+    fn is_scheme(&self, function: &str, name: &str) -> bool {
+        self.coefficients.is_scheme(function, name)
     }
 }
 

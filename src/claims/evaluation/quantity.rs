@@ -1,13 +1,8 @@
 //! The functions that claims can use: constants of the scheme they are about.
 
-use crate::bound::{
-    ClassCap, Constants, DepthError, MAX_DEPTH, Operator, Order, Suprema, Terms, best_offset,
-    surface_displacement,
-};
-use crate::cap::Cap;
-use crate::evaluation::arguments::level;
-use crate::evaluation::constants::{moved, total_contraction};
-use crate::evaluation::functions::check_name;
+use crate::bound::{Constants, Operator, Order};
+use crate::evaluation::constants::{OfMask, constant, no_level};
+use crate::evaluation::functions::{check_name, is_about_scheme};
 use crate::evaluation::library::{Library, Resolved};
 use crate::evaluation::options::{Exponent, Options};
 use crate::evaluation::reference::{reference, unresolved};
@@ -15,9 +10,9 @@ use crate::evaluation::series;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::shape::shape;
 use crate::evaluation::trace::{LevelCall, Noted, NotedConstant};
-use crate::exact::{Rational, RealCyclotomic};
+use crate::exact::RealCyclotomic;
 use crate::formula::{Call, CallError, Context, Functions, Parameters};
-use crate::scheme::Rules;
+use crate::scheme::{Mask, Rules};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -62,6 +57,10 @@ impl Functions<RealCyclotomic> for Quantities<'_> {
         };
         options.finished(value)
     }
+
+    fn is_scheme(&self, function: &str, name: &str) -> bool {
+        is_about_scheme(function) && self.library.has(name)
+    }
 }
 
 impl Quantities<'_> {
@@ -82,63 +81,15 @@ impl Quantities<'_> {
         };
         let missing = || CallError::Misuse("this needs a scheme: give the table one".to_owned());
         let scheme = scheme.ok_or_else(missing)?;
+        if let Some(value) = constant(call, options, &InScheme { of: self, scheme, named: &named })? {
+            return Ok(value);
+        }
         let constants: &Constants = scheme.constants.first();
-        let in_order = |order| self.in_order(scheme, order);
-        let note = |operator, levels, order| {
-            let Some(noted) = &self.noted else { return };
-            noted.borrow_mut().constants.push(NotedConstant {
-                instance: scheme.instances[0].clone(),
-                constants: Rc::clone(scheme.constants.first()),
-                operator,
-                levels,
-                order,
-                named: named.clone(),
-            });
-        };
-        let value = match (call.function, call.arguments) {
-            ("contraction", [c]) => {
-                let (c, order) = (level(c)?, options.order()?);
-                match options.terms()? {
-                    Terms::Each => {
-                        note(Operator::Difference, c, order);
-                        capped(in_order(order).norm(Operator::Difference, c, order))
-                    }
-                    Terms::Total if c == 1 => Ok(total_contraction(constants.difference())),
-                    Terms::Total => {
-                        let message = "`terms = total` is defined for c = 1 only";
-                        return Err(CallError::Misuse(message.to_owned()));
-                    }
-                }
-            }
-            ("norm", [c]) => {
-                let (c, order) = (level(c)?, options.order()?);
-                note(Operator::Scheme, c, order);
-                capped(in_order(order).norm(Operator::Scheme, c, order))
-            }
-            ("tensor", [c]) => {
-                let (c, order, suprema) = (level(c)?, options.order()?, options.suprema()?);
-                if suprema == Suprema::Independent {
-                    note(Operator::Difference, c, order);
-                    note(Operator::Scheme, c, order);
-                }
-                capped(in_order(order).tensor(c, order, suprema))
-            }
-            ("displacement", []) => {
-                let mask = constants.mask();
-                moved(mask, options, || Some(best_offset(mask).0))
-            }
-            ("surface_displacement", [x1, x2, x3]) => {
-                let spreads = [rational(x1)?, rational(x2)?, rational(x3)?];
-                let terms = options.terms()?;
-                Ok(surface_displacement(constants.mask(), spreads, terms))
-            }
-            _ => {
-                let rules = |rules: &Rules| rules.map(|value| RealCyclotomic::from(value.clone()));
-                let mask = constants.mask().map(|value| RealCyclotomic::from(value.clone()));
-                return shape(&mask, || rules(constants.difference()), call, options);
-            }
-        };
-        value.map(RealCyclotomic::from)
+        let rules = |rules: &Rules| rules.map(|value| RealCyclotomic::from(value.clone()));
+        let irrational = |mask: &Mask| mask.map(|value| RealCyclotomic::from(value.clone()));
+        let other = |name: &str| Ok(irrational(self.other_scheme(name)?.constants.first().mask()));
+        let mask = irrational(constants.mask());
+        shape(&mask, || rules(constants.difference()), call, options, other)
     }
 
     /// The constants of a scheme's first mask in this order. Those of a mask that is read forwards
@@ -161,16 +112,14 @@ impl Quantities<'_> {
     ) -> Result<RealCyclotomic, CallError> {
         let rounded = options.rounded()?;
         let level = self.library.log_level(ratio, x, rounded);
-        let (ratio, x) = (ratio.clone(), x.clone());
-        let call = LevelCall { ratio, x, rounded, level: level.clone().ok() };
+        let call = LevelCall {
+            ratio: ratio.clone(),
+            x: x.clone(),
+            rounded,
+            level: level.clone().ok(),
+        };
         self.last_levels.replace(Some(call));
-        level.map(RealCyclotomic::from).map_err(|error| match error {
-            DepthError::TooDeep => {
-                let what = "the number of levels, or a number that decides it,";
-                CallError::BeyondCap(Cap::new(what, MAX_DEPTH.into()))
-            }
-            _ => CallError::Undefined(error.to_string()),
-        })
+        level.map(RealCyclotomic::from).map_err(|error| no_level(&error))
     }
 
     fn other_scheme(&self, name: &str) -> Result<Resolved, CallError> {
@@ -180,13 +129,28 @@ impl Quantities<'_> {
     }
 }
 
-fn capped(value: Result<Rational, ClassCap>) -> Result<Rational, CallError> {
-    value.map_err(|error| CallError::BeyondCap(error.cap()))
+/// The scheme of a call, whose constants may be noted.
+struct InScheme<'a> {
+    of: &'a Quantities<'a>,
+    scheme: &'a Resolved,
+    /// The name in the option `scheme`.
+    named: &'a Option<String>,
 }
 
-/// The value as a rational number; an error if it is irrational.
-fn rational(value: &RealCyclotomic) -> Result<&Rational, CallError> {
-    value.as_rational().ok_or_else(|| {
-        CallError::Misuse(format!("this is computed at rational numbers only, and not at {value}"))
-    })
+impl OfMask for InScheme<'_> {
+    fn in_order(&self, order: Order) -> Rc<Constants> {
+        self.of.in_order(self.scheme, order)
+    }
+
+    fn note(&self, operator: Operator, levels: u32, order: Order) {
+        let Some(noted) = &self.of.noted else { return };
+        noted.borrow_mut().constants.push(NotedConstant {
+            instance: self.scheme.instances[0].clone(),
+            constants: Rc::clone(self.scheme.constants.first()),
+            operator,
+            levels,
+            order,
+            named: self.named.clone(),
+        });
+    }
 }

@@ -1,16 +1,20 @@
 //! Masks over numbers of any kind, and the functions that read only their coefficients.
 
-use crate::bound::{Recursion, convolution_coefficient, sequence};
+use crate::bound::{
+    Constants, Order, Recursion, convolution_coefficient, power_norm_generic, sequence,
+};
 use crate::claim::LocatedReference;
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::arguments::{index, narrow, place, within};
-use crate::evaluation::functions::{QUANTITIES, check_name, name_of};
+use crate::evaluation::constants::{constant, levels, moved, no_level};
+use crate::evaluation::functions::{QUANTITIES, check_name, is_about_scheme, name_of};
 use crate::evaluation::library::Library;
-use crate::evaluation::options::Options;
+use crate::evaluation::masks::{numbers, of_mask};
+use crate::evaluation::options::{Exponent, Options};
 use crate::evaluation::reference::{self, Unresolved, reference, unresolved};
 use crate::evaluation::series;
 use crate::evaluation::series::Norms;
-use crate::exact::Rational;
+use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{Call, CallError, Context, Functions, Parameters, Value};
 use crate::scheme::{Instance, Mask, Reference, Rules, Scheme};
 use std::borrow::Borrow;
@@ -32,11 +36,26 @@ pub(crate) fn own_shape<V: Value + PartialEq>(
 pub(crate) struct Shape<V> {
     pub(crate) mask: Mask<V>,
     difference: OnceCell<Rules<V>>,
+    /// The constants, if the mask is rational.
+    constants: OnceCell<Option<Rc<Constants>>>,
 }
 
 impl<V: Value> Shape<V> {
     fn new(scheme: &Scheme<V>) -> Rc<Shape<V>> {
-        Rc::new(Shape { mask: scheme.first().clone(), difference: OnceCell::new() })
+        let (difference, constants) = Default::default();
+        Rc::new(Shape { mask: scheme.first().clone(), difference, constants })
+    }
+
+    /// The constants of the mask, if it is rational.
+    fn constants(&self, library: &Library<'_>) -> Option<&Rc<Constants>> {
+        let rational = || {
+            let mut all = self.mask.rules().rows().iter().flatten();
+            all.all(|entry| entry.as_rational().is_some()).then(|| {
+                let mask = self.mask.map(|entry| entry.as_rational().unwrap_or_else(Rational::zero));
+                library.constants_of(mask)
+            })
+        };
+        self.constants.get_or_init(rational).as_ref()
     }
 
     pub(crate) fn difference(&self) -> &Rules<V> {
@@ -103,13 +122,50 @@ impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
         if let Some(value) = series::call(call, context, &mut options, &self.shapes.norms, None) {
             return options.finished(value?);
         }
+        if let ("levels", [ratio, x, c @ ..]) = (call.function, call.arguments) {
+            let level = self.level(ratio, x, &mut options)?;
+            let value = match (c, options.exponent()?) {
+                ([], _) | ([_], Exponent::Level) => level,
+                ([c], Exponent::Block) => level.times(c),
+                _ => return Err(usage(call)),
+            };
+            return options.finished(value);
+        }
         let found = self.shape(call, &mut options)?;
-        let value = shape(&found.mask, || found.difference(), call, &mut options)?;
+        let other = |name: &str| self.named(name);
+        let value = match found.constants(self.shapes.library) {
+            Some(constants) => constant(call, &mut options, constants)?,
+            None => irrational(call, &mut options, &found)?,
+        };
+        let value = value.map_or_else(
+            || shape(&found.mask, || found.difference(), call, &mut options, other),
+            Ok,
+        )?;
         options.finished(value)
+    }
+
+    fn is_scheme(&self, function: &str, name: &str) -> bool {
+        is_about_scheme(function) && self.shapes.library.has(name)
     }
 }
 
 impl<V: Value + PartialEq> Coefficients<'_, V> {
+    /// The logarithm of x to the base `ratio`.
+    fn level(&self, ratio: &V, x: &V, options: &mut Options<'_>) -> Result<V, CallError> {
+        let rounded = options.rounded()?;
+        let number = |value: &V| {
+            let message = || CallError::Misuse(format!("levels are counted of numbers, not of {value}"));
+            value.number().ok_or_else(message)
+        };
+        let level = self.shapes.library.log_level(&number(ratio)?, &number(x)?, rounded);
+        level.map(|level| V::from_rational(&level.into())).map_err(|error| no_level(&error))
+    }
+
+    /// The mask of the scheme that a name stands for.
+    pub(crate) fn named(&self, name: &str) -> Result<Mask<V>, CallError> {
+        Ok(self.shapes.named(name)?.mask.clone())
+    }
+
     /// The scheme that a call is about.
     pub(crate) fn shape(
         &self,
@@ -127,11 +183,12 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
 }
 
 /// The value of a function that reads only coefficients.
-pub(crate) fn shape<V: Value, R: Borrow<Rules<V>>>(
+pub(crate) fn shape<V: Value + PartialEq, R: Borrow<Rules<V>>>(
     mask: &Mask<V>,
     difference: impl FnOnce() -> R,
     call: &Call<'_, V>,
     options: &mut Options<'_>,
+    other: impl FnOnce(&str) -> Result<Mask<V>, CallError>,
 ) -> Result<V, CallError> {
     let number = |value: usize| V::from_rational(&Rational::from(value));
     match (call.function, call.arguments) {
@@ -150,15 +207,48 @@ pub(crate) fn shape<V: Value, R: Borrow<Rules<V>>>(
         }
         ("arity", []) => Ok(number(mask.arity())),
         ("width", []) => Ok(number(mask.width())),
-        (name, given) => {
-            let usage = QUANTITIES.iter().find(|(usage, _)| name_of(usage) == name);
-            let usage = usage.map_or(name, |(usage, _)| usage);
-            let count = given.len();
-            let message =
-                format!("`{name}` cannot be used so with {count} arguments; its form is {usage}");
-            Err(CallError::Misuse(message))
-        }
+        _ => of_mask(mask, call, options, other).unwrap_or_else(|| Err(usage(call))),
     }
+}
+
+/// The error of a call that has not the form of its function.
+fn usage<V>(call: &Call<'_, V>) -> CallError {
+    let (name, count) = (call.function, call.arguments.len());
+    let usage = QUANTITIES.iter().find(|(usage, _)| name_of(usage) == name);
+    let usage = usage.map_or(name, |(usage, _)| usage);
+    CallError::Misuse(format!("`{name}` cannot be used so with {count} arguments; its form is {usage}"))
+}
+
+/// A constant of a mask that is not rational, if the call asks for one.
+fn irrational<V: Value + PartialEq>(
+    call: &Call<'_, V>,
+    options: &mut Options<'_>,
+    of: &Shape<V>,
+) -> Result<Option<V>, CallError> {
+    let known = ["contraction", "norm", "tensor", "displacement", "surface_displacement"];
+    if !known.contains(&call.function) {
+        return Ok(None);
+    }
+    let mask = numbers(&of.mask)?;
+    let norm = |rules: &Rules<RealCyclotomic>, c: u32, order: Order| {
+        let norm = power_norm_generic(rules, c, order);
+        norm.map_err(|error| CallError::BeyondCap(error.cap()))
+    };
+    let value = match (call.function, call.arguments) {
+        ("contraction", c @ ([] | [_])) => {
+            let (c, order) = (levels(c)?, options.order()?);
+            norm(&mask.difference(), c, order)?
+        }
+        ("norm", c @ ([] | [_])) => {
+            let (c, order) = (levels(c)?, options.order()?);
+            norm(mask.rules(), c, order)?
+        }
+        ("displacement", []) => moved(&mask, options, || None)?,
+        (name, _) => {
+            return Err(CallError::Misuse(format!("`{name}` is computed for rational masks only")));
+        }
+    };
+    Ok(V::of_number(&value))
 }
 
 /// The greatest number of convolutions whose coefficients are summed term by term.

@@ -66,6 +66,13 @@ pub trait Context<V> {
         None
     }
 
+    /// Whether `name` has no value here, and is that of a scheme which `function` may be about: then it is no argument of a
+    /// call that begins with it, but its option `scheme`.
+    fn is_scheme(&self, function: &str, name: &str) -> bool {
+        let _ = (function, name);
+        false
+    }
+
     /// The value of a function.
     ///
     /// # Errors

@@ -15,6 +15,9 @@ const MAX_WORK: u64 = 1_000_000;
 /// count as nested in its use.
 const MAX_DEPTH: u32 = 256;
 
+/// The option that names the scheme of a call.
+const SCHEME: &str = "scheme";
+
 /// The value of a formula.
 ///
 /// # Errors
@@ -98,8 +101,15 @@ impl<V: Value> Evaluator<'_, V> {
                 self.cosine(arguments, options, &expr.span, indices)
             }
             Node::Call { function, arguments, options } => {
+                let (scheme, arguments) = self.scheme(function, arguments, indices);
                 let arguments = self.arguments(arguments, indices)?;
-                self.call(function, &arguments, options, indices, &expr.span)
+                match scheme {
+                    None => self.call(function, &arguments, options, indices, &expr.span),
+                    Some(scheme) => {
+                        let options = [&[scheme], &options[..]].concat();
+                        self.call(function, &arguments, &options, indices, &expr.span)
+                    }
+                }
             }
             Node::Fold { fold, index, from, to, body } => {
                 let first = self.integer("the first index of a range", from, indices)?;
@@ -135,6 +145,23 @@ impl<V: Value> Evaluator<'_, V> {
         let base = self.value(base, indices)?;
         let exponent = self.value(exponent, indices)?;
         builtin::power(&base, &exponent).or_else(|kind| fail(kind, span))
+    }
+
+    /// The scheme that a call is about, if its first argument is the name of one, and the other arguments.
+    fn scheme<'e>(
+        &self,
+        function: &str,
+        arguments: &'e [Expr],
+        indices: &[(String, V)],
+    ) -> (Option<OptionWord>, &'e [Expr]) {
+        if let [Expr { node: Node::Name(name), span }, rest @ ..] = arguments
+            && indices.iter().all(|(index, _)| index != name)
+            && self.context.is_scheme(function, name)
+        {
+            let word = OptionWord { name: SCHEME.to_owned(), word: name.clone(), span: span.clone() };
+            return (Some(word), rest);
+        }
+        (None, arguments)
     }
 
     fn arguments(

@@ -20,6 +20,12 @@ pub trait Functions<V> {
     /// # Errors
     /// When there is no such function, or it has no value at these arguments.
     fn call(&self, call: &Call<'_, V>, context: &dyn Context<V>) -> Result<V, CallError>;
+
+    /// Whether `function` may be about a scheme, and `name` is the name of one.
+    fn is_scheme(&self, function: &str, name: &str) -> bool {
+        let _ = (function, name);
+        false
+    }
 }
 
 /// No functions.
@@ -109,6 +115,12 @@ impl<'a, V: Value> Scope<'a, V> {
         self
     }
 
+    /// The formula that this name stands for where it has no value.
+    fn formula(&self, name: &str) -> Option<&LocatedFormula> {
+        let stated = self.stated.iter().rev().find_map(|stated| stated.get(name));
+        stated.or_else(|| self.definitions.get(name))
+    }
+
     fn given(&self, name: &str) -> Option<&V> {
         self.values.iter().rev().find_map(|given| match given {
             ScopeValues::One(own, value) => (own == name).then_some(value),
@@ -130,10 +142,7 @@ impl<V: Value> Context<V> for Scope<'_, V> {
         {
             return Ok(Lookup::Found(member(name)));
         }
-        let stated = self.stated.iter().rev().find_map(|stated| stated.get(name));
-        let Some(definition) = stated.or_else(|| self.definitions.get(name)) else {
-            return Ok(Lookup::Unknown);
-        };
+        let Some(definition) = self.formula(name) else { return Ok(Lookup::Unknown) };
         if self.depth.get() >= MAX_DEFINITION_DEPTH {
             return Err(CallError::Misuse(format!(
                 "the definition of `{name}` refers to itself, or definitions are nested more \
@@ -163,6 +172,11 @@ impl<V: Value> Context<V> for Scope<'_, V> {
 
     fn work(&self) -> Option<&Work> {
         Some(&self.work)
+    }
+
+    fn is_scheme(&self, function: &str, name: &str) -> bool {
+        let known = self.given(name).is_some() || self.unstated.contains(&name);
+        !known && self.formula(name).is_none() && self.functions.is_scheme(function, name)
     }
 
     fn call(&self, call: &Call<'_, V>) -> Result<V, CallError> {

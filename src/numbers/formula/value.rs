@@ -11,6 +11,14 @@ use crate::exact::{
 pub trait Value: Scalar + std::fmt::Display {
     /// This as a rational number, if it is one.
     fn as_rational(&self) -> Option<Rational>;
+    /// This as a number of a field Q(2cos(2π/n)), if it is one.
+    fn number(&self) -> Option<RealCyclotomic> {
+        self.as_rational().map(RealCyclotomic::from)
+    }
+    /// This number, if the type has it.
+    fn of_number(number: &RealCyclotomic) -> Option<Self> {
+        number.as_rational().map(Self::from_rational)
+    }
     /// A measure of the cost of an operation on this value, in bits; 0 for values that
     /// stay small.
     fn size(&self) -> u64;
@@ -128,6 +136,12 @@ impl Value for Polynomial {
     fn as_rational(&self) -> Option<Rational> {
         self.as_constant()?.as_rational().cloned()
     }
+    fn number(&self) -> Option<RealCyclotomic> {
+        self.as_constant()
+    }
+    fn of_number(number: &RealCyclotomic) -> Option<Self> {
+        Some(Polynomial::constant(number.clone()))
+    }
     fn size(&self) -> u64 {
         let bits = self.coefficients().map(|c| TERM_BITS + c.bits()).sum();
         self.degree().max(bits)
@@ -174,6 +188,12 @@ impl Value for Polynomial {
 impl Value for RealCyclotomic {
     fn as_rational(&self) -> Option<Rational> {
         self.as_rational().cloned()
+    }
+    fn number(&self) -> Option<RealCyclotomic> {
+        Some(self.clone())
+    }
+    fn of_number(number: &RealCyclotomic) -> Option<Self> {
+        Some(number.clone())
     }
     fn size(&self) -> u64 {
         self.bits()

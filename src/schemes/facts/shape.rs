@@ -1,6 +1,6 @@
 //! What one sees of a mask: points, symmetry, primal or dual, interpolating or not.
 
-use crate::exact::Rational;
+use crate::exact::{Rational, Scalar};
 use crate::joint::Entry;
 use crate::scheme::Mask;
 use crate::smoothness::Symbol;
@@ -39,7 +39,7 @@ pub fn points<F: Entry>(mask: &Mask<F>) -> usize {
 
 /// Whether one rule has a single coefficient that is not 0: it is 1, and all points are kept.
 #[must_use]
-pub fn is_interpolating<F: Entry>(mask: &Mask<F>) -> bool {
+pub fn is_interpolating<F: Scalar + PartialEq>(mask: &Mask<F>) -> bool {
     let zero = F::zero();
     mask.rules().rows().iter().any(|row| row.iter().filter(|c| **c != zero).count() == 1)
 }
@@ -48,7 +48,7 @@ pub fn is_interpolating<F: Entry>(mask: &Mask<F>) -> bool {
 ///
 /// With coefficients a_s = a_{u−s}, it is u/(2(n − 1)).
 #[must_use]
-pub fn centre<F: Entry>(symbol: &Symbol<F>) -> Option<Rational> {
+pub fn centre<F: Scalar + PartialEq>(symbol: &Symbol<F>) -> Option<Rational> {
     let coefficients = symbol.coefficients();
     let symmetric = coefficients.iter().eq(coefficients.iter().rev());
     let (low, high) = symbol.support();

@@ -9,6 +9,7 @@ mod distances;
 mod error;
 mod extremes;
 mod functional;
+mod integrals;
 mod natural;
 mod parameter;
 mod points;
@@ -32,6 +33,7 @@ pub use extremes::step::{
     step_supremum,
 };
 pub use functional::{ExtremalPolygon, Functional, rule_at};
+pub use integrals::{InnerProductError, InnerProducts, basic, moments};
 pub use natural::{NaturalShift, Parametrisation, natural_shift};
 pub use parameter::is_fraction;
 pub use points::{Combination, LimitWeights, Points};

@@ -45,7 +45,7 @@ pub use map::{MAX_BOXES, MapBox, SmoothMap, smooth_map};
 pub use range::{SmoothRange, smooth_range};
 pub use range_error::SmoothRangeError;
 pub use region::{Certain, Sides};
-pub use reproduction::reproduction_degree;
+pub use reproduction::{reproduction_degree, reproduction_degree_at};
 pub use special::{SpecialValue, SpecialValues};
 pub use symbol::Symbol;
 pub use transition::transition_matrices;

@@ -1,7 +1,6 @@
 //! Polynomials that a scheme reproduces.
 
-use crate::exact::Rational;
-use crate::joint::Entry;
+use crate::exact::{Enclosed, Rational, Real};
 use crate::limit::natural_shift;
 use crate::scheme::Mask;
 
@@ -21,17 +20,22 @@ use crate::scheme::Mask;
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
 #[must_use]
-pub fn reproduction_degree<F: Entry>(mask: &Mask<F>) -> usize {
+pub fn reproduction_degree<F: Real + PartialEq + Enclosed>(mask: &Mask<F>) -> usize {
+    reproduction_degree_at(mask, &natural_shift(mask).shift)
+}
+
+/// As [`reproduction_degree`], with the points i of level k at (i + s)/n^k for this s: 0 for the parameters i/n^k.
+#[must_use]
+pub fn reproduction_degree_at<F: Real + PartialEq>(mask: &Mask<F>, shift: &F) -> usize {
     let number = |x: Rational| F::from_rational(&x);
-    let shift = natural_shift(mask).shift;
     let inverse = number(Rational::from(mask.arity()).recip());
     let holds = |degree: usize| {
         let power = |x: F| (0..degree).fold(number(Rational::one()), |power, _| power.times(&x));
         (0..).zip(mask.rules().rows()).all(|(alpha, row)| {
-            let places = (mask.offset()..).map(|i| power(number(Rational::from(i)).plus(&shift)));
+            let places = (mask.offset()..).map(|i| power(number(Rational::from(i)).plus(shift)));
             let terms = row.iter().zip(places);
             let sum = terms.fold(F::zero(), |sum, (a, x)| sum.plus(&a.times(&x)));
-            sum == power(number(Rational::from(alpha)).plus(&shift).times(&inverse))
+            sum == power(number(Rational::from(alpha)).plus(shift).times(&inverse))
         })
     };
     (1..mask.width()).find(|&degree| !holds(degree)).unwrap_or(mask.width()) - 1

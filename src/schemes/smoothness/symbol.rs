@@ -1,8 +1,8 @@
 //! The symbol of a mask.
 
 use crate::exact::{Rational, Scalar};
-use crate::joint::Entry;
-use crate::scheme::{Mask, Rules};
+use crate::scheme::{Mask, MaskError, Rules};
+use std::fmt::Display;
 
 /// z^lowest·P(z), P a polynomial with P(0) ≠ 0: the symbol of a scheme of arity n.
 ///
@@ -24,7 +24,7 @@ pub struct Symbol<F = Rational> {
     coefficients: Vec<F>,
 }
 
-impl<F: Entry> Symbol<F> {
+impl<F: Scalar + PartialEq> Symbol<F> {
     /// The symbol of a mask: a_{α,j} is the coefficient of z^{α − n(o+j)}.
     ///
     /// # Panics
@@ -118,6 +118,84 @@ impl<F: Entry> Symbol<F> {
         };
         let row = |alpha| (0..width).map(|j| entry(alpha, j)).collect();
         Rules::new((0..self.arity).map(row).collect(), 0).expect("rules as long as those of a mask")
+    }
+
+    /// The coefficient of z^`power`, 0 where there is none.
+    #[must_use]
+    pub fn coefficient(&self, power: i64) -> F {
+        let place = usize::try_from(i128::from(power) - i128::from(self.lowest)).ok();
+        place.and_then(|place| self.coefficients.get(place)).cloned().unwrap_or_else(F::zero)
+    }
+
+    /// The coefficients that are stored, each with its power.
+    pub fn terms(&self) -> impl Iterator<Item = (i64, &F)> {
+        (self.lowest..).zip(&self.coefficients)
+    }
+
+    /// The symbol of the inner products of basic limit functions: (1/n) a(z) b(1/z), of two symbols of arity n.
+    ///
+    /// With φ(x) = Σ_k a_k φ(nx − k) and ψ(x) = Σ_l b_l ψ(nx − l), the function g(y) = ∫ φ(x) ψ(x − y) dx satisfies g(y) =
+    /// Σ_j c_j g(ny − j) with c_j = (1/n) Σ_{k−l=j} a_k b_l.
+    ///
+    /// # Panics
+    /// When the arities differ.
+    #[must_use]
+    pub fn correlation(&self, other: &Symbol<F>) -> Symbol<F> {
+        assert_eq!(self.arity, other.arity, "symbols of one arity");
+        let (first, last) = (self.powers(), other.powers());
+        let mut sums = vec![F::zero(); self.coefficients.len() + other.coefficients.len() - 1];
+        let length = other.coefficients.len();
+        for (k, a) in self.coefficients.iter().enumerate() {
+            for (l, b) in other.coefficients.iter().enumerate() {
+                sums[k + length - 1 - l].accumulate(&a.times(b));
+            }
+        }
+        let over = F::from_rational(&Rational::from(self.arity).recip());
+        let sums = sums.iter().map(|sum| sum.times(&over)).collect();
+        Symbol::new(self.arity, first.0 - last.1, sums)
+    }
+
+    /// Whether Σ_k a_k b_{k+nm} is n for m = 0 and 0 for all other integers m: the condition for biorthogonal filters, which
+    /// is that on an orthogonal filter if both are one symbol.
+    ///
+    /// ```
+    /// use subcert::scheme::parse_scheme;
+    /// use subcert::smoothness::Symbol;
+    ///
+    /// let symbol = |name| Ok::<_, subcert::scheme::SchemeError>(Symbol::of(parse_scheme(name)?.masks()[0]));
+    /// let (haar, chaikin) = (symbol("b-spline:degree=0")?, symbol("chaikin")?);
+    /// assert!(haar.is_dual_to(&haar) && !chaikin.is_dual_to(&chaikin));
+    /// # Ok::<(), subcert::scheme::SchemeError>(())
+    /// ```
+    ///
+    /// # Panics
+    /// When the arities differ.
+    #[must_use]
+    pub fn is_dual_to(&self, other: &Symbol<F>) -> bool {
+        let n = i64::try_from(self.arity).expect("a small arity");
+        let products = self.correlation(other);
+        let of_multiples = products.terms().filter(|(power, c)| power % n == 0 && **c != F::zero());
+        let one = F::from_rational(&Rational::one());
+        let mut of_multiples = of_multiples.map(|(power, c)| power == 0 && *c == one);
+        of_multiples.next() == Some(true) && of_multiples.next().is_none()
+    }
+
+    /// The mask with this symbol, at the least offset: −⌊K/n⌋ for the highest power K.
+    ///
+    /// # Errors
+    /// When a rule does not sum to 1, or has too many coefficients.
+    ///
+    /// # Panics
+    /// Never.
+    pub fn mask(&self) -> Result<Mask<F>, MaskError>
+    where
+        F: Display,
+    {
+        let n = i64::try_from(self.arity).expect("a small arity");
+        let (low, high) = self.powers();
+        let places = -high.div_euclid(n)..=-low.div_euclid(n);
+        let row = |alpha: i64| places.clone().map(|at| self.coefficient(alpha - n * at)).collect();
+        Mask::new((0..n).map(row).collect(), *places.start())
     }
 }
 

@@ -1,0 +1,196 @@
+//! Functions of masks and of their basic limit functions.
+
+use crate::cap::Cap;
+use crate::evaluation::arguments::{index, narrow, within};
+use crate::evaluation::options::{Data, Options, Parameters};
+use crate::exact::{Rational, RealCyclotomic, Scalar as _};
+use crate::facts::{centre, is_interpolating};
+use crate::formula::{Call, CallError, FormulaErrorKind, Value};
+use crate::limit::{InnerProductError, InnerProducts, Limit, LimitError, basic, moments};
+use crate::scheme::Mask;
+use crate::smoothness::{Symbol, reproduction_degree, reproduction_degree_at};
+
+/// The greatest m of a moment.
+const MAX_MOMENT: i64 = 64;
+
+/// The greatest product of the numbers of coefficients of two masks.
+const MAX_PRODUCTS: usize = 1 << 22;
+
+/// The greatest number of residue classes of T_c when a contraction below 1 is looked for.
+const MAX_CLASSES: u64 = 65_536;
+
+/// The value of a function of a mask; `None` if there is no such function of so many arguments. `other` gives the mask of the
+/// scheme that a name stands for.
+pub(crate) fn of_mask<V: Value + PartialEq>(
+    mask: &Mask<V>,
+    call: &Call<'_, V>,
+    options: &mut Options<'_>,
+    other: impl FnOnce(&str) -> Result<Mask<V>, CallError>,
+) -> Option<Result<V, CallError>> {
+    let truth = |holds: bool| V::from_rational(&Rational::from(i64::from(holds)));
+    let count = |count: usize| V::from_rational(&Rational::from(count));
+    let number = |value: &RealCyclotomic| {
+        V::of_number(value).ok_or(CallError::Inner(FormulaErrorKind::Unsupported(IRRATIONAL)))
+    };
+    let support = |of: fn([Rational; 2]) -> Rational| {
+        let (first, last) = Symbol::of(&numbers(mask)?).support();
+        Ok(V::from_rational(&of([first, last])))
+    };
+    Some(match (call.function, call.arguments) {
+        ("coefficient", [k]) => {
+            index("a place in the mask", k).map(|k| Symbol::of(mask).coefficient(k))
+        }
+        ("symbol_at", [z]) => symbol_at(mask, z),
+        ("support", []) => support(|[first, last]| last - first),
+        ("support_start", []) => support(|[first, _]| first),
+        ("support_end", []) => support(|[_, last]| last),
+        ("symmetric", []) => {
+            numbers(mask).map(|mask| truth(centre(&Symbol::of(&mask)).is_some()))
+        }
+        ("interpolating", []) => numbers(mask).map(|mask| truth(is_interpolating(&mask))),
+        ("sum_rules", []) => numbers(mask).map(|mask| count(Symbol::of(&mask).sum_rules().0)),
+        ("generation", []) => {
+            // The rules sum to 1, so that the order is 1 at least.
+            numbers(mask).map(|mask| count(Symbol::of(&mask).sum_rules().0 - 1))
+        }
+        ("reproduction", []) => {
+            options.parameters().and_then(|parameters| Ok(count(degree(mask, parameters)?)))
+        }
+        ("approximation_order", []) => options.data().and_then(|data| match data {
+            Data::Sampled => Ok(count(degree(mask, Parameters::Natural)? + 1)),
+            Data::Adapted => Ok(count(Symbol::of(&numbers(mask)?).sum_rules().0)),
+        }),
+        ("moment", [m]) => within("the order of a moment", m, 0..=MAX_MOMENT).and_then(|m| {
+            let all = moments(&Symbol::of(&numbers(mask)?), narrow(m));
+            all.last().map_or_else(|| Ok(V::zero()), number)
+        }),
+        ("limit_value", [x]) => limit_value(mask, x),
+        ("inner_product", [k]) => inner_product(mask, k, options, other),
+        ("orthogonal", []) => dual(mask, mask).map(truth),
+        ("biorthogonal", []) => match options.take("with") {
+            Some(name) => other(&name).and_then(|other| dual(mask, &other)).map(truth),
+            None => Err(CallError::Misuse(
+                "name the other scheme: `biorthogonal(with = NAME)`".to_owned(),
+            )),
+        },
+        _ => return None,
+    })
+}
+
+const IRRATIONAL: &str = "this value is irrational, where only rational numbers can be used";
+
+/// The mask, whose coefficients are numbers.
+pub(crate) fn numbers<V: Value>(mask: &Mask<V>) -> Result<Mask<RealCyclotomic>, CallError> {
+    let all = mask.rules().rows().iter().flatten();
+    if all.clone().all(|entry| entry.number().is_some()) {
+        return Ok(mask.map(|entry| entry.number().unwrap_or_else(RealCyclotomic::zero)));
+    }
+    Err(CallError::Misuse("this needs a mask of numbers, and this one has symbols in it".to_owned()))
+}
+
+/// The mask, whose coefficients are rational.
+fn rational<V: Value>(mask: &Mask<V>) -> Result<Mask, CallError> {
+    let mask = numbers(mask)?;
+    let all = mask.rules().rows().iter().flatten();
+    if all.clone().all(|entry| entry.as_rational().is_some()) {
+        return Ok(mask.map(|entry| entry.as_rational().cloned().unwrap_or_else(Rational::zero)));
+    }
+    Err(CallError::Misuse("this is computed for rational masks only".to_owned()))
+}
+
+/// Σ_k a_k z^k.
+fn symbol_at<V: Value + PartialEq>(mask: &Mask<V>, z: &V) -> Result<V, CallError> {
+    let symbol = Symbol::of(mask);
+    let (low, high) = symbol.powers();
+    // By Horner's rule, from the highest power down to the lowest.
+    let value = (low..=high).rev().fold(V::zero(), |value, power| {
+        value.times(z).plus(&symbol.coefficient(power))
+    });
+    let one = V::from_rational(&Rational::one());
+    if low >= 0 {
+        return Ok((0..low).fold(value, |value, _| value.times(z)));
+    }
+    if *z == V::zero() {
+        return Err(CallError::Undefined("the symbol has no value at 0".to_owned()));
+    }
+    let inverse = one.divided(z).map_err(CallError::Inner)?;
+    Ok((low..0).fold(value, |value, _| value.times(&inverse)))
+}
+
+fn degree<V: Value>(mask: &Mask<V>, parameters: Parameters) -> Result<usize, CallError> {
+    let mask = numbers(mask)?;
+    Ok(match parameters {
+        Parameters::Natural => reproduction_degree(&mask),
+        Parameters::Indexed => reproduction_degree_at(&mask, &RealCyclotomic::zero()),
+    })
+}
+
+fn limit_value<V: Value>(mask: &Mask<V>, x: &V) -> Result<V, CallError> {
+    let x = x.as_rational().ok_or_else(|| {
+        CallError::Misuse(format!("a limit is computed at rational numbers, and not at {x}"))
+    })?;
+    let limit = Limit::new(&rational(mask)?).and_then(|limit| basic(&limit, &x));
+    limit.map(|value| V::from_rational(&value)).map_err(|error| unlimited(&error))
+}
+
+fn inner_product<V: Value>(
+    mask: &Mask<V>,
+    k: &V,
+    options: &mut Options<'_>,
+    other: impl FnOnce(&str) -> Result<Mask<V>, CallError>,
+) -> Result<V, CallError> {
+    let k = Rational::from(index("the distance of two functions", k)?);
+    let first = rational(mask)?;
+    let second = match options.take("with") {
+        Some(name) => rational(&other(&name)?)?,
+        None => first.clone(),
+    };
+    check_size(&first, &second)?;
+    let products = InnerProducts::new(&first, &second).map_err(|error| match error {
+        InnerProductError::Limit(error) => unlimited(&error),
+        InnerProductError::Mask(error) if error.cap().is_some() => {
+            error.cap().map_or_else(|| CallError::Misuse(error.to_string()), CallError::BeyondCap)
+        }
+        other => CallError::Misuse(other.to_string()),
+    })?;
+    products.at(&k).map(|value| V::from_rational(&value)).map_err(|error| unlimited(&error))
+}
+
+fn dual<V: Value>(first: &Mask<V>, second: &Mask<V>) -> Result<bool, CallError> {
+    let masks = [numbers(first)?, numbers(second)?];
+    let [first, second] = &masks;
+    if first.arity() != second.arity() {
+        let message = format!("the arities differ: {} and {}", first.arity(), second.arity());
+        return Err(CallError::Misuse(message));
+    }
+    check_size(first, second)?;
+    Ok(Symbol::of(first).is_dual_to(&Symbol::of(second)))
+}
+
+fn check_size<F: crate::exact::Scalar>(first: &Mask<F>, second: &Mask<F>) -> Result<(), CallError> {
+    let size = |mask: &Mask<F>| mask.arity() * mask.width();
+    if size(first).saturating_mul(size(second)) > MAX_PRODUCTS {
+        let what = "the number of coefficients of one mask times that of the other";
+        return Err(CallError::BeyondCap(Cap::new(what, MAX_PRODUCTS as u64)));
+    }
+    Ok(())
+}
+
+/// Why a limit has no value: there is none, or it is not shown that there is one.
+fn unlimited(error: &LimitError) -> CallError {
+    match error {
+        LimitError::NoLimit { .. } => CallError::Undefined(error.to_string()),
+        LimitError::NotShown { .. } => {
+            let what = "no contraction constant below 1 is found: the number of residue classes";
+            CallError::BeyondCap(Cap::new(what, MAX_CLASSES))
+        }
+        LimitError::Window(_) => {
+            let what = "the number of points that determine a limit";
+            CallError::BeyondCap(Cap::new(what, crate::limit::MAX_WINDOW as u64))
+        }
+        _ => CallError::BeyondCap(Cap::new(
+            "the number of digits after which those of a parameter repeat",
+            crate::limit::MAX_PERIOD.into(),
+        )),
+    }
+}
