@@ -1,12 +1,14 @@
-//! Equations between formulas.
+//! Equations and other relations between formulas.
 
 use super::table::LocatedReference;
 use crate::exact::Rational;
 use crate::formula::{LocatedFormula, Node};
 
-/// An equation, or a list of equations with indices.
+/// An equation or another relation, or a list of them with indices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {
+    /// Whether it is given as a relation, with one text for both sides and the sign between them.
+    pub is_relation: bool,
     /// Its id within the paper.
     pub id: String,
     /// Where it stands: `(3.20)`.
@@ -20,6 +22,12 @@ pub struct Equation {
 }
 
 impl Equation {
+    /// `equation` or `relation`.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        if self.is_relation { "relation" } else { "equation" }
+    }
+
     /// What it needs and the paper lacks.
     #[must_use]
     pub fn absent(&self) -> Option<&str> {
@@ -33,14 +41,14 @@ impl Equation {
 /// The claim of an equation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EquationBody {
-    /// left = right, for every value of the indices and as polynomials in the
+    /// Comparisons that hold for every value of the indices, and as polynomials in the
     /// symbols.
     Identity(Box<Identity>),
     /// The equation needs something that is absent from the paper; the text says what.
     NotCheckable(String),
 }
 
-/// Two sides that are claimed to be equal.
+/// What an equation or another relation claims.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identity {
     /// The scheme its functions are about.
@@ -51,10 +59,102 @@ pub struct Identity {
     pub hypotheses: Vec<Hypothesis>,
     /// The indices, the first one slowest.
     pub indices: Vec<Index>,
+    /// What is compared: of an equation one pair of sides, of `a < b <= c` two.
+    pub comparisons: Vec<Comparison>,
+    /// The text of a relation.
+    pub states: Option<String>,
+}
+
+impl Identity {
+    /// The comparison of an equation, or the first one.
+    ///
+    /// # Panics
+    /// Never: a claim compares something.
+    #[must_use]
+    pub fn first(&self) -> &Comparison {
+        self.comparisons.first().expect("a claim compares something")
+    }
+
+    /// Whether an index runs over all integers from some one on.
+    #[must_use]
+    pub fn is_for_all(&self) -> bool {
+        self.indices.iter().any(|index| matches!(index, Index::All { .. }))
+    }
+}
+
+/// Two sides and how they are claimed to be related.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
     /// The left side.
     pub left: Left,
-    /// The right side, one formula in the indices.
-    pub right: LocatedFormula,
+    /// The relation.
+    pub sign: Sign,
+    /// The right side, one formula in the indices; several where the left side is claimed to be one of them.
+    pub rights: Vec<LocatedFormula>,
+}
+
+impl Comparison {
+    /// left = right.
+    #[must_use]
+    pub fn equal(left: Left, right: LocatedFormula) -> Comparison {
+        Comparison { left, sign: Sign::Equal, rights: vec![right] }
+    }
+
+    /// The right side, or the first one.
+    ///
+    /// # Panics
+    /// Never: there is one.
+    #[must_use]
+    pub fn right(&self) -> &LocatedFormula {
+        self.rights.first().expect("a comparison has a right side")
+    }
+
+    /// All formulas of both sides.
+    pub fn formulas(&self) -> impl Iterator<Item = &LocatedFormula> {
+        self.left.formulas().iter().chain(&self.rights)
+    }
+}
+
+/// A relation between two sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// They are equal.
+    Equal,
+    /// They are not.
+    Unequal,
+    /// The left side is less than the right one.
+    Less,
+    /// It is not greater.
+    AtMost,
+    /// It is greater.
+    Greater,
+    /// It is not less.
+    AtLeast,
+    /// One side is a printed number, and the other side rounded or cut to its digits.
+    Near,
+    /// The left side is one of those on the right.
+    OneOf,
+    /// A formula stands alone; it is 1, and the right side is 1.
+    True,
+    /// A formula stands behind `not`; it is 0, and the right side is 0.
+    False,
+}
+
+impl Sign {
+    /// The sign in print.
+    #[must_use]
+    pub fn mark(self) -> &'static str {
+        match self {
+            Sign::Equal | Sign::True | Sign::False => "=",
+            Sign::Unequal => "≠",
+            Sign::Less => "<",
+            Sign::AtMost => "≤",
+            Sign::Greater => ">",
+            Sign::AtLeast => "≥",
+            Sign::Near => "≈",
+            Sign::OneOf => "∈",
+        }
+    }
 }
 
 /// The left side of an identity.
@@ -67,6 +167,15 @@ pub enum Left {
 }
 
 impl Left {
+    /// All of its formulas.
+    #[must_use]
+    pub fn formulas(&self) -> &[LocatedFormula] {
+        match self {
+            Left::One(formula) => std::slice::from_ref(formula),
+            Left::Each(formulas) => formulas,
+        }
+    }
+
     /// The left side in one case, counted from 0 in the order of the combinations.
     ///
     /// # Panics
@@ -102,6 +211,13 @@ pub enum Index {
         from: Box<LocatedFormula>,
         /// The last value.
         to: Box<LocatedFormula>,
+    },
+    /// All integers from one on.
+    All {
+        /// Its name in formulas.
+        name: String,
+        /// The first value.
+        from: i64,
     },
 }
 

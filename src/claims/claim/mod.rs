@@ -24,7 +24,7 @@ pub(crate) use domain::is_rounded;
 pub use domain::{Domain, Ends, RangeEnd};
 pub(crate) use embedded::embedded_paper;
 pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
-pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
+pub use equation::{Comparison, Equation, EquationBody, Hypothesis, Identity, Index, Left, Sign};
 pub use function::{FunctionClaim, Limit, RangeClaim};
 pub(crate) use kinds::with_kinds;
 pub use kinds::{Claim, Kind};

@@ -28,14 +28,21 @@ impl EquationFinding<'_> {
 /// The verdict of an equation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EquationVerdict {
-    /// Both sides are equal in all cases.
+    /// The claim is true in all cases.
     Holds {
-        /// The number of combinations of the indices.
+        /// The number of combinations of the indices, times that of the comparisons.
+        cases: usize,
+    },
+    /// The claim is true for all integers from one on.
+    Proved,
+    /// It is not decided for all integers from one on, and true in these cases.
+    Tried {
+        /// The number of combinations of the indices that were tried, times that of the comparisons.
         cases: usize,
     },
     /// They differ somewhere.
     Fails {
-        /// The number of combinations of the indices.
+        /// The number of combinations of the indices, times that of the comparisons; 1 of a claim about all integers from one on.
         cases: usize,
         /// The cases in which the sides differ.
         failures: Vec<Failure>,
@@ -53,7 +60,8 @@ impl EquationVerdict {
     #[must_use]
     pub fn word(&self) -> Word {
         match self {
-            EquationVerdict::Holds { .. } => Word::Holds,
+            EquationVerdict::Holds { .. } | EquationVerdict::Proved => Word::Holds,
+            EquationVerdict::Tried { .. } => Word::Open,
             EquationVerdict::Fails { .. } => Word::Fails,
             EquationVerdict::NotCheckable | EquationVerdict::BeyondCap(_) => Word::NotCheckable,
         }

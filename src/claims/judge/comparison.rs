@@ -1,22 +1,16 @@
-//! The two sides of an identity, in one case of its indices.
+//! The values of the sides of an identity, in one case of its indices.
 
 use crate::claim::{Hypothesis, Identity, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::shape::{Coefficients, Shapes, own_shape};
-use crate::exact::{Polynomial, Rational, Scalar};
+use crate::exact::{Polynomial, Scalar};
 use crate::formula::{Context, Expr, LocatedFormula, Scope, Work, evaluate};
+use crate::judge::cases::Case;
 use crate::judge::hypotheses;
 use std::cell::Cell;
 
-/// A combination of the indices.
-pub(crate) struct Case {
-    pub(crate) values: Vec<(String, Rational)>,
-    /// The values of the indices, in words.
-    pub(crate) text: String,
-}
-
 /// An identity with what its formulas refer to.
-pub(crate) struct Comparison<'a> {
+pub(crate) struct Sides<'a> {
     pub(crate) paper: &'a Paper,
     pub(crate) identity: &'a Identity,
     pub(crate) shapes: Shapes<'a, Polynomial>,
@@ -24,7 +18,7 @@ pub(crate) struct Comparison<'a> {
     pub(crate) spent: Cell<u64>,
 }
 
-impl Comparison<'_> {
+impl Sides<'_> {
     /// The value of `expr`, which stands in `formula` or instead of it.
     pub(crate) fn value(
         &self,
@@ -65,6 +59,9 @@ impl Comparison<'_> {
             for (name, value) in &case.values {
                 scope = scope.with(name, Polynomial::from_rational(value));
             }
+            for (name, _) in &case.symbolic {
+                scope = scope.with(name, Polynomial::variable(name));
+            }
             scope
         };
         // The members of a family that hypotheses name are symbols while these are solved.
@@ -81,7 +78,7 @@ impl Comparison<'_> {
                 family.is_some_and(|family| identity.symbols.iter().all(|known| known != family))
             });
             if let Some(unknown) = unknown {
-                let right = &identity.right;
+                let right = identity.first().right();
                 let message = format!("the hypotheses leave `{unknown}` open");
                 return Err(Diagnostic::new(&right.source, right.span.clone(), message)
                     .with_help("give it a value too, or name its family in `symbols`"));

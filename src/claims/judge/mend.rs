@@ -1,9 +1,10 @@
 //! The search for a change of one symbol that mends a failing identity.
 
-use crate::claim::Left;
+use crate::claim::{Left, Sign};
 use crate::exact::Rational;
 use crate::formula::{Expr, LocatedFormula, Node, Operator};
-use crate::judge::comparison::{Case, Comparison};
+use crate::judge::cases::Case;
+use crate::judge::comparison::Sides;
 
 /// The most changes that are reported; if there are more, the identity says too little.
 const MAX_MENDS: usize = 3;
@@ -23,16 +24,17 @@ const MAX_WORK: u64 = 20_000_000;
 /// a change that fits is luck. `failing` are the indices of the cases that fail. They are compared
 /// first, since nearly every change fails there too.
 pub(crate) fn search(
-    comparison: &Comparison<'_>,
+    comparison: &Sides<'_>,
     cases: &[Case],
     failing: &[usize],
 ) -> Vec<String> {
     let identity = comparison.identity;
-    if identity.symbols.is_empty() {
+    let [equation] = &identity.comparisons[..] else { return Vec::new() };
+    if identity.symbols.is_empty() || equation.sign != Sign::Equal {
         return Vec::new();
     }
-    let mut sides = vec![&identity.right];
-    if let Left::One(left) = &identity.left {
+    let mut sides = vec![equation.right()];
+    if let Left::One(left) = &equation.left {
         sides.push(left);
     }
     let order: Vec<usize> = failing.iter().copied().chain(0..cases.len()).collect();
@@ -64,7 +66,7 @@ pub(crate) fn search(
 
 /// Whether the identity holds in the `i`-th case with `changed` in place of `side`.
 fn holds(
-    comparison: &Comparison<'_>,
+    comparison: &Sides<'_>,
     i: usize,
     case: &Case,
     side: &LocatedFormula,
@@ -74,8 +76,8 @@ fn holds(
         let expr = if std::ptr::eq(formula, side) { changed } else { &formula.expr };
         comparison.value(formula, expr, case).ok()
     };
-    let identity = comparison.identity;
-    match (value(identity.left.formula(i)), value(&identity.right)) {
+    let equation = comparison.identity.first();
+    match (value(equation.left.formula(i)), value(equation.right())) {
         (Some(left), Some(right)) => left == right,
         _ => false,
     }

@@ -1,9 +1,11 @@
 //! Judging claims: one file for each kind of claim, and folders where a kind needs several.
 
+mod cases;
 mod compare;
 mod comparison;
 pub(crate) mod distance;
 pub(crate) mod equation;
+mod for_all;
 pub(crate) mod function;
 mod hypotheses;
 pub(crate) mod kind;
@@ -15,9 +17,10 @@ pub(crate) mod range;
 pub(crate) mod reading;
 mod recovery;
 pub(crate) mod related;
+mod relation;
 mod slips;
 pub(crate) mod smoothness;
 pub(crate) mod table;
 pub(crate) mod theorem;
 
-pub use equation::MAX_CASES;
+pub use cases::MAX_CASES;

@@ -1,20 +1,25 @@
-//! Equations: whether their sides are equal, and the difference of the sides where they are not.
+//! Equations and other relations: whether they hold, and the difference of the sides where they do not.
 
 use super::block::{Block, Certified, closed};
 use crate::audit::{EquationFinding, EquationVerdict, Failure};
-use crate::claim::{EquationBody, Identity, Left, Paper};
+use crate::claim::{EquationBody, Identity, Paper};
 
 impl Certified for EquationFinding<'_> {
     fn block(&self, _: &Paper) -> Block {
-        let mut block = Block::new("equation", &self.equation.id);
+        let mut block = Block::new(self.equation.kind(), &self.equation.id);
         match &self.equation.body {
             EquationBody::NotCheckable(absent) => block.restate("absent", absent),
             EquationBody::Identity(identity) => restate(&mut block, identity),
         }
         match &self.verdict {
             EquationVerdict::Holds { cases } => block.line(format!("holds {cases}")),
+            EquationVerdict::Proved => block.line("holds all"),
+            EquationVerdict::Tried { cases } => block.line(format!("tried {cases}")),
             EquationVerdict::Fails { cases, failures, .. } => {
-                block.line(format!("fails {cases}"));
+                block.line(match &self.equation.body {
+                    EquationBody::Identity(identity) if identity.is_for_all() => "fails all".to_owned(),
+                    _ => format!("fails {cases}"),
+                });
                 for failure in failures {
                     block.line(case(failure));
                 }
@@ -27,15 +32,14 @@ impl Certified for EquationFinding<'_> {
 }
 
 fn restate(block: &mut Block, identity: &Identity) {
-    match &identity.left {
-        Left::One(formula) => block.restate("left", &formula.text),
-        Left::Each(formulas) => {
-            for formula in formulas {
-                block.restate("left", &formula.text);
-            }
-        }
+    if let Some(states) = &identity.states {
+        return block.restate("states", states);
     }
-    block.restate("right", &identity.right.text);
+    let equation = identity.first();
+    for left in equation.left.formulas() {
+        block.restate("left", &left.text);
+    }
+    block.restate("right", &equation.right().text);
 }
 
 /// `case 3 1/2 = p[0]-p[1]`.

@@ -5,7 +5,7 @@ use super::fields::claim_table;
 use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
 use crate::claim::{
-    Equation, EquationBody, Hypothesis, Identity, Index, Left, LocatedReference, Paper,
+    Comparison, Equation, EquationBody, Hypothesis, Identity, Index, Left, LocatedReference, Paper,
 };
 use crate::diagnostic::Diagnostic;
 use crate::formula::{LocatedFormula, Node};
@@ -96,7 +96,7 @@ impl Reader<'_> {
                     ));
             }
         };
-        Ok(Equation { id, locus, title, body, note })
+        Ok(Equation { is_relation: false, id, locus, title, body, note })
     }
 
     fn identity(
@@ -108,16 +108,21 @@ impl Reader<'_> {
     ) -> Result<Identity, Diagnostic> {
         let indices = table.indices.iter().map(|axis| self.index(axis));
         let indices = indices.collect::<Result<Vec<Index>, Diagnostic>>()?;
-        let symbols = table.symbols.iter().map(|symbol| identifier(self.source, symbol));
-        let hypotheses = table.hypotheses.iter().map(|text| self.hypothesis(text));
-        Ok(Identity {
-            scheme,
-            symbols: symbols.collect::<Result<_, _>>()?,
-            hypotheses: hypotheses.collect::<Result<_, _>>()?,
-            left: self.left(left, &indices)?,
-            indices,
-            right: formula(self.source, right)?,
-        })
+        let left = self.left(left, &indices)?;
+        let comparisons = vec![Comparison::equal(left, formula(self.source, right)?)];
+        let (symbols, hypotheses) = self.presupposed(&table.symbols, &table.hypotheses)?;
+        Ok(Identity { scheme, symbols, hypotheses, indices, comparisons, states: None })
+    }
+
+    /// The symbols and the hypotheses of a claim.
+    pub(super) fn presupposed(
+        &self,
+        symbols: &[Spanned<String>],
+        hypotheses: &[Spanned<String>],
+    ) -> Result<(Vec<String>, Vec<Hypothesis>), Diagnostic> {
+        let symbols = symbols.iter().map(|symbol| identifier(self.source, symbol));
+        let hypotheses = hypotheses.iter().map(|text| self.hypothesis(text));
+        Ok((symbols.collect::<Result<_, _>>()?, hypotheses.collect::<Result<_, _>>()?))
     }
 
     fn left(&self, left: &Spanned<LeftField>, indices: &[Index]) -> Result<Left, Diagnostic> {

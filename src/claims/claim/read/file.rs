@@ -58,6 +58,8 @@ claim_file! {
     table: super::table::TableTable,
     /// Equations.
     equation: super::equation::EquationTable,
+    /// Relations between formulas, and what is so of a scheme.
+    relation: super::relation::RelationTable,
     /// Closed forms in a free parameter.
     function: super::function::FunctionTable,
     /// Ranges of a parameter in which a value is limited, or limits are smooth.

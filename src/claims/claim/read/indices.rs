@@ -5,7 +5,7 @@ use super::kind::{Formulas, Placed, Role, of_reference, placed};
 use super::reader::Reader;
 use super::roles::{AllRoles, Roles};
 use crate::claim::{
-    Claim, Equation, EquationBody, FunctionClaim, Index, Left, LocatedReference, Paper, Promise,
+    Claim, Comparison, Equation, EquationBody, FunctionClaim, Index, LocatedReference, Paper, Promise,
     RangeClaim, SmoothnessBody, SmoothnessClaim, Statement, THEOREM_NAMES, Table, Theorem,
     with_kinds,
 };
@@ -144,12 +144,9 @@ impl Formulas for Table {
 impl Formulas for Equation {
     fn formulas(&self) -> Vec<Placed<'_>> {
         let EquationBody::Identity(identity) = &self.body else { return Vec::new() };
-        let mut formulas = vec![placed(&identity.right)];
+        let sides = identity.comparisons.iter().flat_map(Comparison::formulas);
+        let mut formulas: Vec<Placed<'_>> = sides.map(placed).collect();
         formulas.extend(identity.scheme.iter().flat_map(of_reference));
-        match &identity.left {
-            Left::One(left) => formulas.push(placed(left)),
-            Left::Each(lefts) => formulas.extend(lefts.iter().map(placed)),
-        }
         let sides = identity.hypotheses.iter().flat_map(|one| [&one.member, &one.value]);
         formulas.extend(sides.map(placed));
         for index in &identity.indices {

@@ -1,8 +1,9 @@
-//! The report of equations.
+//! The report of equations and other relations.
 
 use super::function::beyond;
 use crate::audit::{EquationFinding, EquationVerdict};
-use crate::claim::{EquationBody, Identity, Index, Left};
+use crate::audit::Failure;
+use crate::claim::{Comparison, EquationBody, Identity, Index, Sign};
 use crate::exact::{Rational, Rounding};
 
 /// How many cases a failing equation shows.
@@ -16,6 +17,10 @@ pub(crate) fn outcome(finding: &EquationFinding<'_>) -> String {
         EquationVerdict::Holds { cases } => {
             format!("holds in all {cases} cases{}", compared(finding))
         }
+        EquationVerdict::Proved => format!("holds{}", compared(finding)),
+        EquationVerdict::Tried { cases } => {
+            format!("true in the {cases} cases that were tried; open{}", compared(finding))
+        }
         EquationVerdict::NotCheckable => {
             format!("not checkable without {}", finding.equation.absent().unwrap_or_default())
         }
@@ -25,16 +30,37 @@ pub(crate) fn outcome(finding: &EquationFinding<'_>) -> String {
                 1 => "fails".to_owned(),
                 _ => format!("fails in {} of {cases} cases", failures.len()),
             }];
-            for failure in failures.iter().take(MAX_FAILURES) {
-                let at =
-                    if failure.at.is_empty() { String::new() } else { format!("{}: ", failure.at) };
-                lines.push(format!("{at}left − right = {}", failure.difference()));
-            }
+            let shown = failures.iter().take(MAX_FAILURES);
+            lines.extend(shown.map(|failure| difference(finding, failure)));
             lines.extend(rounded(&finding.verdict));
             lines.extend(mends.iter().map(|mend| format!("It holds with one side as {mend}")));
             lines.extend(finding.equation.note.clone());
             lines.join("\n")
         }
+    }
+}
+
+/// A case in which a claim is false: the difference of the sides of an equation, the values of those of another relation.
+pub(crate) fn difference(finding: &EquationFinding<'_>, failure: &Failure) -> String {
+    let at = if failure.at.is_empty() { String::new() } else { format!("{}: ", failure.at) };
+    if finding.equation.is_relation {
+        format!("{at}{}", values(finding, failure))
+    } else {
+        format!("{at}left − right = {}", failure.difference())
+    }
+}
+
+/// `the value is 3`, or `left = 3/8, right = 1/4`.
+pub(crate) fn values(finding: &EquationFinding<'_>, failure: &Failure) -> String {
+    let EquationBody::Identity(identity) = &finding.equation.body else { return String::new() };
+    // The right sides that the claim states by a number say themselves.
+    let plain = |sign| matches!(sign, Sign::True | Sign::False | Sign::OneOf);
+    let stated = |comparison: &Comparison| comparison.right().text == failure.right.to_string();
+    match &identity.comparisons[..] {
+        [comparison] if plain(comparison.sign) || stated(comparison) => {
+            format!("the value is {}", failure.left)
+        }
+        _ => format!("left = {}, right = {}", failure.left, failure.right),
     }
 }
 
@@ -58,6 +84,7 @@ fn compared(finding: &EquationFinding<'_>) -> String {
     let index = |index: &Index| match index {
         Index::Range { label, from, to, .. } => format!(", {label} = {}…{}", from.text, to.text),
         Index::Listed { label, values, .. } => format!(", {label} = {}", listed(values)),
+        Index::All { name, from } => format!(" for all {name} ≥ {from}"),
     };
     identity.indices.iter().map(index).collect()
 }
@@ -81,13 +108,13 @@ pub(crate) fn sides(identity: &Identity) -> Vec<(String, String)> {
     if !identity.symbols.is_empty() {
         facts.push(("symbols".to_owned(), identity.symbols.join(", ")));
     }
-    let left = match &identity.left {
-        Left::One(formula) => formula.text.clone(),
-        Left::Each(formulas) => {
-            formulas.iter().map(|formula| formula.text.as_str()).collect::<Vec<&str>>().join(", ")
-        }
-    };
-    facts.push(("left".to_owned(), left));
-    facts.push(("right".to_owned(), identity.right.text.clone()));
+    if let Some(states) = &identity.states {
+        facts.push(("states".to_owned(), states.clone()));
+        return facts;
+    }
+    let equation = identity.first();
+    let lefts: Vec<&str> = equation.left.formulas().iter().map(|left| left.text.as_str()).collect();
+    facts.push(("left".to_owned(), lefts.join(", ")));
+    facts.push(("right".to_owned(), equation.right().text.clone()));
     facts
 }

@@ -3,7 +3,7 @@
 use super::math::{bracketed, inner};
 use super::names::name;
 use crate::audit::PaperAudit;
-use crate::claim::{Identity, Index, Left, Quantity};
+use crate::claim::{Comparison, Identity, Index, Left, Quantity, Sign};
 use crate::formula::LocatedFormula;
 use maud::{Markup, html};
 
@@ -58,27 +58,44 @@ pub(crate) fn is_long(located: &LocatedFormula) -> bool {
     located.text.chars().count() > HALF
 }
 
-/// left = right, for the values of the indices.
+/// left = right, or another relation, for the values of the indices.
 pub(crate) fn identity(identity: &Identity) -> Markup {
-    let right = || inner(&identity.right.expr);
-    let long = match &identity.left {
-        Left::One(left) => left.text.len() + identity.right.text.len() > SUMS,
-        Left::Each(all) => all.iter().chain([&identity.right]).any(is_long),
+    let length = |comparison: &Comparison| comparison.formulas().map(|side| side.text.len()).sum::<usize>();
+    let long = match &identity.first().left {
+        Left::One(_) => identity.comparisons.iter().map(length).sum::<usize>() > SUMS,
+        Left::Each(_) => identity.first().formulas().any(is_long),
     };
     html! {
         div.scroll.wide[long] tabindex="0" role="group" aria-label="equation" {
-            @match &identity.left {
-                Left::One(left) => { (block(&html! { (inner(&left.expr)) mo { "=" } (right()) })) }
-                Left::Each(all) => {
-                    @for left in all { (block(&inner(&left.expr))) }
-                    p { "each equal to" }
-                    (block(&right()))
-                }
-            }
+            @for comparison in &identity.comparisons { (compared(comparison)) }
         }
         @if !identity.indices.is_empty() {
             p.indices { "for " (identity.indices.iter().map(index).collect::<Vec<String>>().join(", ")) }
         }
+    }
+}
+
+fn compared(comparison: &Comparison) -> Markup {
+    let right = inner(&comparison.right().expr);
+    match (&comparison.left, comparison.sign) {
+        (Left::One(left), Sign::OneOf) => block(&html! {
+            (inner(&left.expr)) mo { "∈" } mo { "{" }
+            @for (i, member) in comparison.rights.iter().enumerate() {
+                @if i > 0 { mo { "," } }
+                (inner(&member.expr))
+            }
+            mo { "}" }
+        }),
+        (Left::One(left), Sign::True) => block(&inner(&left.expr)),
+        (Left::One(left), Sign::False) => block(&html! { mo { "¬" } (inner(&left.expr)) }),
+        (Left::One(left), sign) => {
+            block(&html! { (inner(&left.expr)) mo { (sign.mark()) } (right) })
+        }
+        (Left::Each(all), _) => html! {
+            @for left in all { (block(&inner(&left.expr))) }
+            p { "each equal to" }
+            (block(&right))
+        },
     }
 }
 
@@ -90,5 +107,6 @@ fn index(index: &Index) -> String {
             let values: Vec<&str> = values.iter().map(|(_, printed)| printed.as_str()).collect();
             format!("{label} = {}", values.join(", "))
         }
+        Index::All { name, from } => format!("all {name} ≥ {from}"),
     }
 }

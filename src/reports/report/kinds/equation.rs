@@ -56,11 +56,13 @@ impl<'a> Told<'a> for EquationFinding<'a> {
                 (None, None, equation.absent().map(|absent| format!("missing: {absent}")))
             }
             EquationVerdict::BeyondCap(cap) => (None, None, Some(cap.to_string())),
-            EquationVerdict::Holds { .. } => (None, None, None),
+            EquationVerdict::Holds { .. }
+            | EquationVerdict::Proved
+            | EquationVerdict::Tried { .. } => (None, None, None),
         };
         let details = Details::Equation { failures, mends };
         let (title, verdict) = (equation.title.as_str(), self.verdict.word().name());
-        let claim = Claim::plain(&self.id, &equation.locus, "equation", title, verdict, details);
+        let claim = Claim::plain(&self.id, &equation.locus, equation.kind(), title, verdict, details);
         vec![Claim { note: joined(absent, equation.note.as_deref()), ..claim }]
     }
 
@@ -69,7 +71,9 @@ impl<'a> Told<'a> for EquationFinding<'a> {
             sheet.facts(equation::sides(identity));
         }
         sheet.text(format!("{} {}", self.verdict.word().mark(), self.outcome()));
-        if let EquationVerdict::Fails { failures, .. } = &self.verdict {
+        if let EquationVerdict::Fails { failures, .. } = &self.verdict
+            && !self.equation.is_relation
+        {
             let fact = |failure: &Failure| {
                 let sides = format!("left  = {}\nright = {}", failure.left, failure.right);
                 (failure.at.clone(), sides)
@@ -92,15 +96,18 @@ impl<'a> Told<'a> for EquationFinding<'a> {
             return (Vec::new(), origin.collect());
         };
         let mut facts = equation::sides(identity);
-        let numbers = matches!(identity.left, Left::Each(_));
-        let mut lines = vec![format!("in {} of {cases} cases", failures.len())];
+        let numbers = matches!(identity.first().left, Left::Each(_));
+        let mut lines = Vec::new();
+        if !identity.is_for_all() {
+            lines.push(format!("in {} of {cases} cases", failures.len()));
+        }
         for failure in failures.iter().take(MAX_CASES) {
             let at =
                 if failure.at.is_empty() { String::new() } else { format!("{}: ", failure.at) };
             lines.push(if numbers {
                 format!("{at}printed {}, correct {}", failure.left, failure.right)
             } else {
-                format!("{at}left − right = {}", failure.difference())
+                equation::difference(self, failure)
             });
         }
         let more = failures.len().saturating_sub(MAX_CASES);

@@ -1,0 +1,204 @@
+//! The texts of relations: `a < b <= c`, `x in {1, 2}`, `not symmetric()`, and `all n >= 2`.
+
+use crate::claim::Sign;
+use std::ops::Range;
+
+/// The signs of relations. Of two that begin alike, the longer one stands first.
+const SIGNS: [(&str, Sign); 11] = [
+    ("!=", Sign::Unequal),
+    ("<=", Sign::AtMost),
+    (">=", Sign::AtLeast),
+    ("≠", Sign::Unequal),
+    ("≤", Sign::AtMost),
+    ("≥", Sign::AtLeast),
+    ("≈", Sign::Near),
+    ("~", Sign::Near),
+    ("=", Sign::Equal),
+    ("<", Sign::Less),
+    (">", Sign::Greater),
+];
+
+/// A statement, with the texts of its formulas.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Statement<'t> {
+    /// Formulas with signs between them.
+    Chain(&'t str, Vec<(Sign, &'t str)>),
+    /// One formula, after `not` or not.
+    Alone(&'t str, bool),
+    /// A formula that is claimed to be one of those.
+    OneOf(&'t str, Vec<&'t str>),
+    /// A formula that is claimed to be between two others: `x in [a, b)`.
+    Between(&'t str, [(Sign, &'t str); 2]),
+}
+
+/// Why a text is no statement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum NoStatement {
+    /// Nothing stands on one side of a sign.
+    NoSide,
+    /// What stands behind `in` is no set.
+    NoSet,
+    /// There is a sign beside `in`.
+    SignAndSet,
+    /// A bracket has no partner.
+    Bracket,
+}
+
+/// The statement that a text makes.
+pub(super) fn statement(text: &str) -> Result<Statement<'_>, NoStatement> {
+    let outer = outer(text).ok_or(NoStatement::Bracket)?;
+    let signs = signs(text, &outer);
+    if let Some(at) = word(text, &outer, "in") {
+        if !signs.is_empty() {
+            return Err(NoStatement::SignAndSet);
+        }
+        return set(side(&text[..at.start])?, text[at.end..].trim());
+    }
+    let Some((_, first)) = signs.first() else {
+        let trimmed = text.trim();
+        let negated = trimmed.strip_prefix("not").filter(|rest| rest.starts_with(char::is_whitespace));
+        return Ok(Statement::Alone(side(negated.unwrap_or(trimmed))?, negated.is_none()));
+    };
+    let left = side(&text[..first.start])?;
+    let ends = signs.iter().skip(1).map(|(_, at)| at.start).chain([text.len()]);
+    let parts = signs.iter().zip(ends);
+    let parts = parts.map(|((sign, at), end)| Ok((*sign, side(&text[at.end..end])?)));
+    Ok(Statement::Chain(left, parts.collect::<Result<_, NoStatement>>()?))
+}
+
+fn side(text: &str) -> Result<&str, NoStatement> {
+    Some(text.trim()).filter(|text| !text.is_empty()).ok_or(NoStatement::NoSide)
+}
+
+/// `{a, b}`, `[a, b]`, `(a, b]`, `[a, b)` or `(a, b)`.
+fn set<'t>(left: &'t str, text: &'t str) -> Result<Statement<'t>, NoStatement> {
+    let mut inner = text.chars();
+    let ends = inner.next().zip(inner.next_back()).ok_or(NoStatement::NoSet)?;
+    let members = separated(inner.as_str()).ok_or(NoStatement::Bracket)?;
+    let members = members.into_iter().map(side).collect::<Result<Vec<&str>, _>>()?;
+    match (ends, &members[..]) {
+        (('{', '}'), _) => Ok(Statement::OneOf(left, members)),
+        ((open @ ('[' | '('), close @ (']' | ')')), [low, high]) => {
+            let low = (if open == '[' { Sign::AtMost } else { Sign::Less }, *low);
+            let high = (if close == ']' { Sign::AtMost } else { Sign::Less }, *high);
+            Ok(Statement::Between(left, [low, high]))
+        }
+        _ => Err(NoStatement::NoSet),
+    }
+}
+
+/// The parts between the commas outside of brackets; `None` if a bracket has no partner.
+pub(super) fn separated(text: &str) -> Option<Vec<&str>> {
+    let outer = outer(text)?;
+    let mut parts = Vec::new();
+    let mut from = 0;
+    for at in outer.into_iter().filter(|at| text[*at..].starts_with(',')) {
+        parts.push(&text[from..at]);
+        from = at.checked_add(1)?;
+    }
+    parts.push(&text[from..]);
+    Some(parts)
+}
+
+/// The places of the characters outside of brackets; `None` if a bracket has no partner. The set of an interval may open and
+/// close with different ones, so that only their number counts.
+fn outer(text: &str) -> Option<Vec<usize>> {
+    let (mut depth, mut outer) = (0_usize, Vec::new());
+    for (at, c) in text.char_indices() {
+        match c {
+            '(' | '[' | '{' => depth = depth.checked_add(1)?,
+            ')' | ']' | '}' => depth = depth.checked_sub(1)?,
+            _ if depth == 0 => outer.push(at),
+            _ => {}
+        }
+    }
+    (depth == 0).then_some(outer)
+}
+
+/// The signs outside of brackets, with their places.
+fn signs(text: &str, outer: &[usize]) -> Vec<(Sign, Range<usize>)> {
+    let mut found: Vec<(Sign, Range<usize>)> = Vec::new();
+    for &at in outer {
+        let within = found.last().is_some_and(|(_, last)| at < last.end);
+        let sign = SIGNS.iter().find(|(mark, _)| text[at..].starts_with(mark));
+        if let Some((mark, sign)) = sign.filter(|_| !within) {
+            found.push((*sign, at..at.saturating_add(mark.len())));
+        }
+    }
+    found
+}
+
+/// The place of a word outside of brackets.
+fn word(text: &str, outer: &[usize], word: &str) -> Option<Range<usize>> {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == '-';
+    outer.iter().find_map(|&at| {
+        let after = text[at..].strip_prefix(word)?;
+        let alone = !text[..at].ends_with(is_part) && !after.starts_with(is_part);
+        alone.then(|| at..at.saturating_add(word.len()))
+    })
+}
+
+/// The values of an index.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Values<'t> {
+    /// `n = 2..8`
+    Range(&'t str, &'t str),
+    /// `n = 2, 4, 8`
+    Listed(Vec<&'t str>),
+    /// `all n >= 2`
+    All(Option<&'t str>),
+}
+
+/// An index with its values: `n = 2..8`, `n = 2, 4, 8`, `all n` or `all n >= 2`.
+pub(super) fn index(text: &str) -> Option<(&str, Values<'_>)> {
+    let text = text.trim();
+    if let Some(rest) = text.strip_prefix("all").filter(|rest| rest.starts_with(char::is_whitespace)) {
+        let bound = [">=", "≥"].into_iter().find_map(|sign| rest.split_once(sign));
+        let (name, from) = bound.map_or((rest, None), |(name, from)| (name, Some(from.trim())));
+        return Some((name.trim(), Values::All(from)));
+    }
+    let (name, values) = text.split_once('=')?;
+    let values = match values.split_once("..") {
+        Some((from, to)) => Values::Range(from.trim(), to.trim()),
+        None => Values::Listed(values.split(',').map(str::trim).collect()),
+    };
+    Some((name.trim(), values))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{NoStatement, Statement, Values, index, statement};
+    use crate::claim::Sign;
+
+    #[test]
+    fn signs_and_sets_count_outside_of_brackets() {
+        let chain = |text| statement(text).expect("a statement");
+        assert_eq!(
+            chain("0 < displacement(offset = best) <= 1/4"),
+            Statement::Chain(
+                "0",
+                vec![(Sign::Less, "displacement(offset = best)"), (Sign::AtMost, "1/4")]
+            )
+        );
+        assert_eq!(chain("not symmetric(s)"), Statement::Alone("symmetric(s)", false));
+        assert_eq!(chain("nothing(s)"), Statement::Alone("nothing(s)", true));
+        assert_eq!(chain("x in {1, max(2, 3)}"), Statement::OneOf("x", vec!["1", "max(2, 3)"]));
+        let ends = [(Sign::AtMost, "0"), (Sign::Less, "max(1, 2)")];
+        assert_eq!(chain("x in [0, max(1, 2))"), Statement::Between("x", ends));
+        assert_eq!(statement("x in (1)"), Err(NoStatement::NoSet));
+        assert_eq!(statement("x = y in {1}"), Err(NoStatement::SignAndSet));
+        assert_eq!(statement("x = "), Err(NoStatement::NoSide));
+        assert_eq!(statement("x = (1"), Err(NoStatement::Bracket));
+        assert_eq!(chain("a≤b"), Statement::Chain("a", vec![(Sign::AtMost, "b")]));
+    }
+
+    #[test]
+    fn indices() {
+        assert_eq!(index("n = 2..8"), Some(("n", Values::Range("2", "8"))));
+        assert_eq!(index("n=2, 4"), Some(("n", Values::Listed(vec!["2", "4"]))));
+        assert_eq!(index("all n"), Some(("n", Values::All(None))));
+        assert_eq!(index("all n ≥ -3"), Some(("n", Values::All(Some("-3")))));
+        assert_eq!(index("allow = 1"), Some(("allow", Values::Listed(vec!["1"]))));
+        assert_eq!(index("n"), None);
+    }
+}

@@ -1,0 +1,107 @@
+//! Proofs for all integers from one on.
+
+use super::cases::Case;
+use super::comparison::Sides;
+use super::relation::holds;
+use crate::claim::{Comparison, Sign};
+use crate::diagnostic::Diagnostic;
+use crate::exact::{Polynomial, Rational};
+use crate::formula::Value as _;
+
+/// The most integers that are tried one by one.
+const MAX_TRIED: i64 = 10_000;
+
+/// What is known of a comparison for all values of the indices that are symbols.
+pub(super) enum ForAll {
+    /// It is true for all of them.
+    Proved,
+    /// It is false for this value of the only one.
+    FalseAt(i64),
+    /// It is not a comparison of polynomials in them, or not one that is decided here.
+    Unknown,
+}
+
+/// Decides a comparison as one of polynomials in the indices without values.
+///
+/// For `=`, the difference is the polynomial 0. Otherwise let d(t) = Σ_{i≤g} c_i t^i be the difference of the sides, t the only index
+/// and no symbol in it. From b = ⌈1 + max_{i<g} |c_i/c_g|⌉ + 1 on, Cauchy's bound for roots, d has the sign of c_g and is not 0;
+/// the integers up to b are tried.
+pub(super) fn decide(
+    sides: &Sides<'_>,
+    comparison: &Comparison,
+    case: &Case,
+) -> Result<ForAll, Diagnostic> {
+    let printed = comparison.left.formula(0);
+    let value = |formula: &crate::formula::LocatedFormula| sides.value(formula, &formula.expr, case);
+    let Ok(left) = value(printed) else { return Ok(ForAll::Unknown) };
+    let rights: Result<Vec<Polynomial>, Diagnostic> = comparison.rights.iter().map(value).collect();
+    let Ok(rights) = rights else { return Ok(ForAll::Unknown) };
+    let differences: Vec<Polynomial> = rights.iter().map(|right| &left - right).collect();
+    if matches!(comparison.sign, Sign::Equal | Sign::OneOf)
+        && differences.iter().any(Polynomial::is_zero)
+    {
+        return Ok(ForAll::Proved);
+    }
+    let [(name, first)] = &case.symbolic[..] else { return Ok(ForAll::Unknown) };
+    let alone = differences.iter().all(|difference| difference.number().is_some());
+    if alone {
+        return Ok(match holds(comparison, printed, &left, &rights) {
+            Ok(true) => ForAll::Proved,
+            Ok(false) => ForAll::FalseAt(*first),
+            Err(_) => ForAll::Unknown,
+        });
+    }
+    if matches!(comparison.sign, Sign::Near | Sign::True | Sign::False) {
+        return Ok(ForAll::Unknown);
+    }
+    let mut last = *first;
+    for difference in &differences {
+        let Some(bound) = bound(difference, name) else { return Ok(ForAll::Unknown) };
+        last = last.max(bound);
+    }
+    if last - first > MAX_TRIED {
+        return Ok(ForAll::Unknown);
+    }
+    for t in *first..=last {
+        let at = |polynomial: &Polynomial| at(polynomial, name, t);
+        let (Some(left), Some(rights)) = (at(&left), rights.iter().map(at).collect::<Option<Vec<_>>>())
+        else {
+            return Ok(ForAll::Unknown);
+        };
+        match holds(comparison, printed, &left, &rights) {
+            Ok(true) => {}
+            Ok(false) => return Ok(ForAll::FalseAt(t)),
+            Err(_) => return Ok(ForAll::Unknown),
+        }
+    }
+    // Behind the bound no difference is 0, and each has the sign that it has at the bound.
+    Ok(if comparison.sign == Sign::OneOf || comparison.sign == Sign::Equal {
+        ForAll::FalseAt(last + 1)
+    } else {
+        ForAll::Proved
+    })
+}
+
+/// The coefficients of a polynomial in `name` alone, which are rational.
+fn coefficients(polynomial: &Polynomial, name: &str) -> Option<Vec<Rational>> {
+    let all = polynomial.coefficients_in(name)?;
+    all.iter().map(|c| c.as_rational().cloned()).collect()
+}
+
+/// An integer from which on the polynomial has the sign of its highest coefficient.
+fn bound(polynomial: &Polynomial, name: &str) -> Option<i64> {
+    let coefficients = coefficients(polynomial, name)?;
+    let (highest, others) = coefficients.split_last()?;
+    let ratios = others.iter().map(|c| (c / highest).abs());
+    let most = ratios.fold(Rational::zero(), Rational::max);
+    let bound = (most + Rational::from(1)).ceil() + crate::exact::Integer::one();
+    bound.within(1 << 32)
+}
+
+/// The value of a polynomial at an integer.
+fn at(polynomial: &Polynomial, name: &str, t: i64) -> Option<Polynomial> {
+    let coefficients = coefficients(polynomial, name)?;
+    let t = Rational::from(t);
+    let value = coefficients.iter().rev().fold(Rational::zero(), |value, c| value * &t + c);
+    Some(Polynomial::constant(value))
+}
