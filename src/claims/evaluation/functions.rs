@@ -3,7 +3,7 @@
 use crate::formula::CallError;
 
 /// The calls of all functions, each with its meaning, for help texts.
-pub const QUANTITIES: [(&str, &str); 29] = [
+pub const QUANTITIES: [(&str, &str); 32] = [
     ("contraction(c, order = adjoint|forward)", "T_c; with `terms = total` and c = 1, max |Σ b|"),
     ("norm(c, order = adjoint|forward)", "Λ_c, the norm of the scheme"),
     ("tensor(c, order = …, suprema = independent|joint)", "T_c·Λ_c of the tensor product"),
@@ -52,6 +52,9 @@ pub const QUANTITIES: [(&str, &str); 29] = [
     ("moment(m)", "∫ x^m φ(x) dx"),
     ("limit_value(x)", "φ(x), φ the limit of 1 at 0 and 0 elsewhere"),
     ("inner_product(k, with = NAME)", "∫ φ(x) ψ(x - k) dx; ψ is φ without `with`"),
+    ("positive()", "1 if the limits of all non-negative data are not negative, else 0"),
+    ("monotone()", "1 if the limits of all increasing data increase, else 0"),
+    ("convex()", "1 if the limits of all convex data are convex, else 0"),
     ("orthogonal()", "1 if Σ a_k a_(k+nm) is n for m = 0 and else 0, else 0"),
     ("biorthogonal(with = NAME)", "the same of a_k and the b_k of another scheme"),
 ];

@@ -6,7 +6,9 @@ use crate::evaluation::options::{Data, Options, Parameters};
 use crate::exact::{Rational, RealCyclotomic, Scalar as _};
 use crate::facts::{centre, is_interpolating};
 use crate::formula::{Call, CallError, FormulaErrorKind, Value};
-use crate::limit::{InnerProductError, InnerProducts, Limit, LimitError, basic, moments};
+use crate::limit::{
+    InnerProductError, InnerProducts, Kept, Limit, LimitError, Shape, basic, moments, shape_kept,
+};
 use crate::scheme::Mask;
 use crate::smoothness::{Symbol, reproduction_degree, reproduction_degree_at};
 
@@ -66,6 +68,9 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
         }),
         ("limit_value", [x]) => limit_value(mask, x),
         ("inner_product", [k]) => inner_product(mask, k, options, other),
+        ("positive", []) => keeps(mask, Shape::Positive).map(truth),
+        ("monotone", []) => keeps(mask, Shape::Monotone).map(truth),
+        ("convex", []) => keeps(mask, Shape::Convex).map(truth),
         ("orthogonal", []) => dual(mask, mask).map(truth),
         ("biorthogonal", []) => match options.take("with") {
             Some(name) => other(&name).and_then(|other| dual(mask, &other)).map(truth),
@@ -154,6 +159,19 @@ fn inner_product<V: Value>(
         other => CallError::Misuse(other.to_string()),
     })?;
     products.at(&k).map(|value| V::from_rational(&value)).map_err(|error| unlimited(&error))
+}
+
+/// Whether all limits of data with a shape have it.
+fn keeps<V: Value>(mask: &Mask<V>, shape: Shape) -> Result<bool, CallError> {
+    let limit = Limit::new(&rational(mask)?).map_err(|error| unlimited(&error))?;
+    match shape_kept(&limit, shape).map_err(|error| unlimited(&error))? {
+        Kept::Always { .. } => Ok(true),
+        Kept::NotAlways { .. } | Kept::NoLines => Ok(false),
+        Kept::Open { levels } => {
+            let what = "the shape of limits is not decided: the number of levels";
+            Err(CallError::BeyondCap(Cap::new(what, levels.into())))
+        }
+    }
 }
 
 fn dual<V: Value>(first: &Mask<V>, second: &Mask<V>) -> Result<bool, CallError> {

@@ -15,6 +15,7 @@ mod parameter;
 mod points;
 mod rings;
 mod row;
+mod shape;
 mod surfaces;
 mod value;
 mod window;
@@ -40,6 +41,7 @@ pub use points::{Combination, LimitWeights, Points};
 pub use rings::distance::{LocalDepth, LocalDistances, LocalWitness};
 pub use rings::flows::{least_flows, minus, unit};
 pub use rings::limit::{LocalLimit, LocalLimitError};
+pub use shape::{Kept, Shape, shape_kept};
 pub use surfaces::surface::{
     MAX_NET_POINTS, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness,
 };
