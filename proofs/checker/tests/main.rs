@@ -11,6 +11,7 @@ mod depth;
 mod family;
 mod format;
 mod kernel;
+mod masks;
 mod mutation;
 mod names;
 mod opposites;

@@ -3,5 +3,8 @@
 pub mod call;
 pub mod depth;
 pub mod exponent;
+mod limits;
+mod masks;
 mod named;
+mod steps;
 pub mod sums;
