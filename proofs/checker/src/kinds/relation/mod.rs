@@ -66,8 +66,10 @@ fn every_case<'a>(
             listing.check(block, &name, (fails, &difference), &scope)?;
         }
     }
+    let at = block.at;
     listing.finished(block)?;
     block.finished()?;
+    block.at = at;
     require(!open, Reason::Open)
 }
 
