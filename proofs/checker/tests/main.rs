@@ -16,5 +16,6 @@ mod mutation;
 mod names;
 mod opposites;
 mod radius;
+mod relations;
 mod rules;
 mod toml;

@@ -35,6 +35,9 @@ type Known = (String, Indices, Option<*const Scheme>);
 /// A function with its arguments and options.
 pub type Asked<'c> = (&'c str, &'c [Value], &'c [(String, String)]);
 
+/// The options of a call.
+type Options<'e> = Cow<'e, [(String, String)]>;
+
 /// The functions that formulas call.
 pub trait Functions {
     /// The value of a function.
@@ -193,7 +196,7 @@ impl<'a> Scope<'a> {
         head: &'e Head,
         parts: &'e [Expr],
         indices: &Indices,
-    ) -> (&'e [Expr], Cow<'e, [(String, String)]>) {
+    ) -> (&'e [Expr], Options<'e>) {
         let Head::Call(_, options) = head else { return (parts, Cow::default()) };
         match parts {
             [Expr::Name(name), rest @ ..]

@@ -3,22 +3,23 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::call::{Call, number, within, wrong};
+use super::integers::{at_integers, window};
 use super::masks::{Mask, signed};
 use super::steps::{add, over, plus, times};
 use crate::data::converges;
 use crate::formulas::MAX_INTEGER;
-use crate::numbers::{Meter, Q, Value, bits};
+use crate::numbers::{Meter, Q, Value};
 use crate::schemes::{Library, Scheme};
 use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::{One, ToPrimitive as _, Zero as _};
 use std::rc::Rc;
 
-/// The most values at integers.
-const MAX_UNKNOWNS: usize = 256;
-
 /// The highest level of the points at which φ is evaluated.
 const MAX_LEVEL: usize = 64;
+
+/// The most binary digits of n^64, since n is at most 64.
+const MAX_BITS: u64 = 385;
 
 /// The greatest degree of a moment.
 const MAX_DEGREE: i64 = 64;
@@ -81,8 +82,7 @@ fn limit_value(library: &Library<'_>, scheme: &Scheme, x: &Value) -> Result<Valu
     let known = values(library, scheme)?;
     let mask = Mask::of_numbers(meter, scheme)?;
     let n = BigInt::from(mask.arity);
-    // n^64 has no more than 384 binary digits.
-    if x.denom().bits() > 6 * MAX_LEVEL as u64 {
+    if x.denom().bits() > MAX_BITS {
         return Err(PLACE);
     }
     let whole = x.floor().to_integer();
@@ -91,7 +91,7 @@ fn limit_value(library: &Library<'_>, scheme: &Scheme, x: &Value) -> Result<Valu
         if digits.len() == MAX_LEVEL {
             return Err(PLACE);
         }
-        meter.spend(1 + bits(&rest) / 16)?;
+        meter.spend(1)?;
         rest *= &n;
         let digit = rest.floor().to_integer();
         digits.push(digit.to_i64().ok_or(PLACE)?);
@@ -151,19 +151,18 @@ fn inner_product(
     let mut mask = Mask { arity: a.arity, first, values: vec![Value::int(0); length] };
     let window = window(&mask)?;
     let known = scheme.integrals.borrow().get(&std::ptr::from_ref(other)).cloned();
-    let known = match known {
-        Some(known) => known,
-        None => {
-            for (from, of_a) in a.values.iter().enumerate() {
-                let weight = over(meter, of_a, &number(a.arity))?;
-                for (sum, of_b) in mask.values[from..].iter_mut().zip(b.values.iter().rev()) {
-                    add(meter, sum, &weight, of_b)?;
-                }
+    let known = if let Some(known) = known {
+        known
+    } else {
+        for (from, of_a) in a.values.iter().enumerate() {
+            let weight = over(meter, of_a, &number(a.arity))?;
+            for (sum, of_b) in mask.values[from..].iter_mut().zip(b.values.iter().rev()) {
+                add(meter, sum, &weight, of_b)?;
             }
-            let found: Rc<[Value]> = at_integers(meter, &mask)?.into();
-            scheme.integrals.borrow_mut().insert(other, Rc::clone(&found));
-            found
         }
+        let found: Rc<[Value]> = at_integers(meter, &mask)?.into();
+        scheme.integrals.borrow_mut().insert(other, Rc::clone(&found));
+        found
     };
     let place = k.checked_sub(window.0).and_then(|place| usize::try_from(place).ok());
     Ok(place.and_then(|place| known.get(place)).cloned().unwrap_or_else(|| Value::int(0)))
@@ -186,68 +185,4 @@ fn values(library: &Library<'_>, scheme: &Scheme) -> Result<Rc<[Value]>, Stop> {
     exists(library, scheme)?;
     let found: Rc<[Value]> = at_integers(library.meter, &mask)?.into();
     Ok(Rc::clone(scheme.limit.get_or_init(|| found)))
-}
-
-/// The first and the last integer from l/(n − 1) to K/(n − 1).
-fn window(mask: &Mask) -> Result<(i64, i64), Stop> {
-    let below = signed(mask.arity)?.checked_sub(1).ok_or(PLACE)?;
-    let floor = |place: i64| place.checked_div_euclid(below);
-    let first = mask.first.checked_neg().and_then(floor).and_then(i64::checked_neg);
-    first.zip(floor(mask.last()?)).ok_or(PLACE)
-}
-
-/// The values f(i) at the integers of the support, where f(x) = Σ_k a_k f(nx − k) and Σ_i f(i) = 1.
-fn at_integers(meter: &Meter, mask: &Mask) -> Result<Vec<Value>, Stop> {
-    let (first, last) = window(mask)?;
-    let size = last.checked_sub(first).and_then(|size| usize::try_from(size).ok());
-    let size = size.and_then(|size| size.checked_add(1)).ok_or(PLACE)?;
-    if size > MAX_UNKNOWNS {
-        return Err(Stop::Capped("the unknowns of a limit function"));
-    }
-    let n = signed(mask.arity)?;
-    let mut rows = Vec::new();
-    for i in first..=last {
-        meter.spend(size as u64)?;
-        let at = n.checked_mul(i).ok_or(PLACE)?;
-        let entry = |j: i64| {
-            let a = at.checked_sub(j).and_then(|k| mask.at(k)).cloned();
-            let a = a.unwrap_or_else(|| Value::int(0));
-            if i == j { a.minus(&Value::int(1)) } else { Ok(a) }
-        };
-        let row = (first..=last).map(entry).chain([Ok(Value::int(0))]);
-        rows.push(row.collect::<Result<Vec<Value>, Stop>>()?);
-    }
-    // The coefficients of one class mod n sum to 1, so that all these equations sum to 0, and one of them follows from the
-    // others.
-    rows[0] = vec![Value::int(1); size.saturating_add(1)];
-    solve(meter, rows)
-}
-
-/// The solution of linear equations, if it is the only one. The right side of each comes last.
-fn solve(meter: &Meter, mut rows: Vec<Vec<Value>>) -> Result<Vec<Value>, Stop> {
-    let size = rows.len();
-    for j in 0..size {
-        let least = (j..size).filter(|i| !rows[*i][j].is_zero());
-        let least = least.min_by_key(|i| rows[*i][j].steps(&rows[*i][j]));
-        rows.swap(j, least.ok_or(Stop::Capped("a limit function that is not unique"))?);
-        let (above, below) = rows.split_at_mut(j.saturating_add(1));
-        let Some(pivot) = above.last() else { return Err(PLACE) };
-        for row in below.iter_mut().filter(|row| !row[j].is_zero()) {
-            let factor = over(meter, &row[j], &pivot[j])?.negated()?;
-            for (value, p) in row.iter_mut().zip(pivot).skip(j) {
-                add(meter, value, &factor, p)?;
-            }
-        }
-    }
-    let mut solution: Vec<Value> = Vec::new();
-    for (j, row) in rows.iter().enumerate().rev() {
-        let mut rest = row[size].clone();
-        // The values are known from the last one down.
-        for (a, value) in row[..size].iter().rev().zip(&solution) {
-            add(meter, &mut rest, &a.negated()?, value)?;
-        }
-        solution.push(over(meter, &rest, &row[j])?);
-    }
-    solution.reverse();
-    Ok(solution)
 }

@@ -94,6 +94,11 @@ impl Scheme {
         Ok(scheme)
     }
 
+    /// Checks that the mask has no symbols.
+    pub fn numeric(&self) -> Result<(), Stop> {
+        self.mask.iter().flatten().try_for_each(|a| a.number().map(|_| ()))
+    }
+
     /// The arity n.
     pub fn arity(&self) -> usize {
         self.mask.len()

@@ -36,27 +36,22 @@ pub enum Values {
     From(i64),
 }
 
-impl Index<'_> {
-    /// The bounds of the integers that are its values.
-    fn bounds(
-        &self,
-        paper: &Paper<'_>,
-        case: &Case<'_>,
-        bounds: &[Expr; 2],
-    ) -> Result<[i64; 2], Stop> {
-        let mut scope = paper.library.closed();
-        let values = case.iter().map(|(name, value)| ((*name).into(), value.clone().into()));
-        scope.values.extend(values);
-        let bound = |bound| scope.value(bound)?.integer(MAX_INTEGER);
-        Ok([bound(&bounds[0])?, bound(&bounds[1])?])
-    }
+/// The bounds of the values of an index, where those before it have these values.
+fn integers(paper: &Paper<'_>, case: &Case<'_>, bounds: &[Expr; 2]) -> Result<[i64; 2], Stop> {
+    let mut scope = paper.library.closed();
+    let values = case.iter().map(|(name, value)| ((*name).into(), value.clone().into()));
+    scope.values.extend(values);
+    let bound = |bound| scope.value(bound)?.integer(MAX_INTEGER);
+    Ok([bound(&bounds[0])?, bound(&bounds[1])?])
+}
 
+impl Index<'_> {
     /// Its values, where the indices before it have these, or the first ones.
     fn listed(&self, paper: &Paper<'_>, case: &Case<'_>) -> Result<Vec<Q>, Stop> {
         Ok(match &self.values {
             Values::Listed(values) => values.clone(),
             Values::Between(bounds) => {
-                let [from, to] = self.bounds(paper, case, bounds)?;
+                let [from, to] = integers(paper, case, bounds)?;
                 (from..=to).take(MAX_CASES.saturating_add(1)).map(int).collect()
             }
             Values::From(least) => (*least..).take(FIRST).map(int).collect(),
@@ -68,7 +63,7 @@ impl Index<'_> {
         Ok(match &self.values {
             Values::Listed(values) => values.contains(value),
             Values::Between(bounds) => {
-                let [from, to] = self.bounds(paper, case, bounds)?.map(int);
+                let [from, to] = integers(paper, case, bounds)?.map(int);
                 value.is_integer() && from <= *value && *value <= to
             }
             Values::From(least) => value.is_integer() && *value >= int(*least),

@@ -83,10 +83,10 @@ fn always(comparison: &Comparison, scope: &Scope<'_>, all: &[(&str, i64)]) -> Re
 fn only(value: &Value, all: &[(&str, i64)]) -> Result<(), Stop> {
     let known = |name: &str| all.iter().any(|(index, _)| *index == name);
     let mut names = value.all().flat_map(|(monomial, _)| monomial);
-    match names.all(|(name, _)| known(name)) {
-        true => Ok(()),
-        false => Err(Stop::Wrong("values with symbols are compared with = only".into())),
+    if names.all(|(name, _)| known(name)) {
+        return Ok(());
     }
+    Err(Stop::Wrong("values with symbols are compared with = only".into()))
 }
 
 /// Whether d(t) has this sign for all values of its only index t. Its roots are below 1 + max |c_i/c_g|.
@@ -120,7 +120,7 @@ fn polynomial(
     let count = count.ok_or(Stop::Capped("the integers at which a polynomial is compared"))?;
     let longest = whole.iter().map(BigInt::bits).max().unwrap_or(0) / 64;
     let terms = whole.len() as u64;
-    let steps = terms.saturating_mul(longest.saturating_add(terms) / 16 + 1);
+    let steps = terms.saturating_mul((longest.saturating_add(terms) / 16).saturating_add(1));
     for t in (least..).take(count) {
         scope.spend(steps)?;
         let value = whole.iter().rev().fold(BigInt::zero(), |sum, c| sum * t + c);

@@ -4,13 +4,13 @@ mod all;
 mod compare;
 mod states;
 
-use super::equation::cases::{Index, Listing, Values, cases, name_of, scope};
+use super::equation::cases::{Index, Listing, MAX_CASES, Values, cases, name_of, scope};
 use super::kind::{Kind, Proof};
 use crate::claims::Paper;
 use crate::formulas::{MAX_INTEGER, formula};
 use crate::numbers::{Q, capped, read_rational};
 use crate::text::{Block, Checked, Reason, Stop, Toml, Verdict, require};
-use states::{Comparison, comparisons, place_of, split};
+use states::{Comparison, comparisons, in_name, place_of, split};
 use std::rc::Rc;
 
 /// Claims of this kind.
@@ -56,7 +56,11 @@ fn every_case<'a>(
     let open = indices.iter().any(Index::is_all);
     let verdicts: &[Verdict] =
         if open { &[Verdict::Tried] } else { &[Verdict::Holds, Verdict::Fails] };
-    let mut listing = Listing::read(block, verdicts, cases.len().saturating_mul(stated.len()))?;
+    let count = cases.len().saturating_mul(stated.len());
+    if count > MAX_CASES {
+        return Err(Stop::Capped("the number of cases").into());
+    }
+    let mut listing = Listing::read(block, verdicts, count)?;
     let memory = Rc::default();
     for case in &cases {
         let scope = scope(paper, claim, (case, &[]), &memory)?;
@@ -126,7 +130,7 @@ fn of_all(text: &str) -> Option<&str> {
 /// The name of an index.
 fn name(text: &str) -> Option<&str> {
     let name = match of_all(text) {
-        Some(rest) => rest.split(['>', '≥']).next()?,
+        Some(rest) => rest.split(|c| !in_name(c)).next()?,
         None => text.split_once('=')?.0,
     };
     Some(name.trim())

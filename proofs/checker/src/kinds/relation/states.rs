@@ -21,7 +21,7 @@ pub enum Sign {
 /// What is said of a formula.
 pub enum Rest {
     /// It has this sign before another side.
-    Sign(Sign, Side),
+    Sign(Sign, Box<Side>),
     /// It is one of these.
     Member(Vec<Expr>),
     /// It is 1, or with `not` 0.
@@ -60,7 +60,8 @@ fn wrong<T>(what: &str) -> Result<T, Stop> {
     Err(Stop::Wrong(format!("what is stated: {what}")))
 }
 
-fn in_name(c: char) -> bool {
+/// Whether a name goes on with this character.
+pub fn in_name(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
@@ -125,12 +126,12 @@ pub fn comparisons(text: &str) -> Result<Vec<Comparison>, Stop> {
         let (before, behind) = around(rest, at, token);
         let next = side(before)?;
         if let Some((left, sign)) = last.replace((next.clone(), sign)) {
-            stated.push(Comparison { left, rest: Rest::Sign(sign, next) });
+            stated.push(Comparison { left, rest: Rest::Sign(sign, Box::new(next)) });
         }
         rest = behind;
     }
     if let Some((left, sign)) = last {
-        stated.push(Comparison { left, rest: Rest::Sign(sign, side(rest)?) });
+        stated.push(Comparison { left, rest: Rest::Sign(sign, Box::new(side(rest)?)) });
         return Ok(stated);
     }
     let negated = rest.trim_start().strip_prefix("not").filter(|rest| !rest.starts_with(in_name));
@@ -146,7 +147,7 @@ fn members(left: &Side, set: &str) -> Result<Vec<Comparison>, Stop> {
     let parts = split(inner.as_str());
     let comparison = |left: &Side, sign, right: &Side| Comparison {
         left: left.clone(),
-        rest: Rest::Sign(sign, right.clone()),
+        rest: Rest::Sign(sign, Box::new(right.clone())),
     };
     match (ends, &parts[..]) {
         ((Some('{'), Some('}')), _) => {
