@@ -42,6 +42,9 @@ parameters.w = {}
 name = "bell"
 symbol = '((1 + z)/2)^9*2'
 [[scheme]]
+name = "stretched"
+symbol = '1 + z^3'
+[[scheme]]
 name = "wild"
 mask = '[-1, 0, 2, 1, 0]'
 [[scheme]]
@@ -220,6 +223,12 @@ fn limits() {
         // Chaikin's function at the integers is 1/2 twice.
         ("limit_value(two, 0) + limit_value(two, 1)", "1"),
         ("limit_value(two, 1/2)", "3/4"),
+        ("limit_value(far, -18000)", "1"),
+        ("limit_value(far, -18001 + 1/8)", "1/8"),
+        // Their sum at the points x + i is 1.
+        ("sum(i = 0..3, limit_value(daubechies, i + 1/4))", "1"),
+        ("sum(i = -3..3, limit_value(third, i + 7/27))", "1"),
+        ("sum(i = -3..3, (i + 7/27)*limit_value(third, i + 7/27))", "0"),
     ]);
 }
 
@@ -254,6 +263,12 @@ fn integrals() {
         ("orthogonal(haar)", "1"),
         ("orthogonal(four)", "0"),
         ("orthogonal(far)", "0"),
+        ("moment(far, 1)", "-18000"),
+        ("inner_product(far, 0)", "2/3"),
+        ("inner_product(far, -18001, with = hat)", "1/6"),
+        ("sum(k = -4..4, inner_product(third, k))", "1"),
+        // The condition is one on the mask: the functions φ(x − k) of this one are not orthogonal.
+        ("orthogonal(stretched)", "1"),
         ("biorthogonal(hat, with = hat)", "0"),
         ("biorthogonal(daubechies, with = daubechies)", "1"),
     ]);
@@ -313,6 +328,7 @@ fn what_is_beyond_a_cap_is_left_open() {
         "sum_rules(round)*0 + sum(i = 1..1000, symbol_at(round, cos(2*pi/997))) = 0",
         "sum(i = 1..100000, sum_rules(long)) = 0",
         "sum(i = 1..100000, orthogonal(long)) = 0",
+        "sum(i = 1..100000, interpolating(long) + symmetric(long)) = 0",
         "sum(i = 1..100000, limit_value(four, i/2^64)) = 0",
     ] {
         let begin = Instant::now();

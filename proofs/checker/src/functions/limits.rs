@@ -138,9 +138,6 @@ fn inner_product(
     k: i64,
 ) -> Result<Value, Stop> {
     let meter = library.meter;
-    for scheme in [scheme, other] {
-        exists(library, scheme)?;
-    }
     let (a, b) = (Mask::of_numbers(meter, scheme)?, Mask::of_numbers(meter, other)?);
     if a.arity != b.arity {
         return wrong("the two schemes are of two arities");
@@ -154,6 +151,9 @@ fn inner_product(
     let known = if let Some(known) = known {
         known
     } else {
+        for scheme in [scheme, other] {
+            exists(library, scheme)?;
+        }
         for (from, of_a) in a.values.iter().enumerate() {
             let weight = over(meter, of_a, &number(a.arity))?;
             for (sum, of_b) in mask.values[from..].iter_mut().zip(b.values.iter().rev()) {

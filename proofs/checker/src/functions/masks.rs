@@ -40,6 +40,7 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
         ("symmetric", []) => truth(Mask::numbers(call)?.is_symmetric()?),
         ("interpolating", []) => {
             let scheme = call.scheme()?;
+            meter.spend(number_of_entries(&scheme))?;
             scheme.numeric()?;
             truth(scheme.mask.iter().any(|rule| is_unit(rule)))
         }
@@ -75,6 +76,10 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
     Ok(Some(value))
 }
 
+fn number_of_entries(scheme: &Scheme) -> u64 {
+    (scheme.arity() as u64).saturating_mul(scheme.width() as u64)
+}
+
 /// Whether a rule keeps one point as it is.
 fn is_unit(rule: &[Value]) -> bool {
     let mut others = rule.iter().filter(|a| !a.is_zero());
@@ -105,8 +110,11 @@ impl Mask {
     fn of(meter: &Meter, scheme: &Scheme) -> Result<Mask, Stop> {
         let columns = (0..scheme.width()).rev();
         let all = columns.flat_map(|j| scheme.mask.iter().filter_map(move |rule| rule.get(j)));
-        let mut values: Vec<Value> = all.cloned().collect();
-        meter.spend(values.len() as u64)?;
+        let mut values: Vec<Value> = Vec::new();
+        for a in all {
+            meter.spend(a.cost(a))?;
+            values.push(a.clone());
+        }
         while values.last().is_some_and(Value::is_zero) {
             values.pop();
         }

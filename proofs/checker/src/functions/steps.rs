@@ -7,7 +7,7 @@ use crate::text::Stop;
 
 /// left · right.
 pub fn times(meter: &Meter, left: &Value, right: &Value) -> Result<Value, Stop> {
-    meter.spend(left.steps(right))?;
+    meter.spend(left.steps(right).saturating_add(left.cost_of_sum(right)))?;
     left.times(right)
 }
 

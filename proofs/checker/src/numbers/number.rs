@@ -58,7 +58,8 @@ impl Number {
         if !bottom.is_one() {
             let common = top.iter().fold(bottom.clone(), |a, b| match (a.to_u64(), b.to_i64()) {
                 (Some(a), Some(b)) => a.gcd(&b.unsigned_abs()).into(),
-                _ => a.gcd(b),
+                // The divisor may be far shorter.
+                _ => a.gcd(&(b % &a)),
             });
             for coefficient in &mut top {
                 *coefficient /= &common;
