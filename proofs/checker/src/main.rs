@@ -15,11 +15,11 @@ const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… [--accept WHAT]
        subcert-check --coq CLAIMS [CERTIFICATE…] THEOREMS.v…
 
 Checks certificates against their claim file. It checks all claims, or with --only the claims of
-a kind (table, equation, function, range, smoothness, exponent, theorem, shipped) or with an id
-(theorem-1 or KEY:theorem-1).
+a kind (table, equation, relation, function, range, smoothness, exponent, theorem, shipped) or with
+an id (theorem-1 or KEY:theorem-1).
 Certified claims pass: their verdict is shown, which may be that they are wrong. With --accept
 cited, claims pass that a statement of THEOREMS.md decides; with --accept open, theorems pass
-that a certificate calls open. They are listed as such.
+that a certificate calls open, and relations of which it tries some cases. They are listed as such.
 With --radius, the files are certificates of joint spectral radii and of smoothness, which need no
 claim file; a line says what each proves.
 With --depth, the files are certificates of how many levels a control polygon or a net needs as a set of

@@ -225,6 +225,19 @@ const LEVELS: [&str; 11] = [
     include_str!("rules/accepted/levels-vertex-step.cert"),
 ];
 
+/// Relations, which no claim of the papers is: chains, sets, printed numbers, polynomials and schemes.
+const RELATIONS: [&str; 9] = [
+    include_str!("rules/accepted/relation-chain.cert"),
+    include_str!("rules/accepted/relation-half-open.cert"),
+    include_str!("rules/accepted/relation-residues.cert"),
+    include_str!("rules/accepted/relation-alone.cert"),
+    include_str!("rules/accepted/relation-near.cert"),
+    include_str!("rules/accepted/relation-unequal-integers.cert"),
+    include_str!("rules/accepted/relation-late-cubic.cert"),
+    include_str!("rules/accepted/relation-orders.cert"),
+    include_str!("rules/accepted/relation-triangle.cert"),
+];
+
 /// Tables with depths, sound bounds, recovered parameters, readings of rows and columns, and
 /// refuted cells, of whose alterations some are tried.
 const LARGE: [(&str, &str); 7] = [
@@ -263,9 +276,9 @@ fn every_alteration_of_one_certificate_for_each_kind() {
 }
 
 #[test]
-fn every_alteration_of_proofs_by_levels() {
+fn every_alteration_of_proofs_by_levels_and_relations() {
     let claims = include_str!("rules/claims.toml");
-    for certificate in LEVELS {
+    for certificate in LEVELS.into_iter().chain(RELATIONS) {
         let paper = Paper { key: "rules", claims, certificate };
         let block = &blocks(certificate)[0];
         assert!(accepted(&paper, block), "{certificate}");

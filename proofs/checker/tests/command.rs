@@ -37,6 +37,22 @@ fn exit_codes() {
     assert_eq!(code(&counted, "accepted/no-such-file"), Some(2));
 }
 
+/// Cases that were tried prove nothing; that they were passes only where open claims are accepted.
+#[test]
+fn what_is_tried_is_open() {
+    let tried = "rejected/relation-open";
+    let only = ["--only", "powers-of-two"];
+    assert_eq!(code(&only, tried), Some(1));
+    // A claim at least has to be certified or cited.
+    assert_eq!(code(&["--only", "powers-of-two", "--accept", "open"], tried), Some(1));
+    let shown = text(&run(&only, tried).stdout);
+    assert!(shown.contains("incomplete  rules:powers-of-two: the claim is open"), "{shown}");
+    let every = text(&run(&["--only", "cubic"], "accepted/relation-cubic").stdout);
+    assert!(every.contains("certified   rules:cubic: fails in a case"), "{every}");
+    let every = text(&run(&["--only", "members"], "accepted/relation-members").stdout);
+    assert!(every.contains("certified   rules:members: holds in all cases"), "{every}");
+}
+
 /// What is certified is the verdict, not that the claim is right.
 #[test]
 fn verdicts_are_shown_with_both_sides() {

@@ -6,10 +6,12 @@ use subcert_check::{Outcome, check};
 
 const CLAIMS: &str = include_str!("rules/claims.toml");
 
-const CERTIFICATES: [&str; 16] = [
+const CERTIFICATES: [&str; 18] = [
     include_str!("rules/accepted/table-constants.cert"),
     include_str!("rules/accepted/table-slips.cert"),
     include_str!("rules/accepted/equation-identity.cert"),
+    include_str!("rules/accepted/relation-chain.cert"),
+    include_str!("rules/accepted/relation-cubic.cert"),
     include_str!("rules/accepted/function-unequal.cert"),
     include_str!("rules/accepted/range-below.cert"),
     include_str!("rules/accepted/theorem-sum.cert"),

@@ -9,5 +9,5 @@ mod witness;
 pub use displacement::{best_offset, gather, moved, surface};
 pub use functional::Rules;
 pub use polygon::Polygon;
-pub use setting::{MAX_CLASSES, Setting};
+pub use setting::{MAX_CLASSES, Setting, converges};
 pub use witness::{Points, Witness, violated};

@@ -37,7 +37,7 @@ impl<'a> Setting<'a> {
 }
 
 /// Whether T_c < 1 for some n^c ≤ 4096, or by a line `constant`.
-fn converges(library: &Library<'_>, scheme: &Scheme) -> Result<bool, Stop> {
+pub fn converges(library: &Library<'_>, scheme: &Scheme) -> Result<bool, Stop> {
     let rules = &scheme.difference[..];
     if library.products.contract(Sequence { rules, forward: false }) {
         return Ok(true);

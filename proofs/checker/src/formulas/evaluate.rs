@@ -6,6 +6,7 @@ use super::reading::Reading;
 use crate::numbers::{Meter, Piece, Value};
 use crate::schemes::Scheme;
 use crate::text::Stop;
+use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
@@ -34,6 +35,9 @@ type Known = (String, Indices, Option<*const Scheme>);
 /// A function with its arguments and options.
 pub type Asked<'c> = (&'c str, &'c [Value], &'c [(String, String)]);
 
+/// The options of a call.
+type Options<'e> = Cow<'e, [(String, String)]>;
+
 /// The functions that formulas call.
 pub trait Functions {
     /// The value of a function.
@@ -41,6 +45,9 @@ pub trait Functions {
 
     /// The meter that counts the steps of an evaluation.
     fn meter(&self) -> &Meter;
+
+    /// Whether the claim file has a scheme of this name.
+    fn has_scheme(&self, name: &str) -> bool;
 }
 
 /// A scope: the meanings of names.
@@ -164,6 +171,7 @@ impl<'a> Scope<'a> {
     fn of(&self, head: &Head, parts: &[Expr], indices: &mut Indices) -> Result<Value, Stop> {
         let cosine = matches!(head, Head::Call(name, _) if name == "cos");
         let outside = self.angle.replace(self.angle.get() || cosine);
+        let (parts, options) = self.asked(head, parts, indices);
         let values = parts.iter().map(|part| self.evaluate(part, indices));
         let values = values.collect::<Result<Vec<Value>, Stop>>();
         self.angle.set(outside);
@@ -175,11 +183,41 @@ impl<'a> Scope<'a> {
                 self.spend(power.cost(&power))?;
                 Ok(power)
             }
-            (Head::Call(name, options), values) => {
-                self.functions.call(self, (name, values, options), indices)
+            (Head::Call(name, _), values) => {
+                self.functions.call(self, (name, values, &options), indices)
             }
             _ => Err(Stop::Wrong("this is no formula".into())),
         }
+    }
+
+    /// The arguments and the options of a call. A first argument that names a scheme, and nothing else here, is an option.
+    pub fn asked<'e>(
+        &self,
+        head: &'e Head,
+        parts: &'e [Expr],
+        indices: &Indices,
+    ) -> (&'e [Expr], Options<'e>) {
+        let Head::Call(_, options) = head else { return (parts, Cow::default()) };
+        match parts {
+            [Expr::Name(name), rest @ ..]
+                if !self.has_meaning(name, indices) && self.functions.has_scheme(name) =>
+            {
+                let scheme = [("scheme".to_owned(), name.clone())];
+                (rest, Cow::Owned([&options[..], &scheme].concat()))
+            }
+            _ => (parts, Cow::Borrowed(options)),
+        }
+    }
+
+    /// Whether a name means something other than a scheme.
+    fn has_meaning(&self, name: &str, indices: &Indices) -> bool {
+        indices.iter().any(|(index, _)| index == name)
+            || self.values.contains_key(name)
+            || self.unstated.contains(name)
+            || self.beyond.contains_key(name)
+            || self.definitions.contains_key(name)
+            || self.reserved.contains(&name)
+            || name == "pi"
     }
 
     /// The value of a name.

@@ -79,15 +79,19 @@ impl<'c> Call<'c> {
 
     /// The scheme that the call is about.
     pub fn scheme(&mut self) -> Result<Rc<Scheme>, Stop> {
-        let scheme = match self.option("scheme") {
+        let scheme = match self.named("scheme")? {
             None => self.scope.scheme.clone(),
-            Some(name) => {
-                let mut closed = self.library.closed();
-                closed.reading = self.scope.reading;
-                self.library.resolve(name, &closed)?.first().cloned()
-            }
+            named => named,
         };
         scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a scheme", self.function)))
+    }
+
+    /// The scheme that an option names.
+    pub fn named(&mut self, option: &str) -> Result<Option<Rc<Scheme>>, Stop> {
+        let Some(name) = self.option(option) else { return Ok(None) };
+        let mut closed = self.library.closed();
+        closed.reading = self.scope.reading;
+        Ok(self.library.resolve(name, &closed)?.first().cloned())
     }
 
     /// Whether masks are read forwards, by the order that the call chooses.

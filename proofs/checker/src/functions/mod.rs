@@ -3,5 +3,10 @@
 pub mod call;
 pub mod depth;
 pub mod exponent;
+mod integers;
+mod limits;
+mod masks;
 mod named;
+mod reproduction;
+mod steps;
 pub mod sums;

@@ -5,6 +5,7 @@
 use super::call::{Call, TERMS, entry, number, within, wrong};
 use super::depth::depth;
 use super::sums::greatest;
+use super::{limits, masks};
 use crate::data::{best_offset, moved, surface};
 use crate::formulas::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::numbers::{Meter, Number, Q, Value, capped};
@@ -22,6 +23,10 @@ impl Functions for Library<'_> {
 
     fn meter(&self) -> &Meter {
         self.meter
+    }
+
+    fn has_scheme(&self, name: &str) -> bool {
+        self.redefines(name)
     }
 }
 
@@ -99,7 +104,10 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
             sums[1..].iter().try_fold(sums[0].clone(), |best, sum| best.max(sum, piece))
         }
         (_, arguments) => {
-            wrong(format!("there is no `{function}` of {} arguments", arguments.len()))
+            let found =
+                masks::of(call)?.map_or_else(|| limits::of(call), |found| Ok(Some(found)))?;
+            let none = || format!("there is no `{function}` of {} arguments", arguments.len());
+            found.ok_or_else(|| Stop::Wrong(none()))
         }
     }
 }

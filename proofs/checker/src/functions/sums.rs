@@ -25,12 +25,13 @@ pub fn greatest(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Sto
 
 /// The sums of which the value of a constant's formula is the greatest.
 pub fn of_constant(library: &Library<'_>, scope: &Scope<'_>, expr: &Expr) -> Result<Sums, Stop> {
-    let Expr::Of(Head::Call(function, options), arguments) = expr else {
+    let Expr::Of(head @ Head::Call(function, _), parts) = expr else {
         return wrong("this is no constant");
     };
+    let (arguments, options) = scope.asked(head, parts, &Indices::new());
     let arguments = arguments.iter().map(|argument| scope.value(argument));
     let arguments = &arguments.collect::<Result<Vec<Value>, Stop>>()?;
-    let mut call = Call::new(library, scope, (function, arguments, options));
+    let mut call = Call::new(library, scope, (function, arguments, &options));
     let (mut lists, _) = sums(&mut call, &mut Vec::new(), false)?;
     match lists.pop() {
         Some(sums) if lists.is_empty() && call.finished().is_ok() => Ok(sums),
@@ -68,14 +69,20 @@ fn sums(
     // The norms of powers depend on the numbers of the points only if masks are read forwards.
     let scheme = if forward { scheme.numbered_from(first)? } else { scheme };
     let (a, b) = (&scheme.mask[..], &scheme.difference[..]);
-    let (masks, c) = match (function, call.arguments) {
-        ("contraction", [c]) => (&[b][..], c),
-        ("norm", [c]) => (&[a][..], c),
-        ("tensor", [c]) => (&[b, a][..], c),
+    let one = Value::int(1);
+    let c = match call.arguments {
+        [] => &one,
+        [c] => c,
+        _ => return wrong(format!("`{function}` takes one number")),
+    };
+    let masks = match function {
+        "contraction" => &[b][..],
+        "norm" => &[a],
+        "tensor" => &[b, a],
         _ => return wrong(format!("`{function}` is no constant of this kind")),
     };
     if function == "contraction" && call.choose("terms", &TERMS)? == 1 {
-        if *c != Value::int(1) {
+        if *c != one {
             return Err(Stop::Undefined("`terms = total` is defined for c = 1 only"));
         }
         let sums = b.iter().map(|row| gather(piece, row, 1));

@@ -6,6 +6,7 @@ pub mod function;
 pub mod kind;
 pub mod range;
 pub mod regularity;
+pub mod relation;
 pub mod smoothness;
 pub mod table;
 pub mod theorem;
@@ -16,9 +17,10 @@ use crate::text::{At, Block, Checked, Reason, Toml};
 use kind::{Kind, Proof};
 
 /// The kinds of claims.
-pub static KINDS: [Kind; 7] = [
+pub static KINDS: [Kind; 8] = [
     table::KIND,
     equation::KIND,
+    relation::KIND,
     function::KIND,
     range::KIND,
     smoothness::KIND,

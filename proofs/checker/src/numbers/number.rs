@@ -58,7 +58,8 @@ impl Number {
         if !bottom.is_one() {
             let common = top.iter().fold(bottom.clone(), |a, b| match (a.to_u64(), b.to_i64()) {
                 (Some(a), Some(b)) => a.gcd(&b.unsigned_abs()).into(),
-                _ => a.gcd(b),
+                // The divisor may be far shorter.
+                _ => a.gcd(&(b % &a)),
             });
             for coefficient in &mut top {
                 *coefficient /= &common;
@@ -238,6 +239,29 @@ impl Number {
             }
             _ => self.cost_of_sum(),
         }
+    }
+
+    /// The n of its field, and how many coordinates it has there.
+    fn field(&self) -> (u32, u64) {
+        match self {
+            Number::Small(..) => (1, 1),
+            Number::Large(element) => (element.n, element.top.len() as u64),
+        }
+    }
+
+    /// An estimate of the steps of a product in the common field: coordinates with coordinates, for the product and to take
+    /// each number to this field.
+    pub fn cost_in_field(&self, other: &Number) -> u64 {
+        let (one, other) = (self.field(), other.field());
+        if one.0 == other.0 {
+            return if one.0 == 1 { 0 } else { one.1.saturating_mul(one.1) };
+        }
+        let n = u64::from(one.0.lcm(&other.0).min(MAX_FIELD));
+        let degree = [one, other].into_iter().find(|(m, _)| u64::from(*m) == n);
+        let degree = degree.map_or(n / 2, |(_, degree)| degree);
+        let lifted = |(m, known): (u32, u64)| if m == 1 || u64::from(m) == n { 0 } else { known };
+        let products = lifted(one).saturating_add(lifted(other)).saturating_add(1);
+        degree.saturating_mul(degree).saturating_mul(products)
     }
 
     /// The size in binary digits.

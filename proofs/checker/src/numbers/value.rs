@@ -105,6 +105,15 @@ impl Value {
         (self.count() * other.count()).saturating_add(limbs / 16)
     }
 
+    /// The same with the steps of the coordinates of irrational numbers.
+    pub fn steps(&self, other: &Value) -> u64 {
+        if self.is_small() && other.is_small() {
+            return 1;
+        }
+        let pairs = self.all().flat_map(|(_, a)| other.all().map(|(_, b)| a.cost_in_field(b)));
+        pairs.fold(self.cost(other), u64::saturating_add)
+    }
+
     /// An estimate of the steps of self + other, where these are fractions of large numbers.
     pub fn cost_of_sum(&self, other: &Value) -> u64 {
         self.all().chain(other.all()).map(|(_, number)| number.cost_of_sum()).sum()

@@ -188,7 +188,7 @@ fn spread(
     for (i, a) in left.iter().enumerate() {
         let from = i.saturating_mul(step).min(count);
         for (sum, b) in product[from..].iter_mut().zip(right) {
-            meter.spend(a.cost(b))?;
+            meter.spend(a.steps(b))?;
             sum.add(1, &a.times(b)?)?;
         }
     }

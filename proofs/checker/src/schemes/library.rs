@@ -15,8 +15,9 @@ const MAX_ALIASES: usize = 8;
 
 /// The schemes of a claim file and of the catalogue.
 pub struct Library<'a> {
-    file: &'a [Toml],
-    catalogue: &'a [Toml],
+    /// The names of the schemes of the file, which hide those of the catalogue.
+    own: BTreeSet<&'a str>,
+    tables: BTreeMap<&'a str, &'a Toml>,
     schemes: RefCell<BTreeMap<String, Rc<Scheme>>>,
     /// The steps of the claim at hand.
     pub meter: &'a Meter,
@@ -53,7 +54,10 @@ impl<'a> Library<'a> {
     pub fn new(file: &'a [Toml], catalogue: &'a [Toml], meter: &'a Meter) -> Library<'a> {
         let (schemes, nothing, as_printed, asked) = Default::default();
         let products = Products::new(meter);
-        Library { file, catalogue, schemes, meter, products, nothing, as_printed, asked }
+        let named = |table: &'a Toml| table.text("name").map(|name| (name, table));
+        let own = file.iter().filter_map(named).map(|(name, _)| name).collect();
+        let tables = catalogue.iter().chain(file).filter_map(named).collect();
+        Library { own, tables, schemes, meter, products, nothing, as_printed, asked }
     }
 
     /// What a computation gives, and the constants of schemes that its formulas ask for.
@@ -139,13 +143,12 @@ impl<'a> Library<'a> {
     }
 
     fn named(&self, name: &str) -> Option<&'a Toml> {
-        let mut tables = self.file.iter().chain(self.catalogue);
-        tables.find(|table| table.text("name") == Some(name))
+        self.tables.get(name).copied()
     }
 
     /// Whether the claim file has a scheme of this name, which hides that of the catalogue.
     pub fn redefines(&self, name: &str) -> bool {
-        self.file.iter().any(|table| table.text("name") == Some(name))
+        self.own.contains(name)
     }
 
     /// Whether a reference names a ring.

@@ -2,7 +2,7 @@
 
 use crate::numbers::Value;
 use crate::text::Stop;
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -23,6 +23,10 @@ pub struct Scheme {
     pub difference: Vec<Vec<Value>>,
     /// The offset o.
     pub offset: i64,
+    /// The values at the integers of the limit of 1 at 0, once they are known.
+    pub limit: OnceCell<Rc<[Value]>>,
+    /// The integrals of this limit with the limits of other schemes, by the addresses of these. The library keeps them.
+    pub integrals: RefCell<BTreeMap<*const Scheme, Rc<[Value]>>>,
     /// The same scheme with other numbers of its points, by the number of the point that becomes
     /// number 0.
     numbered: RefCell<BTreeMap<usize, Rc<Scheme>>>,
@@ -62,7 +66,8 @@ impl Scheme {
             difference.push(row);
         }
         difference.push(last);
-        Ok(Scheme { mask, difference, offset, numbered: RefCell::default() })
+        let (limit, integrals, numbered) = Default::default();
+        Ok(Scheme { mask, difference, offset, limit, integrals, numbered })
     }
 
     /// The scheme whose point i is the point i + `first` of this one, 0 ≤ `first` < n: rule α is
@@ -87,6 +92,11 @@ impl Scheme {
         let scheme = Rc::new(Scheme::of(mask, self.offset)?);
         self.numbered.borrow_mut().insert(first, Rc::clone(&scheme));
         Ok(scheme)
+    }
+
+    /// Checks that the mask has no symbols.
+    pub fn numeric(&self) -> Result<(), Stop> {
+        self.mask.iter().flatten().try_for_each(|a| a.number().map(|_| ()))
     }
 
     /// The arity n.

@@ -42,6 +42,7 @@ verdicts! {
     OtherReading "other-reading"
     Inexact "inexact"
     Fails "fails"
+    Tried "tried"
     Refuted "refuted"
     Differs "differs"
     Unknown "unknown"

@@ -71,6 +71,7 @@ fn restated(kind: &str, lines: &[String]) -> usize {
     let last: &[&str] = match kind {
         "table" => &["value"],
         "equation" | "function" => &["right", "absent"],
+        "relation" => &["states", "absent"],
         "range" => &["below", "at-most", "smoothness"],
         "theorem" => &["by", "says"],
         _ => &[],
@@ -154,6 +155,15 @@ fn change(kind: &str, claim: &str, lines: &[String]) -> Option<Change> {
             of("right", &format!("({}) + 1", text("right")?), &["holds"], "right")
         }
         ("equation" | "function", "fails") => of("right", text("left")?, &["fails"], "right"),
+        ("relation", "holds") => {
+            // The first sign is that of the opposite, and the other signs are as they were.
+            let states = text("states")?;
+            let signs = [" = ", " ≠ ", " < ", " ≥ ", " > ", " ≤ "];
+            let at = |sign: &&&str| states.find(**sign).unwrap_or(usize::MAX);
+            let first = signs.iter().min_by_key(at).filter(|sign| states.contains(**sign))?;
+            let place = signs.iter().position(|sign| sign == first)?;
+            of("states", &states.replacen(first, signs[place ^ 1], 1), &["holds"], "states")
+        }
         ("range", _) => {
             // The complement. No two intervals are one.
             let (word, other) =

@@ -1,12 +1,13 @@
 //! The rule `equation`: two sides as polynomials in the symbols, in every case.
 
+pub mod cases;
 mod hypotheses;
 
 use super::kind::{Kind, Proof};
-use crate::claims::{Axis, Paper, value};
-use crate::formulas::{Expr, MAX_INTEGER, Memory, Scope, formula, formula_of};
-use crate::numbers::{Q, Value, int};
-use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, agree, compare, require};
+use crate::claims::{Axis, Paper};
+use crate::formulas::{Expr, formula, formula_of};
+use crate::text::{Block, Checked, Reason, Stop, Toml, Verdict, require};
+use cases::{Index, Listing, Values, cases, name_of, scope};
 use std::rc::Rc;
 
 /// Claims of this kind.
@@ -17,12 +18,6 @@ pub const KIND: Kind = Kind {
     names,
     check: |paper, claim, block| check(paper, claim, block).map(|()| Proof::Other),
 };
-
-/// The most cases of an equation.
-const MAX_CASES: usize = 100_000;
-
-/// The values of the indices.
-type Case<'a> = Vec<(&'a str, Q)>;
 
 /// Checks an equation.
 fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
@@ -42,93 +37,35 @@ fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Ch
     block.restates("right", claim.text("right"))?;
     let lefts = lefts.into_iter().map(|left| formula(left.unwrap_or("")));
     let lefts = lefts.collect::<Result<Vec<Expr>, Stop>>()?;
-    let (right, cases) = (formula_of(claim, "right")?, cases(paper, claim)?);
+    let (right, indices) = (formula_of(claim, "right")?, indices(claim)?);
+    let cases = cases(paper, &indices)?;
     if !each.is_empty() && lefts.len() != cases.len() {
         return Err(Stop::Wrong("the number of left sides is not that of the cases".into()).into());
     }
-    // An equation without cases states nothing.
-    require(!cases.is_empty(), Reason::NoCase)?;
-    let (verdict, count) = block.any()?;
-    let verdict = Verdict::named(verdict);
-    let verdict = verdict.filter(|said| matches!(said, Verdict::Holds | Verdict::Fails));
-    let verdict = verdict.ok_or(Reason::Malformed("holds or fails"))?;
-    agree(count, &cases.len().to_string(), Reason::Cases)?;
-    let (mut listed, memory) = (0, Rc::default());
+    let mut listing = Listing::read(block, &[Verdict::Holds, Verdict::Fails], cases.len())?;
+    let memory = Rc::default();
     for (case, left) in cases.iter().zip(lefts.iter().cycle()) {
-        let name = case.iter().map(|(_, value)| value.to_string()).collect::<Vec<_>>().join(" ");
-        let scope = scope(paper, claim, case, &memory)?;
+        let scope = scope(paper, claim, (case, &[]), &memory)?;
         let difference = scope.value(left)?.minus(&scope.value(&right)?)?;
-        // `case 3 1/2 = p[0] - p[1]`, if the next line is about this case.
-        let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case");
-        let line = line.and_then(|(_, said)| said.split_once('='));
-        let Some((_, said)) = line.filter(|(case, _)| case.trim() == name) else {
-            if difference.is_zero() {
-                continue;
-            }
-            return Err(Reason::Differ(name, Text(difference.to_string())).into());
-        };
-        block.after("case")?;
-        let said = value(said, &scope)?;
-        require(!said.is_zero(), Reason::NoDifference)?;
-        compare(difference.equals(&said)?, &said, &difference, Reason::Difference)?;
-        listed += 1;
+        let differs = !difference.is_zero();
+        listing.check(block, &name_of(case), (differs, &difference), &scope)?;
     }
-    require(block.maybe("case").is_none(), Reason::Case)?;
-    let found = if listed > 0 { Verdict::Fails } else { Verdict::Holds };
-    compare(verdict == found, &verdict, &found, Reason::Verdict)
+    listing.finished(block)
 }
 
-/// The scope of a case. It shares the known values of definitions with other cases.
-fn scope<'a>(
-    paper: &'a Paper<'a>,
-    claim: &Toml,
-    case: &Case<'_>,
-    memory: &Rc<Memory>,
-) -> Result<Scope<'a>, Stop> {
-    let mut scope = paper.scope();
-    for symbol in claim.texts("symbols") {
-        scope.values.insert(symbol.to_owned(), Value::symbol(symbol));
-        scope.families.insert(symbol.to_owned());
-    }
-    scope.memory = Rc::clone(memory);
-    for (name, value) in case {
-        scope.hidden.insert((*name).to_owned());
-        scope.values.insert((*name).to_owned(), value.clone().into());
-    }
-    hypotheses::suppose(claim, &mut scope)?;
-    if let Some(reference) = claim.text("scheme") {
-        scope.scheme = paper.library.resolve(reference, &scope)?.first().cloned();
-    }
-    Ok(scope)
-}
-
-/// Every combination of the indices, the first one slowest.
-fn cases<'a>(paper: &'a Paper<'a>, claim: &'a Toml) -> Result<Vec<Case<'a>>, Stop> {
-    let mut cases: Vec<Case<'a>> = vec![Vec::new()];
-    for index in claim.list("indices") {
-        let mut longer = Vec::new();
-        for case in cases {
-            let bounds = index.text("name").zip(index.text("from")).zip(index.text("to"));
-            let (name, values): (&str, Vec<Q>) = if let Some(((name, from), to)) = bounds {
-                let mut scope = paper.library.closed();
-                let values =
-                    case.iter().map(|(name, value)| ((*name).into(), value.clone().into()));
-                scope.values.extend(values);
-                let bound = |text| scope.value(&formula(text)?)?.integer(MAX_INTEGER);
-                (name, (bound(from)?..=bound(to)?).take(MAX_CASES + 1).map(int).collect())
-            } else {
-                let axis = Axis::read(index)?;
-                (axis.name, axis.entries.into_iter().map(|(_, value)| value).collect())
-            };
-            if longer.len() + values.len() > MAX_CASES {
-                return Err(Stop::Capped("the number of cases"));
-            }
-            let cases = values.into_iter().map(|value| [&case[..], &[(name, value)]].concat());
-            longer.extend(cases);
+/// The indices of an equation.
+fn indices(claim: &Toml) -> Result<Vec<Index<'_>>, Stop> {
+    let index = |table| {
+        let fields = ["name", "from", "to"].map(|key| Toml::text(table, key));
+        if let [Some(name), Some(from), Some(to)] = fields {
+            let values = Values::Between(Box::new([formula(from)?, formula(to)?]));
+            return Ok(Index { name, values });
         }
-        cases = longer;
-    }
-    Ok(cases)
+        let Axis { name, entries } = Axis::read(table)?;
+        let listed = entries.into_iter().map(|(_, value)| value).collect();
+        Ok(Index { name, values: Values::Listed(listed) })
+    };
+    claim.list("indices").iter().map(index).collect()
 }
 
 /// The symbols and the indices of an equation.

@@ -1,0 +1,33 @@
+//! Sums and products of values, whose steps are counted.
+
+#![warn(clippy::arithmetic_side_effects)]
+
+use crate::numbers::{Meter, Value};
+use crate::text::Stop;
+
+/// left · right.
+pub fn times(meter: &Meter, left: &Value, right: &Value) -> Result<Value, Stop> {
+    meter.spend(left.steps(right).saturating_add(left.cost_of_sum(right)))?;
+    left.times(right)
+}
+
+/// Adds left · right to a sum.
+pub fn add(meter: &Meter, sum: &mut Value, left: &Value, right: &Value) -> Result<(), Stop> {
+    meter.spend(1)?;
+    if left.is_zero() || right.is_zero() {
+        return Ok(());
+    }
+    plus(meter, sum, &times(meter, left, right)?)
+}
+
+/// Adds a term to a sum.
+pub fn plus(meter: &Meter, sum: &mut Value, term: &Value) -> Result<(), Stop> {
+    meter.spend(sum.steps(term).saturating_add(sum.cost_of_sum(term)))?;
+    sum.add(1, term)
+}
+
+/// left / right.
+pub fn over(meter: &Meter, left: &Value, right: &Value) -> Result<Value, Stop> {
+    meter.spend(left.steps(right).saturating_add(left.cost_of_quotient(right)))?;
+    left.over(right)
+}

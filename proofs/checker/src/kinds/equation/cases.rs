@@ -1,0 +1,198 @@
+//! The cases of a claim: combinations of indices, the meanings of names in each, and the lines about those that are false.
+
+#![warn(clippy::arithmetic_side_effects)]
+
+use super::hypotheses;
+use crate::claims::{Paper, value};
+use crate::formulas::{Expr, MAX_INTEGER, Memory, Scope};
+use crate::numbers::{Q, Value, int};
+use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, agree, compare, require};
+use std::rc::Rc;
+
+/// The most cases of a claim.
+pub const MAX_CASES: usize = 100_000;
+
+/// The first values of an index that has all values.
+const FIRST: usize = 24;
+
+/// The values of the indices.
+pub type Case<'a> = Vec<(&'a str, Q)>;
+
+/// An index of a claim.
+pub struct Index<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Its values.
+    pub values: Values,
+}
+
+/// The values of an index.
+pub enum Values {
+    /// These numbers.
+    Listed(Vec<Q>),
+    /// The integers between two bounds, in the names of the indices before it.
+    Between(Box<[Expr; 2]>),
+    /// All integers from this one on.
+    From(i64),
+}
+
+/// The bounds of the values of an index, where those before it have these values.
+fn integers(paper: &Paper<'_>, case: &Case<'_>, bounds: &[Expr; 2]) -> Result<[i64; 2], Stop> {
+    let mut scope = paper.library.closed();
+    let values = case.iter().map(|(name, value)| ((*name).into(), value.clone().into()));
+    scope.values.extend(values);
+    let bound = |bound| scope.value(bound)?.integer(MAX_INTEGER);
+    Ok([bound(&bounds[0])?, bound(&bounds[1])?])
+}
+
+impl Index<'_> {
+    /// Its values, where the indices before it have these, or the first ones.
+    fn listed(&self, paper: &Paper<'_>, case: &Case<'_>) -> Result<Vec<Q>, Stop> {
+        Ok(match &self.values {
+            Values::Listed(values) => values.clone(),
+            Values::Between(bounds) => {
+                let [from, to] = integers(paper, case, bounds)?;
+                (from..=to).take(MAX_CASES.saturating_add(1)).map(int).collect()
+            }
+            Values::From(least) => (*least..).take(FIRST).map(int).collect(),
+        })
+    }
+
+    /// Whether this is one of its values, where the indices before it have these.
+    pub fn has(&self, paper: &Paper<'_>, case: &Case<'_>, value: &Q) -> Result<bool, Stop> {
+        Ok(match &self.values {
+            Values::Listed(values) => values.contains(value),
+            Values::Between(bounds) => {
+                let [from, to] = integers(paper, case, bounds)?.map(int);
+                value.is_integer() && from <= *value && *value <= to
+            }
+            Values::From(least) => value.is_integer() && *value >= int(*least),
+        })
+    }
+
+    /// Whether it has all values from one on.
+    pub fn is_all(&self) -> bool {
+        matches!(self.values, Values::From(_))
+    }
+}
+
+/// Every combination of the indices, the first one slowest. Of an index with all values, the first ones count.
+pub fn cases<'a>(
+    paper: &Paper<'_>,
+    indices: impl IntoIterator<Item = &'a Index<'a>>,
+) -> Result<Vec<Case<'a>>, Stop> {
+    let mut cases: Vec<Case<'a>> = vec![Vec::new()];
+    for index in indices {
+        let mut longer = Vec::new();
+        for case in cases {
+            let values = index.listed(paper, &case)?;
+            if longer.len().saturating_add(values.len()) > MAX_CASES {
+                return Err(Stop::Capped("the number of cases"));
+            }
+            let cases =
+                values.into_iter().map(|value| [&case[..], &[(index.name, value)]].concat());
+            longer.extend(cases);
+        }
+        cases = longer;
+    }
+    Ok(cases)
+}
+
+/// The values of the indices of a case, as certificates write them.
+pub fn name_of(case: &Case<'_>) -> String {
+    case.iter().map(|(_, value)| value.to_string()).collect::<Vec<_>>().join(" ")
+}
+
+/// The scope of a case, in which some other indices are symbols. It shares the known values of definitions with other cases.
+pub fn scope<'a>(
+    paper: &'a Paper<'a>,
+    claim: &Toml,
+    (case, symbols): (&Case<'_>, &[&str]),
+    memory: &Rc<Memory>,
+) -> Result<Scope<'a>, Stop> {
+    let mut scope = paper.scope();
+    for symbol in claim.texts("symbols") {
+        scope.values.insert(symbol.to_owned(), Value::symbol(symbol));
+        scope.families.insert(symbol.to_owned());
+    }
+    scope.memory = Rc::clone(memory);
+    let symbols = symbols.iter().map(|name| (*name, Value::symbol(name)));
+    let values = case.iter().map(|(name, value)| (*name, Value::from(value.clone())));
+    for (name, value) in values.chain(symbols.clone()) {
+        scope.hidden.insert(name.to_owned());
+        scope.values.insert(name.to_owned(), value);
+    }
+    hypotheses::suppose(claim, &mut scope)?;
+    // What holds of a mask with a symbol need not hold of a number in its place: the mask may be shorter there. Nor have all
+    // numbers the one value that hypotheses may give to an index.
+    for (name, symbol) in symbols.clone() {
+        if scope.values.remove(name) != Some(symbol) {
+            return Err(Stop::Wrong(format!("the hypotheses determine `{name}`")));
+        }
+    }
+    if let Some(reference) = claim.text("scheme") {
+        scope.scheme = paper.library.resolve(reference, &scope)?.first().cloned();
+    }
+    scope.values.extend(symbols.map(|(name, symbol)| (name.to_owned(), symbol)));
+    Ok(scope)
+}
+
+/// The verdict of a certificate, and how many cases it lists as false.
+pub struct Listing {
+    verdict: Verdict,
+    listed: usize,
+}
+
+impl Listing {
+    /// A verdict that has been read, before its first case.
+    pub fn of(verdict: Verdict) -> Listing {
+        Listing { verdict, listed: 0 }
+    }
+
+    /// Reads one of these verdicts, whose number of cases has to be this.
+    pub fn read(block: &mut Block<'_>, of: &[Verdict], cases: usize) -> Checked<Listing> {
+        // Without cases nothing is stated.
+        require(cases > 0, Reason::NoCase)?;
+        let (verdict, count) = block.any()?;
+        let verdict = Verdict::named(verdict);
+        let verdict = verdict.filter(|said| of.contains(said));
+        let verdict = verdict.ok_or(Reason::Malformed("a verdict on all cases"))?;
+        agree(count, &cases.to_string(), Reason::Cases)?;
+        Ok(Listing::of(verdict))
+    }
+
+    /// Checks the line about a case, or that there is none if the case is not false.
+    pub fn check(
+        &mut self,
+        block: &mut Block<'_>,
+        name: &str,
+        (fails, difference): (bool, &Value),
+        scope: &Scope<'_>,
+    ) -> Checked<()> {
+        // `case 3 1/2 = p[0] - p[1]`, if the next line is about this case.
+        let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case");
+        let line = line.and_then(|(_, said)| said.split_once('='));
+        let Some((_, said)) = line.filter(|(case, _)| case.trim() == name) else {
+            let reason = || Reason::Differ(name.to_owned(), Text(difference.to_string()));
+            return if fails { Err(reason().into()) } else { Ok(()) };
+        };
+        block.after("case")?;
+        let said = value(said, scope)?;
+        require(fails || !said.is_zero(), Reason::NoDifference)?;
+        compare(difference.equals(&said)?, &said, difference, Reason::Difference)?;
+        require(fails, Reason::NotFalse(name.to_owned()))?;
+        self.listed = self.listed.saturating_add(1);
+        Ok(())
+    }
+
+    /// Checks that no other case is listed, and that the verdict fits.
+    pub fn finished(self, block: &mut Block<'_>) -> Checked<()> {
+        require(block.maybe("case").is_none(), Reason::Case)?;
+        let found = match self.verdict {
+            _ if self.listed > 0 => Verdict::Fails,
+            Verdict::Tried => Verdict::Tried,
+            _ => Verdict::Holds,
+        };
+        compare(self.verdict == found, &self.verdict, &found, Reason::Verdict)
+    }
+}
