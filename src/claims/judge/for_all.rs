@@ -1,4 +1,6 @@
 //! Proofs for all integers from one on.
+//!
+//! The scheme must not depend on them: a mask with a symbol in it may be another one at some integers.
 
 use super::cases::Case;
 use super::comparison::Sides;
