@@ -49,6 +49,8 @@ fn lines(audit: &PaperAudit<'_>) -> Vec<String> {
             EquationVerdict::Fails { cases, failures, .. } => {
                 format!("in {} of {cases}: {}", failures.len(), failures[0].difference())
             }
+            EquationVerdict::Proved => "for all".to_owned(),
+            EquationVerdict::Tried { cases } => format!("tried in {cases}"),
             EquationVerdict::NotCheckable | EquationVerdict::BeyondCap(_) => String::new(),
         };
         lines.push(format!("{} {} {detail}", finding.id, finding.verdict.word().name()));

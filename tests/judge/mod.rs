@@ -10,6 +10,7 @@ mod numbers;
 mod proportional;
 mod readings;
 mod recovered;
+mod relations;
 mod scheme_headers;
 mod smoothness;
 mod theorem_verdicts;

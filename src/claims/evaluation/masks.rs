@@ -194,10 +194,13 @@ fn check_size<F: crate::exact::Scalar>(first: &Mask<F>, second: &Mask<F>) -> Res
     Ok(())
 }
 
-/// Why a limit has no value: there is none, or it is not shown that there is one.
+/// Why a limit is not computed: there is none, or it is not shown that there is one.
 fn unlimited(error: &LimitError) -> CallError {
     match error {
-        LimitError::NoLimit { .. } => CallError::Undefined(error.to_string()),
+        LimitError::NoLimit { .. } => {
+            let what = "the multiplicity of the eigenvalue 1, with which there is no continuous limit,";
+            CallError::BeyondCap(Cap::new(what, 1))
+        }
         LimitError::NotShown { .. } => {
             let what = "no contraction constant below 1 is found: the number of residue classes";
             CallError::BeyondCap(Cap::new(what, MAX_CLASSES))

@@ -81,6 +81,11 @@ impl<'a, V: Value + PartialEq> Shapes<'a, V> {
         Shapes { library, own, named, norms }
     }
 
+    /// The schemes.
+    pub(crate) fn library(&self) -> &'a Library<'a> {
+        self.library
+    }
+
     /// The shape of the scheme that `reference` means in `context`.
     pub(crate) fn own(
         &self,

@@ -2,9 +2,10 @@
 
 use crate::claim::{Hypothesis, Identity, Paper};
 use crate::diagnostic::Diagnostic;
+use crate::evaluation::reference;
 use crate::evaluation::shape::{Coefficients, Shapes, own_shape};
 use crate::exact::{Polynomial, Scalar};
-use crate::formula::{Context, Expr, LocatedFormula, Scope, Work, evaluate};
+use crate::formula::{Context, Expr, LocatedFormula, Scope, Value as _, Work, evaluate};
 use crate::judge::cases::Case;
 use crate::judge::hypotheses;
 use std::cell::Cell;
@@ -41,6 +42,17 @@ impl Sides<'_> {
         let spent = scope.work().map_or(0, Work::spent);
         self.spent.set(self.spent.get().saturating_add(spent));
         value.map_err(|error| formula.diagnostic(&error))
+    }
+
+    /// Whether the scheme of the claim has numbers for parameters in this case.
+    pub(crate) fn has_scheme_of_numbers(&self, case: &Case) -> Result<bool, Diagnostic> {
+        let Some(located) = &self.identity.scheme else { return Ok(true) };
+        let none = Coefficients { shapes: &self.shapes, own: None };
+        let scope = self.scope(case, &none, &|name: &str| Polynomial::variable(name))?;
+        let instances = self.shapes.library().instances(&located.reference, &scope);
+        let instances = instances.map_err(|error| reference::located(located, &error))?;
+        let mut parameters = instances.iter().flat_map(|instance| instance.parameters.values());
+        Ok(parameters.all(|parameter| parameter.number().is_some()))
     }
 
     fn scope<'s>(

@@ -7,8 +7,8 @@ use super::comparison::Sides;
 use super::relation::holds;
 use crate::claim::{Comparison, Sign};
 use crate::diagnostic::Diagnostic;
-use crate::exact::{Polynomial, Rational};
-use crate::formula::Value as _;
+use crate::exact::{Integer, Polynomial, Rational};
+use crate::formula::{LocatedFormula, Value as _};
 
 /// The most integers that are tried one by one.
 const MAX_TRIED: i64 = 10_000;
@@ -33,8 +33,12 @@ pub(super) fn decide(
     comparison: &Comparison,
     case: &Case,
 ) -> Result<ForAll, Diagnostic> {
+    // Hypotheses may hold at some integers only.
+    if !sides.identity.hypotheses.is_empty() || !sides.has_scheme_of_numbers(case).unwrap_or(false) {
+        return Ok(ForAll::Unknown);
+    }
     let printed = comparison.left.formula(0);
-    let value = |formula: &crate::formula::LocatedFormula| sides.value(formula, &formula.expr, case);
+    let value = |formula: &LocatedFormula| sides.value(formula, &formula.expr, case);
     let Ok(left) = value(printed) else { return Ok(ForAll::Unknown) };
     let rights: Result<Vec<Polynomial>, Diagnostic> = comparison.rights.iter().map(value).collect();
     let Ok(rights) = rights else { return Ok(ForAll::Unknown) };
@@ -96,7 +100,7 @@ fn bound(polynomial: &Polynomial, name: &str) -> Option<i64> {
     let (highest, others) = coefficients.split_last()?;
     let ratios = others.iter().map(|c| (c / highest).abs());
     let most = ratios.fold(Rational::zero(), Rational::max);
-    let bound = (most + Rational::from(1)).ceil() + crate::exact::Integer::one();
+    let bound = (most + Rational::from(1)).ceil() + Integer::one();
     bound.within(1 << 32)
 }
 

@@ -32,7 +32,7 @@ enum Source<'a> {
 struct Claim<'a> {
     /// Its id within the paper.
     id: &'a str,
-    /// `table`, `equation`, `function`, `range`, `smoothness`, `exponent` or `theorem`; `shipped` in a program.
+    /// `table`, `equation`, `relation`, `function`, `range`, `smoothness`, `exponent` or `theorem`; `shipped` in a program.
     kind: &'static str,
     /// Where in the paper it is.
     locus: &'a str,
@@ -45,6 +45,7 @@ impl<'a> Listing<'a> {
     pub(crate) fn of_paper(paper: &'a Paper, file: String) -> Listing<'a> {
         let kind = |claim| match claim {
             claim::Claim::Smoothness(claim) => claim.kind.name(),
+            claim::Claim::Equation(claim) => claim.kind(),
             other => other.kind().name(),
         };
         let claim = |one: claim::Claim<'a>| Claim {

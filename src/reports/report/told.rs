@@ -9,7 +9,6 @@ use crate::report::json;
 use crate::report::tables::eye::Eye;
 use crate::report::words::sheet::Sheet;
 use maud::{Markup, html};
-use std::collections::BTreeMap;
 use subcert_claims::with_kinds;
 
 /// A finding of a kind as one of any kind.
@@ -154,12 +153,14 @@ with_kinds!(told);
 
 /// The claims of papers that are counted together, in the order of their kinds, and how many have each verdict.
 pub(crate) fn counts(audits: &[PaperAudit<'_>]) -> Vec<(&'static Counted, Tally)> {
-    let mut kinds: BTreeMap<Kind, (&'static Counted, Tally)> = BTreeMap::new();
+    let mut kinds: Vec<(Kind, &'static Counted, Tally)> = Vec::new();
     for finding in audits.iter().flat_map(PaperAudit::findings) {
         let Some(counted) = told(finding).counted() else { continue };
-        let known = kinds.iter().find(|(_, (known, _))| *known == counted);
-        let kind = known.map_or(finding.claim().kind(), |(kind, _)| *kind);
-        kinds.entry(kind).or_insert_with(|| (counted, Tally::default())).1 += &finding.verdicts();
+        match kinds.iter_mut().find(|(_, known, _)| *known == counted) {
+            Some((_, _, tally)) => *tally += &finding.verdicts(),
+            None => kinds.push((finding.claim().kind(), counted, finding.verdicts())),
+        }
     }
-    kinds.into_values().collect()
+    kinds.sort_by_key(|(kind, _, _)| *kind);
+    kinds.into_iter().map(|(_, counted, tally)| (counted, tally)).collect()
 }

@@ -9,7 +9,7 @@ use crate::report::json::theorems::theorem::Trial;
 use serde::Serialize;
 use std::borrow::Cow;
 
-/// A claim: a cell of a table, an equation, a closed form, a range, a claim about smoothness or a theorem.
+/// A claim: a cell of a table, an equation or another relation, a closed form, a range, a claim about smoothness or a theorem.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Claim<'a> {
@@ -17,8 +17,8 @@ pub struct Claim<'a> {
     pub id: &'a str,
     /// Where in the paper it is.
     pub locus: &'a str,
-    /// `number` for a cell, `equation`, `function` for a closed form, `range`, `smoothness`, `exponent` or
-    /// `theorem`.
+    /// `number` for a cell, `equation`, `relation`, `function` for a closed form, `range`, `smoothness`,
+    /// `exponent` or `theorem`.
     pub kind: &'static str,
     /// What is printed; null where a cell is lost.
     pub printed: Option<Cow<'a, str>>,
@@ -76,9 +76,9 @@ pub enum Details<'a> {
         /// The verdict if these values were stated.
         verdict_if_assumed: Option<&'static str>,
     },
-    /// Of an equation.
+    /// Of an equation or another relation.
     Equation {
-        /// The cases in which the sides differ; null where there are none.
+        /// The cases in which the claim is false; null where there are none.
         failures: Option<Vec<Failure<'a>>>,
         /// Changes of one symbol after which the equation holds.
         mends: Option<&'a [String]>,

@@ -26,13 +26,27 @@ pub(super) static EQUATIONS: Counted = Counted {
     place: 2,
 };
 
+/// Relations between formulas, and properties of schemes.
+static RELATIONS: Counted = Counted {
+    several: "relations",
+    one: "relation",
+    column: "relations\n✓ hold ✗ fail",
+    wrong: Word::Fails,
+    words: ["fails", "fail"],
+    place: 3,
+};
+
 impl<'a> Told<'a> for EquationFinding<'a> {
     fn heading(&self) -> [&'static str; 2] {
-        ["Equations", "equations"]
+        if self.equation.is_relation {
+            ["Relations", "relations"]
+        } else {
+            ["Equations", "equations"]
+        }
     }
 
     fn counted(&self) -> Option<&'static Counted> {
-        Some(&EQUATIONS)
+        Some(if self.equation.is_relation { &RELATIONS } else { &EQUATIONS })
     }
 
     fn outcome(&self) -> String {

@@ -66,17 +66,18 @@ fn paper(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
 fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, kind: Kind, all: bool) {
     let findings = audit.findings().filter(|finding| finding.claim().kind() == kind).map(told);
     let shown: Vec<&dyn Told<'_>> = findings.filter(|finding| all || finding.is_shown()).collect();
-    let Some(first) = shown.first() else { return };
-    sheet.heading(2, first.heading()[0]);
-    if kind == Kind::Smoothness {
-        regularity::section(sheet, audit, all);
-    }
     let fact = |finding: &&dyn Told<'_>| {
         let claim = finding.claim();
         let lines = [vec![titled(&[claim.title(), claim.id()])], finding.remarks()].concat();
         (format!("{} {}", finding.word().mark(), claim.locus()), lines.join("\n"))
     };
-    sheet.facts(shown.iter().map(fact).collect());
+    for group in shown.chunk_by(|one, next| one.heading() == next.heading()) {
+        sheet.heading(2, group[0].heading()[0]);
+        if kind == Kind::Smoothness {
+            regularity::section(sheet, audit, all);
+        }
+        sheet.facts(group.iter().map(fact).collect());
+    }
 }
 
 fn is_unclear(table: &TableFinding<'_>) -> bool {

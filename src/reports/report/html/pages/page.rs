@@ -48,11 +48,15 @@ pub fn audit_page(
     checked: Option<&BTreeMap<String, Certificate>>,
 ) -> Result<String, Diagnostic> {
     let context = Context { checked, ..Context::new(audit, file) };
-    let mut sections = BTreeMap::new();
+    let mut sections: BTreeMap<Kind, Vec<([&str; 2], Vec<Markup>)>> = BTreeMap::new();
     for finding in audit.findings() {
         let section = claims::section(&context, finding)?;
-        let kind = finding.claim().kind();
-        sections.entry(kind).or_insert((told(finding).heading(), Vec::new())).1.push(section);
+        let heading = told(finding).heading();
+        let groups = sections.entry(finding.claim().kind()).or_default();
+        match groups.last_mut().filter(|(last, _)| *last == heading) {
+            Some((_, sections)) => sections.push(section),
+            None => groups.push((heading, vec![section])),
+        }
     }
     let paper = audit.paper;
     let bibliography = &paper.bibliography;
@@ -78,7 +82,9 @@ pub fn audit_page(
                     @let tables: Vec<Markup> = regularity::tables(audit).iter().map(regularity_table::section).collect();
                     (list("Tables of smoothness", "regularity", &tables))
                 }
-                @if let Some(([heading, id], sections)) = sections.get(kind) { (list(heading, id, sections)) }
+                @for ([heading, id], sections) in sections.get(kind).into_iter().flatten() {
+                    (list(heading, id, sections))
+                }
             }
             section.beside { (blocks(&rest(audit), 0)) h2 { "Counts" } (tallies(audit)) }
             (legend())
