@@ -38,10 +38,11 @@ FILES = {"proofs/COVERAGE.md": "coverage --format markdown", "docs/flags.md": "f
     for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml"))
 }
 # Claims about smoothness, which are no part of the program.
-SMOOTHNESS = sorted((ROOT / "proofs" / "claims" / "smoothness").glob("*.toml"))
-for claims in SMOOTHNESS:
-    FILES[f"proofs/certificates/smoothness/{claims.stem}.cert"] = f"prove {claims.relative_to(ROOT)} -o -"
-    FILES[f"proofs/errata/smoothness/{claims.stem}.md"] = f"errata {claims.relative_to(ROOT)}"
+KINDS = sorted((ROOT / "proofs" / "claims").glob("*/*.toml"))
+for claims in KINDS:
+    folder = claims.parent.name
+    FILES[f"proofs/certificates/{folder}/{claims.stem}.cert"] = f"prove {claims.relative_to(ROOT)} -o -"
+    FILES[f"proofs/errata/{folder}/{claims.stem}.md"] = f"errata {claims.relative_to(ROOT)}"
 # Constants that public programs ship.
 PROJECTS = sorted((ROOT / "proofs" / "projects").glob("*.toml"))
 for claims in PROJECTS:
@@ -72,12 +73,12 @@ def gallery() -> str:
 CLAIM = re.compile(r"^\| (?P<key>[\w-]+):(?P<id>\S+) \|", re.MULTILINE)
 LITERATURE = """
 The tables come from the claim files in [`proofs/claims`](../proofs/claims), for papers whose text was read, and from those with
-[claims about smoothness](../proofs/claims/smoothness), each with a note on what was seen of its source. Theorems,
+[claims about smoothness](../proofs/claims/smoothness) or [relations](../proofs/claims/relations), each with a note on what was seen of its source. Theorems,
 tables and formulas were judged as printed. Each claim leads to the certificate that has it, which
 `subcert-check` verifies. Of a claim that is true but not sharp, it proves what is printed; the sharper statement was shown by `subcert` alone. The [texts for each paper](../proofs/errata) have all cells. To judge all of them again:
 
 ```sh
-subcert errata --together proofs/claims/*.toml proofs/claims/smoothness/*.toml
+subcert errata --together proofs/claims/*.toml proofs/claims/*/*.toml
 ```
 
 [Programs](gallery.md) have a page of their own.
@@ -85,8 +86,8 @@ subcert errata --together proofs/claims/*.toml proofs/claims/smoothness/*.toml
 
 
 def literature() -> str:
-    claims = [*sorted((ROOT / "proofs" / "claims").glob("*.toml")), *SMOOTHNESS]
-    folders = {one.stem: "smoothness/" if one in SMOOTHNESS else "" for one in claims}
+    claims = [*sorted((ROOT / "proofs" / "claims").glob("*.toml")), *KINDS]
+    folders = {one.stem: f"{one.parent.name}/" if one in KINDS else "" for one in claims}
     text = output("errata --together " + " ".join(str(one.relative_to(ROOT)) for one in claims))
 
     def link(match: re.Match) -> str:

@@ -6,6 +6,7 @@ mod depth;
 mod levels;
 mod papers;
 mod printed;
+mod relations;
 mod smoothness;
 mod symbols;
 mod theorems;
