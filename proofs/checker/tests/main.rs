@@ -18,4 +18,5 @@ mod opposites;
 mod radius;
 mod relations;
 mod rules;
+mod shape;
 mod toml;

@@ -42,6 +42,27 @@ parameters.w = {}
 name = "bell"
 symbol = '((1 + z)/2)^9*2'
 [[scheme]]
+name = "cutting"
+use = "corner-cutting:w=1/3"
+[[scheme]]
+name = "late"
+symbol = '(1 + z)^2*(2 + z - z^2 + z^3 + 2*z^4)/10'
+[[scheme]]
+name = "later"
+symbol = '(1 + z)^2*(1 + z - z^2 + z^3 + z^4)/6'
+[[scheme]]
+name = "mirrored"
+symbol = 'z^-9*(1 + z)^2*(3 - z - z^2 + 3*z^3)/8'
+[[scheme]]
+name = "averaged"
+symbol = '(1 + z)*(1 + z^2)/2'
+[[scheme]]
+name = "endless"
+symbol = '(1 + z)^2*(4 - z + 4*z^2)/14'
+[[scheme]]
+name = "golden"
+use = "corner-cutting:w=2*cos(pi/5) - 3/2"
+[[scheme]]
 name = "stretched"
 symbol = '1 + z^3'
 [[scheme]]
@@ -274,6 +295,52 @@ fn integrals() {
     ]);
 }
 
+/// Chaikin's scheme and B-splines keep all shapes, interpolation none. `late` is decided after some levels.
+#[test]
+fn shapes() {
+    values(&[
+        ("positive(two) + monotone(two) + convex(two)", "3"),
+        ("positive(bell) + monotone(bell) + convex(bell)", "3"),
+        ("positive(ternary) + monotone(ternary) + convex(ternary)", "3"),
+        ("positive(hat)*monotone(hat)*convex(hat)", "1"),
+        ("positive(four) + monotone(four) + convex(four)", "0"),
+        ("positive(third) + monotone(third) + convex(third)", "0"),
+        ("monotone(cutting)", "1"),
+        ("convex(cutting)", "0"),
+        ("positive(late)", "1"),
+        ("monotone(late)", "1"),
+        ("convex(late)", "1"),
+        ("positive(later)*monotone(later)", "1"),
+        ("convex(later)", "0"),
+        ("convex(mirrored)", "0"),
+        ("positive(averaged)*monotone(averaged)", "1"),
+        ("positive(far) + monotone(far) + convex(far)", "3"),
+        ("convex(fine)", "0"),
+    ]);
+}
+
+#[test]
+fn schemes_of_the_catalogue_are_options() {
+    values(&[
+        ("contraction(chaikin, 2)", "1/4"),
+        ("convex(chaikin)", "1"),
+        ("inner_product(two, 0, with = chaikin) - inner_product(chaikin, 0)", "-1/3"),
+    ]);
+    for states in [
+        "contraction(b-spline, 2) = 1",
+        "contraction(loop) = 1",
+        "contraction(corner) = 1",
+        "contraction(chaikin, scheme = two) = 1",
+        "abs(chaikin) = 1",
+    ] {
+        assert!(matches!(outcome(states, "holds 1"), Outcome::Invalid(..)), "{states}");
+    }
+    // As an index, this is a number.
+    let fields = "scheme = 'two'\nstates = 'contraction(haar) = 1/2^haar'\nfor = 'haar = 1..3'";
+    let lines = "states contraction(haar) = 1/2^haar\n holds 3";
+    assert_eq!(relation(fields, lines), Outcome::Valid);
+}
+
 #[test]
 fn a_name_of_a_scheme_is_an_option() {
     values(&[
@@ -310,6 +377,15 @@ fn a_name_of_a_scheme_is_an_option() {
 fn what_is_beyond_a_cap_is_left_open() {
     for states in [
         "limit_value(wild, 0) = 1",
+        "positive(wild) = 1",
+        "positive(haar) = 1",
+        "monotone(golden) = 1",
+        // Here limits are convex: they are averages of those of `hat`. But σ² does not divide the mask.
+        "convex(averaged) = 1",
+        // The second coefficient of c_j stays negative.
+        "convex(endless) = 1",
+        "sum(i = 1..100000, convex(later)) = 0",
+        "sum(i = 1..100000, monotone(long)) = 0",
         "inner_product(wild, 0) = 1",
         "inner_product(two, 0, with = wild) = 1",
         "limit_value(haar, 0) = 1",
@@ -340,6 +416,8 @@ fn what_is_beyond_a_cap_is_left_open() {
     }
     for states in [
         "moment(two, -1) = 0",
+        "positive(two, 1) = 1",
+        "convex(two, data = sampled) = 1",
         "moment(two, 1/2) = 0",
         "symbol_at(two, 0) = 1",
         "biorthogonal(two) = 0",

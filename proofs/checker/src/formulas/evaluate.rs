@@ -46,7 +46,7 @@ pub trait Functions {
     /// The meter that counts the steps of an evaluation.
     fn meter(&self) -> &Meter;
 
-    /// Whether the claim file has a scheme of this name.
+    /// Whether there is a scheme of this name.
     fn has_scheme(&self, name: &str) -> bool;
 }
 

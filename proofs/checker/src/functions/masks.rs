@@ -217,7 +217,7 @@ impl Mask {
 
 /// p/(1 + z + … + z^{n−1}), if that is a polynomial. It is (1 − z)p/(1 − z^n), a power series whose coefficients behind
 /// the degree of p less n − 1 have to be 0: n of them in a row are enough.
-fn quotient(meter: &Meter, p: &[Value], n: usize) -> Result<Option<Vec<Value>>, Stop> {
+pub fn quotient(meter: &Meter, p: &[Value], n: usize) -> Result<Option<Vec<Value>>, Stop> {
     let Some(degree) = p.len().checked_sub(n) else { return Ok(None) };
     let (mut series, zero) = (Vec::<Value>::with_capacity(p.len()), Value::int(0));
     for i in 0..=p.len() {

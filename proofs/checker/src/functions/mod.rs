@@ -8,5 +8,6 @@ mod limits;
 mod masks;
 mod named;
 mod reproduction;
+mod shape;
 mod steps;
 pub mod sums;

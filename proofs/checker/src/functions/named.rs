@@ -26,7 +26,7 @@ impl Functions for Library<'_> {
     }
 
     fn has_scheme(&self, name: &str) -> bool {
-        self.redefines(name)
+        self.has(name)
     }
 }
 

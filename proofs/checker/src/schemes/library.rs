@@ -146,6 +146,11 @@ impl<'a> Library<'a> {
         self.tables.get(name).copied()
     }
 
+    /// Whether the claim file or the catalogue has a scheme of this name.
+    pub fn has(&self, name: &str) -> bool {
+        self.tables.contains_key(name)
+    }
+
     /// Whether the claim file has a scheme of this name, which hides that of the catalogue.
     pub fn redefines(&self, name: &str) -> bool {
         self.own.contains(name)

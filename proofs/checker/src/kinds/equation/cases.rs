@@ -123,12 +123,9 @@ pub fn scope<'a>(
         scope.values.insert(name.to_owned(), value);
     }
     hypotheses::suppose(claim, &mut scope)?;
-    // What holds of a mask with a symbol need not hold of a number in its place: the mask may be shorter there. Nor have all
-    // numbers the one value that hypotheses may give to an index.
-    for (name, symbol) in symbols.clone() {
-        if scope.values.remove(name) != Some(symbol) {
-            return Err(Stop::Wrong(format!("the hypotheses determine `{name}`")));
-        }
+    // What holds of a mask with a symbol need not hold of a number in its place: the mask may be shorter there.
+    for (name, _) in symbols.clone() {
+        scope.values.remove(name);
     }
     if let Some(reference) = claim.text("scheme") {
         scope.scheme = paper.library.resolve(reference, &scope)?.first().cloned();

@@ -31,6 +31,8 @@ pub fn shown<'a>(
         Values::From(least) => Some((index.name, least)),
         _ => None,
     };
+    // Hypotheses may hold of some values of an index only.
+    require(claim.texts("hypotheses").next().is_none(), Reason::NotAll)?;
     let all: Vec<(&str, i64)> = indices.iter().filter_map(from).collect();
     let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
     let cases = cases(paper, indices.iter().filter(|index| !index.is_all()))?;
