@@ -5,6 +5,7 @@ use crate::bound::{
 };
 use crate::claim::{Paper, SchemeSource};
 use crate::diagnostic::Diagnostic;
+use crate::evaluation::masks::KnownLimits;
 use crate::evaluation::reference::Unresolved;
 use crate::evaluation::series::Norms;
 use crate::exact::{Rational, RealCyclotomic, StoredForm};
@@ -48,6 +49,7 @@ pub(crate) struct Library<'a> {
     sound: RefCell<BTreeMap<SoundKey, Rc<SoundBound>>>,
     pub(crate) norms: Norms<RealCyclotomic>,
     log_levels: RefCell<HashMap<LogLevel, Result<u32, DepthError>>>,
+    pub(crate) limits: KnownLimits,
 }
 
 /// A scheme with the constants of its masks, one per direction.
@@ -71,8 +73,8 @@ impl<'a> Library<'a> {
     pub(crate) fn new(paper: &'a Paper) -> Library<'a> {
         let (constants, sound) = Default::default();
         let budget = Budget::new(MAX_STEPS);
-        let (norms, log_levels, numbered) = Default::default();
-        Library { paper, constants, numbered, budget, sound, norms, log_levels }
+        let (norms, log_levels, numbered, limits) = Default::default();
+        Library { paper, constants, numbered, budget, sound, norms, log_levels, limits }
     }
 
     /// Whether a scheme of the claim file or of the catalogue has this name.

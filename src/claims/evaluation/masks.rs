@@ -11,6 +11,8 @@ use crate::limit::{
 };
 use crate::scheme::Mask;
 use crate::smoothness::{Symbol, reproduction_degree, reproduction_degree_at};
+use std::cell::RefCell;
+use std::rc::Rc;
 
 /// The greatest m of a moment.
 const MAX_MOMENT: i64 = 64;
@@ -21,6 +23,78 @@ const MAX_PRODUCTS: usize = 1 << 22;
 /// The greatest number of residue classes of T_c when a contraction below 1 is looked for.
 const MAX_CLASSES: u64 = 65_536;
 
+/// Results by what they are of; of few masks, so that they are searched one by one.
+type Results<K, T> = RefCell<Vec<(K, Result<T, CallError>)>>;
+
+/// What is known of the limits of masks: each is computed once for a claim.
+#[derive(Default)]
+pub(crate) struct KnownLimits {
+    limits: Results<Mask, Rc<Limit>>,
+    products: Results<(Mask, Mask), Rc<InnerProducts>>,
+    shapes: Results<(Mask, Shape), bool>,
+}
+
+/// The result that is known, or computed now.
+fn once<K: PartialEq, T: Clone>(
+    known: &Results<K, T>,
+    key: K,
+    compute: impl FnOnce(&K) -> Result<T, CallError>,
+) -> Result<T, CallError> {
+    if let Some((_, result)) = known.borrow().iter().find(|(one, _)| *one == key) {
+        return result.clone();
+    }
+    let result = compute(&key);
+    known.borrow_mut().push((key, result.clone()));
+    result
+}
+
+impl KnownLimits {
+    fn limit(&self, mask: Mask) -> Result<Rc<Limit>, CallError> {
+        once(&self.limits, mask, |mask| {
+            Limit::new(mask).map(Rc::new).map_err(|error| unlimited(&error))
+        })
+    }
+
+    fn inner_products(&self, masks: (Mask, Mask)) -> Result<Rc<InnerProducts>, CallError> {
+        once(&self.products, masks, |(first, second)| {
+            check_size(first, second)?;
+            let bits = |mask: &Mask| {
+                mask.rules().rows().iter().flatten().map(Rational::bits).sum::<u64>()
+            };
+            if bits(first).saturating_mul(bits(second)) > MAX_BITS {
+                let what = "the product of the bits of two masks";
+                return Err(CallError::BeyondCap(Cap::new(what, MAX_BITS)));
+            }
+            InnerProducts::new(first, second).map(Rc::new).map_err(|error| match error {
+                InnerProductError::Limit(error) => unlimited(&error),
+                InnerProductError::Mask(error) => error.cap().map_or_else(
+                    || CallError::Misuse(error.to_string()),
+                    CallError::BeyondCap,
+                ),
+                other => CallError::Misuse(other.to_string()),
+            })
+        })
+    }
+
+    /// Whether all limits of data with a shape have it.
+    fn keeps(&self, mask: Mask, shape: Shape) -> Result<bool, CallError> {
+        once(&self.shapes, (mask, shape), |(mask, shape)| {
+            let limit = self.limit(mask.clone())?;
+            match shape_kept(&limit, *shape).map_err(|error| unlimited(&error))? {
+                Kept::Always { .. } => Ok(true),
+                Kept::NotAlways { .. } | Kept::NoLines => Ok(false),
+                Kept::Open { levels } => {
+                    let what = "the shape of limits is not decided: the number of levels";
+                    Err(CallError::BeyondCap(Cap::new(what, levels.into())))
+                }
+            }
+        })
+    }
+}
+
+/// The greatest product of the bits of two masks whose inner products are computed.
+const MAX_BITS: u64 = 1 << 20;
+
 /// The value of a function of a mask; `None` if there is no such function of so many arguments. `other` gives the mask of the
 /// scheme that a name stands for.
 pub(crate) fn of_mask<V: Value + PartialEq>(
@@ -28,6 +102,7 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
     call: &Call<'_, V>,
     options: &mut Options<'_>,
     other: impl FnOnce(&str) -> Result<Mask<V>, CallError>,
+    known: &KnownLimits,
 ) -> Option<Result<V, CallError>> {
     let truth = |holds: bool| V::from_rational(&Rational::from(i64::from(holds)));
     let count = |count: usize| V::from_rational(&Rational::from(count));
@@ -66,11 +141,11 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
             let all = moments(&Symbol::of(&numbers(mask)?), narrow(m));
             all.last().map_or_else(|| Ok(V::zero()), number)
         }),
-        ("limit_value", [x]) => limit_value(mask, x),
-        ("inner_product", [k]) => inner_product(mask, k, options, other),
-        ("positive", []) => keeps(mask, Shape::Positive).map(truth),
-        ("monotone", []) => keeps(mask, Shape::Monotone).map(truth),
-        ("convex", []) => keeps(mask, Shape::Convex).map(truth),
+        ("limit_value", [x]) => limit_value(mask, x, known),
+        ("inner_product", [k]) => inner_product(mask, k, options, other, known),
+        ("positive", []) => rational(mask).and_then(|mask| known.keeps(mask, Shape::Positive)).map(truth),
+        ("monotone", []) => rational(mask).and_then(|mask| known.keeps(mask, Shape::Monotone)).map(truth),
+        ("convex", []) => rational(mask).and_then(|mask| known.keeps(mask, Shape::Convex)).map(truth),
         ("orthogonal", []) => dual(mask, mask).map(truth),
         ("biorthogonal", []) => match options.take("with") {
             Some(name) => other(&name).and_then(|other| dual(mask, &other)).map(truth),
@@ -100,7 +175,8 @@ fn rational<V: Value>(mask: &Mask<V>) -> Result<Mask, CallError> {
     if all.clone().all(|entry| entry.as_rational().is_some()) {
         return Ok(mask.map(|entry| entry.as_rational().cloned().unwrap_or_else(Rational::zero)));
     }
-    Err(CallError::Misuse("this is computed for rational masks only".to_owned()))
+    let what = "the degree of the coefficients of a mask whose limits are computed";
+    Err(CallError::BeyondCap(Cap::new(what, 1)))
 }
 
 /// Σ_k a_k z^k.
@@ -116,7 +192,7 @@ fn symbol_at<V: Value + PartialEq>(mask: &Mask<V>, z: &V) -> Result<V, CallError
         return Ok((0..low).fold(value, |value, _| value.times(z)));
     }
     if *z == V::zero() {
-        return Err(CallError::Undefined("the symbol has no value at 0".to_owned()));
+        return Err(CallError::Misuse("this symbol has negative powers of z, and no value at 0".to_owned()));
     }
     let inverse = one.divided(z).map_err(CallError::Inner)?;
     Ok((low..0).fold(value, |value, _| value.times(&inverse)))
@@ -130,12 +206,18 @@ fn degree<V: Value>(mask: &Mask<V>, parameters: Parameters) -> Result<usize, Cal
     })
 }
 
-fn limit_value<V: Value>(mask: &Mask<V>, x: &V) -> Result<V, CallError> {
+fn limit_value<V: Value>(mask: &Mask<V>, x: &V, known: &KnownLimits) -> Result<V, CallError> {
     let x = x.as_rational().ok_or_else(|| {
         CallError::Misuse(format!("a limit is computed at rational numbers, and not at {x}"))
     })?;
-    let limit = Limit::new(&rational(mask)?).and_then(|limit| basic(&limit, &x));
-    limit.map(|value| V::from_rational(&value)).map_err(|error| unlimited(&error))
+    let mask = rational(mask)?;
+    let (first, last) = Symbol::of(&mask).support();
+    let limit = known.limit(mask)?;
+    if x <= first || x >= last {
+        return Ok(V::zero());
+    }
+    let value = basic(&limit, &x).map_err(|error| unlimited(&error))?;
+    Ok(V::from_rational(&value))
 }
 
 fn inner_product<V: Value>(
@@ -143,6 +225,7 @@ fn inner_product<V: Value>(
     k: &V,
     options: &mut Options<'_>,
     other: impl FnOnce(&str) -> Result<Mask<V>, CallError>,
+    known: &KnownLimits,
 ) -> Result<V, CallError> {
     let k = Rational::from(index("the distance of two functions", k)?);
     let first = rational(mask)?;
@@ -150,28 +233,8 @@ fn inner_product<V: Value>(
         Some(name) => rational(&other(&name)?)?,
         None => first.clone(),
     };
-    check_size(&first, &second)?;
-    let products = InnerProducts::new(&first, &second).map_err(|error| match error {
-        InnerProductError::Limit(error) => unlimited(&error),
-        InnerProductError::Mask(error) if error.cap().is_some() => {
-            error.cap().map_or_else(|| CallError::Misuse(error.to_string()), CallError::BeyondCap)
-        }
-        other => CallError::Misuse(other.to_string()),
-    })?;
+    let products = known.inner_products((first, second))?;
     products.at(&k).map(|value| V::from_rational(&value)).map_err(|error| unlimited(&error))
-}
-
-/// Whether all limits of data with a shape have it.
-fn keeps<V: Value>(mask: &Mask<V>, shape: Shape) -> Result<bool, CallError> {
-    let limit = Limit::new(&rational(mask)?).map_err(|error| unlimited(&error))?;
-    match shape_kept(&limit, shape).map_err(|error| unlimited(&error))? {
-        Kept::Always { .. } => Ok(true),
-        Kept::NotAlways { .. } | Kept::NoLines => Ok(false),
-        Kept::Open { levels } => {
-            let what = "the shape of limits is not decided: the number of levels";
-            Err(CallError::BeyondCap(Cap::new(what, levels.into())))
-        }
-    }
 }
 
 fn dual<V: Value>(first: &Mask<V>, second: &Mask<V>) -> Result<bool, CallError> {
@@ -198,7 +261,7 @@ fn check_size<F: crate::exact::Scalar>(first: &Mask<F>, second: &Mask<F>) -> Res
 fn unlimited(error: &LimitError) -> CallError {
     match error {
         LimitError::NoLimit { .. } => {
-            let what = "the multiplicity of the eigenvalue 1, with which there is no continuous limit,";
+            let what = "there is no continuous limit: the multiplicity of the eigenvalue 1";
             CallError::BeyondCap(Cap::new(what, 1))
         }
         LimitError::NotShown { .. } => {

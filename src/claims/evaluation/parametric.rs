@@ -205,7 +205,8 @@ impl Functions<Parametric> for Constants<'_> {
             }
             _ => {
                 let other = |name: &str| self.coefficients.named(name);
-                shape(mask, || found.difference(), call, &mut options, other)?
+                let known = &self.coefficients.shapes.library().limits;
+                shape(mask, || found.difference(), call, &mut options, (other, known))?
             }
         };
         options.finished(value)

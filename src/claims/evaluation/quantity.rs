@@ -89,7 +89,8 @@ impl Quantities<'_> {
         let irrational = |mask: &Mask| mask.map(|value| RealCyclotomic::from(value.clone()));
         let other = |name: &str| Ok(irrational(self.other_scheme(name)?.constants.first().mask()));
         let mask = irrational(constants.mask());
-        shape(&mask, || rules(constants.difference()), call, options, other)
+        let known = &self.library.limits;
+        shape(&mask, || rules(constants.difference()), call, options, (other, known))
     }
 
     /// The constants of a scheme's first mask in this order. Those of a mask that is read forwards

@@ -3,13 +3,14 @@
 use crate::bound::{
     Constants, Order, Recursion, convolution_coefficient, power_norm_generic, sequence,
 };
+use crate::cap::Cap;
 use crate::claim::LocatedReference;
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::arguments::{index, narrow, place, within};
 use crate::evaluation::constants::{constant, levels, moved, no_level};
 use crate::evaluation::functions::{QUANTITIES, check_name, is_about_scheme, name_of};
 use crate::evaluation::library::Library;
-use crate::evaluation::masks::{numbers, of_mask};
+use crate::evaluation::masks::{KnownLimits, numbers, of_mask};
 use crate::evaluation::options::{Exponent, Options};
 use crate::evaluation::reference::{self, Unresolved, reference, unresolved};
 use crate::evaluation::series;
@@ -143,7 +144,10 @@ impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
             None => irrational(call, &mut options, &found)?,
         };
         let value = value.map_or_else(
-            || shape(&found.mask, || found.difference(), call, &mut options, other),
+            || {
+                let known = &self.shapes.library.limits;
+                shape(&found.mask, || found.difference(), call, &mut options, (other, known))
+            },
             Ok,
         )?;
         options.finished(value)
@@ -193,7 +197,7 @@ pub(crate) fn shape<V: Value + PartialEq, R: Borrow<Rules<V>>>(
     difference: impl FnOnce() -> R,
     call: &Call<'_, V>,
     options: &mut Options<'_>,
-    other: impl FnOnce(&str) -> Result<Mask<V>, CallError>,
+    (other, known): (impl FnOnce(&str) -> Result<Mask<V>, CallError>, &KnownLimits),
 ) -> Result<V, CallError> {
     let number = |value: usize| V::from_rational(&Rational::from(value));
     match (call.function, call.arguments) {
@@ -212,7 +216,7 @@ pub(crate) fn shape<V: Value + PartialEq, R: Borrow<Rules<V>>>(
         }
         ("arity", []) => Ok(number(mask.arity())),
         ("width", []) => Ok(number(mask.width())),
-        _ => of_mask(mask, call, options, other).unwrap_or_else(|| Err(usage(call))),
+        _ => of_mask(mask, call, options, other, known).unwrap_or_else(|| Err(usage(call))),
     }
 }
 
@@ -223,6 +227,9 @@ fn usage<V>(call: &Call<'_, V>) -> CallError {
     let usage = usage.map_or(name, |(usage, _)| usage);
     CallError::Misuse(format!("`{name}` cannot be used so with {count} arguments; its form is {usage}"))
 }
+
+/// The most residue classes of a constant of an irrational mask.
+const MAX_CLASSES: usize = 4_096;
 
 /// A constant of a mask that is not rational, if the call asks for one.
 fn irrational<V: Value + PartialEq>(
@@ -236,6 +243,11 @@ fn irrational<V: Value + PartialEq>(
     }
     let mask = numbers(&of.mask)?;
     let norm = |rules: &Rules<RealCyclotomic>, c: u32, order: Order| {
+        let classes = rules.arity().checked_pow(c);
+        if classes.is_none_or(|classes| classes > MAX_CLASSES) {
+            let what = "the number of residue classes of an irrational mask";
+            return Err(CallError::BeyondCap(Cap::new(what, MAX_CLASSES as u64)));
+        }
         let norm = power_norm_generic(rules, c, order);
         norm.map_err(|error| CallError::BeyondCap(error.cap()))
     };

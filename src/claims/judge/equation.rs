@@ -8,7 +8,7 @@ use crate::evaluation::shape::Shapes;
 use crate::exact::{Polynomial, Rational, Rounding, parse_decimal};
 use crate::finding::{EquationFinding, EquationVerdict, Failure};
 use crate::formula::{LocatedFormula, Value as _};
-use crate::judge::cases::{Case, Unbounded, beyond, cases};
+use crate::judge::cases::{Case, MAX_CASES, Unbounded, beyond, cases};
 use crate::judge::comparison::Sides;
 use crate::judge::for_all::{ForAll, decide};
 use crate::judge::kind::JudgeAlone;
@@ -49,7 +49,7 @@ fn compare(
     if identity.is_for_all() {
         return for_all(&sides);
     }
-    let cases = cases(identity, Unbounded::Tried)?;
+    let cases = counted(&sides)?;
     let (mut failures, mut failing) = (Vec::new(), Vec::new());
     for (i, case) in cases.iter().enumerate() {
         for part in 0..identity.comparisons.len() {
@@ -69,6 +69,17 @@ fn compare(
         mend::search(&sides, &cases, &failing)
     };
     Ok(EquationVerdict::Fails { cases: count, failures, mends })
+}
+
+/// The cases that are tried one by one; with the comparisons, there are not more than the cap.
+fn counted(sides: &Sides<'_>) -> Result<Vec<Case>, Diagnostic> {
+    let identity = sides.identity;
+    let cases = cases(identity, Unbounded::Tried)?;
+    if cases.len().saturating_mul(identity.comparisons.len()) > MAX_CASES {
+        let cap = Cap::new("the number of cases, times that of comparisons", MAX_CASES as u64);
+        return Err(beyond(identity.first().right(), cap));
+    }
+    Ok(cases)
 }
 
 /// How a comparison of this number fails in the `i`-th case, if it does.
@@ -128,7 +139,7 @@ fn for_all(sides: &Sides<'_>) -> Result<EquationVerdict, Diagnostic> {
     if proved {
         return Ok(EquationVerdict::Proved);
     }
-    let cases = cases(identity, Unbounded::Tried)?;
+    let cases = counted(sides)?;
     for case in &cases {
         for part in 0..identity.comparisons.len() {
             if let Some(failure) = compared(sides, part, 0, case)? {

@@ -13,6 +13,9 @@ use crate::formula::{LocatedFormula, Value as _};
 /// The most integers that are tried one by one.
 const MAX_TRIED: i64 = 10_000;
 
+/// The greatest degree of a polynomial in an index.
+const MAX_DEGREE: usize = 256;
+
 /// What is known of a comparison for all values of the indices that are symbols.
 pub(super) enum ForAll {
     /// It is true for all of them.
@@ -43,15 +46,21 @@ pub(super) fn decide(
     let rights: Result<Vec<Polynomial>, Diagnostic> = comparison.rights.iter().map(value).collect();
     let Ok(rights) = rights else { return Ok(ForAll::Unknown) };
     let differences: Vec<Polynomial> = rights.iter().map(|right| &left - right).collect();
-    if matches!(comparison.sign, Sign::Equal | Sign::OneOf)
-        && differences.iter().any(Polynomial::is_zero)
-    {
+    // Members of sets are numbers, for all values of the indices.
+    let compared = comparison.sign == Sign::Equal
+        || comparison.sign == Sign::OneOf && sides.identity.symbols.is_empty();
+    if compared && differences.iter().any(Polynomial::is_zero) {
         return Ok(ForAll::Proved);
     }
     let [(name, first)] = &case.symbolic[..] else { return Ok(ForAll::Unknown) };
     let alone = differences.iter().all(|difference| difference.number().is_some());
-    if alone {
-        return Ok(match holds(comparison, printed, &left, &rights) {
+    if alone && comparison.sign != Sign::OneOf {
+        let found = match comparison.sign {
+            Sign::Near | Sign::True | Sign::False => holds(comparison, printed, &left, &rights),
+            // The difference is compared with 0.
+            _ => holds(comparison, printed, &differences[0], &[Polynomial::default()]),
+        };
+        return Ok(match found {
             Ok(true) => ForAll::Proved,
             Ok(false) => ForAll::FalseAt(*first),
             Err(_) => ForAll::Unknown,
@@ -96,7 +105,7 @@ fn coefficients(polynomial: &Polynomial, name: &str) -> Option<Vec<Rational>> {
 
 /// An integer from which on the polynomial has the sign of its highest coefficient.
 fn bound(polynomial: &Polynomial, name: &str) -> Option<i64> {
-    let coefficients = coefficients(polynomial, name)?;
+    let coefficients = coefficients(polynomial, name).filter(|all| all.len() <= MAX_DEGREE + 1)?;
     let (highest, others) = coefficients.split_last()?;
     let ratios = others.iter().map(|c| (c / highest).abs());
     let most = ratios.fold(Rational::zero(), Rational::max);

@@ -52,7 +52,12 @@ pub(crate) fn holds(
                         .with_help("write `=` between formulas"));
                 }
             };
-            decimal.rounding_of(&exact) != Rounding::Neither
+            match decimal.rounding_of(&exact) {
+                Rounding::Exact | Rounding::Nearest | Rounding::Up => true,
+                // Of a value that is cut some digit is left: 0 is no 0.857.
+                Rounding::Cut => decimal.significant_digits() > 0,
+                Rounding::Neither => false,
+            }
         }
         Sign::True | Sign::False => {
             let value = number(printed, left)?;

@@ -102,7 +102,15 @@ impl<V: Value> Evaluator<'_, V> {
             }
             Node::Call { function, arguments, options } => {
                 let (scheme, arguments) = self.scheme(function, arguments, indices);
-                let arguments = self.arguments(arguments, indices)?;
+                let arguments = self.arguments(arguments, indices).map_err(|error| {
+                    // A function that is misspelt may have the name of a scheme as its argument.
+                    let unknown = |error: &FormulaError| {
+                        matches!(error.kind, FormulaErrorKind::UnknownFunction { .. })
+                    };
+                    let name = matches!(error.kind, FormulaErrorKind::UnknownName { .. });
+                    let called = || self.call(function, &[], options, indices, &expr.span).err();
+                    name.then(called).flatten().filter(unknown).unwrap_or(error)
+                })?;
                 match scheme {
                     None => self.call(function, &arguments, options, indices, &expr.span),
                     Some(scheme) => {

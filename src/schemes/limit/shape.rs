@@ -2,12 +2,19 @@
 
 use super::error::LimitError;
 use super::value::Limit;
-use crate::exact::Rational;
+use super::functional::Functional;
+use crate::exact::{CommonDenominator, Integer, Rational};
 use crate::scheme::Mask;
 use crate::smoothness::Symbol;
 
 /// The most coefficients of a product of symbols.
 const MAX_COEFFICIENTS: usize = 1 << 14;
+
+/// The most bits of all its coefficients together.
+const MAX_BITS: u64 = 1 << 22;
+
+/// The smallest distance at which the limit of a line is looked at is the inverse of at most this.
+const MAX_PARTS: usize = 256;
 
 /// A property of data and of limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,8 +71,8 @@ pub enum Kept {
 /// Let c_j be the coefficients of the product b(z)·b(z^n)⋯b(z^{n^{j−1}}), b = z^{m(n−1)}a/σ^m with σ(z) = 1 + z + … + z^{n−1}: the m-th differences of
 /// level j are Σ_i c_{s − n^j i} (Δ^m x)_i. If no c_j is negative, j levels keep the shape, and so do 2j, 3j, … and the limit of
 /// their polygons. With w_r the weights of the limit at 0, P^∞(s/n^j) = Σ_r w_r x^j_{s+r}, so that the m-th differences at the distance 1/n^j of the
-/// limit of data with Δ^m x = 1 at 0 and 0 elsewhere are Σ_r w_r c_{s+r}. If σ^m does not divide a, m = 2, then data i and −i, which are
-/// both convex, do not both have a convex limit.
+/// limit of data with Δ^m x = 1 at 0 and 0 elsewhere are Σ_r w_r c_{s+r}. If σ^m does not divide a, m = 2, and the limit of the data i is no line,
+/// then data i and −i, which are both convex, do not both have a convex limit.
 ///
 /// ```
 /// use subcert::limit::{Kept, Limit, Shape, shape_kept};
@@ -87,52 +94,77 @@ pub fn shape_kept(limit: &Limit, shape: Shape) -> Result<Kept, LimitError> {
     let n = mask.arity();
     let order = shape.order();
     let Some(symbol) = Symbol::of(mask).difference(order as usize, &Rational::one()) else {
-        return Ok(Kept::NoLines);
+        return lines(limit);
     };
     let weights = limit.at(&Rational::zero())?;
-    let zero = Rational::zero();
     let steps = i64::from(order) * (i64::try_from(n).expect("a small arity") - 1);
     let lowest = symbol.powers().0 + steps;
+    // Positive factors change no sign, so that integers do.
+    let common = CommonDenominator::of(&[symbol.coefficients().to_vec()]);
+    let factors = &common.numerators[0];
+    let longest = factors.iter().map(Integer::bits).max().unwrap_or(0);
     // The coefficients of the product, and the power of the first.
-    let (mut product, mut first) = (vec![Rational::one()], 0_i64);
-    let mut levels = 0;
-    let mut scale = 1_usize;
+    let (mut product, mut first) = (vec![Integer::one()], 0_i64);
+    let (mut levels, mut scale) = (0_u32, 1_usize);
     loop {
-        let length = (symbol.coefficients().len() - 1).saturating_mul(scale);
-        if product.len().saturating_add(length) > MAX_COEFFICIENTS {
+        let length = product.len().saturating_add((factors.len() - 1).saturating_mul(scale));
+        let bits = (length as u64).saturating_mul(longest * u64::from(levels + 1));
+        if length > MAX_COEFFICIENTS || bits > MAX_BITS {
             return Ok(Kept::Open { levels });
         }
         // Level j + 1 from level j: b(z^{n^j}) is the factor.
-        let mut next = vec![zero.clone(); product.len() + length];
-        for (i, factor) in symbol.coefficients().iter().enumerate() {
+        let mut next = vec![Integer::zero(); length];
+        for (i, factor) in factors.iter().enumerate() {
             for (k, value) in product.iter().enumerate() {
-                next[i * scale + k] += &(factor * value);
+                next[i * scale + k] += factor * value;
             }
         }
         first += lowest * i64::try_from(scale).expect("below the cap");
         (product, levels, scale) = (next, levels + 1, scale * n);
-        if product.iter().all(|c| *c >= zero) {
+        if product.iter().all(|c| c.sign() >= 0) {
             return Ok(Kept::Always { levels });
         }
         if let Some((s, difference)) = negative(&product, first, &weights) {
             let step = Rational::from(scale).recip();
             let at = Rational::from(s) * &step;
+            let difference = difference / Rational::from(common.denominator.pow(levels));
             return Ok(Kept::NotAlways { at, step, difference });
         }
     }
 }
 
+/// Whether the limit of the data i is a line, of a mask without a scheme of second differences.
+///
+/// It is a line plus a function of period 1. If its second differences at some distance are not all 0, some are negative, and those of
+/// the limit of −i too.
+fn lines(limit: &Limit) -> Result<Kept, LimitError> {
+    let n = limit.mask().arity();
+    let mut parts = n;
+    let mut levels = 0;
+    while parts <= MAX_PARTS {
+        let step = Rational::from(parts).recip();
+        let value = |s: usize| {
+            let at = limit.at(&(Rational::from(s) * &step))?;
+            Ok(at.apply(Rational::from))
+        };
+        let values = (0..parts + 2).map(value).collect::<Result<Vec<Rational>, LimitError>>()?;
+        let bends = |three: &[Rational]| &three[0] + &three[2] != &three[1] + &three[1];
+        if values.windows(3).any(bends) {
+            return Ok(Kept::NoLines);
+        }
+        (parts, levels) = (parts * n, levels + 1);
+    }
+    Ok(Kept::Open { levels })
+}
+
 /// A place s where Σ_r w_r c_{s+r} is negative, with this number.
-fn negative(
-    product: &[Rational],
-    first: i64,
-    weights: &super::functional::Functional,
-) -> Option<(i64, Rational)> {
+fn negative(product: &[Integer], first: i64, weights: &Functional) -> Option<(i64, Rational)> {
     let (low, high) = weights.support()?;
     let last = first + i64::try_from(product.len()).ok()?;
     let coefficient = |k: i64| {
         let place = usize::try_from(k - first).ok();
-        place.and_then(|place| product.get(place)).cloned().unwrap_or_else(Rational::zero)
+        let found = place.and_then(|place| product.get(place)).cloned();
+        Rational::from(found.unwrap_or_else(Integer::zero))
     };
     (first - high..last - low).find_map(|s| {
         let difference = weights.apply(|r| coefficient(s + r));

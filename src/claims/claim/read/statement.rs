@@ -75,7 +75,8 @@ fn set<'t>(left: &'t str, text: &'t str) -> Result<Statement<'t>, NoStatement> {
     let mut inner = text.chars();
     let ends = inner.next().zip(inner.next_back()).ok_or(NoStatement::NoSet)?;
     let members = separated(inner.as_str()).ok_or(NoStatement::Bracket)?;
-    let members = members.into_iter().map(side).collect::<Result<Vec<&str>, _>>()?;
+    let members = members.into_iter().map(side).collect::<Result<Vec<&str>, _>>();
+    let members = members.map_err(|_| NoStatement::NoSet)?;
     match (ends, &members[..]) {
         (('{', '}'), _) => Ok(Statement::OneOf(left, members)),
         ((open @ ('[' | '('), close @ (']' | ')')), [low, high]) => {
@@ -130,7 +131,7 @@ fn signs(text: &str, outer: &[usize]) -> Vec<(Sign, Range<usize>)> {
 
 /// The place of a word outside of brackets.
 fn word(text: &str, outer: &[usize], word: &str) -> Option<Range<usize>> {
-    let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == '-';
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
     outer.iter().find_map(|&at| {
         let after = text[at..].strip_prefix(word)?;
         let alone = !text[..at].ends_with(is_part) && !after.starts_with(is_part);
@@ -158,7 +159,8 @@ pub(super) fn index(text: &str) -> Option<(&str, Values<'_>)> {
         return Some((name.trim(), Values::All(from)));
     }
     let (name, values) = text.split_once('=')?;
-    let values = match values.split_once("..") {
+    let range = outer(values)?.into_iter().find(|&at| values[at..].starts_with(".."));
+    let values = match range.and_then(|at| Some((&values[..at], values.get(at.checked_add(2)?..)?))) {
         Some((from, to)) => Values::Range(from.trim(), to.trim()),
         None => Values::Listed(values.split(',').map(str::trim).collect()),
     };
@@ -199,6 +201,7 @@ mod tests {
         assert_eq!(index("all n"), Some(("n", Values::All(None))));
         assert_eq!(index("all n ≥ -3"), Some(("n", Values::All(Some("-3")))));
         assert_eq!(index("allow = 1"), Some(("allow", Values::Listed(vec!["1"]))));
+        assert_eq!(index("n = sum(i = 1..2, i)..5"), Some(("n", Values::Range("sum(i = 1..2, i)", "5"))));
         assert_eq!(index("n"), None);
     }
 }

@@ -28,6 +28,7 @@ pub(crate) fn outcome(finding: &EquationFinding<'_>) -> String {
         EquationVerdict::Fails { cases, failures, mends } => {
             let mut lines = vec![match cases {
                 1 => "fails".to_owned(),
+                _ if compared(finding).is_empty() => "fails".to_owned(),
                 _ => format!("fails in {} of {cases} cases", failures.len()),
             }];
             let shown = failures.iter().take(MAX_FAILURES);

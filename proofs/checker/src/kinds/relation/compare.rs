@@ -3,6 +3,7 @@
 use super::states::{Comparison, Rest, Sign};
 use crate::formulas::Scope;
 use crate::numbers::{Decimal, Value, rounding};
+use num_traits::Zero as _;
 use crate::text::Stop;
 use std::cmp::Ordering;
 
@@ -67,5 +68,7 @@ fn near(
         }
     };
     value.number()?;
-    Ok(rounding(decimal, value)? != "neither")
+    let found = rounding(decimal, value)?;
+    // Of a value that is cut some digit is left: 0 is no 0.857.
+    Ok(found != "neither" && !(found == "cut" && decimal.value.is_zero()))
 }
