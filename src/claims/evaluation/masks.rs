@@ -58,19 +58,17 @@ impl KnownLimits {
     fn inner_products(&self, masks: (Mask, Mask)) -> Result<Rc<InnerProducts>, CallError> {
         once(&self.products, masks, |(first, second)| {
             check_size(first, second)?;
-            let bits = |mask: &Mask| {
-                mask.rules().rows().iter().flatten().map(Rational::bits).sum::<u64>()
-            };
+            let bits =
+                |mask: &Mask| mask.rules().rows().iter().flatten().map(Rational::bits).sum::<u64>();
             if bits(first).saturating_mul(bits(second)) > MAX_BITS {
                 let what = "the product of the bits of two masks";
                 return Err(CallError::BeyondCap(Cap::new(what, MAX_BITS)));
             }
             InnerProducts::new(first, second).map(Rc::new).map_err(|error| match error {
                 InnerProductError::Limit(error) => unlimited(&error),
-                InnerProductError::Mask(error) => error.cap().map_or_else(
-                    || CallError::Misuse(error.to_string()),
-                    CallError::BeyondCap,
-                ),
+                InnerProductError::Mask(error) => error
+                    .cap()
+                    .map_or_else(|| CallError::Misuse(error.to_string()), CallError::BeyondCap),
                 other => CallError::Misuse(other.to_string()),
             })
         })
@@ -121,9 +119,7 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
         ("support", []) => support(|[first, last]| last - first),
         ("support_start", []) => support(|[first, _]| first),
         ("support_end", []) => support(|[_, last]| last),
-        ("symmetric", []) => {
-            numbers(mask).map(|mask| truth(centre(&Symbol::of(&mask)).is_some()))
-        }
+        ("symmetric", []) => numbers(mask).map(|mask| truth(centre(&Symbol::of(&mask)).is_some())),
         ("interpolating", []) => numbers(mask).map(|mask| truth(is_interpolating(&mask))),
         ("sum_rules", []) => numbers(mask).map(|mask| count(Symbol::of(&mask).sum_rules().0)),
         ("generation", []) => {
@@ -143,9 +139,15 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
         }),
         ("limit_value", [x]) => limit_value(mask, x, known),
         ("inner_product", [k]) => inner_product(mask, k, options, other, known),
-        ("positive", []) => rational(mask).and_then(|mask| known.keeps(mask, Shape::Positive)).map(truth),
-        ("monotone", []) => rational(mask).and_then(|mask| known.keeps(mask, Shape::Monotone)).map(truth),
-        ("convex", []) => rational(mask).and_then(|mask| known.keeps(mask, Shape::Convex)).map(truth),
+        ("positive", []) => {
+            rational(mask).and_then(|mask| known.keeps(mask, Shape::Positive)).map(truth)
+        }
+        ("monotone", []) => {
+            rational(mask).and_then(|mask| known.keeps(mask, Shape::Monotone)).map(truth)
+        }
+        ("convex", []) => {
+            rational(mask).and_then(|mask| known.keeps(mask, Shape::Convex)).map(truth)
+        }
         ("orthogonal", []) => dual(mask, mask).map(truth),
         ("biorthogonal", []) => match options.take("with") {
             Some(name) => other(&name).and_then(|other| dual(mask, &other)).map(truth),
@@ -165,7 +167,9 @@ pub(crate) fn numbers<V: Value>(mask: &Mask<V>) -> Result<Mask<RealCyclotomic>, 
     if all.clone().all(|entry| entry.number().is_some()) {
         return Ok(mask.map(|entry| entry.number().unwrap_or_else(RealCyclotomic::zero)));
     }
-    Err(CallError::Misuse("this needs a mask of numbers, and this one has symbols in it".to_owned()))
+    Err(CallError::Misuse(
+        "this needs a mask of numbers, and this one has symbols in it".to_owned(),
+    ))
 }
 
 /// The mask, whose coefficients are rational.
@@ -184,15 +188,17 @@ fn symbol_at<V: Value + PartialEq>(mask: &Mask<V>, z: &V) -> Result<V, CallError
     let symbol = Symbol::of(mask);
     let (low, high) = symbol.powers();
     // By Horner's rule, from the highest power down to the lowest.
-    let value = (low..=high).rev().fold(V::zero(), |value, power| {
-        value.times(z).plus(&symbol.coefficient(power))
-    });
+    let value = (low..=high)
+        .rev()
+        .fold(V::zero(), |value, power| value.times(z).plus(&symbol.coefficient(power)));
     let one = V::from_rational(&Rational::one());
     if low >= 0 {
         return Ok((0..low).fold(value, |value, _| value.times(z)));
     }
     if *z == V::zero() {
-        return Err(CallError::Misuse("this symbol has negative powers of z, and no value at 0".to_owned()));
+        return Err(CallError::Misuse(
+            "this symbol has negative powers of z, and no value at 0".to_owned(),
+        ));
     }
     let inverse = one.divided(z).map_err(CallError::Inner)?;
     Ok((low..0).fold(value, |value, _| value.times(&inverse)))

@@ -81,7 +81,8 @@ impl Quantities<'_> {
         };
         let missing = || CallError::Misuse("this needs a scheme: give the table one".to_owned());
         let scheme = scheme.ok_or_else(missing)?;
-        if let Some(value) = constant(call, options, &InScheme { of: self, scheme, named: &named })? {
+        if let Some(value) = constant(call, options, &InScheme { of: self, scheme, named: &named })?
+        {
             return Ok(value);
         }
         let constants: &Constants = scheme.constants.first();
@@ -113,12 +114,8 @@ impl Quantities<'_> {
     ) -> Result<RealCyclotomic, CallError> {
         let rounded = options.rounded()?;
         let level = self.library.log_level(ratio, x, rounded);
-        let call = LevelCall {
-            ratio: ratio.clone(),
-            x: x.clone(),
-            rounded,
-            level: level.clone().ok(),
-        };
+        let call =
+            LevelCall { ratio: ratio.clone(), x: x.clone(), rounded, level: level.clone().ok() };
         self.last_levels.replace(Some(call));
         level.map(RealCyclotomic::from).map_err(|error| no_level(&error))
     }

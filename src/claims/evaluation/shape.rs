@@ -52,7 +52,8 @@ impl<V: Value> Shape<V> {
         let rational = || {
             let mut all = self.mask.rules().rows().iter().flatten();
             all.all(|entry| entry.as_rational().is_some()).then(|| {
-                let mask = self.mask.map(|entry| entry.as_rational().unwrap_or_else(Rational::zero));
+                let mask =
+                    self.mask.map(|entry| entry.as_rational().unwrap_or_else(Rational::zero));
                 library.constants_of(mask)
             })
         };
@@ -163,7 +164,8 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
     fn level(&self, ratio: &V, x: &V, options: &mut Options<'_>) -> Result<V, CallError> {
         let rounded = options.rounded()?;
         let number = |value: &V| {
-            let message = || CallError::Misuse(format!("levels are counted of numbers, not of {value}"));
+            let message =
+                || CallError::Misuse(format!("levels are counted of numbers, not of {value}"));
             value.number().ok_or_else(message)
         };
         let level = self.shapes.library.log_level(&number(ratio)?, &number(x)?, rounded);
@@ -225,7 +227,9 @@ fn usage<V>(call: &Call<'_, V>) -> CallError {
     let (name, count) = (call.function, call.arguments.len());
     let usage = QUANTITIES.iter().find(|(usage, _)| name_of(usage) == name);
     let usage = usage.map_or(name, |(usage, _)| usage);
-    CallError::Misuse(format!("`{name}` cannot be used so with {count} arguments; its form is {usage}"))
+    CallError::Misuse(format!(
+        "`{name}` cannot be used so with {count} arguments; its form is {usage}"
+    ))
 }
 
 /// The most residue classes of a constant of an irrational mask.

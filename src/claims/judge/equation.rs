@@ -118,7 +118,8 @@ fn compared(
 /// Judges a claim about all integers from one on.
 fn for_all(sides: &Sides<'_>) -> Result<EquationVerdict, Diagnostic> {
     let identity = sides.identity;
-    let fails = |failure| EquationVerdict::Fails { cases: 1, failures: vec![failure], mends: Vec::new() };
+    let fails =
+        |failure| EquationVerdict::Fails { cases: 1, failures: vec![failure], mends: Vec::new() };
     // Where the values of another index depend on such an index, it is no symbol.
     let symbolic = cases(identity, Unbounded::Symbol).unwrap_or_default();
     let mut proved = !symbolic.is_empty();

@@ -37,7 +37,8 @@ pub(super) fn decide(
     case: &Case,
 ) -> Result<ForAll, Diagnostic> {
     // Hypotheses may hold at some integers only.
-    if !sides.identity.hypotheses.is_empty() || !sides.has_scheme_of_numbers(case).unwrap_or(false) {
+    if !sides.identity.hypotheses.is_empty() || !sides.has_scheme_of_numbers(case).unwrap_or(false)
+    {
         return Ok(ForAll::Unknown);
     }
     let printed = comparison.left.formula(0);
@@ -79,7 +80,8 @@ pub(super) fn decide(
     }
     for t in *first..=last {
         let at = |polynomial: &Polynomial| at(polynomial, name, t);
-        let (Some(left), Some(rights)) = (at(&left), rights.iter().map(at).collect::<Option<Vec<_>>>())
+        let (Some(left), Some(rights)) =
+            (at(&left), rights.iter().map(at).collect::<Option<Vec<_>>>())
         else {
             return Ok(ForAll::Unknown);
         };

@@ -23,11 +23,7 @@ const MAX_WORK: u64 = 20_000_000;
 /// none or more than three, if a cap is reached, or if there are no symbols: between plain numbers,
 /// a change that fits is luck. `failing` are the indices of the cases that fail. They are compared
 /// first, since nearly every change fails there too.
-pub(crate) fn search(
-    comparison: &Sides<'_>,
-    cases: &[Case],
-    failing: &[usize],
-) -> Vec<String> {
+pub(crate) fn search(comparison: &Sides<'_>, cases: &[Case], failing: &[usize]) -> Vec<String> {
     let identity = comparison.identity;
     let [equation] = &identity.comparisons[..] else { return Vec::new() };
     if identity.symbols.is_empty() || equation.sign != Sign::Equal {

@@ -18,9 +18,11 @@ pub(crate) fn holds(
 ) -> Result<bool, Diagnostic> {
     let number = |formula: &LocatedFormula, value: &Polynomial| {
         value.number().ok_or_else(|| {
-            let message = format!("{} is stated of numbers, and this is {value}", comparison.sign.mark());
-            Diagnostic::new(&formula.source, formula.span.clone(), message)
-                .with_help("only `=` compares polynomials in symbols; give the symbols values by `for`")
+            let message =
+                format!("{} is stated of numbers, and this is {value}", comparison.sign.mark());
+            Diagnostic::new(&formula.source, formula.span.clone(), message).with_help(
+                "only `=` compares polynomials in symbols; give the symbols values by `for`",
+            )
         })
     };
     let sides = || -> Result<(RealCyclotomic, RealCyclotomic), Diagnostic> {
@@ -63,7 +65,8 @@ pub(crate) fn holds(
             let value = number(printed, left)?;
             let [zero, one] = [Rational::zero(), Rational::one()].map(RealCyclotomic::from);
             if value != zero && value != one {
-                let message = format!("this states nothing by itself: it is {value}, and neither 0 nor 1");
+                let message =
+                    format!("this states nothing by itself: it is {value}, and neither 0 nor 1");
                 return Err(Diagnostic::new(&printed.source, printed.span.clone(), message)
                     .with_help("compare it with something: `= 3`, `< 1/2`, `in {1, 2}`"));
             }

@@ -166,7 +166,8 @@ impl<V: Value> Evaluator<'_, V> {
             && indices.iter().all(|(index, _)| index != name)
             && self.context.is_scheme(function, name)
         {
-            let word = OptionWord { name: SCHEME.to_owned(), word: name.clone(), span: span.clone() };
+            let word =
+                OptionWord { name: SCHEME.to_owned(), word: name.clone(), span: span.clone() };
             return (Some(word), rest);
         }
         (None, arguments)

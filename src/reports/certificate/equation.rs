@@ -17,7 +17,9 @@ impl Certified for EquationFinding<'_> {
             EquationVerdict::Tried { cases } => block.line(format!("tried {cases}")),
             EquationVerdict::Fails { cases, failures, .. } => {
                 block.line(match &self.equation.body {
-                    EquationBody::Identity(identity) if identity.is_for_all() => "fails all".to_owned(),
+                    EquationBody::Identity(identity) if identity.is_for_all() => {
+                        "fails all".to_owned()
+                    }
                     _ => format!("fails {cases}"),
                 });
                 for failure in failures {

@@ -92,7 +92,8 @@ pub fn basic(limit: &Limit, x: &Rational) -> Result<Rational, LimitError> {
 pub fn moments<F: Scalar + PartialEq>(symbol: &Symbol<F>, last: u32) -> Vec<F> {
     let number = |x: Integer| F::from_rational(&Rational::from(x));
     let power = |k: i64, p: u32| number(Integer::from(k).pow(p));
-    let sum = |p: u32| symbol.terms().fold(F::zero(), |sum, (k, a)| sum.plus(&a.times(&power(k, p))));
+    let sum =
+        |p: u32| symbol.terms().fold(F::zero(), |sum, (k, a)| sum.plus(&a.times(&power(k, p))));
     let sums: Vec<F> = (0..=last).map(sum).collect();
     let n = Integer::from(symbol.arity());
     let mut moments = vec![F::from_rational(&Rational::one())];

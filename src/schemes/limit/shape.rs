@@ -1,8 +1,8 @@
 //! Whether limits keep the shape of the data: positivity, monotonicity, convexity.
 
 use super::error::LimitError;
-use super::value::Limit;
 use super::functional::Functional;
+use super::value::Limit;
 use crate::exact::{CommonDenominator, Integer, Rational};
 use crate::scheme::Mask;
 use crate::smoothness::Symbol;

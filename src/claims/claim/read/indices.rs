@@ -5,8 +5,8 @@ use super::kind::{Formulas, Placed, Role, of_reference, placed};
 use super::reader::Reader;
 use super::roles::{AllRoles, Roles};
 use crate::claim::{
-    Claim, Comparison, Equation, EquationBody, FunctionClaim, Index, LocatedReference, Paper, Promise,
-    RangeClaim, SmoothnessBody, SmoothnessClaim, Statement, THEOREM_NAMES, Table, Theorem,
+    Claim, Comparison, Equation, EquationBody, FunctionClaim, Index, LocatedReference, Paper,
+    Promise, RangeClaim, SmoothnessBody, SmoothnessClaim, Statement, THEOREM_NAMES, Table, Theorem,
     with_kinds,
 };
 use crate::diagnostic::Diagnostic;

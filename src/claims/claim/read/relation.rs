@@ -136,7 +136,8 @@ impl Reader<'_> {
             let rights = rights.iter().map(|right| read(right)).collect::<Result<_, _>>()?;
             Ok(Comparison { left: Left::One(read(left)?), sign, rights })
         };
-        let found = statement(states.get_ref()).map_err(|error| self.no_statement(states, error))?;
+        let found =
+            statement(states.get_ref()).map_err(|error| self.no_statement(states, error))?;
         match found {
             Statement::Alone(formula, true) => Ok(vec![compared(formula, Sign::True, &["1"])?]),
             Statement::Alone(formula, false) => Ok(vec![compared(formula, Sign::False, &["0"])?]),
@@ -179,9 +180,8 @@ impl Reader<'_> {
         let refused = |message: &str| self.error(span.clone(), message).with_help(FOR);
         let (name, values) = index(text).ok_or_else(|| refused("this is no index with values"))?;
         let name = identifier(self.source, &Spanned::new(span.clone(), name.to_owned()))?;
-        let formula = |text: &str| {
-            LocatedFormula::read(self.source, span.clone(), text).map(Box::new)
-        };
+        let formula =
+            |text: &str| LocatedFormula::read(self.source, span.clone(), text).map(Box::new);
         match values {
             Values::Range(from, to) => {
                 let (from, to) = (formula(from)?, formula(to)?);
@@ -192,7 +192,9 @@ impl Reader<'_> {
                     None => Some(1),
                     Some(from) => from.parse().ok().and_then(|from| within(from, MAX_FIRST)),
                 };
-                let from = from.ok_or_else(|| refused("the first value of `all` is no integer up to a million"))?;
+                let from = from.ok_or_else(|| {
+                    refused("the first value of `all` is no integer up to a million")
+                })?;
                 Ok(Index::All { name, from })
             }
             Values::Listed(values) => {

@@ -56,7 +56,8 @@ pub(super) fn statement(text: &str) -> Result<Statement<'_>, NoStatement> {
     }
     let Some((_, first)) = signs.first() else {
         let trimmed = text.trim();
-        let negated = trimmed.strip_prefix("not").filter(|rest| rest.starts_with(char::is_whitespace));
+        let negated =
+            trimmed.strip_prefix("not").filter(|rest| rest.starts_with(char::is_whitespace));
         return Ok(Statement::Alone(side(negated.unwrap_or(trimmed))?, negated.is_none()));
     };
     let left = side(&text[..first.start])?;
@@ -153,14 +154,17 @@ pub(super) enum Values<'t> {
 /// An index with its values: `n = 2..8`, `n = 2, 4, 8`, `all n` or `all n >= 2`.
 pub(super) fn index(text: &str) -> Option<(&str, Values<'_>)> {
     let text = text.trim();
-    if let Some(rest) = text.strip_prefix("all").filter(|rest| rest.starts_with(char::is_whitespace)) {
+    if let Some(rest) =
+        text.strip_prefix("all").filter(|rest| rest.starts_with(char::is_whitespace))
+    {
         let bound = [">=", "≥"].into_iter().find_map(|sign| rest.split_once(sign));
         let (name, from) = bound.map_or((rest, None), |(name, from)| (name, Some(from.trim())));
         return Some((name.trim(), Values::All(from)));
     }
     let (name, values) = text.split_once('=')?;
     let range = outer(values)?.into_iter().find(|&at| values[at..].starts_with(".."));
-    let values = match range.and_then(|at| Some((&values[..at], values.get(at.checked_add(2)?..)?))) {
+    let values = match range.and_then(|at| Some((&values[..at], values.get(at.checked_add(2)?..)?)))
+    {
         Some((from, to)) => Values::Range(from.trim(), to.trim()),
         None => Values::Listed(values.split(',').map(str::trim).collect()),
     };
@@ -201,7 +205,10 @@ mod tests {
         assert_eq!(index("all n"), Some(("n", Values::All(None))));
         assert_eq!(index("all n ≥ -3"), Some(("n", Values::All(Some("-3")))));
         assert_eq!(index("allow = 1"), Some(("allow", Values::Listed(vec!["1"]))));
-        assert_eq!(index("n = sum(i = 1..2, i)..5"), Some(("n", Values::Range("sum(i = 1..2, i)", "5"))));
+        assert_eq!(
+            index("n = sum(i = 1..2, i)..5"),
+            Some(("n", Values::Range("sum(i = 1..2, i)", "5")))
+        );
         assert_eq!(index("n"), None);
     }
 }

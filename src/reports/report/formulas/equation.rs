@@ -1,8 +1,8 @@
 //! The report of equations and other relations.
 
 use super::function::beyond;
-use crate::audit::{EquationFinding, EquationVerdict};
 use crate::audit::Failure;
+use crate::audit::{EquationFinding, EquationVerdict};
 use crate::claim::{Comparison, EquationBody, Identity, Index, Sign};
 use crate::exact::{Rational, Rounding};
 

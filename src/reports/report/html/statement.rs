@@ -60,7 +60,8 @@ pub(crate) fn is_long(located: &LocatedFormula) -> bool {
 
 /// left = right, or another relation, for the values of the indices.
 pub(crate) fn identity(identity: &Identity) -> Markup {
-    let length = |comparison: &Comparison| comparison.formulas().map(|side| side.text.len()).sum::<usize>();
+    let length =
+        |comparison: &Comparison| comparison.formulas().map(|side| side.text.len()).sum::<usize>();
     let long = match &identity.first().left {
         Left::One(_) => identity.comparisons.iter().map(length).sum::<usize>() > SUMS,
         Left::Each(_) => identity.first().formulas().any(is_long),

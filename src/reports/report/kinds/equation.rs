@@ -76,7 +76,8 @@ impl<'a> Told<'a> for EquationFinding<'a> {
         };
         let details = Details::Equation { failures, mends };
         let (title, verdict) = (equation.title.as_str(), self.verdict.word().name());
-        let claim = Claim::plain(&self.id, &equation.locus, equation.kind(), title, verdict, details);
+        let claim =
+            Claim::plain(&self.id, &equation.locus, equation.kind(), title, verdict, details);
         vec![Claim { note: joined(absent, equation.note.as_deref()), ..claim }]
     }
 

@@ -3,8 +3,8 @@
 use super::states::{Comparison, Rest, Sign};
 use crate::formulas::Scope;
 use crate::numbers::{Decimal, Value, rounding};
-use num_traits::Zero as _;
 use crate::text::Stop;
+use num_traits::Zero as _;
 use std::cmp::Ordering;
 
 /// Whether a comparison is false, and left − right.

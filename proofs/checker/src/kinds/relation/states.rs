@@ -134,7 +134,8 @@ pub fn comparisons(text: &str) -> Result<Vec<Comparison>, Stop> {
         stated.push(Comparison { left, rest: Rest::Sign(sign, Box::new(side(rest)?)) });
         return Ok(stated);
     }
-    let negated = rest.trim_start().strip_prefix("not").filter(|rest| rest.starts_with(char::is_whitespace));
+    let negated =
+        rest.trim_start().strip_prefix("not").filter(|rest| rest.starts_with(char::is_whitespace));
     let negated = negated.filter(|rest| !rest.trim().is_empty());
     let left = side(negated.unwrap_or(rest))?;
     Ok(vec![Comparison { left, rest: Rest::Is(negated.is_none()) }])
