@@ -30,10 +30,6 @@ fn verdict(schemes: &str, fields: &str) -> Word {
     word
 }
 
-fn states(text: &str) -> Word {
-    verdict(SCHEMES, &format!("states = '{text}'\n"))
-}
-
 #[test]
 fn what_holds_holds_and_its_contrary_fails() {
     // Each with a sign that makes it false.
@@ -212,14 +208,18 @@ fn masks() -> impl Strategy<Value = Vec<Vec<Rational>>> {
     })
 }
 
+fn integer(count: usize) -> i64 {
+    i64::try_from(count).expect("a small number")
+}
+
 /// Whether one step takes p(i + s) to q(i) + c for polynomials p of degree `degree`, by the values at many places: the new points
 /// with all differences of the order degree + 1 equal to 0.
 fn generates(mask: &[Vec<Rational>], degree: u32) -> bool {
-    let n = mask.len();
+    let n = integer(mask.len());
     let old = |i: i64| Rational::from(Integer::from(i).pow(degree));
     let new = |k: i64| {
-        let (i, alpha) = (k.div_euclid(n as i64), k.rem_euclid(n as i64) as usize);
-        let terms = mask[alpha].iter().zip(i..);
+        let (i, alpha) = (k.div_euclid(n), k.rem_euclid(n));
+        let terms = mask[usize::try_from(alpha).expect("a rule")].iter().zip(i..);
         terms.fold(Rational::zero(), |sum, (a, at)| sum + a * &old(at))
     };
     let mut values: Vec<Rational> = (-12..12).map(new).collect();
@@ -236,7 +236,7 @@ proptest! {
     /// stay such; coefficients are those of the rules; the limit values of a convergent scheme are refined by the mask.
     #[test]
     fn functions_are_what_their_definitions_say(mask in masks(), offset in -3_i64..3) {
-        let n = mask.len() as i64;
+        let n = integer(mask.len());
         let rows: Vec<String> = mask.iter().map(|row| {
             let row: Vec<String> = row.iter().map(|entry| format!("'{entry}'")).collect();
             format!("[{}]", row.join(", "))
@@ -248,8 +248,8 @@ proptest! {
         let holds = |text: String| verdict(&scheme, &format!("states = '{text}'\n"));
         prop_assert_eq!(holds(format!("sum_rules(s) = {degree}")), Word::Holds);
         for (alpha, row) in mask.iter().enumerate() {
-            let j = row.len() as i64 - 1;
-            let k = alpha as i64 - n * (offset + j);
+            let j = integer(row.len()) - 1;
+            let k = integer(alpha) - n * (offset + j);
             prop_assert_eq!(holds(format!("coefficient(s, {k}) = {}", row[row.len() - 1])), Word::Holds);
         }
         let refined = "limit_value(s, 1/2) = sum(k = -20..20, coefficient(s, k)*limit_value(s, arity(s)/2 - k))";

@@ -125,10 +125,10 @@ fn for_all(sides: &Sides<'_>) -> Result<EquationVerdict, Diagnostic> {
     let mut proved = !symbolic.is_empty();
     for case in symbolic {
         for (part, comparison) in identity.comparisons.iter().enumerate() {
-            match decide(sides, comparison, &case)? {
-                ForAll::Proved => {}
-                ForAll::Unknown => proved = false,
-                ForAll::FalseAt(t) => {
+            match decide(sides, comparison, &case) {
+                Some(ForAll::Proved) => {}
+                None => proved = false,
+                Some(ForAll::FalseAt(t)) => {
                     if let Some(failure) = compared(sides, part, 0, &case.at(identity, t))? {
                         return Ok(fails(failure));
                     }

@@ -22,38 +22,35 @@ pub(super) enum ForAll {
     Proved,
     /// It is false for this value of the only one.
     FalseAt(i64),
-    /// It is not a comparison of polynomials in them, or not one that is decided here.
-    Unknown,
 }
 
-/// Decides a comparison as one of polynomials in the indices without values.
+/// Decides a comparison as one of polynomials in the indices without values; `None` if it is none, or is not decided.
 ///
 /// For `=`, the difference is the polynomial 0. Otherwise let d(t) = Σ_{i≤g} c_i t^i be the difference of the sides, t the only index
 /// and no symbol in it. From b = ⌈1 + max_{i<g} |c_i/c_g|⌉ + 1 on, Cauchy's bound for roots, d has the sign of c_g and is not 0;
 /// the integers up to b are tried.
-pub(super) fn decide(
-    sides: &Sides<'_>,
-    comparison: &Comparison,
-    case: &Case,
-) -> Result<ForAll, Diagnostic> {
+pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) -> Option<ForAll> {
     // Hypotheses may hold at some integers only.
     if !sides.identity.hypotheses.is_empty() || !sides.has_scheme_of_numbers(case).unwrap_or(false)
     {
-        return Ok(ForAll::Unknown);
+        return None;
     }
     let printed = comparison.left.formula(0);
     let value = |formula: &LocatedFormula| sides.value(formula, &formula.expr, case);
-    let Ok(left) = value(printed) else { return Ok(ForAll::Unknown) };
+    let left = value(printed).ok()?;
     let rights: Result<Vec<Polynomial>, Diagnostic> = comparison.rights.iter().map(value).collect();
-    let Ok(rights) = rights else { return Ok(ForAll::Unknown) };
+    let rights = rights.ok()?;
     let differences: Vec<Polynomial> = rights.iter().map(|right| &left - right).collect();
-    // Members of sets are numbers, for all values of the indices.
-    let compared = comparison.sign == Sign::Equal
-        || comparison.sign == Sign::OneOf && sides.identity.symbols.is_empty();
-    if compared && differences.iter().any(Polynomial::is_zero) {
-        return Ok(ForAll::Proved);
+    // Symbols are compared with `=` only.
+    if comparison.sign != Sign::Equal && !sides.identity.symbols.is_empty() {
+        return None;
     }
-    let [(name, first)] = &case.symbolic[..] else { return Ok(ForAll::Unknown) };
+    if matches!(comparison.sign, Sign::Equal | Sign::OneOf)
+        && differences.iter().any(Polynomial::is_zero)
+    {
+        return Some(ForAll::Proved);
+    }
+    let [(name, first)] = &case.symbolic[..] else { return None };
     let alone = differences.iter().all(|difference| difference.number().is_some());
     if alone && comparison.sign != Sign::OneOf {
         let found = match comparison.sign {
@@ -61,38 +58,33 @@ pub(super) fn decide(
             // The difference is compared with 0.
             _ => holds(comparison, printed, &differences[0], &[Polynomial::default()]),
         };
-        return Ok(match found {
-            Ok(true) => ForAll::Proved,
-            Ok(false) => ForAll::FalseAt(*first),
-            Err(_) => ForAll::Unknown,
-        });
+        return Some(if found.ok()? { ForAll::Proved } else { ForAll::FalseAt(*first) });
     }
     if matches!(comparison.sign, Sign::Near | Sign::True | Sign::False) {
-        return Ok(ForAll::Unknown);
+        return None;
     }
     let mut last = *first;
     for difference in &differences {
-        let Some(bound) = bound(difference, name) else { return Ok(ForAll::Unknown) };
-        last = last.max(bound);
+        last = last.max(bound(difference, name)?);
     }
     if last - first > MAX_TRIED {
-        return Ok(ForAll::Unknown);
+        return None;
     }
     for t in *first..=last {
         let at = |polynomial: &Polynomial| at(polynomial, name, t);
         let (Some(left), Some(rights)) =
             (at(&left), rights.iter().map(at).collect::<Option<Vec<_>>>())
         else {
-            return Ok(ForAll::Unknown);
+            return None;
         };
         match holds(comparison, printed, &left, &rights) {
             Ok(true) => {}
-            Ok(false) => return Ok(ForAll::FalseAt(t)),
-            Err(_) => return Ok(ForAll::Unknown),
+            Ok(false) => return Some(ForAll::FalseAt(t)),
+            Err(_) => return None,
         }
     }
     // Behind the bound no difference is 0, and each has the sign that it has at the bound.
-    Ok(if comparison.sign == Sign::OneOf || comparison.sign == Sign::Equal {
+    Some(if comparison.sign == Sign::OneOf || comparison.sign == Sign::Equal {
         ForAll::FalseAt(last + 1)
     } else {
         ForAll::Proved

@@ -88,7 +88,10 @@ pub enum Kept {
 /// ```
 ///
 /// # Errors
-/// When the limit at 0 has no value.
+/// When the limit has no value at a parameter.
+///
+/// # Panics
+/// Never: a mask has a small arity.
 pub fn shape_kept(limit: &Limit, shape: Shape) -> Result<Kept, LimitError> {
     let mask: &Mask = limit.mask();
     let n = mask.arity();

@@ -48,7 +48,7 @@ pub fn audit_page(
     checked: Option<&BTreeMap<String, Certificate>>,
 ) -> Result<String, Diagnostic> {
     let context = Context { checked, ..Context::new(audit, file) };
-    let mut sections: BTreeMap<Kind, Vec<([&str; 2], Vec<Markup>)>> = BTreeMap::new();
+    let mut sections: BTreeMap<Kind, Vec<Group>> = BTreeMap::new();
     for finding in audit.findings() {
         let section = claims::section(&context, finding)?;
         let heading = told(finding).heading();
@@ -92,6 +92,9 @@ pub fn audit_page(
     };
     Ok(document(&format!("{} · audit by subcert", bibliography.short()), &main))
 }
+
+/// Claims under one heading, with its anchor.
+type Group = ([&'static str; 2], Vec<Markup>);
 
 /// How many claims have each verdict.
 fn tallies(audit: &PaperAudit<'_>) -> Markup {
