@@ -6,11 +6,12 @@ use crate::evaluation::options::{Data, Options, Parameters};
 use crate::exact::{Rational, RealCyclotomic, Scalar as _};
 use crate::facts::{centre, is_interpolating};
 use crate::formula::{Call, CallError, FormulaErrorKind, Value};
-use crate::limit::{
-    InnerProductError, InnerProducts, Kept, Limit, LimitError, Shape, basic, moments, shape_kept,
-};
+use crate::limit::{Limit, LimitError};
 use crate::scheme::Mask;
-use crate::smoothness::{Symbol, reproduction_degree, reproduction_degree_at};
+use crate::smoothness::{
+    InnerProductError, InnerProducts, Kept, Shape, Symbol, basic, moments, reproduction_degree,
+    reproduction_degree_at, shape_kept,
+};
 use std::cell::RefCell;
 use std::rc::Rc;
 

@@ -9,13 +9,11 @@ mod distances;
 mod error;
 mod extremes;
 mod functional;
-mod integrals;
 mod natural;
 mod parameter;
 mod points;
 mod rings;
 mod row;
-mod shape;
 mod surfaces;
 mod value;
 mod window;
@@ -34,14 +32,12 @@ pub use extremes::step::{
     step_supremum,
 };
 pub use functional::{ExtremalPolygon, Functional, rule_at};
-pub use integrals::{InnerProductError, InnerProducts, basic, moments};
 pub use natural::{NaturalShift, Parametrisation, natural_shift};
 pub use parameter::is_fraction;
 pub use points::{Combination, LimitWeights, Points};
 pub use rings::distance::{LocalDepth, LocalDistances, LocalWitness};
 pub use rings::flows::{least_flows, minus, unit};
 pub use rings::limit::{LocalLimit, LocalLimitError};
-pub use shape::{Kept, Shape, shape_kept};
 pub use surfaces::surface::{
     MAX_NET_POINTS, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness,
 };

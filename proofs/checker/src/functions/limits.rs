@@ -5,7 +5,6 @@
 use super::call::{Call, number, within, wrong};
 use super::integers::{at_integers, window};
 use super::masks::{Mask, signed};
-use super::shape::keeps;
 use super::steps::{add, over, plus, times};
 use crate::data::converges;
 use crate::formulas::MAX_INTEGER;
@@ -30,7 +29,6 @@ const PLACE: Stop = Stop::Capped("the places of a limit function");
 /// The value of such a function; `None` if the call is none of them.
 pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
     let library = call.library;
-    let truth = |is: bool| Value::int(is.into());
     Ok(Some(match (call.function, call.arguments) {
         ("moment", [m]) => {
             let degree = within(m, 0, MAX_DEGREE)?;
@@ -42,9 +40,6 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
             let other = call.named("with")?.unwrap_or_else(|| Rc::clone(&scheme));
             inner_product(library, &scheme, &other, k)?
         }
-        ("positive", []) => truth(keeps(library, &*call.scheme()?, 0)?),
-        ("monotone", []) => truth(keeps(library, &*call.scheme()?, 1)?),
-        ("convex", []) => truth(keeps(library, &*call.scheme()?, 2)?),
         _ => return Ok(None),
     }))
 }

@@ -5,7 +5,7 @@
 use super::call::{Call, TERMS, entry, number, within, wrong};
 use super::depth::depth;
 use super::sums::greatest;
-use super::{limits, masks};
+use super::{limits, masks, shape};
 use crate::data::{best_offset, moved, surface};
 use crate::formulas::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::numbers::{Meter, Number, Q, Value, capped};
@@ -103,6 +103,7 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
             let sums = surface(library.meter, piece, &scheme, [x1, x2, x3], terms)?;
             sums[1..].iter().try_fold(sums[0].clone(), |best, sum| best.max(sum, piece))
         }
+        ("positive" | "monotone" | "convex", []) => shape::of(call),
         (_, arguments) => {
             let found =
                 masks::of(call)?.map_or_else(|| limits::of(call), |found| Ok(Some(found)))?;

@@ -6,6 +6,7 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
+use super::call::Call;
 use super::limits::{exists, values};
 use super::masks::{Mask, quotient};
 use crate::numbers::{Meter, Q, Value, common_multiple};
@@ -19,8 +20,15 @@ const MAX_COEFFICIENTS: usize = 16_384;
 
 const LENGTH: Stop = Stop::Capped("the coefficients of differences after some levels");
 
+/// The value of `positive`, `monotone` or `convex`.
+pub fn of(call: &mut Call<'_>) -> Result<Value, Stop> {
+    let m = ["positive", "monotone", "convex"].iter().position(|name| *name == call.function);
+    let scheme = call.scheme()?;
+    Ok(Value::int(keeps(call.library, &scheme, m.unwrap_or(0))?.into()))
+}
+
 /// Whether the limits of all data whose m-th differences are not negative have this property too.
-pub fn keeps(library: &Library<'_>, scheme: &Scheme, m: usize) -> Result<bool, Stop> {
+fn keeps(library: &Library<'_>, scheme: &Scheme, m: usize) -> Result<bool, Stop> {
     let meter = library.meter;
     let mask = Mask::of_numbers(meter, scheme)?;
     let a = integers(meter, &mask.values)?;

@@ -13,7 +13,9 @@ const MAX_FAILURES: usize = 2;
 #[must_use]
 pub(crate) fn outcome(finding: &EquationFinding<'_>) -> String {
     match &finding.verdict {
-        EquationVerdict::Holds { .. } if compared(finding).is_empty() => "holds".to_owned(),
+        EquationVerdict::Holds { cases } if *cases == 1 || compared(finding).is_empty() => {
+            format!("holds{}", compared(finding))
+        }
         EquationVerdict::Holds { cases } => {
             format!("holds in all {cases} cases{}", compared(finding))
         }

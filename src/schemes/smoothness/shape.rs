@@ -1,11 +1,9 @@
 //! Whether limits keep the shape of the data: positivity, monotonicity, convexity.
 
-use super::error::LimitError;
-use super::functional::Functional;
-use super::value::Limit;
+use super::symbol::Symbol;
 use crate::exact::{CommonDenominator, Integer, Rational};
+use crate::limit::{Functional, Limit, LimitError};
 use crate::scheme::Mask;
-use crate::smoothness::Symbol;
 
 /// The most coefficients of a product of symbols.
 const MAX_COEFFICIENTS: usize = 1 << 14;
@@ -75,7 +73,8 @@ pub enum Kept {
 /// then data i and −i, which are both convex, do not both have a convex limit.
 ///
 /// ```
-/// use subcert::limit::{Kept, Limit, Shape, shape_kept};
+/// use subcert::limit::Limit;
+/// use subcert::smoothness::{Kept, Shape, shape_kept};
 /// use subcert::scheme::parse_scheme;
 ///
 /// let kept = |name: &str, shape| {

@@ -1,10 +1,9 @@
 //! Integrals of basic limit functions.
 
-use super::error::LimitError;
-use super::value::Limit;
+use super::symbol::Symbol;
 use crate::exact::{Integer, Rational, Scalar};
+use crate::limit::{Limit, LimitError};
 use crate::scheme::{Mask, MaskError};
-use crate::smoothness::Symbol;
 
 /// Why there are no inner products.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -36,7 +35,7 @@ impl InnerProducts {
     ///
     /// ```
     /// use subcert::exact::Rational;
-    /// use subcert::limit::InnerProducts;
+    /// use subcert::smoothness::InnerProducts;
     /// use subcert::scheme::parse_scheme;
     ///
     /// let hats = parse_scheme("b-spline:degree=1")?;
@@ -79,7 +78,7 @@ pub fn basic(limit: &Limit, x: &Rational) -> Result<Rational, LimitError> {
 ///
 /// ```
 /// use subcert::exact::Rational;
-/// use subcert::limit::moments;
+/// use subcert::smoothness::moments;
 /// use subcert::scheme::parse_scheme;
 /// use subcert::smoothness::Symbol;
 ///
