@@ -252,7 +252,7 @@ INSERTED = [
     (f"{CLAIMS}/claim/read/file.rs", "    ..\n", "    /// Sums of coefficients.\n    total: super::total::TotalTable,\n"),
     (f"{CLAIMS}/finding/mod.rs", "mod witness;\n", "mod total;\n"),
     (f"{CLAIMS}/finding/mod.rs", "pub use witness::", "pub use total::TotalFinding;\n"),
-    (f"{CLAIMS}/judge/mod.rs", "\npub use equation::MAX_CASES;", "mod total;\n"),
+    (f"{CLAIMS}/judge/mod.rs", "\npub use cases::MAX_CASES;", "mod total;\n"),
     (f"{REPORTS}/report/kinds/mod.rs", "mod theorem;\n", "mod total;\n"),
     (f"{REPORTS}/report/json/claim.rs", "    /// Of a theorem.\n    Theorem {", "    /// Of a sum of coefficients.\n    Total {\n        /// The sum.\n        sum: String,\n    },\n"),
     (f"{REPORTS}/certificate/mod.rs", "mod vertex;\n", "mod total;\n"),
@@ -262,7 +262,7 @@ INSERTED = [
 ]
 
 # A list of the checker says its length.
-REPLACED = [(f"{CHECKER}/mod.rs", "pub static KINDS: [Kind; 7]", "pub static KINDS: [Kind; 8]")]
+REPLACED = [(f"{CHECKER}/mod.rs", "pub static KINDS: [Kind; 8]", "pub static KINDS: [Kind; 9]")]
 
 PAPER = """\
 key = "toy2026"

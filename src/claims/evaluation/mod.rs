@@ -7,7 +7,6 @@
 pub(crate) mod arguments;
 mod choice;
 pub(crate) mod choices;
-mod constants;
 pub(crate) mod context;
 pub(crate) mod copied;
 mod elsewhere;

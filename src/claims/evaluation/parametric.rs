@@ -6,9 +6,9 @@ use crate::bound::{
 };
 use crate::claim::{LocatedReference, Paper};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::constants::{levels, moved, total_contraction};
 use crate::evaluation::context::{CellReading, TableContext};
 use crate::evaluation::library::{Library, values};
+use crate::evaluation::masks::constants::{levels, moved, total_contraction};
 use crate::evaluation::options::Options;
 use crate::evaluation::series;
 use crate::evaluation::settings::Settings;

@@ -1,9 +1,9 @@
 //! The functions that claims can use: constants of the scheme they are about.
 
 use crate::bound::{Constants, Operator, Order};
-use crate::evaluation::constants::{OfMask, constant, no_level};
 use crate::evaluation::functions::{check_name, is_about_scheme};
 use crate::evaluation::library::{Library, Resolved};
+use crate::evaluation::masks::constants::{OfMask, constant, no_level};
 use crate::evaluation::options::{Exponent, Options};
 use crate::evaluation::reference::{reference, unresolved};
 use crate::evaluation::series;

@@ -22,7 +22,6 @@ mod regularity;
 mod relation;
 mod roles;
 mod smoothness;
-mod statement;
 mod table;
 mod theorem;
 mod trial;

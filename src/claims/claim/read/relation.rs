@@ -1,9 +1,10 @@
 //! Reading relations.
 
+mod statement;
+
 use super::fields::claim_table;
 use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
-use super::statement::{NoStatement, Statement, Values, index, statement};
 use crate::claim::{
     Comparison, Equation, EquationBody, Identity, Index, Left, LocatedReference, Paper, Sign,
 };
@@ -14,6 +15,7 @@ use crate::scheme::{Spanned, identifier};
 use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{SeqAccess, Visitor};
+use statement::{NoStatement, Statement, Values, index, statement};
 use std::collections::BTreeSet;
 use std::fmt;
 

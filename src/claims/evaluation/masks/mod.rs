@@ -1,5 +1,7 @@
 //! Functions of masks and of their basic limit functions.
 
+pub(crate) mod constants;
+
 use crate::cap::Cap;
 use crate::evaluation::arguments::{index, narrow, within};
 use crate::evaluation::options::{Data, Options, Parameters};

@@ -173,8 +173,10 @@ pub(super) fn index(text: &str) -> Option<(&str, Values<'_>)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{NoStatement, Statement, Values, index, statement};
     use crate::claim::Sign;
+    use crate::claim::read::relation::statement::{
+        NoStatement, Statement, Values, index, statement,
+    };
 
     #[test]
     fn signs_and_sets_count_outside_of_brackets() {
