@@ -130,6 +130,9 @@ fn claims_about_all_integers_are_proved_refuted_or_open() {
         let found = verdict(SCHEMES, &format!("states = '{text}'\nfor = '{of}'\n"));
         assert_eq!(found, word, "{text} for {of}");
     }
+    // The range begins behind its first value, whatever stands in that.
+    let from = "'n = sum(i = 1..2, i)..5'";
+    assert_eq!(verdict(SCHEMES, &format!("states = 'n in [3, 6)'\nfor = {from}\n")), Word::Holds);
     // Two of them, and one whose values depend on another.
     let found =
         |text: &str, of: &str| verdict(SCHEMES, &format!("states = '{text}'\nfor = {of}\n"));

@@ -19,7 +19,7 @@ const SIGNS: [(&str, Sign); 11] = [
 ];
 
 /// A statement, with the texts of its formulas.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub(super) enum Statement<'t> {
     /// Formulas with signs between them.
     Chain(&'t str, Vec<(Sign, &'t str)>),
@@ -32,7 +32,7 @@ pub(super) enum Statement<'t> {
 }
 
 /// Why a text is no statement.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum NoStatement {
     /// Nothing stands on one side of a sign.
     NoSide,
@@ -141,7 +141,7 @@ fn word(text: &str, outer: &[usize], word: &str) -> Option<Range<usize>> {
 }
 
 /// The values of an index.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub(super) enum Values<'t> {
     /// `n = 2..8`
     Range(&'t str, &'t str),
@@ -169,48 +169,4 @@ pub(super) fn index(text: &str) -> Option<(&str, Values<'_>)> {
         None => Values::Listed(values.split(',').map(str::trim).collect()),
     };
     Some((name.trim(), values))
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::claim::Sign;
-    use crate::claim::read::relation::statement::{
-        NoStatement, Statement, Values, index, statement,
-    };
-
-    #[test]
-    fn signs_and_sets_count_outside_of_brackets() {
-        let chain = |text| statement(text).expect("a statement");
-        assert_eq!(
-            chain("0 < displacement(offset = best) <= 1/4"),
-            Statement::Chain(
-                "0",
-                vec![(Sign::Less, "displacement(offset = best)"), (Sign::AtMost, "1/4")]
-            )
-        );
-        assert_eq!(chain("not symmetric(s)"), Statement::Alone("symmetric(s)", false));
-        assert_eq!(chain("nothing(s)"), Statement::Alone("nothing(s)", true));
-        assert_eq!(chain("x in {1, max(2, 3)}"), Statement::OneOf("x", vec!["1", "max(2, 3)"]));
-        let ends = [(Sign::AtMost, "0"), (Sign::Less, "max(1, 2)")];
-        assert_eq!(chain("x in [0, max(1, 2))"), Statement::Between("x", ends));
-        assert_eq!(statement("x in (1)"), Err(NoStatement::NoSet));
-        assert_eq!(statement("x = y in {1}"), Err(NoStatement::SignAndSet));
-        assert_eq!(statement("x = "), Err(NoStatement::NoSide));
-        assert_eq!(statement("x = (1"), Err(NoStatement::Bracket));
-        assert_eq!(chain("a≤b"), Statement::Chain("a", vec![(Sign::AtMost, "b")]));
-    }
-
-    #[test]
-    fn indices() {
-        assert_eq!(index("n = 2..8"), Some(("n", Values::Range("2", "8"))));
-        assert_eq!(index("n=2, 4"), Some(("n", Values::Listed(vec!["2", "4"]))));
-        assert_eq!(index("all n"), Some(("n", Values::All(None))));
-        assert_eq!(index("all n ≥ -3"), Some(("n", Values::All(Some("-3")))));
-        assert_eq!(index("allow = 1"), Some(("allow", Values::Listed(vec!["1"]))));
-        assert_eq!(
-            index("n = sum(i = 1..2, i)..5"),
-            Some(("n", Values::Range("sum(i = 1..2, i)", "5")))
-        );
-        assert_eq!(index("n"), None);
-    }
 }
