@@ -2,7 +2,7 @@
 
 use super::symbol::Symbol;
 use crate::exact::{CommonDenominator, Integer, Rational};
-use crate::limit::{Functional, Limit, LimitError};
+use crate::limit::{Limit, LimitError};
 use crate::scheme::Mask;
 
 /// The most coefficients of a product of symbols.
@@ -98,7 +98,11 @@ pub fn shape_kept(limit: &Limit, shape: Shape) -> Result<Kept, LimitError> {
     let Some(symbol) = Symbol::of(mask).difference(order as usize, &Rational::one()) else {
         return lines(limit);
     };
-    let weights = limit.at(&Rational::zero())?;
+    let at_zero = limit.at(&Rational::zero())?;
+    let (low, high) = at_zero.support().unwrap_or_default();
+    let weights: Vec<Rational> = (low..=high).map(|r| at_zero.coefficient(r)).collect();
+    // w_r over the common denominator q.
+    let weights = CommonDenominator::of(&[weights]);
     let steps = i64::from(order) * (i64::try_from(n).expect("a small arity") - 1);
     let lowest = symbol.powers().0 + steps;
     // Positive factors change no sign, so that integers do.
@@ -126,10 +130,11 @@ pub fn shape_kept(limit: &Limit, shape: Shape) -> Result<Kept, LimitError> {
         if product.iter().all(|c| c.sign() >= 0) {
             return Ok(Kept::Always { levels });
         }
-        if let Some((s, difference)) = negative(&product, first, &weights) {
+        if let Some((s, sum)) = negative(&product, first, (&weights.numerators[0], low)) {
             let step = Rational::from(scale).recip();
             let at = Rational::from(s) * &step;
-            let difference = difference / Rational::from(common.denominator.pow(levels));
+            let over = common.denominator.pow(levels) * weights.denominator;
+            let difference = Rational::new(sum, over);
             return Ok(Kept::NotAlways { at, step, difference });
         }
     }
@@ -159,17 +164,21 @@ fn lines(limit: &Limit) -> Result<Kept, LimitError> {
     Ok(Kept::Open { levels })
 }
 
-/// A place s where Σ_r w_r c_{s+r} is negative, with this number.
-fn negative(product: &[Integer], first: i64, weights: &Functional) -> Option<(i64, Rational)> {
-    let (low, high) = weights.support()?;
+/// A place s where Σ_r w_r c_{s+r} is negative, with q times this number.
+fn negative(
+    product: &[Integer],
+    first: i64,
+    (weights, low): (&[Integer], i64),
+) -> Option<(i64, Integer)> {
     let last = first + i64::try_from(product.len()).ok()?;
-    let coefficient = |k: i64| {
-        let place = usize::try_from(k - first).ok();
-        let found = place.and_then(|place| product.get(place)).cloned();
-        Rational::from(found.unwrap_or_else(Integer::zero))
-    };
+    let high = low + i64::try_from(weights.len()).ok()?;
     (first - high..last - low).find_map(|s| {
-        let difference = weights.apply(|r| coefficient(s + r));
-        (difference.sign() < 0).then_some((s, difference))
+        let mut sum = Integer::zero();
+        for (place, weight) in (s + low - first..).zip(weights) {
+            if let Some(c) = usize::try_from(place).ok().and_then(|place| product.get(place)) {
+                sum += weight * c;
+            }
+        }
+        (sum.sign() < 0).then_some((s, sum))
     })
 }

@@ -94,7 +94,7 @@ impl KnownLimits {
 }
 
 /// The greatest product of the bits of two masks whose inner products are computed.
-const MAX_BITS: u64 = 1 << 20;
+const MAX_BITS: u64 = 1 << 24;
 
 /// The value of a function of a mask; `None` if there is no such function of so many arguments. `other` gives the mask of the
 /// scheme that a name stands for.
