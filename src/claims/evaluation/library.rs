@@ -5,6 +5,7 @@ use crate::bound::{
 };
 use crate::claim::{Paper, SchemeSource};
 use crate::diagnostic::Diagnostic;
+use crate::evaluation::functions::is_about_scheme;
 use crate::evaluation::masks::KnownLimits;
 use crate::evaluation::reference::Unresolved;
 use crate::evaluation::series::Norms;
@@ -77,9 +78,10 @@ impl<'a> Library<'a> {
         Library { paper, constants, numbered, budget, sound, norms, log_levels, limits }
     }
 
-    /// Whether a scheme of the claim file or of the catalogue has this name.
-    pub(crate) fn has(&self, name: &str) -> bool {
-        self.paper.schemes.contains_key(name) || find_in_catalogue(name).is_ok()
+    /// Whether the function may be about a scheme, and one of the claim file or of the catalogue has this name.
+    pub(crate) fn is_scheme(&self, function: &str, name: &str) -> bool {
+        let has = || self.paper.schemes.contains_key(name) || find_in_catalogue(name).is_ok();
+        is_about_scheme(function) && has()
     }
 
     /// The constants of a rational mask.

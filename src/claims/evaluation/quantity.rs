@@ -1,7 +1,7 @@
 //! The functions that claims can use: constants of the scheme they are about.
 
 use crate::bound::{Constants, Operator, Order};
-use crate::evaluation::functions::{check_name, is_about_scheme};
+use crate::evaluation::functions::check_name;
 use crate::evaluation::library::{Library, Resolved};
 use crate::evaluation::masks::constants::{OfMask, constant, no_level};
 use crate::evaluation::options::{Exponent, Options};
@@ -59,7 +59,7 @@ impl Functions<RealCyclotomic> for Quantities<'_> {
     }
 
     fn is_scheme(&self, function: &str, name: &str) -> bool {
-        is_about_scheme(function) && self.library.has(name)
+        self.library.is_scheme(function, name)
     }
 }
 

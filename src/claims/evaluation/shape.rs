@@ -7,10 +7,10 @@ use crate::cap::Cap;
 use crate::claim::LocatedReference;
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::arguments::{index, narrow, place, within};
-use crate::evaluation::functions::{QUANTITIES, check_name, is_about_scheme, name_of};
+use crate::evaluation::functions::{QUANTITIES, check_name, name_of};
 use crate::evaluation::library::Library;
 use crate::evaluation::masks::constants::{constant, levels, moved, no_level};
-use crate::evaluation::masks::{KnownLimits, numbers, of_mask};
+use crate::evaluation::masks::{KnownLimits, numbers, of_mask, rational};
 use crate::evaluation::options::{Exponent, Options};
 use crate::evaluation::reference::{self, Unresolved, reference, unresolved};
 use crate::evaluation::series;
@@ -49,15 +49,8 @@ impl<V: Value> Shape<V> {
 
     /// The constants of the mask, if it is rational.
     fn constants(&self, library: &Library<'_>) -> Option<&Rc<Constants>> {
-        let rational = || {
-            let mut all = self.mask.rules().rows().iter().flatten();
-            all.all(|entry| entry.as_rational().is_some()).then(|| {
-                let mask =
-                    self.mask.map(|entry| entry.as_rational().unwrap_or_else(Rational::zero));
-                library.constants_of(mask)
-            })
-        };
-        self.constants.get_or_init(rational).as_ref()
+        let constants = || rational(&self.mask).ok().map(|mask| library.constants_of(mask));
+        self.constants.get_or_init(constants).as_ref()
     }
 
     pub(crate) fn difference(&self) -> &Rules<V> {
@@ -155,7 +148,7 @@ impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
     }
 
     fn is_scheme(&self, function: &str, name: &str) -> bool {
-        is_about_scheme(function) && self.shapes.library.has(name)
+        self.shapes.library.is_scheme(function, name)
     }
 }
 

@@ -63,24 +63,25 @@ pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) ->
     if matches!(comparison.sign, Sign::Near | Sign::True | Sign::False) {
         return None;
     }
-    let mut last = *first;
-    for difference in &differences {
-        last = last.max(bound(difference, name)?);
-    }
+    let polynomials = differences.iter().map(|difference| coefficients(difference, name));
+    let polynomials = polynomials.collect::<Option<Vec<Vec<Rational>>>>()?;
+    let bounds = polynomials.iter().map(|polynomial| bound(polynomial));
+    let last = bounds.collect::<Option<Vec<i64>>>()?.into_iter().fold(*first, i64::max);
     if last - first > MAX_TRIED {
         return None;
     }
     for t in *first..=last {
-        let at = |polynomial: &Polynomial| at(polynomial, name, t);
-        let (Some(left), Some(rights)) =
-            (at(&left), rights.iter().map(at).collect::<Option<Vec<_>>>())
-        else {
-            return None;
+        let values: Vec<Polynomial> = polynomials.iter().map(|one| at(one, t)).collect();
+        // Differences are compared with 0, which is a member of the set if one of them is 0.
+        let found = match (comparison.sign, &values[..]) {
+            (Sign::OneOf, _) => holds(comparison, printed, &Polynomial::default(), &values),
+            (_, [difference, ..]) => {
+                holds(comparison, printed, difference, &[Polynomial::default()])
+            }
+            (_, []) => return None,
         };
-        match holds(comparison, printed, &left, &rights) {
-            Ok(true) => {}
-            Ok(false) => return Some(ForAll::FalseAt(t)),
-            Err(_) => return None,
+        if !found.ok()? {
+            return Some(ForAll::FalseAt(t));
         }
     }
     // Behind the bound no difference is 0, and each has the sign that it has at the bound.
@@ -91,15 +92,14 @@ pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) ->
     })
 }
 
-/// The coefficients of a polynomial in `name` alone, which are rational.
+/// The coefficients of a polynomial in `name` alone, which are rational and not too many.
 fn coefficients(polynomial: &Polynomial, name: &str) -> Option<Vec<Rational>> {
-    let all = polynomial.coefficients_in(name)?;
+    let all = polynomial.coefficients_in(name).filter(|all| all.len() <= MAX_DEGREE + 1)?;
     all.iter().map(|c| c.as_rational().cloned()).collect()
 }
 
-/// An integer from which on the polynomial has the sign of its highest coefficient.
-fn bound(polynomial: &Polynomial, name: &str) -> Option<i64> {
-    let coefficients = coefficients(polynomial, name).filter(|all| all.len() <= MAX_DEGREE + 1)?;
+/// An integer from which on the polynomial with these coefficients has the sign of the highest.
+fn bound(coefficients: &[Rational]) -> Option<i64> {
     let (highest, others) = coefficients.split_last()?;
     let ratios = others.iter().map(|c| (c / highest).abs());
     let most = ratios.fold(Rational::zero(), Rational::max);
@@ -107,10 +107,9 @@ fn bound(polynomial: &Polynomial, name: &str) -> Option<i64> {
     bound.within(1 << 32)
 }
 
-/// The value of a polynomial at an integer.
-fn at(polynomial: &Polynomial, name: &str, t: i64) -> Option<Polynomial> {
-    let coefficients = coefficients(polynomial, name)?;
+/// The value of the polynomial with these coefficients at an integer.
+fn at(coefficients: &[Rational], t: i64) -> Polynomial {
     let t = Rational::from(t);
     let value = coefficients.iter().rev().fold(Rational::zero(), |value, c| value * &t + c);
-    Some(Polynomial::constant(value))
+    Polynomial::constant(value)
 }

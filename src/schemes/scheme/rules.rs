@@ -74,6 +74,18 @@ impl<S: Scalar> Rules<S> {
         }
     }
 
+    /// The rows and the offset of the symbol Σ_k a_k z^k with powers from `low` to `high`: rule α has a_{α − n(o + j)} at place j, and o is
+    /// the least number for which some rule has a coefficient at place 0, −⌊high/n⌋.
+    pub(crate) fn rows_of_symbol(
+        n: i64,
+        (low, high): (i64, i64),
+        coefficient: impl Fn(i64) -> S,
+    ) -> (Vec<Vec<S>>, i64) {
+        let places = -high.div_euclid(n)..=-low.div_euclid(n);
+        let row = |alpha| places.clone().map(|at| coefficient(alpha - n * at)).collect();
+        ((0..n).map(row).collect(), *places.start())
+    }
+
     /// The arity n.
     #[must_use]
     pub fn arity(&self) -> usize {

@@ -192,10 +192,9 @@ impl<F: Scalar + PartialEq> Symbol<F> {
         F: Display,
     {
         let n = i64::try_from(self.arity).expect("a small arity");
-        let (low, high) = self.powers();
-        let places = -high.div_euclid(n)..=-low.div_euclid(n);
-        let row = |alpha: i64| places.clone().map(|at| self.coefficient(alpha - n * at)).collect();
-        Mask::new((0..n).map(row).collect(), *places.start())
+        let (rows, offset) =
+            Rules::rows_of_symbol(n, self.powers(), |power| self.coefficient(power));
+        Mask::new(rows, offset)
     }
 }
 

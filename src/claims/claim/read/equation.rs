@@ -1,7 +1,7 @@
 //! Reading equations.
 
 use super::axis::AxisTable;
-use super::fields::claim_table;
+use super::fields::{claim_table, one_or_each};
 use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
 use crate::claim::{
@@ -11,8 +11,6 @@ use crate::diagnostic::Diagnostic;
 use crate::formula::{LocatedFormula, Node};
 use crate::scheme::{Spanned, formula, identifier};
 use serde::Deserialize;
-use serde::de::Visitor;
-use std::fmt;
 
 claim_table!(EquationTable {
     /// Names that stay symbolic; `q` may be a family such as `q[2*i-1]`.
@@ -48,36 +46,11 @@ impl ClaimTable for EquationTable {
     }
 }
 
-/// One formula for all combinations of the indices, or one for each.
-#[derive(Debug)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
-enum LeftField {
-    One(String),
-    Each(Vec<Spanned<String>>),
-}
-
-impl<'de> Deserialize<'de> for LeftField {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<LeftField, D::Error> {
-        struct Either;
-        impl<'de> Visitor<'de> for Either {
-            type Value = LeftField;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a formula in quotes, or a list of them")
-            }
-            fn visit_str<E>(self, text: &str) -> Result<LeftField, E> {
-                Ok(LeftField::One(text.to_owned()))
-            }
-            fn visit_seq<S: serde::de::SeqAccess<'de>>(
-                self,
-                formulas: S,
-            ) -> Result<LeftField, S::Error> {
-                let formulas = serde::de::value::SeqAccessDeserializer::new(formulas);
-                Vec::deserialize(formulas).map(LeftField::Each)
-            }
-        }
-        deserializer.deserialize_any(Either)
-    }
-}
+one_or_each!(
+    /// One formula for all combinations of the indices, or one for each.
+    LeftField,
+    "a formula in quotes, or a list of them"
+);
 
 impl Reader<'_> {
     pub(super) fn equation(&self, table: &EquationTable) -> Result<Equation, Diagnostic> {

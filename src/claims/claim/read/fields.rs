@@ -140,6 +140,43 @@ macro_rules! claim_table {
 }
 pub(super) use claim_table;
 
+/// A field that is one text, or a list of texts.
+macro_rules! one_or_each {
+    ($(#[$doc:meta])* $name:ident, $expected:literal) => {
+        $(#[$doc])*
+        #[derive(Debug)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
+        enum $name {
+            One(String),
+            Each(Vec<crate::scheme::Spanned<String>>),
+        }
+
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<$name, D::Error> {
+                struct Either;
+                impl<'de> serde::de::Visitor<'de> for Either {
+                    type Value = $name;
+                    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                        f.write_str($expected)
+                    }
+                    fn visit_str<E>(self, text: &str) -> Result<$name, E> {
+                        Ok($name::One(text.to_owned()))
+                    }
+                    fn visit_seq<S: serde::de::SeqAccess<'de>>(
+                        self,
+                        texts: S,
+                    ) -> Result<$name, S::Error> {
+                        let texts = serde::de::value::SeqAccessDeserializer::new(texts);
+                        Vec::deserialize(texts).map($name::Each)
+                    }
+                }
+                deserializer.deserialize_any(Either)
+            }
+        }
+    };
+}
+pub(super) use one_or_each;
+
 /// `"0.742"`, or `{ printed = "h1.69e-4", read = "1.69e-4", note = "…" }`.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(with = "OneOf<Corrected>"))]

@@ -2,7 +2,7 @@
 
 mod statement;
 
-use super::fields::claim_table;
+use super::fields::{claim_table, one_or_each};
 use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
 use crate::claim::{
@@ -13,11 +13,8 @@ use crate::exact::{Rational, parse_rational, within};
 use crate::formula::LocatedFormula;
 use crate::scheme::{Spanned, identifier};
 use serde::Deserialize;
-use serde::de::value::SeqAccessDeserializer;
-use serde::de::{SeqAccess, Visitor};
 use statement::{NoStatement, Statement, Values, index, statement};
 use std::collections::BTreeSet;
-use std::fmt;
 
 claim_table!(RelationTable {
     /// Names that stay symbolic; `q` may be a family such as `q[2*i-1]`.
@@ -34,32 +31,11 @@ claim_table!(RelationTable {
     absent: Option<String>,
 });
 
-/// One index, or a list of them.
-#[derive(Debug)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
-enum ForField {
-    One(String),
-    Several(Vec<Spanned<String>>),
-}
-
-impl<'de> Deserialize<'de> for ForField {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<ForField, D::Error> {
-        struct Either;
-        impl<'de> Visitor<'de> for Either {
-            type Value = ForField;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("an index such as 'n = 2..8' or 'all n >= 2', or a list of them")
-            }
-            fn visit_str<E>(self, text: &str) -> Result<ForField, E> {
-                Ok(ForField::One(text.to_owned()))
-            }
-            fn visit_seq<S: SeqAccess<'de>>(self, indices: S) -> Result<ForField, S::Error> {
-                Vec::deserialize(SeqAccessDeserializer::new(indices)).map(ForField::Several)
-            }
-        }
-        deserializer.deserialize_any(Either)
-    }
-}
+one_or_each!(
+    /// One index, or a list of them.
+    ForField,
+    "an index such as 'n = 2..8' or 'all n >= 2', or a list of them"
+);
 
 /// How indices are written.
 const FOR: &str = "write for = 'n = 2..8', 'n = 2, 4, 8' or 'all n >= 2', or a list of these";
@@ -73,7 +49,7 @@ impl RelationTable {
         match self.r#for.as_ref().map(|field| (field.get_ref(), field.span())) {
             None => Vec::new(),
             Some((ForField::One(text), span)) => vec![(text.as_str(), span)],
-            Some((ForField::Several(texts), _)) => {
+            Some((ForField::Each(texts), _)) => {
                 texts.iter().map(|text| (text.get_ref().as_str(), text.span())).collect()
             }
         }

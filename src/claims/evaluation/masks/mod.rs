@@ -176,7 +176,7 @@ pub(crate) fn numbers<V: Value>(mask: &Mask<V>) -> Result<Mask<RealCyclotomic>, 
 }
 
 /// The mask, whose coefficients are rational.
-fn rational<V: Value>(mask: &Mask<V>) -> Result<Mask, CallError> {
+pub(crate) fn rational<V: Value>(mask: &Mask<V>) -> Result<Mask, CallError> {
     let mask = numbers(mask)?;
     let all = mask.rules().rows().iter().flatten();
     if all.clone().all(|entry| entry.as_rational().is_some()) {

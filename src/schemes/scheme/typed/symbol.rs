@@ -6,6 +6,7 @@ use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{
     FormulaErrorKind, FreeNames, Laurent, LocatedFormula, SYMBOL_VARIABLE, Scope, Value, evaluate,
 };
+use crate::scheme::Rules;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
@@ -122,9 +123,7 @@ impl SymbolFormula {
         let coefficients = (low..=high).map(|power| value.coefficient(power)).collect();
         let arity = self.arity(coefficients, stated.and_then(|n| usize::try_from(n).ok()))?;
         let n = i64::try_from(arity).expect("a small arity");
-        let (first, last) = (-high.div_euclid(n), -low.div_euclid(n));
-        let row = |alpha: i64| (first..=last).map(|at| value.coefficient(alpha - n * at)).collect();
-        Ok(((0..n).map(row).collect(), first))
+        Ok(Rules::rows_of_symbol(n, (low, high), |power| value.coefficient(power)))
     }
 }
 
