@@ -163,7 +163,7 @@ impl<F: Scalar + PartialEq> Symbol<F> {
     /// use subcert::smoothness::Symbol;
     ///
     /// let symbol = |name| Ok::<_, subcert::scheme::SchemeError>(Symbol::of(parse_scheme(name)?.masks()[0]));
-    /// let (haar, chaikin) = (symbol("b-spline:degree=0")?, symbol("chaikin")?);
+    /// let (haar, chaikin) = (symbol("haar")?, symbol("chaikin")?);
     /// assert!(haar.is_dual_to(&haar) && !chaikin.is_dual_to(&chaikin));
     /// # Ok::<(), subcert::scheme::SchemeError>(())
     /// ```
