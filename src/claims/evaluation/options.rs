@@ -27,6 +27,17 @@ pub(crate) enum Data {
     Adapted,
 }
 
+/// Which eigenvalues are compared with the square of the subdominant one.
+#[derive(Clone, Copy)]
+pub(crate) enum Part {
+    Both,
+    Elliptic,
+    Hyperbolic,
+}
+
+/// The highest derivative of a limit.
+const MAX_DERIVATIVE: i64 = 16;
+
 /// The options of a call; each can be used once.
 pub(crate) struct Options<'a> {
     function: &'a str,
@@ -76,6 +87,23 @@ impl<'a> Options<'a> {
 
     pub(crate) fn data(&mut self) -> Result<Data, CallError> {
         self.choose("data", &[("sampled", Data::Sampled), ("adapted", Data::Adapted)])
+    }
+
+    pub(crate) fn part(&mut self) -> Result<Part, CallError> {
+        let choices =
+            [("both", Part::Both), ("elliptic", Part::Elliptic), ("hyperbolic", Part::Hyperbolic)];
+        self.choose("part", &choices)
+    }
+
+    /// The order of a derivative.
+    pub(crate) fn derivative(&mut self) -> Result<u32, CallError> {
+        let Some(word) = self.take("derivative") else { return Ok(0) };
+        let order = word.parse().ok().filter(|m| (0..=MAX_DERIVATIVE).contains(m));
+        order.and_then(|m| u32::try_from(m).ok()).ok_or_else(|| {
+            CallError::Misuse(format!(
+                "`derivative` is an integer from 0 to {MAX_DERIVATIVE}, not `{word}`"
+            ))
+        })
     }
 
     pub(crate) fn order(&mut self) -> Result<Order, CallError> {

@@ -72,6 +72,39 @@ pub fn basic(limit: &Limit, x: &Rational) -> Result<Rational, LimitError> {
     Ok(limit.at(x)?.coefficient(0))
 }
 
+/// The symbol of ψ with φ^{(m)}(x) = Σ_i (−1)^i binomial(m, i) ψ(x − i): n^m A/σ^m; `None` where the order of the sum rules is
+/// less than m.
+///
+/// ```
+/// use subcert::scheme::parse_scheme;
+/// use subcert::smoothness::{Symbol, derivative_symbol};
+///
+/// // The slope of the hat function is made of two boxes.
+/// let hat = Symbol::of(parse_scheme("b-spline:degree=1")?.masks()[0]);
+/// let boxes = Symbol::of(parse_scheme("b-spline:degree=0")?.masks()[0]);
+/// assert_eq!(derivative_symbol(&hat, 1).expect("sum rules").coefficients(), boxes.coefficients());
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+#[must_use]
+pub fn derivative_symbol(symbol: &Symbol, m: u32) -> Option<Symbol> {
+    let factor = Rational::from(Integer::from(symbol.arity()).pow(m));
+    symbol.difference(m as usize, &factor)
+}
+
+/// The symbol Aσ/n of χ with ∫_{x−1}^x φ = χ(x).
+#[must_use]
+pub fn integral_symbol(symbol: &Symbol) -> Symbol {
+    let n = symbol.arity();
+    let mut sums = vec![Rational::zero(); symbol.coefficients().len() + n - 1];
+    let share = Rational::new(1, n);
+    for (k, a) in symbol.coefficients().iter().enumerate() {
+        for sum in &mut sums[k..k + n] {
+            *sum += &(a * &share);
+        }
+    }
+    Symbol::new(n, symbol.powers().0, sums)
+}
+
 /// M_m = ∫ x^m φ(x) dx for m = 0, …, `last`, in the sense of distributions if φ is none else.
 ///
 /// With M_0 = 1 and S_p = Σ_k k^p a_k, (n^{m+1} − n) M_m = Σ_{i<m} binomial(m, i) S_{m−i} M_i.

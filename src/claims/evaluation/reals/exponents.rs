@@ -1,0 +1,226 @@
+//! Exponents, Riesz bounds and greatest values of the limits of masks.
+
+use crate::cap::Cap;
+use crate::evaluation::masks::{KnownLimits, Results, numbers, once, rational, unlimited};
+use crate::exact::{
+    AlgebraicNumber, Enclosed as _, Enclosure, FieldElement, LogSum, LogTerm, Rational,
+    RealCyclotomic, Scalar as _, common_conductor, cosine_polynomial,
+};
+use crate::formula::{Call, CallError, RealValue, Value};
+use crate::limit::{greatest_of_bounded, greatest_of_step};
+use crate::scheme::{Instance, Mask};
+use crate::smoothness::{ExponentFormula, Smoothness, Symbol, riesz_bounds, sobolev_exponent};
+use crate::spectrum::Spectrum;
+use std::cell::RefCell;
+use std::cmp::Ordering;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// The enclosures of exponents that are no rational numbers.
+const LEVEL: u32 = 2;
+
+/// A mask, and what is proved of its limits.
+#[derive(Clone, Debug)]
+pub struct Limits {
+    /// The mask.
+    pub mask: Mask,
+    /// What is proved.
+    pub smoothness: Smoothness,
+}
+
+/// Values that are known: each is computed once for a claim.
+#[derive(Default)]
+pub(crate) struct KnownReals {
+    limits: Results<Mask, Arc<Limits>>,
+    greatest: Results<(Mask, bool), RealValue>,
+    riesz: Results<Mask, [RealValue; 2]>,
+    spectra: Results<Ring, Rc<Spectrum>>,
+}
+
+/// A ring, and its valence.
+type Ring = (Vec<Instance<RealCyclotomic>>, usize);
+
+/// The limits that values of a claim rest on, with the name of the scheme.
+pub(crate) type Used = RefCell<Vec<(Option<String>, Arc<Limits>)>>;
+
+impl KnownReals {
+    /// The value of such a function of a mask. What is known of its limits is added to `used`, with the `name` of the scheme.
+    pub(crate) fn of_mask<V: Value + PartialEq>(
+        &self,
+        mask: &Mask<V>,
+        call: &Call<'_, V>,
+        known: &KnownLimits,
+        (name, used): (&Option<String>, &Used),
+    ) -> Result<RealValue, CallError> {
+        if !call.arguments.is_empty() {
+            let message = format!("`{}` has no arguments but a scheme", call.function);
+            return Err(CallError::Misuse(message));
+        }
+        if call.function == "sobolev" {
+            return sobolev(mask);
+        }
+        let mask = rational(mask)?;
+        match call.function {
+            "smoothness" | "hoelder" => {
+                let limits = self.limits(mask)?;
+                if used.borrow().iter().all(|(_, one)| one.mask != limits.mask) {
+                    used.borrow_mut().push((name.clone(), Arc::clone(&limits)));
+                }
+                if call.function == "smoothness" {
+                    continuity(&limits.smoothness)
+                } else {
+                    hoelder(&limits.smoothness)
+                }
+            }
+            "overshoot" | "gibbs" => {
+                let step = call.function == "gibbs";
+                once(&self.greatest, (mask, step), |(mask, step)| {
+                    let limit = known.limit(mask.clone())?;
+                    let found =
+                        if *step { greatest_of_step(&limit) } else { greatest_of_bounded(&limit) };
+                    let bounds = found.map_err(|error| unlimited(&error))?;
+                    let what = "the number of cells in which a greatest value is looked for";
+                    bounds.map(RealValue::enclosed).ok_or_else(|| beyond(what, 4_096))
+                })
+            }
+            _ => {
+                let bounds = once(&self.riesz, mask, |mask| {
+                    let products = known.inner_products((mask.clone(), mask.clone()))?;
+                    let (first, last) = Symbol::of(mask).support();
+                    let last = (last - first).ceil().to_i64();
+                    let last =
+                        last.and_then(|last| usize::try_from(last).ok()).unwrap_or(usize::MAX);
+                    let bounds = riesz_bounds(&products, last);
+                    let bounds = bounds.map_err(|error| unlimited(&error))?;
+                    let what = "the degree of the cosine polynomial of inner products";
+                    bounds.map(|two| two.map(RealValue::from)).ok_or_else(|| beyond(what, 48))
+                })?;
+                let [lower, upper] = bounds;
+                Ok(if call.function == "riesz_lower" { lower } else { upper })
+            }
+        }
+    }
+
+    /// The spectrum of a ring at a valence.
+    pub(super) fn spectrum(
+        &self,
+        ring: Ring,
+        compute: impl FnOnce() -> Result<Spectrum, CallError>,
+    ) -> Result<Rc<Spectrum>, CallError> {
+        once(&self.spectra, ring, |_| compute().map(Rc::new))
+    }
+
+    fn limits(&self, mask: Mask) -> Result<Arc<Limits>, CallError> {
+        once(&self.limits, mask, |mask| {
+            let smoothness = Smoothness::of(mask)
+                .map_err(|_| beyond("the number of rows of the matrices of differences", 64))?;
+            Ok(Arc::new(Limits { mask: mask.clone(), smoothness }))
+        })
+    }
+}
+
+fn beyond(what: &'static str, most: u64) -> CallError {
+    CallError::BeyondCap(Cap::new(what, most))
+}
+
+/// The greatest m for which all limits are C^m; −1 without continuous limits.
+fn continuity(known: &Smoothness) -> Result<RealValue, CallError> {
+    let whole = |m: usize| Rational::from(m);
+    match (known.continuity, known.continuity_fails) {
+        (_, Some(0)) => Ok(RealValue::from_rational(&Rational::from(-1))),
+        (Some(m), fails) => {
+            let most = fails.unwrap_or(known.sum_rules).max(m + 1) - 1;
+            Ok(RealValue::enclosed(Enclosure::new(whole(m), whole(most))))
+        }
+        (None, _) => Err(undecided()),
+    }
+}
+
+fn hoelder(known: &Smoothness) -> Result<RealValue, CallError> {
+    let exponent = known.hoelder.as_ref().ok_or_else(|| match known.continuity_fails {
+        Some(0) => {
+            CallError::Undefined("there is no exponent, as limits are not continuous".to_owned())
+        }
+        _ => undecided(),
+    })?;
+    if let Some(bounds) = shown(known) {
+        return Ok(bounds);
+    }
+    Ok(match &exponent.formula {
+        Some(formula) => of_formula(formula),
+        None => RealValue::enclosed(Enclosure::new(exponent.lower.clone(), exponent.upper.clone())),
+    })
+}
+
+/// What the bounds of the joint spectral radius in certificates show of the exponent; `None` where they show nothing on one side.
+fn shown(known: &Smoothness) -> Option<RealValue> {
+    let differences = &known.differences;
+    if known.reduced.is_some() || known.continuity.is_none() {
+        return None;
+    }
+    let (hull, lower) =
+        (differences.radius.hull.as_ref()?, differences.radius.eigenvalue(&differences.matrices)?);
+    let bound = |of: &Rational, degree: usize| {
+        let factor = -Rational::from(degree).recip();
+        let term = LogTerm { factor, base: differences.symbol.arity(), of: of.clone() };
+        LogSum { rational: Rational::from(differences.order), terms: vec![term] }
+    };
+    let (low, high) = (bound(&hull.bound, 1), bound(&lower.at_least, differences.radius.degree));
+    let exact = known.hoelder.as_ref()?.formula.as_ref().and_then(ExponentFormula::as_rational);
+    if let Some(exact) = exact {
+        let is_exact =
+            |bound: &LogSum| bound.compare(&LogSum::from(exact.clone())) == Some(Ordering::Equal);
+        if is_exact(&low) && is_exact(&high) {
+            return Some(RealValue::from_rational(exact));
+        }
+    }
+    let [low, high] = [low.enclosure(LEVEL), high.enclosure(LEVEL)];
+    Some(RealValue::enclosed(Enclosure::new(low.lower().clone(), high.upper().clone())))
+}
+
+fn undecided() -> CallError {
+    beyond("it is not decided whether limits are continuous: the number of levels", 24)
+}
+
+fn of_formula(formula: &ExponentFormula) -> RealValue {
+    match formula.as_rational() {
+        Some(value) => RealValue::from_rational(value),
+        None => RealValue::enclosed(formula.enclosure(LEVEL)),
+    }
+}
+
+fn sobolev<V: Value + PartialEq>(mask: &Mask<V>) -> Result<RealValue, CallError> {
+    let found = match rational(mask) {
+        Ok(mask) => sobolev_exponent(&Symbol::of(&mask)),
+        Err(_) => sobolev_exponent(&Symbol::of(&over_field(mask)?)),
+    };
+    let what = "the number of rows of the matrix of a Sobolev exponent";
+    found.as_ref().map(of_formula).ok_or_else(|| beyond(what, 40))
+}
+
+/// A mask over one field Q(2cos(2π/n)) as one over the field that this number generates.
+fn over_field<V: Value>(mask: &Mask<V>) -> Result<Mask<FieldElement>, CallError> {
+    let mask = numbers(mask)?;
+    let all: Vec<RealCyclotomic> = mask.rules().rows().iter().flatten().cloned().collect();
+    let conductors = all.iter().map(RealCyclotomic::conductor);
+    let conductor = conductors.fold(1, |n, m| common_conductor(n, m).unwrap_or(n));
+    let minimal: Vec<AlgebraicNumber> = cosine_polynomial(conductor)
+        .coefficients()
+        .iter()
+        .map(|c| AlgebraicNumber::from_rational(&Rational::from(c.clone())))
+        .collect();
+    let degree = i64::try_from(minimal.len()).unwrap_or(i64::MAX) - 1;
+    // All roots are real, and 2cos(2π/n) is the greatest.
+    let generator = AlgebraicNumber::root(&minimal, degree).map_err(|error| {
+        error.cap().map_or_else(|| CallError::Misuse(error.to_string()), CallError::BeyondCap)
+    })?;
+    let generator = generator.element();
+    let value = |coordinates: &Vec<Rational>| {
+        coordinates.iter().rev().fold(FieldElement::zero(), |sum, c| {
+            sum.times(generator).plus(&FieldElement::from_rational(c))
+        })
+    };
+    let coordinates = RealCyclotomic::coordinates(&all);
+    let mut values = coordinates.iter().map(value);
+    Ok(mask.map(|_| values.next().unwrap_or_else(FieldElement::zero)))
+}
