@@ -3,7 +3,7 @@
 use crate::formula::CallError;
 
 /// The calls of all functions, each with its meaning, for help texts.
-pub const QUANTITIES: [(&str, &str); 44] = [
+pub const QUANTITIES: [(&str, &str); 47] = [
     ("contraction(c, order = adjoint|forward)", "T_c; with `terms = total` and c = 1, max |Σ b|"),
     ("norm(c, order = adjoint|forward)", "Λ_c, the norm of the scheme"),
     ("tensor(c, order = …, suprema = independent|joint)", "T_c·Λ_c of the tensor product"),
@@ -63,6 +63,9 @@ pub const QUANTITIES: [(&str, &str); 44] = [
     ("smoothness()", "the greatest m for which all limits are C^m; -1 if some are not continuous"),
     ("hoelder()", "the Hölder exponent of the limits"),
     ("sobolev()", "the Sobolev exponent of φ, in the sense of L²"),
+    ("eigenvalue(j)", "the j-th greatest real eigenvalue of the local matrix of a mask"),
+    ("independent()", "1 if the shifts of φ are linearly independent, else 0"),
+    ("same(with = NAME)", "1 if both schemes have the same symbol, else 0"),
     (
         "eigenvalue(N, k, j)",
         "of rules around a vertex or on a face at valence N: the j-th greatest real eigenvalue of block k",

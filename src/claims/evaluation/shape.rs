@@ -12,16 +12,15 @@ use crate::evaluation::library::Library;
 use crate::evaluation::masks::constants::{constant, levels, moved, no_level};
 use crate::evaluation::masks::{KnownLimits, numbers, of_mask, rational};
 use crate::evaluation::options::{Exponent, Options};
-use crate::evaluation::reals::{About, Used, about, as_value, of_ring};
+use crate::evaluation::reals::{About, Used, about, as_value, is_of_mask_too, of_ring};
 use crate::evaluation::reference::{self, Unresolved, reference, unresolved};
 use crate::evaluation::series;
 use crate::evaluation::series::Norms;
 use crate::exact::{Rational, RealCyclotomic};
-use crate::formula::{Call, CallError, Context, Functions, Parameters, RealValue, Value};
+use crate::formula::{Call, CallError, Context, Functions, RealValue, Value};
 use crate::scheme::{Instance, Mask, Reference, Rules, Scheme};
 use std::borrow::Borrow;
 use std::cell::{OnceCell, RefCell};
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The scheme that a claim is about; of a tensor product, the first.
@@ -89,7 +88,7 @@ type Known<V> = (Vec<Instance<V>>, Own<V>);
 pub(crate) struct Shapes<'a, V> {
     library: &'a Library<'a>,
     own: RefCell<Option<Known<V>>>,
-    named: RefCell<BTreeMap<String, Own<V>>>,
+    named: RefCell<Vec<Known<V>>>,
     pub(crate) norms: Norms<V>,
     /// The limits that values of the claim rest on.
     pub(crate) used: Used,
@@ -130,14 +129,15 @@ impl<'a, V: Value + PartialEq> Shapes<'a, V> {
         Ok(Own::Mask(Shape::new(&self.library.masks(instances)?, instances)))
     }
 
-    fn named(&self, name: &str) -> Result<Own<V>, CallError> {
-        if let Some(own) = self.named.borrow().get(name) {
+    /// The scheme that a reference in a formula means.
+    fn named(&self, text: &str, context: &dyn Context<V>) -> Result<Own<V>, CallError> {
+        let instances = self.library.instances(&reference(text)?, context);
+        let instances = instances.map_err(|error| unresolved(text, error))?;
+        if let Some((_, own)) = self.named.borrow().iter().find(|(known, _)| *known == instances) {
             return Ok(own.clone());
         }
-        let instances = self.library.instances(&reference(name)?, &Parameters::<V>::default());
-        let own = instances.and_then(|instances| self.scheme(&instances));
-        let own = own.map_err(|error| unresolved(name, error))?;
-        self.named.borrow_mut().insert(name.to_owned(), own.clone());
+        let own = self.scheme(&instances).map_err(|error| unresolved(text, error))?;
+        self.named.borrow_mut().push((instances, own.clone()));
         Ok(own)
     }
 }
@@ -164,11 +164,11 @@ impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
             return options.finished(value);
         }
         if about(call.function).is_some() {
-            let value = self.real(call, &mut options)?;
+            let value = self.real(call, &mut options, context)?;
             return options.finished(as_value(call.function, &value)?);
         }
-        let found = self.shape(call, &mut options)?;
-        let other = |name: &str| self.named(name);
+        let found = self.shape(call, &mut options, context)?;
+        let other = |name: &str| self.named(name, context);
         let value = match found.constants(self.shapes.library) {
             Some(constants) => constant(call, &mut options, constants)?,
             None => irrational(call, &mut options, &found)?,
@@ -202,8 +202,8 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
     }
 
     /// The mask of the scheme that a name stands for.
-    pub(crate) fn named(&self, name: &str) -> Result<Mask<V>, CallError> {
-        Ok(of_mask_only(name, self.shapes.named(name)?)?.mask.clone())
+    pub(crate) fn named(&self, name: &str, context: &dyn Context<V>) -> Result<Mask<V>, CallError> {
+        Ok(of_mask_only(name, self.shapes.named(name, context)?)?.mask.clone())
     }
 
     /// The scheme that a call is about.
@@ -211,14 +211,19 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
         &self,
         call: &Call<'_, V>,
         options: &mut Options<'_>,
+        context: &dyn Context<V>,
     ) -> Result<Rc<Shape<V>>, CallError> {
         check_name(call.function)?;
-        of_mask_only(call.function, self.scheme(options)?)
+        of_mask_only(call.function, self.scheme(options, context)?)
     }
 
-    fn scheme(&self, options: &mut Options<'_>) -> Result<Own<V>, CallError> {
-        match options.take("scheme") {
-            Some(name) => self.shapes.named(&name),
+    fn scheme(
+        &self,
+        options: &mut Options<'_>,
+        context: &dyn Context<V>,
+    ) -> Result<Own<V>, CallError> {
+        match options.scheme() {
+            Some(text) => self.shapes.named(&text, context),
             None => self.own.clone().ok_or_else(|| {
                 CallError::Misuse("this needs a scheme: give the claim one".to_owned())
             }),
@@ -230,9 +235,13 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
         &self,
         call: &Call<'_, V>,
         options: &mut Options<'_>,
+        context: &dyn Context<V>,
     ) -> Result<RealValue, CallError> {
         let library = self.shapes.library;
-        match (about(call.function), self.scheme(options)?) {
+        match (about(call.function), self.scheme(options, context)?) {
+            (Some(About::Ring), Own::Mask(shape)) if is_of_mask_too(call) => {
+                library.reals.eigenvalue(&shape.mask, &call.arguments[0])
+            }
             (Some(About::Ring), Own::Ring(ring)) => {
                 let rules = |ring: &[_], valence| library.ring_of_valence(ring, valence);
                 of_ring(&library.reals, &ring, &rules, call, options)

@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::real_formulas::Reals;
 use crate::evaluation::reference;
 use crate::evaluation::shape::{Coefficients, Own, Shapes, own_shape};
-use crate::exact::{Polynomial, Scalar};
+use crate::exact::{Polynomial, Rational, Scalar as _};
 use crate::finding::SideValue;
 use crate::formula::{
     Context as _, Expr, FormulaError, LocatedFormula, RealValue, Scope, Value as _, Work, evaluate,
@@ -13,12 +13,15 @@ use crate::formula::{
 use crate::judge::cases::Case;
 use crate::judge::hypotheses;
 use std::cell::Cell;
+use std::collections::BTreeMap;
 
 /// An identity with what its formulas refer to.
 pub(crate) struct Sides<'a> {
     pub(crate) paper: &'a Paper,
     pub(crate) identity: &'a Identity,
     pub(crate) shapes: &'a Shapes<'a, Polynomial>,
+    /// The values that the paper states, for a relation, without those that its own names hide.
+    pub(crate) given: BTreeMap<String, Rational>,
     /// The steps of all evaluations so far.
     pub(crate) spent: Cell<u64>,
 }
@@ -61,6 +64,9 @@ impl Sides<'_> {
         let coefficients = Coefficients { shapes: self.shapes, own: self.own(case)? };
         let functions = Reals { coefficients: &coefficients };
         let mut scope = Scope::new(&self.paper.definitions, &functions);
+        for (name, value) in &self.given {
+            scope = scope.with(name, RealValue::from_rational(value));
+        }
         for (name, value) in &case.values {
             scope = scope.with(name, RealValue::from_rational(value));
         }
@@ -116,6 +122,9 @@ impl Sides<'_> {
         let identity = self.identity;
         let plain = || {
             let mut scope = Scope::new(&self.paper.definitions, functions);
+            for (name, value) in &self.given {
+                scope = scope.with(name, Polynomial::from_rational(value));
+            }
             for symbol in &identity.symbols {
                 let variable = Polynomial::variable(symbol);
                 scope = scope.with(symbol, variable).with_family(symbol, member);

@@ -1,9 +1,9 @@
 //! Judging an equation.
 
 use crate::cap::Cap;
-use crate::claim::{Equation, EquationBody, Identity, Paper, Sign, is_rounded};
+use crate::claim::{Equation, EquationBody, Identity, Index, Paper, Sign, is_rounded};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::library::Library;
+use crate::evaluation::library::{Library, values};
 use crate::evaluation::shape::Shapes;
 use crate::exact::{Polynomial, Rational, Rounding, parse_decimal};
 use crate::finding::{EquationFinding, EquationVerdict, Failure, SideValue};
@@ -15,6 +15,7 @@ use crate::judge::kind::JudgeAlone;
 use crate::judge::mend;
 use crate::judge::relation::decided;
 use std::cell::Cell;
+use std::collections::BTreeMap;
 
 /// The most steps of formulas in all cases of an equation together.
 const MAX_WORK: u64 = 20_000_000;
@@ -46,7 +47,17 @@ fn compare(
     identity: &Identity,
     shapes: &Shapes<'_, Polynomial>,
 ) -> Result<EquationVerdict, Diagnostic> {
-    let sides = Sides { paper, identity, shapes, spent: Cell::new(0) };
+    let mut given = BTreeMap::new();
+    if identity.states.is_some() {
+        given = values(&paper.given)?;
+        let own = identity
+            .indices
+            .iter()
+            .map(Index::name)
+            .chain(identity.symbols.iter().map(String::as_str));
+        own.for_each(|name| _ = given.remove(name));
+    }
+    let sides = Sides { paper, identity, shapes, given, spent: Cell::new(0) };
     if identity.is_for_all() {
         return for_all(&sides);
     }

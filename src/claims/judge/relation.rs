@@ -151,7 +151,16 @@ fn printed_side<'v, T>(
     printed: &LocatedFormula,
     (left, right): (&'v T, &'v T),
 ) -> Result<(Decimal, &'v T), Diagnostic> {
-    match (decimal(comparison.right()), decimal(printed)) {
+    let fraction = |formula: &LocatedFormula| formula.text.contains(['/', '⁄', '∕']);
+    let both = (decimal(comparison.right()), decimal(printed));
+    // 2/3 beside 0.67 is the value.
+    let both = match both {
+        (Some(_), Some(left)) if fraction(comparison.right()) && !fraction(printed) => {
+            (None, Some(left))
+        }
+        both => both,
+    };
+    match both {
         (Some(decimal), _) => Ok((decimal, left)),
         (None, Some(decimal)) => Ok((decimal, right)),
         (None, None) => {

@@ -30,8 +30,8 @@ impl InnerProducts {
     /// Those of these masks.
     ///
     /// # Errors
-    /// When the arities differ, the mask is too large, or one of the three schemes is not shown to converge: φ and ψ are
-    /// continuous then, so that the integrals exist.
+    /// When the arities differ, the mask is too large, φ or ψ is not shown to be in L², or the scheme of g is not shown to
+    /// converge. φ is in L² if its scheme converges, or that of ∫ φ(x) φ(x − y) dx. `proofs/THEOREMS.md`, 138.
     ///
     /// ```
     /// use subcert::exact::Rational;
@@ -49,8 +49,8 @@ impl InnerProducts {
         if first.arity() != second.arity() {
             return Err(InnerProductError::Arities(first.arity(), second.arity()));
         }
-        Limit::new(first)?;
-        Limit::new(second)?;
+        square_integrable(first)?;
+        square_integrable(second)?;
         let symbol = Symbol::of(first).correlation(&Symbol::of(second));
         Ok(InnerProducts(Limit::new(&symbol.mask()?)?))
     }
@@ -61,6 +61,16 @@ impl InnerProducts {
     /// When y is too large, or its digits repeat too late.
     pub fn at(&self, y: &Rational) -> Result<Rational, LimitError> {
         basic(&self.0, y)
+    }
+}
+
+/// Checks that φ is in L²: that the scheme converges, or that of ∫ φ(x) φ(x − y) dx, so that the scheme converges in L².
+fn square_integrable(mask: &Mask) -> Result<(), InnerProductError> {
+    let Err(error) = Limit::new(mask) else { return Ok(()) };
+    let symbol = Symbol::of(mask);
+    match Limit::new(&symbol.correlation(&symbol).mask()?) {
+        Ok(_) => Ok(()),
+        Err(_) => Err(error.into()),
     }
 }
 

@@ -45,6 +45,7 @@ pub use coefficient::Coefficient;
 pub use contraction::contractions;
 pub use exponent::{Hoelder, Smoothness, SmoothnessError};
 pub use formula::ExponentFormula;
+pub use independence::is_independent;
 pub use integrals::{
     InnerProductError, InnerProducts, basic, derivative_symbol, integral_symbol, moments,
 };

@@ -1,6 +1,9 @@
 //! Functions of masks and of their basic limit functions.
 
 pub(crate) mod constants;
+mod field;
+
+pub(crate) use field::over_field;
 
 use crate::cap::Cap;
 use crate::evaluation::arguments::{index, narrow, within};
@@ -12,7 +15,8 @@ use crate::limit::{Limit, LimitError};
 use crate::scheme::Mask;
 use crate::smoothness::{
     InnerProductError, InnerProducts, Kept, Shape, Symbol, basic, derivative_symbol,
-    integral_symbol, moments, reproduction_degree, reproduction_degree_at, shape_kept,
+    integral_symbol, is_independent, moments, reproduction_degree, reproduction_degree_at,
+    shape_kept,
 };
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -155,6 +159,14 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
         ("convex", []) => {
             rational(mask).and_then(|mask| known.keeps(mask, Shape::Convex)).map(truth)
         }
+        ("independent", []) => match rational(mask) {
+            Ok(mask) => Ok(truth(is_independent(&Symbol::of(&mask)))),
+            Err(_) => over_field(mask).map(|mask| truth(is_independent(&Symbol::of(&mask)))),
+        },
+        ("same", []) => match options.take("with") {
+            Some(name) => other(&name).map(|other| truth(Symbol::of(mask) == Symbol::of(&other))),
+            None => Err(CallError::Misuse("name the other scheme: `same(with = NAME)`".to_owned())),
+        },
         ("orthogonal", []) => dual(mask, mask).map(truth),
         ("biorthogonal", []) => match options.take("with") {
             Some(name) => other(&name).and_then(|other| dual(mask, &other)).map(truth),

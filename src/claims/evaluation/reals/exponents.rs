@@ -1,10 +1,13 @@
 //! Exponents, Riesz bounds and greatest values of the limits of masks.
 
 use crate::cap::Cap;
-use crate::evaluation::masks::{KnownLimits, Results, numbers, once, rational, unlimited};
+use crate::evaluation::arguments::within;
+use crate::evaluation::masks::{
+    KnownLimits, Results, numbers, once, over_field, rational, unlimited,
+};
 use crate::exact::{
-    AlgebraicNumber, Enclosed as _, Enclosure, FieldElement, LogSum, LogTerm, Rational,
-    RealCyclotomic, Scalar as _, common_conductor, cosine_polynomial,
+    Adjugate, Enclosed as _, Enclosure, LogSum, LogTerm, Rational, RealCyclotomic, RealExpression,
+    RootError, Scalar as _, divided, greatest_divisor,
 };
 use crate::formula::{Call, CallError, RealValue, Value};
 use crate::limit::{greatest_of_bounded, greatest_of_step};
@@ -35,6 +38,7 @@ pub(crate) struct KnownReals {
     greatest: Results<(Mask, bool), RealValue>,
     riesz: Results<Mask, [RealValue; 2]>,
     spectra: Results<Ring, Rc<Spectrum>>,
+    eigenvalues: Results<Mask<RealCyclotomic>, Rc<[RealExpression]>>,
 }
 
 /// A ring, and its valence.
@@ -99,6 +103,24 @@ impl KnownReals {
                 Ok(if call.function == "riesz_lower" { lower } else { upper })
             }
         }
+    }
+
+    /// The j-th greatest real eigenvalue of the matrix (a_{nk−l}), where k and l are the integers inside the support of φ: that of the rules for the
+    /// points of which the limit at 0 depends.
+    pub(crate) fn eigenvalue<V: Value + PartialEq>(
+        &self,
+        mask: &Mask<V>,
+        number: &V,
+    ) -> Result<RealValue, CallError> {
+        let number = within("the number of an eigenvalue", number, 1..=1_000)?;
+        let all = once(&self.eigenvalues, numbers(mask)?, eigenvalues)?;
+        let found = all.get(number - 1).cloned().map(RealValue::from);
+        found.ok_or_else(|| {
+            let count = all.len();
+            CallError::Undefined(format!(
+                "the local matrix has {count} real eigenvalue(s), and no number {number}"
+            ))
+        })
     }
 
     /// The spectrum of a ring at a valence.
@@ -198,29 +220,49 @@ fn sobolev<V: Value + PartialEq>(mask: &Mask<V>) -> Result<RealValue, CallError>
     found.as_ref().map(of_formula).ok_or_else(|| beyond(what, 40))
 }
 
-/// A mask over one field Q(2cos(2π/n)) as one over the field that this number generates.
-fn over_field<V: Value>(mask: &Mask<V>) -> Result<Mask<FieldElement>, CallError> {
-    let mask = numbers(mask)?;
-    let all: Vec<RealCyclotomic> = mask.rules().rows().iter().flatten().cloned().collect();
-    let conductors = all.iter().map(RealCyclotomic::conductor);
-    let conductor = conductors.fold(1, |n, m| common_conductor(n, m).unwrap_or(n));
-    let minimal: Vec<AlgebraicNumber> = cosine_polynomial(conductor)
-        .coefficients()
-        .iter()
-        .map(|c| AlgebraicNumber::from_rational(&Rational::from(c.clone())))
-        .collect();
-    let degree = i64::try_from(minimal.len()).unwrap_or(i64::MAX) - 1;
-    // All roots are real, and 2cos(2π/n) is the greatest.
-    let generator = AlgebraicNumber::root(&minimal, degree).map_err(|error| {
-        error.cap().map_or_else(|| CallError::Misuse(error.to_string()), CallError::BeyondCap)
-    })?;
-    let generator = generator.element();
-    let value = |coordinates: &Vec<Rational>| {
-        coordinates.iter().rev().fold(FieldElement::zero(), |sum, c| {
-            sum.times(generator).plus(&FieldElement::from_rational(c))
-        })
-    };
-    let coordinates = RealCyclotomic::coordinates(&all);
-    let mut values = coordinates.iter().map(value);
-    Ok(mask.map(|_| values.next().unwrap_or_else(FieldElement::zero)))
+/// The most rows of a local matrix.
+const MAX_ROWS: usize = 32;
+
+/// The real eigenvalues of the local matrix of a mask, each as often as it is a root, in decreasing order.
+fn eigenvalues(mask: &Mask<RealCyclotomic>) -> Result<Rc<[RealExpression]>, CallError> {
+    let symbol = Symbol::of(mask);
+    let n = i64::try_from(symbol.arity()).expect("a small arity");
+    let (low, high) = symbol.powers();
+    let places = low.div_euclid(n - 1) + 1..=-(-high).div_euclid(n - 1) - 1;
+    let size = places.clone().count();
+    if size == 0 {
+        let message = "the support of φ has no integer inside, so that there is no local matrix";
+        return Err(CallError::Undefined(message.to_owned()));
+    }
+    if size > MAX_ROWS {
+        return Err(beyond("the number of rows of a local matrix", MAX_ROWS as u64));
+    }
+    let row = |k: i64| places.clone().map(|l| symbol.coefficient(n * k - l)).collect();
+    let matrix: Vec<Vec<RealCyclotomic>> = places.clone().map(row).collect();
+    let mut rest = Adjugate::of(&matrix).characteristic;
+    let mut all = Vec::new();
+    // Of the roots of the greatest common divisor with the derivative, each is there once less often.
+    while rest.len() > 1 {
+        let slope: Vec<RealCyclotomic> = (1..)
+            .zip(&rest[1..])
+            .map(|(k, c): (i64, _)| c.times(&RealCyclotomic::from(k)))
+            .collect();
+        let common = greatest_divisor(&rest, &slope);
+        let (simple, _) = divided(&rest, &common);
+        for i in 1.. {
+            match RealExpression::root(&simple, i) {
+                Ok(root) => all.push(root),
+                Err(RootError::Index { .. }) => break,
+                Err(_) => {
+                    return Err(beyond(
+                        "the degree of a characteristic polynomial",
+                        MAX_ROWS as u64,
+                    ));
+                }
+            }
+        }
+        rest = common;
+    }
+    all.sort_by(|a, b| b.cmp(a));
+    Ok(all.into())
 }

@@ -7,7 +7,7 @@ pub use exponents::Limits;
 pub(crate) use exponents::{KnownReals, Used};
 pub(crate) use vertices::of_ring;
 
-use crate::formula::{CallError, FormulaErrorKind, RealValue, Value};
+use crate::formula::{Call, CallError, FormulaErrorKind, RealValue, Value};
 
 /// The functions of masks among them.
 const OF_MASKS: [&str; 7] =
@@ -21,6 +21,11 @@ const OF_RINGS: [&str; 4] = ["eigenvalue", "subdominant", "curvature", "limit_we
 pub(crate) enum About {
     Mask,
     Ring,
+}
+
+/// Whether this is `eigenvalue(j)`, which is about masks too.
+pub(crate) fn is_of_mask_too<V>(call: &Call<'_, V>) -> bool {
+    call.function == "eigenvalue" && call.arguments.len() == 1
 }
 
 /// What the function of this name is about, if it is one of these.
