@@ -9,6 +9,7 @@ mod lines;
 mod numbers;
 mod proportional;
 mod readings;
+mod reals;
 mod recovered;
 mod relations;
 mod scheme_headers;

@@ -9,13 +9,13 @@ use subcert::diagnostic::SourceText;
 use subcert::exact::{Integer, Rational};
 use subcert_check::{Outcome, check};
 
-const SCHEMES: &str = "[[scheme]]\nname = 'fp'\nuse = 'four-point:w=1/16'\n\
+pub(super) const SCHEMES: &str = "[[scheme]]\nname = 'fp'\nuse = 'four-point:w=1/16'\n\
     [[scheme]]\nname = 'cubic'\nsymbol = '(1+z)^4/8'\n\
     [[scheme]]\nname = 'd4'\nsymbol = '((1+2*cos(pi/6)) + (3+2*cos(pi/6))*z + (3-2*cos(pi/6))*z^2 + (1-2*cos(pi/6))*z^3)/4'\n\
     [[scheme]]\nname = 'ternary'\nmask = '[1, 2, 3, 2, 1]/3'\n";
 
 /// The verdict on a relation, on which the checker has to agree; a relation that is open is incomplete there.
-fn verdict(schemes: &str, fields: &str) -> Word {
+pub(super) fn verdict(schemes: &str, fields: &str) -> Word {
     let paper = paper(&format!("{schemes}[[relation]]\nid = 'r'\nlocus = 'l'\n{fields}"));
     let audit = judged(&paper);
     let word = audit.equations[0].verdict.word();

@@ -212,6 +212,13 @@ pub enum Index {
         /// The last value.
         to: Box<LocatedFormula>,
     },
+    /// Several indices with rows of values: `(n, v) = (3, 0.41), (4, 0.5)`.
+    Together {
+        /// Their names in formulas.
+        names: Vec<String>,
+        /// The rows, each with a value for each name and with what is printed.
+        rows: Vec<Vec<(Rational, String)>>,
+    },
     /// All integers from one on.
     All {
         /// Its name in formulas.
@@ -222,13 +229,14 @@ pub enum Index {
 }
 
 impl Index {
-    /// Its name in formulas.
+    /// Its name in formulas, or the names of several.
     #[must_use]
-    pub fn name(&self) -> &str {
+    pub fn names(&self) -> &[String] {
         match self {
             Index::Listed { name, .. } | Index::Range { name, .. } | Index::All { name, .. } => {
-                name
+                std::slice::from_ref(name)
             }
+            Index::Together { names, .. } => names,
         }
     }
 }

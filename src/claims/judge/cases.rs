@@ -20,6 +20,8 @@ const TRIED: i64 = 24;
 #[derive(Clone)]
 pub(crate) struct Case {
     pub(crate) values: Vec<(String, Rational)>,
+    /// The values as they are printed.
+    pub(crate) printed: Vec<(String, String)>,
     /// The indices without a value, which are symbols.
     pub(crate) symbolic: Vec<(String, i64)>,
     /// The values of the indices, in words.
@@ -32,23 +34,36 @@ impl Case {
         let comma = if case.text.is_empty() { "" } else { ", " };
         case.text = format!("{}{comma}{label} = {printed}", case.text);
         case.values.push((name.to_owned(), value));
+        case.printed.push((name.to_owned(), printed.to_owned()));
         case
+    }
+
+    /// The case without values.
+    fn first() -> Case {
+        let (values, printed, symbolic, text) = Default::default();
+        Case { values, printed, symbolic, text }
     }
 
     /// The case in which the one index without a value has this one. The indices stand in the order of the claim.
     pub(crate) fn at(&self, identity: &Identity, value: i64) -> Case {
-        let mut case = Case { values: Vec::new(), symbolic: Vec::new(), text: String::new() };
+        let known = |name: &String| {
+            let known = self.values.iter().find(|(known, _)| known == name);
+            known.map_or_else(Rational::zero, |(_, value)| value.clone())
+        };
+        let mut case = Case::first();
         for index in &identity.indices {
             case = match index {
                 Index::All { name, .. } => {
                     case.with(name, name, (Rational::from(value), &value.to_string()))
                 }
                 Index::Listed { name, label, .. } | Index::Range { name, label, .. } => {
-                    let known = self.values.iter().find(|(known, _)| known == name);
-                    let value = known.map_or_else(Rational::zero, |(_, value)| value.clone());
-                    let printed = value.to_string();
-                    case.with(name, label, (value, &printed))
+                    let printed = known(name).to_string();
+                    case.with(name, label, (known(name), &printed))
                 }
+                Index::Together { names, .. } => names.iter().fold(case, |case, name| {
+                    let printed = known(name).to_string();
+                    case.with(name, name, (known(name), &printed))
+                }),
             };
         }
         case
@@ -67,7 +82,7 @@ pub(crate) enum Unbounded {
 /// Every combination of the indices, the first one slowest.
 pub(crate) fn cases(identity: &Identity, unbounded: Unbounded) -> Result<Vec<Case>, Diagnostic> {
     let right = identity.first().right();
-    let mut cases = vec![Case { values: Vec::new(), symbolic: Vec::new(), text: String::new() }];
+    let mut cases = vec![Case::first()];
     for index in &identity.indices {
         let mut longer = Vec::new();
         for case in cases {
@@ -83,6 +98,18 @@ pub(crate) fn cases(identity: &Identity, unbounded: Unbounded) -> Result<Vec<Cas
                 (Index::All { name, from }, Unbounded::Tried) => {
                     (name, name, integers(*from, from + TRIED - 1))
                 }
+                (Index::Together { names, rows }, _) => {
+                    longer.extend(rows.iter().map(|row| {
+                        names.iter().zip(row).fold(
+                            case.clone(),
+                            |case, (name, (value, printed))| {
+                                case.with(name, name, (value.clone(), printed))
+                            },
+                        )
+                    }));
+                    capped(&longer, right)?;
+                    continue;
+                }
                 (Index::All { name, from }, Unbounded::Symbol) => {
                     let mut case = case;
                     case.symbolic.push((name.clone(), *from));
@@ -93,10 +120,7 @@ pub(crate) fn cases(identity: &Identity, unbounded: Unbounded) -> Result<Vec<Cas
             for (value, printed) in entries {
                 longer.push(case.with(name, label, (value, &printed)));
             }
-            if longer.len() > MAX_CASES {
-                let cap = Cap::new("the number of combinations of the indices", MAX_CASES as u64);
-                return Err(beyond(right, cap));
-            }
+            capped(&longer, right)?;
         }
         cases = longer;
     }
@@ -106,6 +130,15 @@ pub(crate) fn cases(identity: &Identity, unbounded: Unbounded) -> Result<Vec<Cas
             .with_help("`from` is the first value and `to` the last one, which is not less"));
     }
     Ok(cases)
+}
+
+/// Checks the number of cases.
+fn capped(cases: &[Case], right: &LocatedFormula) -> Result<(), Diagnostic> {
+    if cases.len() > MAX_CASES {
+        let cap = Cap::new("the number of combinations of the indices", MAX_CASES as u64);
+        return Err(beyond(right, cap));
+    }
+    Ok(())
 }
 
 fn bound(formula: &LocatedFormula, case: &Case) -> Result<i64, Diagnostic> {

@@ -50,12 +50,9 @@ fn compare(
     let mut given = BTreeMap::new();
     if identity.states.is_some() {
         given = values(&paper.given)?;
-        let own = identity
-            .indices
-            .iter()
-            .map(Index::name)
-            .chain(identity.symbols.iter().map(String::as_str));
-        own.for_each(|name| _ = given.remove(name));
+        for name in identity.indices.iter().flat_map(Index::names).chain(&identity.symbols) {
+            given.remove(name);
+        }
     }
     let sides = Sides { paper, identity, shapes, given, spent: Cell::new(0) };
     if identity.is_for_all() {
@@ -120,7 +117,7 @@ fn compared(sides: &Sides<'_>, part: usize, i: usize, case: &Case) -> Result<Com
     if sides.spent.get() > MAX_WORK {
         return Err(beyond(comparison.right(), Cap::new("the work of all cases", MAX_WORK)));
     }
-    let decided = decided(comparison, printed, &left, &rights)?;
+    let decided = decided(comparison, (printed, &case.printed), &left, &rights)?;
     if decided == Some(true) {
         return Ok(Compared::Holds);
     }

@@ -54,9 +54,11 @@ pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) ->
     let alone = differences.iter().all(|difference| difference.number().is_some());
     if alone && comparison.sign != Sign::OneOf {
         let found = match comparison.sign {
-            Sign::Near | Sign::True | Sign::False => holds(comparison, printed, &left, &rights),
+            Sign::Near | Sign::True | Sign::False => {
+                holds(comparison, (printed, &[]), &left, &rights)
+            }
             // The difference is compared with 0.
-            _ => holds(comparison, printed, &differences[0], &[Polynomial::default()]),
+            _ => holds(comparison, (printed, &[]), &differences[0], &[Polynomial::default()]),
         };
         return Some(if found.ok()? { ForAll::Proved } else { ForAll::FalseAt(*first) });
     }
@@ -74,9 +76,9 @@ pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) ->
         let values: Vec<Polynomial> = polynomials.iter().map(|one| at(one, t)).collect();
         // Differences are compared with 0, which is a member of the set if one of them is 0.
         let found = match (comparison.sign, &values[..]) {
-            (Sign::OneOf, _) => holds(comparison, printed, &Polynomial::default(), &values),
+            (Sign::OneOf, _) => holds(comparison, (printed, &[]), &Polynomial::default(), &values),
             (_, [difference, ..]) => {
-                holds(comparison, printed, difference, &[Polynomial::default()])
+                holds(comparison, (printed, &[]), difference, &[Polynomial::default()])
             }
             (_, []) => return None,
         };

@@ -14,7 +14,7 @@ use std::cmp::Ordering;
 /// 1, or neither side of `≈` is a printed number.
 pub(crate) fn holds(
     comparison: &Comparison,
-    printed: &LocatedFormula,
+    (printed, texts): Left<'_>,
     left: &Polynomial,
     rights: &[Polynomial],
 ) -> Result<bool, Diagnostic> {
@@ -47,7 +47,7 @@ pub(crate) fn holds(
         }
         Sign::Near => {
             let (left, right) = sides()?;
-            let (decimal, exact) = printed_side(comparison, printed, (&left, &right))?;
+            let (decimal, exact) = printed_side(comparison, (printed, texts), (&left, &right))?;
             is_near(&decimal, decimal.rounding_of(exact))
         }
         Sign::True | Sign::False => {
@@ -64,9 +64,13 @@ pub(crate) fn holds(
     })
 }
 
-/// The printed number that a formula is, if it is one.
-fn decimal(formula: &LocatedFormula) -> Option<Decimal> {
-    parse_printed(&formula.text).ok()
+/// A left side, and what is printed for the indices of the case.
+pub(crate) type Left<'a> = (&'a LocatedFormula, &'a [(String, String)]);
+
+/// The printed number that a formula is, or that it names as an index, if it is one.
+fn decimal(formula: &LocatedFormula, texts: &[(String, String)]) -> Option<Decimal> {
+    let named = texts.iter().find(|(name, _)| *name == formula.text.trim());
+    parse_printed(named.map_or(&formula.text, |(_, text)| text)).ok()
 }
 
 /// Whether the sides are related as the comparison says; `None` where bounds of their values do not decide it.
@@ -75,7 +79,7 @@ fn decimal(formula: &LocatedFormula) -> Option<Decimal> {
 /// As [`holds`].
 pub(crate) fn decided(
     comparison: &Comparison,
-    printed: &LocatedFormula,
+    (printed, texts): Left<'_>,
     left: &SideValue,
     rights: &[SideValue],
 ) -> Result<Option<bool>, Diagnostic> {
@@ -85,7 +89,7 @@ pub(crate) fn decided(
     };
     let polynomials: Option<Vec<Polynomial>> = rights.iter().map(polynomial).collect();
     if let (Some(left), Some(rights)) = (polynomial(left), polynomials) {
-        return holds(comparison, printed, &left, &rights).map(Some);
+        return holds(comparison, (printed, texts), &left, &rights).map(Some);
     }
     let number = |formula: &LocatedFormula, side: &SideValue| {
         side.real().ok_or_else(|| {
@@ -112,7 +116,7 @@ pub(crate) fn decided(
             (any || !open).then_some(any)
         }
         Sign::Near => {
-            let (decimal, value) = printed_side(comparison, printed, (&left, right))?;
+            let (decimal, value) = printed_side(comparison, (printed, texts), (&left, right))?;
             near(&decimal, value)
         }
     })
@@ -148,11 +152,11 @@ fn is_near(decimal: &Decimal, rounding: Rounding) -> bool {
 /// When neither side is a printed number.
 fn printed_side<'v, T>(
     comparison: &Comparison,
-    printed: &LocatedFormula,
+    (printed, texts): Left<'_>,
     (left, right): (&'v T, &'v T),
 ) -> Result<(Decimal, &'v T), Diagnostic> {
     let fraction = |formula: &LocatedFormula| formula.text.contains(['/', '⁄', '∕']);
-    let both = (decimal(comparison.right()), decimal(printed));
+    let both = (decimal(comparison.right(), texts), decimal(printed, texts));
     // 2/3 beside 0.67 is the value.
     let both = match both {
         (Some(_), Some(left)) if fraction(comparison.right()) && !fraction(printed) => {

@@ -25,7 +25,7 @@ claim_table!(RelationTable {
     hypotheses: Vec<Spanned<String>>,
     /// What is claimed: `'0 < contraction(2) <= 1/2'`, `'symmetric()'`, `'sum_rules() in {3, 4}'`.
     states: Option<Spanned<String>>,
-    /// The indices: `'n = 2..8'`, `'n = 2, 4, 8'` or `'all n >= 2'`, or a list of these.
+    /// The indices: `'n = 2..8'`, `'n = 2, 4, 8'`, `'(n, v) = (3, 0.41), (4, 0.5)'` or `'all n >= 2'`, or a list of these.
     r#for: Option<Spanned<ForField>>,
     /// In place of `states`: what the paper lacks that the relation would need.
     absent: Option<String>,
@@ -38,7 +38,7 @@ one_or_each!(
 );
 
 /// How indices are written.
-const FOR: &str = "write for = 'n = 2..8', 'n = 2, 4, 8' or 'all n >= 2', or a list of these";
+const FOR: &str = "write for = 'n = 2..8', 'n = 2, 4, 8', '(n, v) = (3, 0.41), (4, 0.5)' or 'all n >= 2', or a list of these";
 
 /// The greatest absolute value of the first of all values of an index.
 const MAX_FIRST: i64 = 1_000_000;
@@ -60,7 +60,11 @@ impl ClaimTable for RelationTable {
     fn names(&self) -> Vec<(&str, Named)> {
         let indices = self.indices().into_iter();
         let indices = indices.filter_map(|(text, span)| Some((index(text)?.0, span)));
-        let indices = indices.map(|(name, span)| (name, Named { role: Role::Index, span }));
+        let indices = indices.flat_map(|(names, span)| {
+            names
+                .into_iter()
+                .map(move |name| (name, Named { role: Role::Index, span: span.clone() }))
+        });
         named(&self.symbols, Role::Symbol).chain(indices).collect()
     }
 
@@ -137,6 +141,13 @@ impl Reader<'_> {
                 "a formula is missing beside a sign",
                 "write formulas with one of =, !=, <, <=, >, >= and ~ between them",
             ),
+            NoStatement::Doubled => {
+                ("`==`, `=>` and `=<` are no signs here", "write `=`, `>=` or `<=`")
+            }
+            NoStatement::PlusMinus => (
+                "`±` states two things, and `+-` is often meant so",
+                "write `x in [a - b, a + b]` for an error, `x in {a - b, a + b}` for two values, and `+ (-b)` for a sum",
+            ),
             NoStatement::NoSet => {
                 ("no set stands behind `in`", "write `x in {1, 2}`, `x in [0, 1]` or `x in (0, 1]`")
             }
@@ -152,11 +163,34 @@ impl Reader<'_> {
     /// One of the indices of a relation.
     fn index_of(&self, text: &str, span: std::ops::Range<usize>) -> Result<Index, Diagnostic> {
         let refused = |message: &str| self.error(span.clone(), message).with_help(FOR);
-        let (name, values) = index(text).ok_or_else(|| refused("this is no index with values"))?;
-        let name = identifier(self.source, &Spanned::new(span.clone(), name.to_owned()))?;
+        let (names, values) = index(text).ok_or_else(|| refused("this is no index with values"))?;
+        let name =
+            |name: &&str| identifier(self.source, &Spanned::new(span.clone(), (*name).to_owned()));
+        let mut names = names.iter().map(name).collect::<Result<Vec<String>, Diagnostic>>()?;
+        let number = |text: &str| parse_rational(text).map_err(|error| refused(&error.to_string()));
+        if let Values::Rows(rows) = values {
+            let row = |row: Vec<&str>| {
+                if row.len() != names.len() {
+                    return Err(refused("each row has a value for each name"));
+                }
+                row.into_iter().map(|text| Ok((number(text)?, text.to_owned()))).collect()
+            };
+            let rows = rows.into_iter().map(row).collect::<Result<Vec<Vec<_>>, Diagnostic>>()?;
+            for (i, row) in rows.iter().enumerate() {
+                let alike = |other: &Vec<(Rational, String)>| {
+                    row.iter().zip(other).all(|((a, _), (b, _))| a == b)
+                };
+                if rows[..i].iter().any(alike) {
+                    return Err(refused("a row of values stands here twice"));
+                }
+            }
+            return Ok(Index::Together { names, rows });
+        }
+        let name = names.pop().unwrap_or_default();
         let formula =
             |text: &str| LocatedFormula::read(self.source, span.clone(), text).map(Box::new);
         match values {
+            Values::Rows(_) => Err(refused("this is no index with values")),
             Values::Range(from, to) => {
                 let (from, to) = (formula(from)?, formula(to)?);
                 Ok(Index::Range { label: name.clone(), name, from, to })
@@ -172,10 +206,6 @@ impl Reader<'_> {
                 Ok(Index::All { name, from })
             }
             Values::Listed(values) => {
-                let number = |text: &str| {
-                    let value = parse_rational(text);
-                    value.map_err(|error| refused(&error.to_string()))
-                };
                 let mut seen = BTreeSet::new();
                 let mut listed: Vec<(Rational, String)> = Vec::with_capacity(values.len());
                 for text in values {

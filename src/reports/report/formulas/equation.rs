@@ -98,6 +98,9 @@ fn compared(finding: &EquationFinding<'_>) -> String {
     let index = |index: &Index| match index {
         Index::Range { label, from, to, .. } => format!(", {label} = {}…{}", from.text, to.text),
         Index::Listed { label, values, .. } => format!(", {label} = {}", listed(values)),
+        Index::Together { names, rows } => {
+            format!(", ({}) in {} rows", names.join(", "), rows.len())
+        }
         Index::All { name, from } => format!(" for all {name} ≥ {from}"),
     };
     identity.indices.iter().map(index).collect()

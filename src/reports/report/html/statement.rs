@@ -4,6 +4,7 @@ use super::math::{bracketed, inner};
 use super::names::name;
 use crate::audit::PaperAudit;
 use crate::claim::{Comparison, Identity, Index, Left, Quantity, Sign};
+use crate::exact::Rational;
 use crate::formula::LocatedFormula;
 use maud::{Markup, html};
 
@@ -107,6 +108,14 @@ fn index(index: &Index) -> String {
         Index::Listed { label, values, .. } => {
             let values: Vec<&str> = values.iter().map(|(_, printed)| printed.as_str()).collect();
             format!("{label} = {}", values.join(", "))
+        }
+        Index::Together { names, rows } => {
+            let row = |row: &Vec<(Rational, String)>| {
+                let printed: Vec<&str> = row.iter().map(|(_, printed)| printed.as_str()).collect();
+                format!("({})", printed.join(", "))
+            };
+            let rows: Vec<String> = rows.iter().map(row).collect();
+            format!("({}) = {}", names.join(", "), rows.join(", "))
         }
         Index::All { name, from } => format!("all {name} ≥ {from}"),
     }

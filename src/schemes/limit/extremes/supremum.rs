@@ -1,4 +1,4 @@
-//! The greatest values of the limits of all data from 0 to 1, and of a step.
+//! The greatest values of the limits of all data from 0 to 1, and of a step. `proofs/THEOREMS.md`, 139.
 
 use crate::exact::{CommonDenominator, Enclosure, Integer, Rational};
 use crate::limit::error::LimitError;

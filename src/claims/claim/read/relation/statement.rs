@@ -36,6 +36,10 @@ pub(super) enum Statement<'t> {
 pub(super) enum NoStatement {
     /// Nothing stands on one side of a sign.
     NoSide,
+    /// `==`, `=>` or `=<`.
+    Doubled,
+    /// `+-`, or `±`.
+    PlusMinus,
     /// What stands behind `in` is no set.
     NoSet,
     /// There is a sign beside `in`.
@@ -46,6 +50,12 @@ pub(super) enum NoStatement {
 
 /// The statement that a text makes.
 pub(super) fn statement(text: &str) -> Result<Statement<'_>, NoStatement> {
+    if ["==", "=>", "=<"].iter().any(|sign| text.contains(sign)) {
+        return Err(NoStatement::Doubled);
+    }
+    if ["+-", "±", "+−"].iter().any(|sign| text.contains(sign)) {
+        return Err(NoStatement::PlusMinus);
+    }
     let outer = outer(text).ok_or(NoStatement::Bracket)?;
     let signs = signs(text, &outer);
     if let Some(at) = word(text, &outer, "in") {
@@ -147,26 +157,38 @@ pub(super) enum Values<'t> {
     Range(&'t str, &'t str),
     /// `n = 2, 4, 8`
     Listed(Vec<&'t str>),
+    /// `(n, v) = (3, 0.41), (4, 0.5)`
+    Rows(Vec<Vec<&'t str>>),
     /// `all n >= 2`
     All(Option<&'t str>),
 }
 
-/// An index with its values: `n = 2..8`, `n = 2, 4, 8`, `all n` or `all n >= 2`.
-pub(super) fn index(text: &str) -> Option<(&str, Values<'_>)> {
+/// An index with its values: `n = 2..8`, `n = 2, 4, 8`, `all n` or `all n >= 2`; or several with rows of values.
+pub(super) fn index(text: &str) -> Option<(Vec<&str>, Values<'_>)> {
     let text = text.trim();
     if let Some(rest) =
         text.strip_prefix("all").filter(|rest| rest.starts_with(char::is_whitespace))
     {
         let bound = [">=", "≥"].into_iter().find_map(|sign| rest.split_once(sign));
         let (name, from) = bound.map_or((rest, None), |(name, from)| (name, Some(from.trim())));
-        return Some((name.trim(), Values::All(from)));
+        return Some((vec![name.trim()], Values::All(from)));
     }
     let (name, values) = text.split_once('=')?;
+    if name.starts_with('(') {
+        let rows = separated(values)?.into_iter().map(listed).collect::<Option<Vec<_>>>()?;
+        return Some((listed(name)?, Values::Rows(rows)));
+    }
     let range = outer(values)?.into_iter().find(|&at| values[at..].starts_with(".."));
     let values = match range.and_then(|at| Some((&values[..at], values.get(at.checked_add(2)?..)?)))
     {
         Some((from, to)) => Values::Range(from.trim(), to.trim()),
         None => Values::Listed(values.split(',').map(str::trim).collect()),
     };
-    Some((name.trim(), values))
+    Some((vec![name.trim()], values))
+}
+
+/// The parts of `(a, b)`.
+fn listed(text: &str) -> Option<Vec<&str>> {
+    let inner = text.trim().strip_prefix('(')?.strip_suffix(')')?;
+    Some(inner.split(',').map(str::trim).collect())
 }
