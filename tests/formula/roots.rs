@@ -37,8 +37,14 @@ fn identities_of_roots() {
 fn rational_roots_are_rational() {
     assert_eq!(value::<Rational>("sqrt(9/4)"), Ok(Rational::new(3, 2)));
     assert_eq!(value::<Rational>("root([6, -5, 1], 2)"), Ok(Rational::from(3)));
-    let error = value::<RealCyclotomic>("sqrt(9)").expect_err("no root of claims");
-    assert!(error.contains("are for masks"), "{error}");
+    // Square roots of rational numbers are sums of cosines.
+    assert_eq!(value::<RealCyclotomic>("sqrt(9)"), Ok(RealCyclotomic::from(3)));
+    assert_eq!(
+        value::<RealCyclotomic>("sqrt(6)*sqrt(10) - 2*sqrt(15)"),
+        Ok(RealCyclotomic::from(0))
+    );
+    let error = value::<RealCyclotomic>("sqrt(1 + sqrt(2))").expect_err("a nested root");
+    assert!(error.contains("[[relation]]"), "{error}");
 }
 
 #[test]
