@@ -7,6 +7,7 @@ mod arithmetic;
 mod certificates;
 mod claims;
 mod command;
+mod composed;
 mod depth;
 mod family;
 mod format;

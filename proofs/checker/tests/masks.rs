@@ -92,7 +92,12 @@ fn outcome(states: &str, verdict: &str) -> Outcome {
 
 /// The outcome of a relation with these fields and lines.
 pub fn relation(fields: &str, lines: &str) -> Outcome {
-    let claims = format!("key = 'k'\n{SCHEMES}\n[[relation]]\nid = 'r'\n{fields}\n");
+    relation_of(SCHEMES, fields, lines)
+}
+
+/// The same of other schemes.
+pub fn relation_of(schemes: &str, fields: &str, lines: &str) -> Outcome {
+    let claims = format!("key = 'k'\n{schemes}\n[[relation]]\nid = 'r'\n{fields}\n");
     let certificate = format!("subcert-certificate 4\npaper k\nrelation r\n {lines}\nend 1\n");
     let report = check(&claims, &[&certificate]).expect("a claim file");
     assert!(report.broken.is_empty(), "{:?}", report.broken);
