@@ -41,7 +41,7 @@ fn is(symbol: &str, l: i64, coefficients: &[&str]) -> bool {
         .map(|(k, c)| format!("abs(coefficient(own, {k}) - ({c}))"))
         .collect();
     // The sum of all coefficients of the square tells whether there are others.
-    let all = format!("sum(k = -40..40, abs(coefficient(own, k)))");
+    let all = "sum(k = -40..40, abs(coefficient(own, k)))";
     let known: Vec<String> = coefficients.iter().map(|c| format!("abs({c})")).collect();
     let states = format!("{} + {all} = {}", terms.join(" + "), known.join(" + "));
     let found = relation_of(

@@ -9,6 +9,7 @@ mod claims;
 mod command;
 mod composed;
 mod depth;
+mod derivatives;
 mod family;
 mod format;
 mod kernel;

@@ -86,7 +86,7 @@ mask = [['cos(2*pi/499)', '1 - cos(2*pi/499)', '0'], ['cos(2*pi/499)/2', '1/2 - 
 "#;
 
 /// The outcome of a relation without indices.
-fn outcome(states: &str, verdict: &str) -> Outcome {
+pub fn outcome(states: &str, verdict: &str) -> Outcome {
     relation(&format!("states = '{states}'"), &format!("states {states}\n {verdict}"))
 }
 
@@ -105,7 +105,7 @@ pub fn relation_of(schemes: &str, fields: &str, lines: &str) -> Outcome {
 }
 
 /// Checks that these formulas have these values, and no others.
-fn values(list: &[(&str, &str)]) {
+pub fn values(list: &[(&str, &str)]) {
     let mut wrong = String::new();
     for (formula, value) in list {
         let states = format!("{formula} = {value}");

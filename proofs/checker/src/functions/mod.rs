@@ -3,7 +3,6 @@
 pub mod call;
 pub mod depth;
 pub mod exponent;
-mod integers;
 mod limits;
 mod masks;
 mod named;

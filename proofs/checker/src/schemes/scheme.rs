@@ -27,6 +27,10 @@ pub struct Scheme {
     pub limit: OnceCell<Rc<[Value]>>,
     /// The integrals of this limit with the limits of other schemes, by the addresses of these. The library keeps them.
     pub integrals: RefCell<BTreeMap<*const Scheme, Rc<[Value]>>>,
+    /// The schemes of the derivatives of this limit, by their orders.
+    pub derived: RefCell<BTreeMap<usize, Rc<Scheme>>>,
+    /// The scheme of its integrals over intervals of length 1.
+    pub antiderivative: OnceCell<Rc<Scheme>>,
     /// The same scheme with other numbers of its points, by the number of the point that becomes
     /// number 0.
     numbered: RefCell<BTreeMap<usize, Rc<Scheme>>>,
@@ -66,8 +70,9 @@ impl Scheme {
             difference.push(row);
         }
         difference.push(last);
-        let (limit, integrals, numbered) = Default::default();
-        Ok(Scheme { mask, difference, offset, limit, integrals, numbered })
+        let (limit, integrals, derived) = Default::default();
+        let (antiderivative, numbered) = Default::default();
+        Ok(Scheme { mask, difference, offset, limit, integrals, derived, antiderivative, numbered })
     }
 
     /// The scheme whose point i is the point i + `first` of this one, 0 ≤ `first` < n: rule α is

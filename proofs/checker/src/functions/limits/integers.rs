@@ -2,8 +2,8 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::masks::{Mask, signed};
-use super::steps::{add, over};
+use crate::functions::masks::{Mask, signed};
+use crate::functions::steps::{add, over};
 use crate::numbers::{Meter, Value};
 use crate::text::Stop;
 

@@ -1,0 +1,74 @@
+//! Functions of the limit φ of the data 1 at 0: φ(x) = Σ_k a_k φ(nx − k), Σ_k φ(x − k) = 1.
+
+#![warn(clippy::arithmetic_side_effects)]
+
+mod integers;
+mod moments;
+mod points;
+mod products;
+mod related;
+
+use super::call::{Call, within};
+use super::masks::Mask;
+use crate::data::converges;
+use crate::formulas::MAX_INTEGER;
+use crate::numbers::Value;
+use crate::schemes::{Library, Scheme};
+use crate::text::Stop;
+use integers::at_integers;
+use std::rc::Rc;
+
+/// The greatest degree of a moment.
+const MAX_DEGREE: i64 = 64;
+
+/// The greatest order of a derivative.
+const MAX_ORDER: usize = 16;
+
+const PLACE: Stop = Stop::Capped("the places of a limit function");
+
+/// The value of such a function; `None` if the call is none of them.
+pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
+    let library = call.library;
+    Ok(Some(match (call.function, call.arguments) {
+        ("moment", [m]) => {
+            let degree = within(m, 0, MAX_DEGREE)?;
+            let mask = Mask::of_numbers(library.meter, &*call.scheme()?)?;
+            moments::moment(library.meter, &mask, degree)?
+        }
+        ("limit_value", [x]) => {
+            let (scheme, order) = (call.scheme()?, call.word("derivative", "0"));
+            let wrong = || Stop::Wrong(format!("`{order}` is no order of a derivative"));
+            let order: usize = order.parse().map_err(|_| wrong())?;
+            if order > MAX_ORDER {
+                return Err(Stop::Capped("the order of a derivative"));
+            }
+            points::derivative(library, &scheme, x, order)?
+        }
+        ("integral", [x, y]) => points::integral(library, &*call.scheme()?, x, y)?,
+        ("inner_product", [k]) => {
+            let (scheme, k) = (call.scheme()?, k.integer(MAX_INTEGER)?);
+            let other = call.named("with")?.unwrap_or_else(|| Rc::clone(&scheme));
+            products::inner_product(library, &scheme, &other, k)?
+        }
+        _ => return Ok(None),
+    }))
+}
+
+/// Checks that a scheme is shown to converge.
+pub fn exists(library: &Library<'_>, scheme: &Scheme) -> Result<(), Stop> {
+    if scheme.limit.get().is_some() || converges(library, scheme)? {
+        return Ok(());
+    }
+    Err(Stop::Capped("the levels up to which convergence is looked for"))
+}
+
+/// The values of φ at the integers of its support.
+pub fn values(library: &Library<'_>, scheme: &Scheme) -> Result<Rc<[Value]>, Stop> {
+    if let Some(known) = scheme.limit.get() {
+        return Ok(Rc::clone(known));
+    }
+    let mask = Mask::of_numbers(library.meter, scheme)?;
+    exists(library, scheme)?;
+    let found: Rc<[Value]> = at_integers(library.meter, &mask)?.into();
+    Ok(Rc::clone(scheme.limit.get_or_init(|| found)))
+}
