@@ -28,6 +28,9 @@ name = "square"
 let = { h = 'symbol(hat)', half = '1/2' }
 symbol = 'h^2*half'
 [[scheme]]
+name = "wide"
+use = "tension:w=w-1"
+[[scheme]]
 name = "later"
 symbol = '1 + z'
 "#;
@@ -62,7 +65,11 @@ fn powers_and_factors() {
     assert!(is("symbol(1/z, scheme = z)", -1, &["1", "1"]));
     assert!(is("symbol(hat, z^3)", -3, &["1/2", "0", "0", "1", "0", "0", "1/2"]));
     assert!(is("z^3*symbol(hat, z^-3)", 0, &["1/2", "0", "0", "1", "0", "0", "1/2"]));
-    assert!(is("symbol(hat)*symbol(hat, 1)/2", -1, &["1/2", "1", "1/2"]));
+    assert!(is("symbol(tension, w = 0)", -1, &["1/2", "1", "1/2"]));
+    assert!(is("symbol(open, z, w = -2)", 0, &["1", "-2", "0", "3"]));
+    assert!(is("symbol(w = 1, scheme = open)", 0, &["1", "1"]));
+    assert!(is("sum(i = 1..2, symbol(open, w = i))/2", 0, &["1", "3/2", "0", "-1/2"]));
+    assert!(is("symbol(w = 1, scheme = wide)", -1, &["1/2", "1", "1/2"]));
     assert!(is("(2 - symbol(hat, -z))*z", 0, &["1/2", "1", "1/2"]));
     assert!(is("symbol(square)", -2, &["1/8", "1/2", "3/4", "1/2", "1/8"]));
     assert!(is("symbol(hat)^2/2", -2, &["1/8", "1/2", "3/4", "1/2", "1/8"]));
@@ -104,6 +111,17 @@ fn what_has_no_meaning() {
         "symbol(hat, q)",
         "z^(symbol(hat))",
         "symbol(hat:w=1)",
+        "symbol(hat, 1)*symbol(hat)/2",
+        "symbol(hat, z^0)*symbol(hat)/2",
+        "symbol(tension, w = 1/16)",
+        "symbol(tension, w = q)",
+        "symbol(tension, w = z)",
+        "symbol(tension, w = 1-1)",
+        "symbol(tension, w = 0, w = 0)",
+        "symbol(tension, v = 0)",
+        "symbol(hat, w = 0)",
+        "symbol(hat, scheme = hat)",
+        "symbol(wide)",
     ] {
         assert!(!is(symbol, -1, &["1/2", "1", "1/2"]), "{symbol}");
         assert!(!is(symbol, 0, &["1", "1"]), "{symbol}");

@@ -233,9 +233,14 @@ impl<'a> Library<'a> {
         Ok(parameters)
     }
 
-    /// The scheme whose symbol stands in that of the scheme `of`. Chains of such schemes are as short as those of names,
+    /// The scheme, with these parameters, whose symbol stands in that of the scheme `of`. Chains of such schemes are as short as those of names,
     /// whatever schemes are known already.
-    fn other(&self, of: &str, name: &str, longest: &Cell<usize>) -> Result<Rc<Scheme>, Stop> {
+    fn other(
+        &self,
+        (of, name): (&str, &str),
+        parameters: Indices,
+        longest: &Cell<usize>,
+    ) -> Result<Rc<Scheme>, Stop> {
         let place = |name: &str| self.own.get(name);
         if place(name).is_some_and(|other| place(of).is_none_or(|own| own <= other)) {
             return wrong(of, "a scheme in its symbol does not stand before it");
@@ -246,7 +251,11 @@ impl<'a> Library<'a> {
             return Err(chain);
         }
         self.composing.set(depth + 1);
-        let found = self.resolve(name, &self.closed());
+        let mut scope = self.closed();
+        let given = parameters.iter().map(|(name, _)| format!("{name}={name}"));
+        let given = given.collect::<Vec<String>>().join(",");
+        scope.values.extend(parameters);
+        let found = self.resolve(&format!("{name}:{given}"), &scope);
         self.composing.set(depth);
         let Some(scheme) = found?.into_iter().next() else {
             return wrong(name, "there is no such scheme");
@@ -288,7 +297,7 @@ impl<'a> Library<'a> {
             (None, Some(text))
                 if ["mask", "width", "entry"].iter().all(|key| table.get(key).is_none()) =>
             {
-                let other = |other: &str| self.other(name, other, &longest);
+                let other = |other: &str, with: Indices| self.other((name, other), with, &longest);
                 Some(symbol::mask(text, table.text("arity"), &scope, &other)?)
             }
             _ => return wrong(name, "its mask is given twice"),

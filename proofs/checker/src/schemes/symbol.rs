@@ -1,7 +1,7 @@
 //! A mask by its symbol Σ_k a_k z^k: the formula is multiplied out.
 
 use super::scheme::{MAX_ARITY, Scheme};
-use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Scope, formula, names};
+use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Scope, formula, is_name, names};
 use crate::numbers::Value;
 use crate::text::Stop;
 use std::borrow::Cow;
@@ -26,8 +26,11 @@ const MAX_DEPTH: usize = 200;
 /// The coefficients by the powers of z; none is 0.
 type Laurent = BTreeMap<i64, Value>;
 
-/// What gives the other schemes whose symbols a symbol may name.
-pub(super) type Others<'o> = dyn Fn(&str) -> Result<Rc<Scheme>, Stop> + 'o;
+/// What gives the other schemes whose symbols a symbol may name, with values of their parameters.
+pub(super) type Others<'o> = dyn Fn(&str, Indices) -> Result<Rc<Scheme>, Stop> + 'o;
+
+/// What `symbol` takes besides a scheme.
+const MONOMIAL: &str = "`symbol` takes cz^m, c ≠ 0 ≠ m";
 
 const POWER: Stop = Stop::Capped("the powers of z in a symbol");
 
@@ -152,16 +155,14 @@ impl Expansion<'_> {
             }
             _ => self.scope.asked(head, parts, indices),
         };
-        let name = match &options[..] {
-            [(option, name)] if option == "scheme" => name,
-            _ => return Err(wrong("`symbol` takes one scheme")),
-        };
+        let scheme = self.named(&options, indices)?;
         let (m, c) = match arguments {
             [] => (1, Value::int(1)),
             [u] => {
                 let u = self.of(u, indices, depth + 1)?;
                 let term = u.into_iter().collect::<Vec<(i64, Value)>>().try_into();
-                let [(m, c)] = term.map_err(|_| wrong("`symbol` takes cz^m, c ≠ 0"))?;
+                let one: Option<[(i64, Value); 1]> = term.ok();
+                let [(m, c)] = one.filter(|[(m, _)]| *m != 0).ok_or_else(|| wrong(MONOMIAL))?;
                 (m, c)
             }
             _ => return Err(wrong("`symbol` takes a scheme, and one more argument at most")),
@@ -169,7 +170,7 @@ impl Expansion<'_> {
         c.number()?;
         let mut symbol = Laurent::new();
         let (mut power, mut at) = (Value::int(1), 0);
-        for (k, b) in coefficients(&*(self.others)(name)?) {
+        for (k, b) in coefficients(&scheme) {
             self.scope.spend(1)?;
             if c != Value::int(1) {
                 // The first k may be far from 0. The others follow.
@@ -189,6 +190,29 @@ impl Expansion<'_> {
             add(&mut symbol, k, &b.times(&power)?)?;
         }
         Ok(symbol)
+    }
+
+    /// The scheme of the option `scheme`. Other options give values to its parameters.
+    fn named(
+        &self,
+        options: &[(String, String)],
+        indices: &mut Indices,
+    ) -> Result<Rc<Scheme>, Stop> {
+        let is_scheme = |option: &&(String, String)| option.0 == "scheme";
+        let (schemes, options): (Vec<_>, Vec<_>) = options.iter().partition(is_scheme);
+        let [(_, scheme)] = &schemes[..] else {
+            return Err(wrong("`symbol` takes one scheme"));
+        };
+        let mut parameters = Indices::new();
+        for (parameter, word) in options {
+            let value = match word.parse::<i64>() {
+                Ok(integer) => Value::int(integer),
+                Err(_) if is_name(word) => self.scope.name(word, indices)?,
+                Err(_) => return Err(wrong("a parameter is an integer or a name")),
+            };
+            parameters.push((parameter.clone(), value));
+        }
+        (self.others)(scheme, parameters)
     }
 
     fn times(&self, left: &Laurent, right: &Laurent) -> Result<Laurent, Stop> {

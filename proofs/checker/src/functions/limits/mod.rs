@@ -2,6 +2,7 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
+mod existing;
 mod integers;
 mod moments;
 mod points;
@@ -10,21 +11,18 @@ mod related;
 
 use super::call::{Call, within};
 use super::masks::Mask;
-use crate::data::converges;
 use crate::formulas::MAX_INTEGER;
 use crate::numbers::Value;
-use crate::schemes::{Library, Scheme};
 use crate::text::Stop;
-use integers::at_integers;
 use std::rc::Rc;
+
+pub use existing::{exists, values};
 
 /// The greatest degree of a moment.
 const MAX_DEGREE: i64 = 64;
 
 /// The greatest order of a derivative.
 const MAX_ORDER: usize = 16;
-
-const PLACE: Stop = Stop::Capped("the places of a limit function");
 
 /// The value of such a function; `None` if the call is none of them.
 pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
@@ -52,23 +50,4 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
         }
         _ => return Ok(None),
     }))
-}
-
-/// Checks that a scheme is shown to converge.
-pub fn exists(library: &Library<'_>, scheme: &Scheme) -> Result<(), Stop> {
-    if scheme.limit.get().is_some() || converges(library, scheme)? {
-        return Ok(());
-    }
-    Err(Stop::Capped("the levels up to which convergence is looked for"))
-}
-
-/// The values of φ at the integers of its support.
-pub fn values(library: &Library<'_>, scheme: &Scheme) -> Result<Rc<[Value]>, Stop> {
-    if let Some(known) = scheme.limit.get() {
-        return Ok(Rc::clone(known));
-    }
-    let mask = Mask::of_numbers(library.meter, scheme)?;
-    exists(library, scheme)?;
-    let found: Rc<[Value]> = at_integers(library.meter, &mask)?.into();
-    Ok(Rc::clone(scheme.limit.get_or_init(|| found)))
 }

@@ -2,9 +2,9 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::integers::window;
+use super::existing::{exists, values};
+use super::integers::{PLACE, window};
 use super::related::{antiderivative, derived};
-use super::{PLACE, exists, values};
 use crate::functions::call::number;
 use crate::functions::masks::{Mask, signed};
 use crate::functions::steps::{add, plus};

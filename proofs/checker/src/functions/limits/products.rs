@@ -2,8 +2,8 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::integers::{at_integers, window};
-use super::{PLACE, exists};
+use super::existing::exists;
+use super::integers::{PLACE, at_integers, window};
 use crate::functions::call::{number, wrong};
 use crate::functions::masks::Mask;
 use crate::functions::steps::{add, over};

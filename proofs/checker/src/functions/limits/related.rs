@@ -4,8 +4,8 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::integers::at_integers;
-use super::{PLACE, exists};
+use super::existing::exists;
+use super::integers::{PLACE, at_integers};
 use crate::functions::call::number;
 use crate::functions::masks::{Mask, quotient, signed};
 use crate::functions::steps::{over, plus, times};
