@@ -6,6 +6,8 @@ pub mod exponent;
 mod limits;
 mod masks;
 mod named;
+mod peaks;
+mod real;
 mod reproduction;
 mod shape;
 mod steps;

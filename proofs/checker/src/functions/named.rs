@@ -5,7 +5,7 @@
 use super::call::{Call, TERMS, entry, number, within, wrong};
 use super::depth::depth;
 use super::sums::greatest;
-use super::{limits, masks, shape};
+use super::{exponent, limits, masks, peaks, shape};
 use crate::data::{best_offset, moved, surface};
 use crate::formulas::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::numbers::{Meter, Number, Q, Value, capped};
@@ -105,10 +105,12 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         }
         ("positive" | "monotone" | "convex", []) => shape::of(call),
         (_, arguments) => {
-            let found =
-                masks::of(call)?.map_or_else(|| limits::of(call), |found| Ok(Some(found)))?;
-            let none = || format!("there is no `{function}` of {} arguments", arguments.len());
-            found.ok_or_else(|| Stop::Wrong(none()))
+            for group in [masks::of, limits::of, exponent::of, peaks::of] {
+                if let Some(value) = group(call)? {
+                    return Ok(value);
+                }
+            }
+            wrong(format!("there is no `{function}` of {} arguments", arguments.len()))
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The library of the schemes that a claim file may name.
 
+use super::limits::Limits;
 use super::products::Products;
 use super::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Scheme};
 use super::{symbol, typed};
@@ -27,6 +28,8 @@ pub struct Library<'a> {
     pub meter: &'a Meter,
     /// The products of sequences and the constants that are known.
     pub products: Products<'a>,
+    /// What is known of limits.
+    pub limits: Limits,
     nothing: Definitions,
     as_printed: Reading,
     /// The constants that formulas asked for, while they are traced.
@@ -57,7 +60,7 @@ impl<'a> Library<'a> {
     /// The library of a claim file's `[[scheme]]` tables.
     pub fn new(file: &'a [Toml], catalogue: &'a [Toml], meter: &'a Meter) -> Library<'a> {
         let (schemes, composing, composed) = Default::default();
-        let (nothing, as_printed, asked) = Default::default();
+        let (limits, nothing, as_printed, asked) = Default::default();
         let products = Products::new(meter);
         let named = |table: &'a Toml| table.text("name").map(|name| (name, table));
         let own =
@@ -71,6 +74,7 @@ impl<'a> Library<'a> {
             composed,
             meter,
             products,
+            limits,
             nothing,
             as_printed,
             asked,
@@ -96,6 +100,7 @@ impl<'a> Library<'a> {
         self.meter.restart();
         self.schemes.borrow_mut().clear();
         self.composed.borrow_mut().clear();
+        self.limits.clear();
         self.products.clear();
     }
 

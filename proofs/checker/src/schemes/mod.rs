@@ -3,6 +3,7 @@
 mod catalogue;
 mod convolution;
 mod library;
+mod limits;
 mod local_rules;
 mod orbits;
 mod powers;

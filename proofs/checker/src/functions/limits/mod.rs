@@ -17,6 +17,7 @@ use crate::text::Stop;
 use std::rc::Rc;
 
 pub use existing::{exists, values};
+pub use integers::window;
 
 /// The greatest degree of a moment.
 const MAX_DEGREE: i64 = 64;

@@ -1,0 +1,27 @@
+//! Exponents of limits: printed ones, those that certificates of radii show, and those of Sobolev.
+
+#![warn(clippy::arithmetic_side_effects)]
+
+mod characteristic;
+mod independent;
+mod known;
+mod logarithm;
+mod printed;
+mod sobolev;
+
+use super::call::Call;
+use crate::numbers::Value;
+use crate::text::Stop;
+
+pub use printed::{Bound, LogSum};
+
+/// The value of such a function; `None` if the call is none of them.
+pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
+    let found = match (call.function, call.arguments) {
+        ("smoothness", []) => known::smoothness(call.library, &*call.scheme()?)?,
+        ("hoelder", []) => known::hoelder(call.library, &*call.scheme()?)?,
+        ("sobolev", []) => sobolev::sobolev(call.library, &*call.scheme()?)?,
+        _ => return Ok(None),
+    };
+    found.value().map(Some)
+}

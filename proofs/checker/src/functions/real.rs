@@ -1,0 +1,34 @@
+//! Real numbers that functions find: exactly, or between two bounds.
+
+#![warn(clippy::arithmetic_side_effects)]
+
+use crate::numbers::{Q, Value};
+use crate::text::Stop;
+
+/// A real number.
+#[derive(Clone)]
+pub enum Real {
+    /// This one.
+    Exact(Value),
+    /// One between these two.
+    Between(Q, Q),
+}
+
+impl Real {
+    /// What is between two bounds, the lower one first.
+    pub fn between(low: Q, high: Q) -> Result<Real, Stop> {
+        match low.cmp(&high) {
+            std::cmp::Ordering::Less => Ok(Real::Between(low, high)),
+            std::cmp::Ordering::Equal => Ok(Real::Exact(low.into())),
+            std::cmp::Ordering::Greater => Err(Stop::Wrong("bounds contradict each other".into())),
+        }
+    }
+
+    /// The value of a formula.
+    pub fn value(self) -> Result<Value, Stop> {
+        match self {
+            Real::Exact(value) => Ok(value),
+            Real::Between(low, high) => Err(Stop::Wrong(format!("DEBUG {low} {high}"))),
+        }
+    }
+}
