@@ -8,6 +8,7 @@ pub use crate::digest::{
     ClaimVerdict, Consequences, Coverage, CoverageState, Errata, Erratum, HowRead, KernelCounts,
     NotSharp, Opposed, Share, Subject, Unchecked,
 };
+pub use crate::evaluation::Limits;
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
     AttainedConstant, DepthLevels, Evidence, Powers, PromiseEvidence, SearchedConstant, SoundCell,

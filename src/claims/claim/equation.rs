@@ -221,6 +221,18 @@ pub enum Index {
     },
 }
 
+impl Index {
+    /// Its name in formulas.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        match self {
+            Index::Listed { name, .. } | Index::Range { name, .. } | Index::All { name, .. } => {
+                name
+            }
+        }
+    }
+}
+
 /// `a[0, m] = 1 - sum(…)`: a member of a family that a formula gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hypothesis {

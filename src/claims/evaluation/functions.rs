@@ -3,7 +3,7 @@
 use crate::formula::CallError;
 
 /// The calls of all functions, each with its meaning, for help texts.
-pub const QUANTITIES: [(&str, &str); 32] = [
+pub const QUANTITIES: [(&str, &str); 47] = [
     ("contraction(c, order = adjoint|forward)", "T_c; with `terms = total` and c = 1, max |Σ b|"),
     ("norm(c, order = adjoint|forward)", "Λ_c, the norm of the scheme"),
     ("tensor(c, order = …, suprema = independent|joint)", "T_c·Λ_c of the tensor product"),
@@ -50,8 +50,35 @@ pub const QUANTITIES: [(&str, &str); 32] = [
         "the degree of reproduction plus 1; the order of the sum rules",
     ),
     ("moment(m)", "∫ x^m φ(x) dx"),
-    ("limit_value(x)", "φ(x), φ the limit of 1 at 0 and 0 elsewhere"),
+    (
+        "limit_value(x, derivative = m)",
+        "φ(x), φ the limit of 1 at 0 and 0 elsewhere, or its derivative of the order m",
+    ),
+    ("integral(x, y)", "∫ φ from x to y"),
     ("inner_product(k, with = NAME)", "∫ φ(x) ψ(x - k) dx; ψ is φ without `with`"),
+    ("riesz_lower()", "the least value of Σ cos(kξ) ∫ φ(x) φ(x - k) dx"),
+    ("riesz_upper()", "the greatest one"),
+    ("overshoot()", "the greatest value of limits of data from 0 to 1"),
+    ("gibbs()", "the greatest value of the limit of a step from 0 to 1"),
+    ("smoothness()", "the greatest m for which all limits are C^m; -1 if some are not continuous"),
+    ("hoelder()", "the Hölder exponent of the limits"),
+    ("sobolev()", "the Sobolev exponent of φ, in the sense of L²"),
+    ("eigenvalue(j)", "the j-th greatest real eigenvalue of the local matrix of a mask"),
+    ("independent()", "1 if the shifts of φ are linearly independent, else 0"),
+    ("same(with = NAME)", "1 if both schemes have the same symbol, else 0"),
+    (
+        "eigenvalue(N, k, j)",
+        "of rules around a vertex or on a face at valence N: the j-th greatest real eigenvalue of block k",
+    ),
+    ("subdominant(N)", "their subdominant eigenvalue λ"),
+    (
+        "curvature(N, part = both|elliptic|hyperbolic)",
+        "the greatest absolute value of the eigenvalues after λ over λ²: curvature is bounded if it is 1, and 0 if it is less",
+    ),
+    (
+        "limit_weight(N, orbit = NAME)",
+        "the weight of each point of an orbit in the limit of the vertex",
+    ),
     ("positive()", "1 if the limits of all non-negative data are not negative, else 0"),
     ("monotone()", "1 if the limits of all increasing data increase, else 0"),
     ("convex()", "1 if the limits of all convex data are convex, else 0"),

@@ -7,6 +7,7 @@ use crate::claim::{Paper, SchemeSource};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::functions::is_about_scheme;
 use crate::evaluation::masks::KnownLimits;
+use crate::evaluation::reals::KnownReals;
 use crate::evaluation::reference::Unresolved;
 use crate::evaluation::series::Norms;
 use crate::exact::{Rational, RealCyclotomic, StoredForm};
@@ -51,6 +52,7 @@ pub(crate) struct Library<'a> {
     pub(crate) norms: Norms<RealCyclotomic>,
     log_levels: RefCell<HashMap<LogLevel, Result<u32, DepthError>>>,
     pub(crate) limits: KnownLimits,
+    pub(crate) reals: KnownReals,
 }
 
 /// A scheme with the constants of its masks, one per direction.
@@ -74,8 +76,8 @@ impl<'a> Library<'a> {
     pub(crate) fn new(paper: &'a Paper) -> Library<'a> {
         let (constants, sound) = Default::default();
         let budget = Budget::new(MAX_STEPS);
-        let (norms, log_levels, numbered, limits) = Default::default();
-        Library { paper, constants, numbered, budget, sound, norms, log_levels, limits }
+        let (norms, log_levels, numbered, limits, reals) = Default::default();
+        Library { paper, constants, numbered, budget, sound, norms, log_levels, limits, reals }
     }
 
     /// Whether the function may be about a scheme, and one of the claim file or of the catalogue has this name.

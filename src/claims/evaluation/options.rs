@@ -27,6 +27,36 @@ pub(crate) enum Data {
     Adapted,
 }
 
+/// Which eigenvalues are compared with the square of the subdominant one.
+#[derive(Clone, Copy)]
+pub(crate) enum Part {
+    Both,
+    Elliptic,
+    Hyperbolic,
+}
+
+/// The highest derivative of a limit.
+const MAX_DERIVATIVE: i64 = 16;
+
+/// The options of functions. All others are parameters of the scheme that is named.
+const OWN: [&str; 15] = [
+    "data",
+    "derivative",
+    "exponent",
+    "index",
+    "offset",
+    "orbit",
+    "order",
+    "parameters",
+    "part",
+    "recursion",
+    "rounded",
+    "sequence",
+    "suprema",
+    "terms",
+    "with",
+];
+
 /// The options of a call; each can be used once.
 pub(crate) struct Options<'a> {
     function: &'a str,
@@ -48,6 +78,21 @@ impl<'a> Options<'a> {
     pub(crate) fn take(&mut self, name: &str) -> Option<String> {
         let at = self.left.iter().position(|option| option.name == name)?;
         Some(self.left.remove(at).word.clone())
+    }
+
+    /// The scheme that the option `scheme` names, with the values of its parameters: `b-spline:degree=3` for `scheme = b-spline, degree = 3`.
+    pub(crate) fn scheme(&mut self) -> Option<String> {
+        let name = self.take("scheme")?;
+        let is_own = |option: &&&OptionWord| !OWN.contains(&option.name.as_str());
+        let parameters: Vec<String> = self
+            .left
+            .iter()
+            .filter(is_own)
+            .map(|option| format!("{}={}", option.name, option.word))
+            .collect();
+        self.left.retain(|option| OWN.contains(&option.name.as_str()));
+        let colon = if parameters.is_empty() { "" } else { ":" };
+        Some(format!("{name}{colon}{}", parameters.join(",")))
     }
 
     fn choose<T: Copy>(&mut self, name: &str, choices: &[(&str, T)]) -> Result<T, CallError> {
@@ -76,6 +121,23 @@ impl<'a> Options<'a> {
 
     pub(crate) fn data(&mut self) -> Result<Data, CallError> {
         self.choose("data", &[("sampled", Data::Sampled), ("adapted", Data::Adapted)])
+    }
+
+    pub(crate) fn part(&mut self) -> Result<Part, CallError> {
+        let choices =
+            [("both", Part::Both), ("elliptic", Part::Elliptic), ("hyperbolic", Part::Hyperbolic)];
+        self.choose("part", &choices)
+    }
+
+    /// The order of a derivative.
+    pub(crate) fn derivative(&mut self) -> Result<u32, CallError> {
+        let Some(word) = self.take("derivative") else { return Ok(0) };
+        let order = word.parse().ok().filter(|m| (0..=MAX_DERIVATIVE).contains(m));
+        order.and_then(|m| u32::try_from(m).ok()).ok_or_else(|| {
+            CallError::Misuse(format!(
+                "`derivative` is an integer from 0 to {MAX_DERIVATIVE}, not `{word}`"
+            ))
+        })
     }
 
     pub(crate) fn order(&mut self) -> Result<Order, CallError> {

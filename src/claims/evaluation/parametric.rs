@@ -169,7 +169,7 @@ impl Functions<Parametric> for Constants<'_> {
         {
             return options.finished(value?);
         }
-        let found = self.coefficients.shape(call, &mut options)?;
+        let found = self.coefficients.shape(call, &mut options, context)?;
         let mask = &found.mask;
         let value = match (call.function, call.arguments) {
             ("contraction", c @ ([] | [_])) => {
@@ -204,7 +204,7 @@ impl Functions<Parametric> for Constants<'_> {
                 return Err(CallError::Misuse(message));
             }
             _ => {
-                let other = |name: &str| self.coefficients.named(name);
+                let other = |name: &str| self.coefficients.named(name, context);
                 let known = &self.coefficients.shapes.library().limits;
                 shape(mask, || found.difference(), call, &mut options, (other, known))?
             }

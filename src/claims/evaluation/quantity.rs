@@ -5,6 +5,7 @@ use crate::evaluation::functions::check_name;
 use crate::evaluation::library::{Library, Resolved};
 use crate::evaluation::masks::constants::{OfMask, constant, no_level};
 use crate::evaluation::options::{Exponent, Options};
+use crate::evaluation::reals::{About, Used, about, as_value};
 use crate::evaluation::reference::{reference, unresolved};
 use crate::evaluation::series;
 use crate::evaluation::settings::Settings;
@@ -71,7 +72,7 @@ impl Quantities<'_> {
         options: &mut Options<'_>,
     ) -> Result<RealCyclotomic, CallError> {
         let other;
-        let named = options.take("scheme");
+        let named = options.scheme();
         let scheme = match &named {
             None => self.scheme.as_ref(),
             Some(name) => {
@@ -81,6 +82,17 @@ impl Quantities<'_> {
         };
         let missing = || CallError::Misuse("this needs a scheme: give the table one".to_owned());
         let scheme = scheme.ok_or_else(missing)?;
+        if let Some(about) = about(call.function) {
+            if about == About::Ring {
+                let message = "around a vertex or on a face, write this as a [[relation]]";
+                return Err(CallError::Misuse(message.to_owned()));
+            }
+            let (mask, none) = (scheme.constants.first().mask(), Used::default());
+            let mask = mask.map(|value| RealCyclotomic::from(value.clone()));
+            let reals = &self.library.reals;
+            let value = reals.of_mask(&mask, call, &self.library.limits, (&None, &none))?;
+            return as_value(call.function, &value);
+        }
         if let Some(value) = constant(call, options, &InScheme { of: self, scheme, named: &named })?
         {
             return Ok(value);

@@ -12,15 +12,15 @@ use crate::evaluation::library::Library;
 use crate::evaluation::masks::constants::{constant, levels, moved, no_level};
 use crate::evaluation::masks::{KnownLimits, numbers, of_mask, rational};
 use crate::evaluation::options::{Exponent, Options};
+use crate::evaluation::reals::{About, Used, about, as_value, is_of_mask_too, of_ring};
 use crate::evaluation::reference::{self, Unresolved, reference, unresolved};
 use crate::evaluation::series;
 use crate::evaluation::series::Norms;
 use crate::exact::{Rational, RealCyclotomic};
-use crate::formula::{Call, CallError, Context, Functions, Parameters, Value};
+use crate::formula::{Call, CallError, Context, Functions, RealValue, Value};
 use crate::scheme::{Instance, Mask, Reference, Rules, Scheme};
 use std::borrow::Borrow;
 use std::cell::{OnceCell, RefCell};
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The scheme that a claim is about; of a tensor product, the first.
@@ -28,23 +28,36 @@ pub(crate) fn own_shape<V: Value + PartialEq>(
     shapes: &Shapes<'_, V>,
     located: &LocatedReference,
     context: &dyn Context<V>,
-) -> Result<Rc<Shape<V>>, Diagnostic> {
+) -> Result<Own<V>, Diagnostic> {
     let found = shapes.own(&located.reference, context);
     found.map_err(|error| reference::located(located, &error))
+}
+
+/// The scheme of a claim.
+pub(crate) enum Own<V> {
+    /// A mask; of a tensor product, the first.
+    Mask(Rc<Shape<V>>),
+    /// Rules around a vertex or on a face.
+    Ring(Rc<[Instance<V>]>),
 }
 
 /// A mask over numbers of any kind; its difference mask is computed when it is first used.
 pub(crate) struct Shape<V> {
     pub(crate) mask: Mask<V>,
+    /// The scheme as certificates name it, if its parameters are rational.
+    name: Option<String>,
     difference: OnceCell<Rules<V>>,
     /// The constants, if the mask is rational.
     constants: OnceCell<Option<Rc<Constants>>>,
 }
 
 impl<V: Value> Shape<V> {
-    fn new(scheme: &Scheme<V>) -> Rc<Shape<V>> {
+    fn new(scheme: &Scheme<V>, instances: &[Instance<V>]) -> Rc<Shape<V>> {
         let (difference, constants) = Default::default();
-        Rc::new(Shape { mask: scheme.first().clone(), difference, constants })
+        let rational =
+            |one: &&Instance<V>| one.parameters.values().all(|value| value.as_rational().is_some());
+        let name = instances.first().filter(rational).map(ToString::to_string);
+        Rc::new(Shape { mask: scheme.first().clone(), name, difference, constants })
     }
 
     /// The constants of the mask, if it is rational.
@@ -58,22 +71,33 @@ impl<V: Value> Shape<V> {
     }
 }
 
-/// A scheme, with one name and its parameters for each direction, and its shape.
-type Own<V> = (Vec<Instance<V>>, Rc<Shape<V>>);
+impl<V> Clone for Own<V> {
+    fn clone(&self) -> Own<V> {
+        match self {
+            Own::Mask(shape) => Own::Mask(Rc::clone(shape)),
+            Own::Ring(ring) => Own::Ring(Rc::clone(ring)),
+        }
+    }
+}
+
+/// A scheme, with one name and its parameters for each direction, and what it is.
+type Known<V> = (Vec<Instance<V>>, Own<V>);
 
 /// The shapes of the schemes in a claim: of its own scheme for the parameters that were used last,
 /// and of the schemes that formulas name.
 pub(crate) struct Shapes<'a, V> {
     library: &'a Library<'a>,
-    own: RefCell<Option<Own<V>>>,
-    named: RefCell<BTreeMap<String, Rc<Shape<V>>>>,
+    own: RefCell<Option<Known<V>>>,
+    named: RefCell<Vec<Known<V>>>,
     pub(crate) norms: Norms<V>,
+    /// The limits that values of the claim rest on.
+    pub(crate) used: Used,
 }
 
 impl<'a, V: Value + PartialEq> Shapes<'a, V> {
     pub(crate) fn new(library: &'a Library<'a>) -> Shapes<'a, V> {
-        let (own, named, norms) = Default::default();
-        Shapes { library, own, named, norms }
+        let (own, named, norms, used) = Default::default();
+        Shapes { library, own, named, norms, used }
     }
 
     /// The schemes.
@@ -86,34 +110,42 @@ impl<'a, V: Value + PartialEq> Shapes<'a, V> {
         &self,
         reference: &Reference,
         context: &dyn Context<V>,
-    ) -> Result<Rc<Shape<V>>, Unresolved> {
+    ) -> Result<Own<V>, Unresolved> {
         let instances = self.library.instances(reference, context)?;
-        if let Some((known, shape)) = &*self.own.borrow()
+        if let Some((known, own)) = &*self.own.borrow()
             && *known == instances
         {
-            return Ok(Rc::clone(shape));
+            return Ok(own.clone());
         }
-        let shape = Shape::new(&self.library.masks(&instances)?);
-        *self.own.borrow_mut() = Some((instances, Rc::clone(&shape)));
-        Ok(shape)
+        let own = self.scheme(&instances)?;
+        *self.own.borrow_mut() = Some((instances, own.clone()));
+        Ok(own)
     }
 
-    fn named(&self, name: &str) -> Result<Rc<Shape<V>>, CallError> {
-        if let Some(shape) = self.named.borrow().get(name) {
-            return Ok(Rc::clone(shape));
+    fn scheme(&self, instances: &[Instance<V>]) -> Result<Own<V>, Unresolved> {
+        if self.library.is_ring(instances).map_err(Unresolved::Scheme)? {
+            return Ok(Own::Ring(instances.into()));
         }
-        let instances = self.library.instances(&reference(name)?, &Parameters::<V>::default());
-        let masks = instances.and_then(|instances| self.library.masks(&instances));
-        let shape = Shape::new(&masks.map_err(|error| unresolved(name, error))?);
-        self.named.borrow_mut().insert(name.to_owned(), Rc::clone(&shape));
-        Ok(shape)
+        Ok(Own::Mask(Shape::new(&self.library.masks(instances)?, instances)))
+    }
+
+    /// The scheme that a reference in a formula means.
+    fn named(&self, text: &str, context: &dyn Context<V>) -> Result<Own<V>, CallError> {
+        let instances = self.library.instances(&reference(text)?, context);
+        let instances = instances.map_err(|error| unresolved(text, error))?;
+        if let Some((_, own)) = self.named.borrow().iter().find(|(known, _)| *known == instances) {
+            return Ok(own.clone());
+        }
+        let own = self.scheme(&instances).map_err(|error| unresolved(text, error))?;
+        self.named.borrow_mut().push((instances, own.clone()));
+        Ok(own)
     }
 }
 
 /// The coefficients of a scheme over numbers of any kind, for identities.
 pub(crate) struct Coefficients<'a, V> {
     pub(crate) shapes: &'a Shapes<'a, V>,
-    pub(crate) own: Option<Rc<Shape<V>>>,
+    pub(crate) own: Option<Own<V>>,
 }
 
 impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
@@ -131,8 +163,12 @@ impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
             };
             return options.finished(value);
         }
-        let found = self.shape(call, &mut options)?;
-        let other = |name: &str| self.named(name);
+        if about(call.function).is_some() {
+            let value = self.real(call, &mut options, context)?;
+            return options.finished(as_value(call.function, &value)?);
+        }
+        let found = self.shape(call, &mut options, context)?;
+        let other = |name: &str| self.named(name, context);
         let value = match found.constants(self.shapes.library) {
             Some(constants) => constant(call, &mut options, constants)?,
             None => irrational(call, &mut options, &found)?,
@@ -166,8 +202,8 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
     }
 
     /// The mask of the scheme that a name stands for.
-    pub(crate) fn named(&self, name: &str) -> Result<Mask<V>, CallError> {
-        Ok(self.shapes.named(name)?.mask.clone())
+    pub(crate) fn named(&self, name: &str, context: &dyn Context<V>) -> Result<Mask<V>, CallError> {
+        Ok(of_mask_only(name, self.shapes.named(name, context)?)?.mask.clone())
     }
 
     /// The scheme that a call is about.
@@ -175,14 +211,62 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
         &self,
         call: &Call<'_, V>,
         options: &mut Options<'_>,
+        context: &dyn Context<V>,
     ) -> Result<Rc<Shape<V>>, CallError> {
         check_name(call.function)?;
-        match options.take("scheme") {
-            Some(name) => self.shapes.named(&name),
+        of_mask_only(call.function, self.scheme(options, context)?)
+    }
+
+    fn scheme(
+        &self,
+        options: &mut Options<'_>,
+        context: &dyn Context<V>,
+    ) -> Result<Own<V>, CallError> {
+        match options.scheme() {
+            Some(text) => self.shapes.named(&text, context),
             None => self.own.clone().ok_or_else(|| {
                 CallError::Misuse("this needs a scheme: give the claim one".to_owned())
             }),
         }
+    }
+
+    /// The value of a function that may be any real number.
+    pub(crate) fn real(
+        &self,
+        call: &Call<'_, V>,
+        options: &mut Options<'_>,
+        context: &dyn Context<V>,
+    ) -> Result<RealValue, CallError> {
+        let library = self.shapes.library;
+        match (about(call.function), self.scheme(options, context)?) {
+            (Some(About::Ring), Own::Mask(shape)) if is_of_mask_too(call) => {
+                library.reals.eigenvalue(&shape.mask, &call.arguments[0])
+            }
+            (Some(About::Ring), Own::Ring(ring)) => {
+                let rules = |ring: &[_], valence| library.ring_of_valence(ring, valence);
+                of_ring(&library.reals, &ring, &rules, call, options)
+            }
+            (Some(About::Ring), Own::Mask(_)) => Err(CallError::Misuse(format!(
+                "`{}` is about rules around a vertex or on a face, such as `loop`, and this is a mask",
+                call.function
+            ))),
+            (_, own) => {
+                let shape = of_mask_only(call.function, own)?;
+                let used = (&shape.name, &self.shapes.used);
+                library.reals.of_mask(&shape.mask, call, &library.limits, used)
+            }
+        }
+    }
+}
+
+/// The scheme if it is a mask.
+fn of_mask_only<V>(what: &str, own: Own<V>) -> Result<Rc<Shape<V>>, CallError> {
+    match own {
+        Own::Mask(shape) => Ok(shape),
+        Own::Ring(_) => Err(CallError::Misuse(format!(
+            "`{what}` is about a mask, and these are rules around a vertex or on a face; their functions are `eigenvalue`, \
+             `subdominant`, `curvature` and `limit_weight`"
+        ))),
     }
 }
 

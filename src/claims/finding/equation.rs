@@ -3,8 +3,12 @@
 use super::judgement::{Harm, Judgement};
 use crate::cap::Cap;
 use crate::claim::Equation;
-use crate::exact::{Polynomial, Rational, Rounding};
+use crate::evaluation::Limits;
+use crate::exact::{Polynomial, Rational, Rounding, Scalar as _, format::short};
+use crate::formula::{RealValue, Value as _};
 use crate::verdict::Word;
+use std::fmt;
+use std::sync::Arc;
 
 /// The finding about an equation.
 #[derive(Clone, Debug)]
@@ -15,6 +19,8 @@ pub struct EquationFinding<'a> {
     pub equation: &'a Equation,
     /// The verdict.
     pub verdict: EquationVerdict,
+    /// The limits that values rest on, each with the name of a scheme, if its parameters are rational.
+    pub limits: Vec<(Option<String>, Arc<Limits>)>,
 }
 
 impl EquationFinding<'_> {
@@ -49,6 +55,13 @@ pub enum EquationVerdict {
         /// Changes of one symbol after which the equation holds in all cases.
         mends: Vec<String>,
     },
+    /// Bounds of values leave some cases open, and none is false.
+    Undecided {
+        /// The number of combinations of the indices, times that of the comparisons.
+        cases: usize,
+        /// The cases that are open.
+        open: Vec<Failure>,
+    },
     /// The equation needs something that is absent, as the claim says.
     NotCheckable,
     /// A value is beyond a cap.
@@ -61,7 +74,7 @@ impl EquationVerdict {
     pub fn word(&self) -> Word {
         match self {
             EquationVerdict::Holds { .. } | EquationVerdict::Proved => Word::Holds,
-            EquationVerdict::Tried { .. } => Word::Open,
+            EquationVerdict::Tried { .. } | EquationVerdict::Undecided { .. } => Word::Open,
             EquationVerdict::Fails { .. } => Word::Fails,
             EquationVerdict::NotCheckable | EquationVerdict::BeyondCap(_) => Word::NotCheckable,
         }
@@ -75,6 +88,52 @@ impl EquationVerdict {
     }
 }
 
+/// The value of a side.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SideValue {
+    /// A polynomial in the symbols, without any a number of a field Q(2cos(2π/n)).
+    Polynomial(Polynomial),
+    /// Another real number.
+    Real(RealValue),
+}
+
+impl SideValue {
+    /// The value as a real number, if it has no symbols in it.
+    #[must_use]
+    pub fn real(&self) -> Option<RealValue> {
+        match self {
+            SideValue::Polynomial(value) => {
+                value.number().and_then(|number| RealValue::of_number(&number))
+            }
+            SideValue::Real(value) => Some(value.clone()),
+        }
+    }
+
+    /// left − right; `None` between a polynomial in symbols and a real number.
+    fn minus(&self, right: &SideValue) -> Option<SideValue> {
+        if let (SideValue::Polynomial(left), SideValue::Polynomial(right)) = (self, right) {
+            return Some(SideValue::Polynomial(left - right));
+        }
+        Some(SideValue::Real(self.real()?.minus(&right.real()?)))
+    }
+}
+
+/// The significant digits of real numbers in print.
+const DIGITS: u32 = 10;
+
+impl fmt::Display for SideValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SideValue::Polynomial(value) => value.fmt(f),
+            SideValue::Real(RealValue::Exact(value)) => f.write_str(&short(value, DIGITS)),
+            SideValue::Real(RealValue::Enclosed(bounds)) => {
+                let [low, high] = [bounds.lower(), bounds.upper()].map(|end| short(end, DIGITS));
+                if low == high { f.write_str(&low) } else { write!(f, "{low} to {high}") }
+            }
+        }
+    }
+}
+
 /// A case in which the two sides differ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
@@ -83,9 +142,9 @@ pub struct Failure {
     /// The values of the indices.
     pub indices: Vec<Rational>,
     /// The left side.
-    pub left: Polynomial,
+    pub left: SideValue,
     /// The right side.
-    pub right: Polynomial,
+    pub right: SideValue,
     /// Where one side is one decimal and the other side a number: how the decimal came from it.
     pub rounding: Option<Rounding>,
 }
@@ -93,7 +152,8 @@ pub struct Failure {
 impl Failure {
     /// left − right.
     #[must_use]
-    pub fn difference(&self) -> Polynomial {
-        &self.left - &self.right
+    pub fn difference(&self) -> SideValue {
+        let difference = self.left.minus(&self.right);
+        difference.unwrap_or_else(|| SideValue::Polynomial(Polynomial::default()))
     }
 }

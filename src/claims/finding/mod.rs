@@ -26,7 +26,7 @@ pub use cell::{
     AsRead, Assumed, CellFinding, CellKind, Direction, Missing, PointsAt, Slip, Sound, Verdict,
 };
 pub use consistency::{Contradiction, Needed, Side, TablePart};
-pub use equation::{EquationFinding, EquationVerdict, Failure};
+pub use equation::{EquationFinding, EquationVerdict, Failure, SideValue};
 pub use function::{Example, FunctionFinding, FunctionVerdict};
 pub use judgement::Harm;
 pub use kernel::{Excess, KernelFinding, KernelProof, KernelStatement, RingExcess};
@@ -44,8 +44,8 @@ pub use reason::Reason;
 pub(crate) use recovered::values;
 pub use recovered::{Fitting, Recovered, RecoveredFrom};
 pub use smoothness::{
-    Contraction, KnownLimits, Limits, RangeAtValence, RangeOfLimits, SmoothnessFinding,
-    SmoothnessVerdict, VertexWitness, Vertices, Witness,
+    Contraction, KnownLimits, RangeAtValence, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
+    VertexWitness, Vertices, Witness,
 };
 pub use table::TableFinding;
 pub use theorem::{

@@ -4,11 +4,11 @@ use super::judgement::{Harm, Judgement};
 use crate::cap::Cap;
 use crate::characteristic::{Family, Vertex, VertexRange};
 use crate::claim::SmoothnessClaim;
+use crate::evaluation::Limits;
 use crate::exact::{IntervalSet, Rational};
 use crate::finding::cell::Direction;
 use crate::finding::reason::Reason;
-use crate::scheme::Mask;
-use crate::smoothness::{SmoothRange, Smoothness};
+use crate::smoothness::SmoothRange;
 use crate::verdict::Word;
 
 /// The finding about a claim of smoothness.
@@ -102,15 +102,6 @@ pub struct Vertices {
     /// What is known at single valences. Where the claim is about all and refuted, the first that refutes it stands
     /// last.
     pub vertices: Vec<Vertex>,
-}
-
-/// A mask, and what is proved of its limits.
-#[derive(Clone, Debug)]
-pub struct Limits {
-    /// The mask.
-    pub mask: Mask,
-    /// What is proved.
-    pub smoothness: Smoothness,
 }
 
 /// What is proved of the limits for the values of a parameter.

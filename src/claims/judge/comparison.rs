@@ -2,19 +2,26 @@
 
 use crate::claim::{Hypothesis, Identity, Paper};
 use crate::diagnostic::Diagnostic;
+use crate::evaluation::real_formulas::Reals;
 use crate::evaluation::reference;
-use crate::evaluation::shape::{Coefficients, Shapes, own_shape};
-use crate::exact::{Polynomial, Scalar};
-use crate::formula::{Context, Expr, LocatedFormula, Scope, Value as _, Work, evaluate};
+use crate::evaluation::shape::{Coefficients, Own, Shapes, own_shape};
+use crate::exact::{Polynomial, Rational, Scalar as _};
+use crate::finding::SideValue;
+use crate::formula::{
+    Context as _, Expr, FormulaError, LocatedFormula, RealValue, Scope, Value as _, Work, evaluate,
+};
 use crate::judge::cases::Case;
 use crate::judge::hypotheses;
 use std::cell::Cell;
+use std::collections::BTreeMap;
 
 /// An identity with what its formulas refer to.
 pub(crate) struct Sides<'a> {
     pub(crate) paper: &'a Paper,
     pub(crate) identity: &'a Identity,
-    pub(crate) shapes: Shapes<'a, Polynomial>,
+    pub(crate) shapes: &'a Shapes<'a, Polynomial>,
+    /// The values that the paper states, for a relation, without those that its own names hide.
+    pub(crate) given: BTreeMap<String, Rational>,
     /// The steps of all evaluations so far.
     pub(crate) spent: Cell<u64>,
 }
@@ -27,27 +34,78 @@ impl Sides<'_> {
         expr: &Expr,
         case: &Case,
     ) -> Result<Polynomial, Diagnostic> {
-        let member = |name: &str| Polynomial::variable(name);
-        let none = Coefficients { shapes: &self.shapes, own: None };
-        let own = match &self.identity.scheme {
-            None => None,
-            Some(located) => {
-                let scope = self.scope(case, &none, &member)?;
-                Some(own_shape(&self.shapes, located, &scope)?)
+        let value = self.evaluated(expr, case)?;
+        value.map_err(|error| formula.diagnostic(&error))
+    }
+
+    /// The value of a side: a polynomial, or a real number where it is none and there are no symbols.
+    pub(crate) fn side(
+        &self,
+        formula: &LocatedFormula,
+        case: &Case,
+    ) -> Result<SideValue, Diagnostic> {
+        match self.evaluated(&formula.expr, case)? {
+            Ok(value) => Ok(SideValue::Polynomial(value)),
+            Err(error) if error.kind.is_other_real() && self.is_of_numbers() => {
+                self.real(formula, case).map(SideValue::Real)
             }
-        };
-        let functions = Coefficients { shapes: &self.shapes, own };
+            Err(error) => Err(formula.diagnostic(&error)),
+        }
+    }
+
+    /// Whether the sides have neither symbols nor hypotheses about them.
+    fn is_of_numbers(&self) -> bool {
+        let Identity { symbols, hypotheses, states, .. } = self.identity;
+        states.is_some() && symbols.is_empty() && hypotheses.is_empty()
+    }
+
+    /// The value of a side as a real number.
+    fn real(&self, formula: &LocatedFormula, case: &Case) -> Result<RealValue, Diagnostic> {
+        let coefficients = Coefficients { shapes: self.shapes, own: self.own(case)? };
+        let functions = Reals { coefficients: &coefficients };
+        let mut scope = Scope::new(&self.paper.definitions, &functions);
+        for (name, value) in &self.given {
+            scope = scope.with(name, RealValue::from_rational(value));
+        }
+        for (name, value) in &case.values {
+            scope = scope.with(name, RealValue::from_rational(value));
+        }
+        let value = evaluate(&formula.expr, &scope);
+        self.spend(scope.work());
+        value.map_err(|error| formula.diagnostic(&error))
+    }
+
+    fn spend(&self, work: Option<&Work>) {
+        let spent = work.map_or(0, Work::spent);
+        self.spent.set(self.spent.get().saturating_add(spent));
+    }
+
+    /// The scheme of the claim.
+    fn own(&self, case: &Case) -> Result<Option<Own<Polynomial>>, Diagnostic> {
+        let member = |name: &str| Polynomial::variable(name);
+        let none = Coefficients { shapes: self.shapes, own: None };
+        let Some(located) = &self.identity.scheme else { return Ok(None) };
+        let scope = self.scope(case, &none, &member)?;
+        own_shape(self.shapes, located, &scope).map(Some)
+    }
+
+    fn evaluated(
+        &self,
+        expr: &Expr,
+        case: &Case,
+    ) -> Result<Result<Polynomial, FormulaError>, Diagnostic> {
+        let member = |name: &str| Polynomial::variable(name);
+        let functions = Coefficients { shapes: self.shapes, own: self.own(case)? };
         let scope = self.scope(case, &functions, &member)?;
         let value = evaluate(expr, &scope);
-        let spent = scope.work().map_or(0, Work::spent);
-        self.spent.set(self.spent.get().saturating_add(spent));
-        value.map_err(|error| formula.diagnostic(&error))
+        self.spend(scope.work());
+        Ok(value)
     }
 
     /// Whether the scheme of the claim has numbers for parameters in this case.
     pub(crate) fn has_scheme_of_numbers(&self, case: &Case) -> Result<bool, Diagnostic> {
         let Some(located) = &self.identity.scheme else { return Ok(true) };
-        let none = Coefficients { shapes: &self.shapes, own: None };
+        let none = Coefficients { shapes: self.shapes, own: None };
         let scope = self.scope(case, &none, &|name: &str| Polynomial::variable(name))?;
         let instances = self.shapes.library().instances(&located.reference, &scope);
         let instances = instances.map_err(|error| reference::located(located, &error))?;
@@ -64,6 +122,9 @@ impl Sides<'_> {
         let identity = self.identity;
         let plain = || {
             let mut scope = Scope::new(&self.paper.definitions, functions);
+            for (name, value) in &self.given {
+                scope = scope.with(name, Polynomial::from_rational(value));
+            }
             for symbol in &identity.symbols {
                 let variable = Polynomial::variable(symbol);
                 scope = scope.with(symbol, variable).with_family(symbol, member);

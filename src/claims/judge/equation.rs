@@ -1,20 +1,21 @@
 //! Judging an equation.
 
 use crate::cap::Cap;
-use crate::claim::{Equation, EquationBody, Identity, Paper, Sign, is_rounded};
+use crate::claim::{Equation, EquationBody, Identity, Index, Paper, Sign, is_rounded};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::library::Library;
+use crate::evaluation::library::{Library, values};
 use crate::evaluation::shape::Shapes;
 use crate::exact::{Polynomial, Rational, Rounding, parse_decimal};
-use crate::finding::{EquationFinding, EquationVerdict, Failure};
+use crate::finding::{EquationFinding, EquationVerdict, Failure, SideValue};
 use crate::formula::{LocatedFormula, Value as _};
 use crate::judge::cases::{Case, MAX_CASES, Unbounded, beyond, cases};
 use crate::judge::comparison::Sides;
 use crate::judge::for_all::{ForAll, decide};
 use crate::judge::kind::JudgeAlone;
 use crate::judge::mend;
-use crate::judge::relation::holds;
+use crate::judge::relation::decided;
 use std::cell::Cell;
+use std::collections::BTreeMap;
 
 /// The most steps of formulas in all cases of an equation together.
 const MAX_WORK: u64 = 20_000_000;
@@ -29,37 +30,55 @@ impl<'a> JudgeAlone<'a> for Equation {
         library: &Library<'_>,
     ) -> Result<EquationFinding<'a>, Diagnostic> {
         let id = format!("{}:{}", paper.key, self.id);
+        let shapes = Shapes::new(library);
         let verdict = match &self.body {
             EquationBody::NotCheckable(_) => EquationVerdict::NotCheckable,
             EquationBody::Identity(identity) => {
-                let found = Diagnostic::or_cap(compare(paper, identity, library))?;
+                let found = Diagnostic::or_cap(compare(paper, identity, &shapes))?;
                 found.unwrap_or_else(EquationVerdict::BeyondCap)
             }
         };
-        Ok(EquationFinding { id, equation: self, verdict })
+        Ok(EquationFinding { id, equation: self, verdict, limits: shapes.used.take() })
     }
 }
 
 fn compare(
     paper: &Paper,
     identity: &Identity,
-    library: &Library<'_>,
+    shapes: &Shapes<'_, Polynomial>,
 ) -> Result<EquationVerdict, Diagnostic> {
-    let sides = Sides { paper, identity, shapes: Shapes::new(library), spent: Cell::new(0) };
+    let mut given = BTreeMap::new();
+    if identity.states.is_some() {
+        given = values(&paper.given)?;
+        let own = identity
+            .indices
+            .iter()
+            .map(Index::name)
+            .chain(identity.symbols.iter().map(String::as_str));
+        own.for_each(|name| _ = given.remove(name));
+    }
+    let sides = Sides { paper, identity, shapes, given, spent: Cell::new(0) };
     if identity.is_for_all() {
         return for_all(&sides);
     }
     let cases = counted(&sides)?;
-    let (mut failures, mut failing) = (Vec::new(), Vec::new());
+    let (mut failures, mut failing, mut open) = (Vec::new(), Vec::new(), Vec::new());
     for (i, case) in cases.iter().enumerate() {
         for part in 0..identity.comparisons.len() {
-            if let Some(failure) = compared(&sides, part, i, case)? {
-                failures.push(failure);
-                failing.push(i);
+            match compared(&sides, part, i, case)? {
+                Compared::Holds => {}
+                Compared::Open(case) => open.push(case),
+                Compared::Fails(failure) => {
+                    failures.push(failure);
+                    failing.push(i);
+                }
             }
         }
     }
     let count = cases.len() * identity.comparisons.len();
+    if failures.is_empty() && !open.is_empty() {
+        return Ok(EquationVerdict::Undecided { cases: count, open });
+    }
     if failures.is_empty() {
         return Ok(EquationVerdict::Holds { cases: count });
     }
@@ -82,24 +101,28 @@ fn counted(sides: &Sides<'_>) -> Result<Vec<Case>, Diagnostic> {
     Ok(cases)
 }
 
+/// What is known of a comparison in a case.
+enum Compared {
+    Holds,
+    Fails(Failure),
+    /// Bounds of the values do not decide it.
+    Open(Failure),
+}
+
 /// How a comparison of this number fails in the `i`-th case, if it does.
-fn compared(
-    sides: &Sides<'_>,
-    part: usize,
-    i: usize,
-    case: &Case,
-) -> Result<Option<Failure>, Diagnostic> {
+fn compared(sides: &Sides<'_>, part: usize, i: usize, case: &Case) -> Result<Compared, Diagnostic> {
     let identity = sides.identity;
     let comparison = &identity.comparisons[part];
     let printed = comparison.left.formula(i);
-    let value = |formula: &LocatedFormula| sides.value(formula, &formula.expr, case);
+    let value = |formula: &LocatedFormula| sides.side(formula, case);
     let rights = || comparison.rights.iter().map(value).collect::<Result<Vec<_>, _>>();
     let (left, rights) = Diagnostic::both(value(printed), rights())?;
     if sides.spent.get() > MAX_WORK {
         return Err(beyond(comparison.right(), Cap::new("the work of all cases", MAX_WORK)));
     }
-    if holds(comparison, printed, &left, &rights)? {
-        return Ok(None);
+    let decided = decided(comparison, printed, &left, &rights)?;
+    if decided == Some(true) {
+        return Ok(Compared::Holds);
     }
     let mut indices: Vec<Rational> = case.values.iter().map(|(_, value)| value.clone()).collect();
     let mut at = case.text.clone();
@@ -109,10 +132,12 @@ fn compared(
         let comma = if at.is_empty() { "" } else { ", " };
         at = format!("{at}{comma}{} {mark} {}", printed.text, comparison.right().text);
     }
-    let right = rights.into_iter().next().unwrap_or_default();
+    let right = rights.into_iter().next();
+    let right = right.unwrap_or_else(|| SideValue::Polynomial(Polynomial::default()));
     let rounding = (comparison.sign == Sign::Equal)
         .then(|| rounding(printed, &right).or_else(|| rounding(comparison.right(), &left)));
-    Ok(Some(Failure { at, indices, left, right, rounding: rounding.flatten() }))
+    let case = Failure { at, indices, left, right, rounding: rounding.flatten() };
+    Ok(if decided.is_none() { Compared::Open(case) } else { Compared::Fails(case) })
 }
 
 /// Judges a claim about all integers from one on.
@@ -129,7 +154,9 @@ fn for_all(sides: &Sides<'_>) -> Result<EquationVerdict, Diagnostic> {
                 Some(ForAll::Proved) => {}
                 None => proved = false,
                 Some(ForAll::FalseAt(t)) => {
-                    if let Some(failure) = compared(sides, part, 0, &case.at(identity, t))? {
+                    if let Compared::Fails(failure) =
+                        compared(sides, part, 0, &case.at(identity, t))?
+                    {
                         return Ok(fails(failure));
                     }
                     proved = false;
@@ -143,7 +170,7 @@ fn for_all(sides: &Sides<'_>) -> Result<EquationVerdict, Diagnostic> {
     let cases = counted(sides)?;
     for case in &cases {
         for part in 0..identity.comparisons.len() {
-            if let Some(failure) = compared(sides, part, 0, case)? {
+            if let Compared::Fails(failure) = compared(sides, part, 0, case)? {
                 return Ok(fails(failure));
             }
         }
@@ -153,7 +180,8 @@ fn for_all(sides: &Sides<'_>) -> Result<EquationVerdict, Diagnostic> {
 
 /// How a side that is one decimal came from the number on the other side: rounded to the nearest, or, if it has digits enough, cut or
 /// rounded away from zero.
-fn rounding(printed: &LocatedFormula, other: &Polynomial) -> Option<Rounding> {
+fn rounding(printed: &LocatedFormula, other: &SideValue) -> Option<Rounding> {
+    let SideValue::Polynomial(other) = other else { return None };
     let decimal = parse_decimal(&printed.text).ok().filter(|decimal| decimal.exponent() < 0)?;
     let rounding = decimal.rounding_of(&other.as_rational()?);
     match rounding {

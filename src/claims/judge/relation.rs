@@ -3,7 +3,9 @@
 use crate::claim::{Comparison, Sign};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Decimal, Polynomial, Rational, RealCyclotomic, Rounding, parse_printed};
-use crate::formula::{LocatedFormula, Value as _};
+use crate::finding::SideValue;
+use crate::formula::{LocatedFormula, RealValue, Value as _};
+use std::cmp::Ordering;
 
 /// Whether the values of the sides are related as the comparison says.
 ///
@@ -45,21 +47,8 @@ pub(crate) fn holds(
         }
         Sign::Near => {
             let (left, right) = sides()?;
-            let (decimal, exact) = match (decimal(comparison.right()), decimal(printed)) {
-                (Some(decimal), _) => (decimal, left),
-                (None, Some(decimal)) => (decimal, right),
-                (None, None) => {
-                    let message = "one side of `~` is a printed number, such as 0.742";
-                    return Err(Diagnostic::new(&printed.source, printed.span.clone(), message)
-                        .with_help("write `=` between formulas"));
-                }
-            };
-            match decimal.rounding_of(&exact) {
-                Rounding::Exact | Rounding::Nearest | Rounding::Up => true,
-                // Of a value that is cut some digit is left: 0 is no 0.857.
-                Rounding::Cut => decimal.significant_digits() > 0,
-                Rounding::Neither => false,
-            }
+            let (decimal, exact) = printed_side(comparison, printed, (&left, &right))?;
+            is_near(&decimal, decimal.rounding_of(exact))
         }
         Sign::True | Sign::False => {
             let value = number(printed, left)?;
@@ -78,4 +67,106 @@ pub(crate) fn holds(
 /// The printed number that a formula is, if it is one.
 fn decimal(formula: &LocatedFormula) -> Option<Decimal> {
     parse_printed(&formula.text).ok()
+}
+
+/// Whether the sides are related as the comparison says; `None` where bounds of their values do not decide it.
+///
+/// # Errors
+/// As [`holds`].
+pub(crate) fn decided(
+    comparison: &Comparison,
+    printed: &LocatedFormula,
+    left: &SideValue,
+    rights: &[SideValue],
+) -> Result<Option<bool>, Diagnostic> {
+    let polynomial = |side: &SideValue| match side {
+        SideValue::Polynomial(value) => Some(value.clone()),
+        SideValue::Real(_) => None,
+    };
+    let polynomials: Option<Vec<Polynomial>> = rights.iter().map(polynomial).collect();
+    if let (Some(left), Some(rights)) = (polynomial(left), polynomials) {
+        return holds(comparison, printed, &left, &rights).map(Some);
+    }
+    let number = |formula: &LocatedFormula, side: &SideValue| {
+        side.real().ok_or_else(|| {
+            let message = format!("a real number is compared with {side}, which has symbols in it");
+            Diagnostic::new(&formula.source, formula.span.clone(), message)
+        })
+    };
+    let left = number(printed, left)?;
+    let rights = comparison.rights.iter().zip(rights).map(|(text, side)| number(text, side));
+    let rights = rights.collect::<Result<Vec<RealValue>, Diagnostic>>()?;
+    let right = &rights[0];
+    let equal = |right: &RealValue| left.compare(right).map(Ordering::is_eq);
+    Ok(match comparison.sign {
+        Sign::Equal | Sign::True | Sign::False => equal(right),
+        Sign::Unequal => equal(right).map(|equal| !equal),
+        Sign::AtMost => left.is_at_most(right),
+        Sign::AtLeast => right.is_at_most(&left),
+        Sign::Less => right.is_at_most(&left).map(|at_least| !at_least),
+        Sign::Greater => left.is_at_most(right).map(|at_most| !at_most),
+        Sign::OneOf => {
+            let found: Vec<Option<bool>> = rights.iter().map(equal).collect();
+            let open = found.contains(&None);
+            let any = found.contains(&Some(true));
+            (any || !open).then_some(any)
+        }
+        Sign::Near => {
+            let (decimal, value) = printed_side(comparison, printed, (&left, right))?;
+            near(&decimal, value)
+        }
+    })
+}
+
+/// Whether a printed number is a rounding of a value; `None` where its bounds do not decide it.
+fn near(decimal: &Decimal, value: &RealValue) -> Option<bool> {
+    if let Some(value) = value.as_rational() {
+        return Some(is_near(decimal, decimal.rounding_of(&value)));
+    }
+    let bounds = value.interval();
+    let [low, high] =
+        [bounds.lower(), bounds.upper()].map(|end| is_near(decimal, decimal.rounding_of(end)));
+    let shown = decimal.value();
+    // The numbers that may be rounded to this one are an interval. Both bounds may be outside of it, on different sides.
+    let apart = *bounds.lower() > shown || *bounds.upper() < shown;
+    (low == high && (low || apart)).then_some(low)
+}
+
+/// Whether a decimal counts as a rounding.
+fn is_near(decimal: &Decimal, rounding: Rounding) -> bool {
+    match rounding {
+        Rounding::Exact | Rounding::Nearest | Rounding::Up => true,
+        // Of a value that is cut some digit is left: 0 is no 0.857.
+        Rounding::Cut => decimal.significant_digits() > 0,
+        Rounding::Neither => false,
+    }
+}
+
+/// The printed number of `≈`, and the value of the other side. The right one counts if both are printed.
+///
+/// # Errors
+/// When neither side is a printed number.
+fn printed_side<'v, T>(
+    comparison: &Comparison,
+    printed: &LocatedFormula,
+    (left, right): (&'v T, &'v T),
+) -> Result<(Decimal, &'v T), Diagnostic> {
+    let fraction = |formula: &LocatedFormula| formula.text.contains(['/', '⁄', '∕']);
+    let both = (decimal(comparison.right()), decimal(printed));
+    // 2/3 beside 0.67 is the value.
+    let both = match both {
+        (Some(_), Some(left)) if fraction(comparison.right()) && !fraction(printed) => {
+            (None, Some(left))
+        }
+        both => both,
+    };
+    match both {
+        (Some(decimal), _) => Ok((decimal, left)),
+        (None, Some(decimal)) => Ok((decimal, right)),
+        (None, None) => {
+            let message = "one side of `~` is a printed number, such as 0.742";
+            Err(Diagnostic::new(&printed.source, printed.span.clone(), message)
+                .with_help("write `=` between formulas"))
+        }
+    }
 }

@@ -75,10 +75,11 @@ pub use real::comparable::comparable;
 pub use real::cyclotomic::{
     CosineError, MAX_CONDUCTOR, RealCyclotomic, StoredForm, common_conductor, cosine_polynomial,
 };
-pub use real::expression::{MAX_ROOT_DEGREE, RealExpression, RootError, floor_root};
+pub use real::expression::{MAX_ROOT_DEGREE, RealExpression, RootError};
 pub use real::number_field::{
     AlgebraicNumber, FieldElement, FieldError, MAX_FIELD_DEGREE, MAX_NORM_DEGREE,
 };
+pub use real::square::floor_root;
 pub use scalar::{Real, Scalar};
 pub use symbolic::bivariate::BivariatePolynomial;
 pub use symbolic::polynomial::Polynomial;

@@ -94,6 +94,12 @@ pub enum FormulaErrorKind {
          such numbers"
     )]
     Irrational(String),
+    /// A number that is not one of the type of values.
+    #[error(
+        "{0} is not a number of a field Q(2cos(2π/n)): such numbers are for a [[relation]] without symbols, for masks without \
+         free parameters, for the parameters of schemes, and for constants of programs"
+    )]
+    OtherReal(String),
     /// A root that does not exist, or is beyond the caps.
     #[error(transparent)]
     Field(#[from] crate::exact::FieldError),
@@ -109,6 +115,12 @@ impl FormulaErrorKind {
     /// Something is too large.
     pub(crate) fn too_large(what: &'static str, most: u64) -> FormulaErrorKind {
         FormulaErrorKind::BeyondCap(Cap::new(what, most))
+    }
+
+    /// Whether the value is a number, and only not one of the type of values.
+    #[must_use]
+    pub fn is_other_real(&self) -> bool {
+        matches!(self, FormulaErrorKind::OtherReal(_))
     }
 
     /// The cap that the value is beyond, if nothing else is wrong.

@@ -50,6 +50,23 @@ struct Evaluator<'a, V> {
     work: &'a Work,
 }
 
+/// The names of `a - b - c`, or of `a`: a name with hyphens, such as `four-point`, reads as a difference.
+#[must_use]
+pub fn differences(expr: &Expr) -> Option<Vec<&str>> {
+    match &expr.node {
+        Node::Name(name) => Some(vec![name]),
+        Node::Chain(first, rest) => {
+            let mut names = differences(first).filter(|names| names.len() == 1)?;
+            for (operator, operand) in rest {
+                let Node::Name(name) = &operand.node else { return None };
+                names.push((*operator == Operator::Subtract).then_some(name)?);
+            }
+            Some(names)
+        }
+        _ => None,
+    }
+}
+
 fn fail<T>(kind: FormulaErrorKind, span: &Span) -> Result<T, FormulaError> {
     Err(FormulaError { kind, span: span.clone(), definition: None })
 }
@@ -162,13 +179,19 @@ impl<V: Value> Evaluator<'_, V> {
         arguments: &'e [Expr],
         indices: &[(String, V)],
     ) -> (Option<OptionWord>, &'e [Expr]) {
-        if let [Expr { node: Node::Name(name), span }, rest @ ..] = arguments
-            && indices.iter().all(|(index, _)| index != name)
-            && self.context.is_scheme(function, name)
-        {
-            let word =
-                OptionWord { name: SCHEME.to_owned(), word: name.clone(), span: span.clone() };
-            return (Some(word), rest);
+        let Some((first, rest)) = arguments.split_first() else { return (None, arguments) };
+        // `four-point` reads as a difference.
+        let Some(names) = differences(first) else { return (None, arguments) };
+        let name = names.join("-");
+        let unknown = |name: &&str| {
+            indices.iter().all(|(index, _)| index != name)
+                && matches!(self.context.name(name, indices), Ok(Lookup::Unknown))
+        };
+        let is_name = names.len() > 1 || indices.iter().all(|(index, _)| *index != name);
+        let is_free = names.len() == 1 || names.iter().any(unknown);
+        if is_name && is_free && self.context.is_scheme(function, &name) {
+            let span = first.span.clone();
+            return (Some(OptionWord { name: SCHEME.to_owned(), word: name, span }), rest);
         }
         (None, arguments)
     }

@@ -49,7 +49,7 @@ pub struct Laurent<V = Rational> {
 
 impl<V: Value> Laurent<V> {
     /// The sum of these coefficients times powers of z.
-    fn of(terms: impl IntoIterator<Item = (i64, V)>) -> Laurent<V> {
+    pub fn of(terms: impl IntoIterator<Item = (i64, V)>) -> Laurent<V> {
         Laurent { terms: terms.into_iter().filter(|(_, c)| !is_zero(c)).collect() }
     }
 
@@ -78,7 +78,8 @@ impl<V: Value> Laurent<V> {
     }
 
     /// The number that this is, if it is one.
-    fn as_constant(&self) -> Option<V> {
+    #[must_use]
+    pub fn as_constant(&self) -> Option<V> {
         match self.powers() {
             None | Some((0, 0)) => Some(self.coefficient(0)),
             Some(_) => None,

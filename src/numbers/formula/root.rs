@@ -24,6 +24,7 @@ pub(super) fn square_root<V: Value>(x: &V) -> Result<V, FormulaErrorKind> {
             FormulaErrorKind::Undefined(format!("the square root of the negative number {x}"))
         }
         RootError::Irrational => FormulaErrorKind::Irrational(format!("sqrt({x})")),
+        RootError::NotHere => FormulaErrorKind::OtherReal(format!("sqrt({x})")),
         other => FormulaErrorKind::from(other),
     })
 }

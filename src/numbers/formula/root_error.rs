@@ -22,6 +22,8 @@ pub enum RootError {
     Variable,
     /// The sign of a radicand is not decided.
     Undecided,
+    /// A coefficient is known by bounds only.
+    Enclosed,
 }
 
 impl From<RootError> for FormulaErrorKind {
@@ -29,10 +31,7 @@ impl From<RootError> for FormulaErrorKind {
         match error {
             RootError::Field(error) => FormulaErrorKind::Field(error),
             RootError::Irrational => FormulaErrorKind::Irrational("this root".to_owned()),
-            RootError::NotHere => FormulaErrorKind::Unsupported(
-                "`sqrt` and `root` are for masks without free parameters, for the parameters of schemes, and for \
-                 constants of programs",
-            ),
+            RootError::NotHere => FormulaErrorKind::OtherReal("this root".to_owned()),
             RootError::Degree => FormulaErrorKind::too_large(
                 "the degree of a polynomial of a root",
                 MAX_ROOT_DEGREE as u64,
@@ -46,6 +45,9 @@ impl From<RootError> for FormulaErrorKind {
             RootError::Undecided => {
                 FormulaErrorKind::Unsupported("it is not decided whether this is 0 or positive")
             }
+            RootError::Enclosed => FormulaErrorKind::Unsupported(
+                "`sqrt` and `root` are for numbers that are known exactly, and of this one only bounds are",
+            ),
         }
     }
 }

@@ -74,7 +74,7 @@ pub trait Value: Scalar + std::fmt::Display {
     }
 
     /// The real root of this number, counted from 1 in increasing order, of the polynomial with these coefficients, from
-    /// the constant term upwards. Only the types of masks have roots, not those of claims.
+    /// the constant term upwards.
     ///
     /// # Errors
     /// When there is no such root, or the type does not contain it.
@@ -177,11 +177,39 @@ impl Value for Polynomial {
     fn cosine(turn: &Rational) -> Result<Self, CosineError> {
         RealCyclotomic::cosine(turn).map(Polynomial::constant)
     }
+    fn root(coefficients: &[Self], number: i64) -> Result<Self, RootError> {
+        let numbers: Option<Vec<RealCyclotomic>> =
+            coefficients.iter().map(Polynomial::as_constant).collect();
+        cyclotomic_root(&numbers.ok_or(RootError::NotHere)?, number).map(Polynomial::constant)
+    }
     fn conductor(&self) -> u32 {
         // The coefficients have a common field, so the least common multiple is within
         // the cap.
         let others = self.coefficients().map(RealCyclotomic::conductor).filter(|&n| n > 1);
         others.fold(1, num_integer::lcm)
+    }
+}
+
+/// The root of a polynomial with these coefficients, if it is known to be in a field Q(2cos(2π/n)): a rational one of a
+/// polynomial with rational coefficients, or the square root of a rational number.
+fn cyclotomic_root(
+    coefficients: &[RealCyclotomic],
+    number: i64,
+) -> Result<RealCyclotomic, RootError> {
+    let rational: Option<Vec<Rational>> =
+        coefficients.iter().map(|c| c.as_rational().cloned()).collect();
+    let rational = rational.ok_or(RootError::NotHere)?;
+    match rational_root(&rational, number) {
+        Ok(root) => Ok(root.into()),
+        Err(RootError::Irrational) => match &rational[..] {
+            [c, b, a] if b.is_zero() => {
+                // The roots of ax² + c, c/a < 0.
+                let root = RealCyclotomic::square_root(&-(c / a)).ok_or(RootError::NotHere)?;
+                Ok(if number == 2 { root } else { -&root })
+            }
+            _ => Err(RootError::NotHere),
+        },
+        Err(error) => Err(error),
     }
 }
 
@@ -228,6 +256,9 @@ impl Value for RealCyclotomic {
     }
     fn cosine(turn: &Rational) -> Result<Self, CosineError> {
         RealCyclotomic::cosine(turn)
+    }
+    fn root(coefficients: &[Self], number: i64) -> Result<Self, RootError> {
+        cyclotomic_root(coefficients, number)
     }
     fn conductor(&self) -> u32 {
         self.conductor()

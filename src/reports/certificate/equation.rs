@@ -1,12 +1,18 @@
 //! Equations and other relations: whether they hold, and the difference of the sides where they do not.
 
 use super::block::{Block, Certified, closed};
-use crate::audit::{EquationFinding, EquationVerdict, Failure};
+use super::limits::radius;
+use crate::audit::{EquationFinding, EquationVerdict, Failure, Limits, SideValue};
 use crate::claim::{EquationBody, Identity, Paper};
+use crate::exact::{Integer, Rational};
+use crate::formula::{RealValue, Value as _};
 
 impl Certified for EquationFinding<'_> {
     fn block(&self, _: &Paper) -> Block {
         let mut block = Block::new(self.equation.kind(), &self.equation.id);
+        for (name, limits) in &self.limits {
+            known(&mut block, name.as_deref(), limits);
+        }
         match &self.equation.body {
             EquationBody::NotCheckable(absent) => block.restate("absent", absent),
             EquationBody::Identity(identity) => restate(&mut block, identity),
@@ -26,6 +32,7 @@ impl Certified for EquationFinding<'_> {
                     block.line(case(failure));
                 }
             }
+            EquationVerdict::Undecided { .. } => block.give_up("bounds leave it open"),
             EquationVerdict::NotCheckable => {}
             EquationVerdict::BeyondCap(cap) => block.give_up(cap.to_string()),
         }
@@ -44,11 +51,46 @@ fn restate(block: &mut Block, identity: &Identity) {
     block.restate("right", &equation.right().text);
 }
 
-/// `case 3 1/2 = p[0]-p[1]`.
+/// `limits four-point:w=1/16`, and what is shown of the limits of this scheme.
+fn known(block: &mut Block, name: Option<&str>, limits: &Limits) {
+    match name {
+        Some(name) => block.line(format!("limits {name}")),
+        None => block.give_up("certificates name schemes with rational parameters"),
+    }
+    let Some(lines) = radius(block, limits) else { return };
+    let known = &limits.smoothness;
+    if lines.continuous != known.continuity || lines.not_continuous != known.continuity_fails {
+        block.give_up("the rational bounds of the joint spectral radius show less");
+    }
+}
+
+/// The bits behind the point of the bounds of a difference.
+const PLACES: u32 = 40;
+
+/// Bounds l < h of a real number, with room for the enclosures of others.
+fn bounds(value: &RealValue) -> [Rational; 2] {
+    let interval = value.interval();
+    let unit = Rational::from(Integer::one().shifted_left(PLACES));
+    let room = interval.width() + unit.recip();
+    let low = ((interval.lower() - &room) * &unit).floor();
+    let high = ((interval.upper() + &room) * &unit).ceil();
+    [low, high].map(|end| Rational::from(end) / &unit)
+}
+
+/// `case 3 1/2 = p[0]-p[1]`, or `case 3 in 1/8 1/4`.
 fn case(failure: &Failure) -> String {
     let mut line = "case".to_owned();
     for value in &failure.indices {
         line.extend([" ", &value.to_string()]);
     }
-    format!("{line} = {}", closed(&failure.difference()))
+    match failure.difference() {
+        SideValue::Polynomial(difference) => format!("{line} = {}", closed(&difference)),
+        SideValue::Real(difference) => match difference.number() {
+            Some(number) => format!("{line} = {}", closed(&number)),
+            None => {
+                let [low, high] = bounds(&difference);
+                format!("{line} in {low} {high}")
+            }
+        },
+    }
 }

@@ -31,6 +31,7 @@ pub use extremes::step::{
     Attained, greatest_change, greatest_difference, greatest_step, greatest_step_from,
     step_supremum,
 };
+pub use extremes::supremum::{greatest_of_bounded, greatest_of_step};
 pub use functional::{ExtremalPolygon, Functional, rule_at};
 pub use natural::{NaturalShift, Parametrisation, natural_shift};
 pub use parameter::is_fraction;

@@ -2,7 +2,7 @@
 //! says what is known of its rules beyond themselves.
 
 use super::definition::{CatalogueFacts, SchemeDefinition};
-use super::file::read_scheme;
+use super::file::read_scheme_with;
 use super::reference::split_name;
 use super::toml_file::from_toml;
 use crate::diagnostic::SourceText;
@@ -26,7 +26,9 @@ pub fn catalogue() -> &'static [Entry] {
             let (rules, facts) = text.split_once("\n[catalogue]\n").unwrap_or((text, ""));
             let source = |text| SourceText::new(format!("catalogue/{name}.toml"), text);
             let facts: Result<CatalogueFacts, _> = from_toml(&source(facts));
-            let read = facts.and_then(|facts| Ok(Entry { facts, ..read_scheme(&source(rules))? }));
+            let read = facts.and_then(|facts| {
+                Ok(Entry { facts, ..read_scheme_with(&source(rules), &|_| None)? })
+            });
             read.unwrap_or_else(|error| panic!("{error}"))
         };
         FILES.iter().map(read).collect()

@@ -1,5 +1,6 @@
 //! Scheme definitions: formulas over parameters, and the masks that they give.
 
+use super::composed::Composed;
 use super::error::{SchemeError, at_values};
 use super::local_formulas::LocalFormulas;
 use super::mask::{Mask, MaskError};
@@ -10,6 +11,7 @@ use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, common_conductor};
 use crate::formula::{FormulaErrorKind, FreeNames, LocatedFormula, Scope, Value, evaluate};
 use serde::Deserialize;
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -62,6 +64,8 @@ pub struct SchemeDefinition {
     pub(super) definitions: BTreeMap<String, LocatedFormula>,
     pub(super) offset: Option<LocatedFormula>,
     pub(super) coefficients: Coefficients,
+    /// The schemes of whose symbols its own is made.
+    pub(super) others: BTreeMap<String, Arc<SchemeDefinition>>,
 }
 
 /// The three ways to define a mask, and the definition of a ring.
@@ -85,6 +89,9 @@ pub(super) struct RuleFormulas {
     pub(super) width: LocatedFormula,
     pub(super) entry: LocatedFormula,
 }
+
+/// The most symbols of other schemes in one, those in them included.
+const MAX_OTHERS: u64 = 64;
 
 impl SchemeDefinition {
     /// The references that stand for this scheme in tables: with each of its samples, or its name alone if
@@ -114,6 +121,32 @@ impl SchemeDefinition {
         &self,
         values: &BTreeMap<String, V>,
     ) -> Result<Mask<V>, SchemeError> {
+        self.mask_within(values, &Cell::new(MAX_OTHERS))
+    }
+
+    /// The mask of a scheme whose symbol that of this one uses, of which so many are `left`.
+    fn other<V: Value + PartialEq>(
+        &self,
+        name: &str,
+        values: &BTreeMap<String, V>,
+        left: &Cell<u64>,
+    ) -> Result<Mask<V>, SchemeError> {
+        let missing = || SchemeError::NoOther { name: name.to_owned() };
+        let other = self.others.get(name).ok_or_else(missing)?;
+        left.set(left.get().checked_sub(1).ok_or_else(|| {
+            let (source, span) = self.whole();
+            let cap = Cap::new("the number of symbols of other schemes in one", MAX_OTHERS);
+            let diagnostic = Diagnostic::new(source, span, cap.to_string());
+            SchemeError::File(Box::new(diagnostic.with_cap(Some(cap))))
+        })?);
+        other.mask_within(values, left)
+    }
+
+    fn mask_within<V: Value + PartialEq>(
+        &self,
+        values: &BTreeMap<String, V>,
+        left: &Cell<u64>,
+    ) -> Result<Mask<V>, SchemeError> {
         let parameters = self.complete(values)?;
         let mut offset = match &self.offset {
             Some(formula) => {
@@ -140,7 +173,11 @@ impl SchemeDefinition {
             Coefficients::Symbol(symbol) => {
                 let size = |it| self.integer(it, &parameters, &[], "the arity", 2..cap(MAX_ARITY));
                 let stated = symbol.arity.as_ref().map(size).transpose()?;
-                let rules = symbol.rules(&self.definitions, &parameters, stated);
+                let composed = Composed {
+                    names: self.others.keys().map(String::as_str).collect(),
+                    mask: |name: &str, values: &BTreeMap<String, V>| self.other(name, values, left),
+                };
+                let rules = symbol.rules(&self.definitions, &parameters, stated, &composed);
                 let rows;
                 (rows, offset) = rules.map_err(|error| SchemeError::File(Box::new(error)))?;
                 rows

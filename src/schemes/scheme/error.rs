@@ -79,6 +79,15 @@ pub enum SchemeError {
         /// The names that exist.
         known: Vec<String>,
     },
+    /// A symbol is made of that of a scheme that is not there.
+    #[error(
+        "there is no scheme `{name}` whose symbol could be used here: it is one of the catalogue, or has a mask and stands before this \
+         one in the same file"
+    )]
+    NoOther {
+        /// The name.
+        name: String,
+    },
     /// There is none in a claim file, nor in the catalogue.
     #[error(
         "unknown scheme `{name}`{}; a scheme of the paper's own stands in the claim file as [[scheme]], with a `name` and \

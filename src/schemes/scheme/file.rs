@@ -1,8 +1,10 @@
 //! Reading schemes from TOML.
 
+use super::composed::composed_of;
 use super::definition::{
     CatalogueFacts, Coefficients, ParameterSpec, RuleFormulas, SchemeDefinition,
 };
+use super::error::SchemeError;
 use super::fields::{MaskTable, definitions, formula, identifier, rules};
 use super::local_file::{EdgeTable, OrbitTable, WeightTable, ring};
 use super::local_formulas::{LocalFormulas, NEW_INDEX, OLD_INDEX};
@@ -79,28 +81,16 @@ struct ParameterTable {
     about: String,
 }
 
+/// Finds the schemes whose symbols others use, by name.
+pub type OtherSchemes<'a> = dyn Fn(&str) -> Option<Arc<SchemeDefinition>> + 'a;
+
 /// Reads one scheme from the text of a TOML file.
-///
-/// # Errors
-/// When the text is not TOML, a key is unknown or missing, or a formula is malformed. The
-/// error points at the place.
-///
-/// ```
-/// use subcert::diagnostic::SourceText;
-/// use subcert::scheme::read_scheme;
-///
-/// let text = r#"
-/// name = "corner"
-/// parameters.w = { default = "1/4" }
-/// mask = [['1-w', 'w'], ['w', '1-w']]
-/// "#;
-/// let scheme = read_scheme(&SourceText::new("corner.toml", text))?;
-/// assert_eq!(scheme.name, "corner");
-/// # Ok::<(), subcert::diagnostic::Diagnostic>(())
-/// ```
-pub fn read_scheme(source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnostic> {
+pub(super) fn read_scheme_with(
+    source: &Arc<SourceText>,
+    others: &OtherSchemes<'_>,
+) -> Result<SchemeDefinition, Diagnostic> {
     let table: SchemeTable = from_toml(source)?;
-    table.define(source)
+    table.define(source, others)
 }
 
 /// The schemes of a file that has several, such as a claim file.
@@ -122,6 +112,7 @@ struct HasSeveral {
 pub(super) fn read_one_scheme(
     source: &Arc<SourceText>,
     name: Option<&str>,
+    others: &OtherSchemes<'_>,
 ) -> Result<SchemeDefinition, Diagnostic> {
     let tables = match from_toml::<HasSeveral>(source) {
         Ok(HasSeveral { scheme: Some(_) }) => from_toml::<Several>(source)?.scheme,
@@ -160,7 +151,17 @@ pub(super) fn read_one_scheme(
         let help = format!("write `{}` itself", other.get_ref());
         return Err(Diagnostic::new(source, other.span(), message).with_help(help));
     }
-    table.define(source)
+    // The schemes before it in the file have their names there.
+    let mut earlier: BTreeMap<&str, Arc<SchemeDefinition>> = BTreeMap::new();
+    for before in tables.iter().take_while(|before| !std::ptr::eq(*before, table)) {
+        if before.alias().is_none() && !before.is_ring() {
+            let known = |name: &str| earlier.get(name).cloned().or_else(|| others(name));
+            let defined = Arc::new(before.define(source, &known)?);
+            earlier.insert(before.name.get_ref(), defined);
+        }
+    }
+    let known = |name: &str| earlier.get(name).cloned().or_else(|| others(name));
+    table.define(source, &known)
 }
 
 impl SchemeTable {
@@ -183,7 +184,11 @@ impl SchemeTable {
     ///
     /// # Errors
     /// When fields contradict each other, or a formula or a name is none.
-    pub fn define(&self, source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnostic> {
+    pub fn define(
+        &self,
+        source: &Arc<SourceText>,
+        others: &OtherSchemes<'_>,
+    ) -> Result<SchemeDefinition, Diagnostic> {
         let mut parameters = BTreeMap::new();
         for (name, table) in &self.parameters {
             let default = table.default.as_ref().map(|text| formula(source, text)).transpose()?;
@@ -194,6 +199,7 @@ impl SchemeTable {
         let definitions = definitions(source, &self.definitions)?;
         let stated = self.offset.as_ref().map(|text| formula(source, text)).transpose()?;
         let (own, coefficients) = self.coefficients(source, &definitions)?;
+        let others = self.others(source, &coefficients, &definitions, others)?;
         Ok(SchemeDefinition {
             name: self.name.get_ref().clone(),
             title: self.title.clone(),
@@ -204,7 +210,31 @@ impl SchemeTable {
             definitions,
             offset: own.or(stated),
             coefficients,
+            others,
         })
+    }
+
+    /// The schemes of whose symbols that of this one is made.
+    fn others(
+        &self,
+        source: &Arc<SourceText>,
+        coefficients: &Coefficients,
+        definitions: &BTreeMap<String, LocatedFormula>,
+        others: &OtherSchemes<'_>,
+    ) -> Result<BTreeMap<String, Arc<SchemeDefinition>>, Diagnostic> {
+        let (Coefficients::Symbol(symbol), Some(text)) = (coefficients, &self.symbol) else {
+            return Ok(BTreeMap::new());
+        };
+        let formulas = definitions.values().chain([&symbol.formula]);
+        let names = formulas.flat_map(|formula| composed_of(&formula.expr));
+        let other = |name: String| {
+            let missing = || SchemeError::NoOther { name: name.clone() };
+            let found = others(&name);
+            let found =
+                found.ok_or_else(|| Diagnostic::new(source, text.span(), missing().to_string()));
+            Ok((name.clone(), found?))
+        };
+        names.map(other).collect()
     }
 
     fn is_ring(&self) -> bool {

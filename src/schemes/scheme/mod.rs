@@ -7,6 +7,7 @@
 
 mod axes;
 mod catalogue;
+mod composed;
 mod definition;
 mod error;
 mod fields;
@@ -31,8 +32,7 @@ pub use catalogue::{Entry, catalogue, find, notes};
 pub use definition::{CatalogueFacts, ParameterSpec, SchemeDefinition};
 pub use error::{ReferenceError, SchemeError};
 pub use fields::{definitions, formula, identifier};
-pub use file::SchemeTable;
-pub use file::read_scheme;
+pub use file::{OtherSchemes, SchemeTable};
 pub use interpolation::lagrange_mask;
 pub(crate) use local_rules::point_name;
 pub use local_rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit};
@@ -41,7 +41,7 @@ pub use mask::{Mask, MaskError};
 pub use parse::find_in_catalogue;
 pub use parse::{
     AnyScheme, files_without_offset, find_definition, names_ring, parse_algebraic,
-    parse_any_scheme, parse_local_rules, parse_rules_of_valence, parse_scheme,
+    parse_any_scheme, parse_local_rules, parse_rules_of_valence, parse_scheme, read_scheme,
 };
 pub use parse_open::{
     open_parameters, parse_in_parameters, parse_parametric, parse_rules_in_parameter,

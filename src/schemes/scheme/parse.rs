@@ -4,17 +4,18 @@ use super::Scheme;
 use super::catalogue;
 use super::definition::SchemeDefinition;
 use super::error::{ReferenceError, SchemeError};
-use super::file::read_one_scheme;
+use super::file::{read_one_scheme, read_scheme_with};
 use super::local_rules::LocalRules;
 use super::mask::Mask;
 use super::reference::{Part, Reference, in_file, split_name};
 use super::typed::{is_typed, typed};
-use crate::diagnostic::SourceText;
+use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{AlgebraicNumber, FieldElement, Rational, RealCyclotomic};
 use crate::formula::{Expr, FreeNames, Parameters, Value, evaluate};
 use std::collections::BTreeMap;
 use std::hash::Hash;
 use std::path::Path;
+use std::sync::Arc;
 
 /// The greatest size of a scheme file, in bytes.
 const MAX_FILE_BYTES: u64 = 1 << 20;
@@ -185,6 +186,34 @@ pub fn parse_algebraic(text: &str) -> Result<Mask<FieldElement>, SchemeError> {
     Ok(mask.map(|c| c.element().clone()))
 }
 
+/// Reads one scheme from the text of a TOML file.
+///
+/// # Errors
+/// When the text is not TOML, a key is unknown or missing, or a formula is malformed. The
+/// error points at the place.
+///
+/// ```
+/// use subcert::diagnostic::SourceText;
+/// use subcert::scheme::read_scheme;
+///
+/// let text = r#"
+/// name = "corner"
+/// parameters.w = { default = "1/4" }
+/// mask = [['1-w', 'w'], ['w', '1-w']]
+/// "#;
+/// let scheme = read_scheme(&SourceText::new("corner.toml", text))?;
+/// assert_eq!(scheme.name, "corner");
+/// # Ok::<(), subcert::diagnostic::Diagnostic>(())
+/// ```
+pub fn read_scheme(source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnostic> {
+    read_scheme_with(source, &other)
+}
+
+/// A scheme of the catalogue whose symbol others may use.
+fn other(name: &str) -> Option<Arc<SchemeDefinition>> {
+    catalogue::find(name).cloned().map(Arc::new)
+}
+
 /// For each factor of SCHEME, the path of its file if the file defines a mask without an offset,
 /// which is then 0. `None` for a scheme of the catalogue, for a ring, and for a file that states an
 /// offset.
@@ -232,7 +261,7 @@ impl Named<'_> {
                 let definition = SchemeDefinition { name: name.to_owned(), ..definition };
                 defined.insert(name.to_owned(), definition);
             } else if is_typed(name) {
-                let definition = typed(name, &part.parameters)
+                let definition = typed(name, &part.parameters, &other)
                     .map_err(|error| SchemeError::File(Box::new(error)))?;
                 defined.insert(name.to_owned(), definition);
             }
@@ -372,6 +401,6 @@ fn other_file(path: &str) -> Option<SchemeError> {
 fn read_file(path: &str, own: Option<&str>) -> Result<SchemeDefinition, SchemeError> {
     let unreadable = |reason: String| SchemeError::Unreadable { path: path.to_owned(), reason };
     let text = crate::diagnostic::read_text(Path::new(path), MAX_FILE_BYTES).map_err(unreadable)?;
-    read_one_scheme(&SourceText::new(path, text), own)
+    read_one_scheme(&SourceText::new(path, text), own, &other)
         .map_err(|error| SchemeError::File(Box::new(error)))
 }

@@ -24,6 +24,22 @@ pub(super) fn independent<F: Entry>(symbol: &Symbol<F>) -> Symbol<F> {
     symbol
 }
 
+/// Whether the shifts of the basic limit function are linearly independent: all of them, over the whole line.
+///
+/// ```
+/// use subcert::scheme::parse_scheme;
+/// use subcert::smoothness::{Symbol, is_independent};
+///
+/// let of = |text| is_independent(&Symbol::of(parse_scheme(text).unwrap().masks()[0]));
+/// assert!(of("chaikin"));
+/// // A third of the box of the length 3.
+/// assert!(!of("1 + z^3"));
+/// ```
+#[must_use]
+pub fn is_independent<F: Entry>(symbol: &Symbol<F>) -> bool {
+    independent(symbol) == *symbol
+}
+
 /// What shows that shifts are linearly dependent.
 pub(super) struct Dependence<F> {
     /// A monic polynomial for which g(z^n) divides A·g.

@@ -30,8 +30,8 @@ impl InnerProducts {
     /// Those of these masks.
     ///
     /// # Errors
-    /// When the arities differ, the mask is too large, or one of the three schemes is not shown to converge: φ and ψ are
-    /// continuous then, so that the integrals exist.
+    /// When the arities differ, the mask is too large, φ or ψ is not shown to be in L², or the scheme of g is not shown to
+    /// converge. φ is in L² if its scheme converges, or that of ∫ φ(x) φ(x − y) dx. `proofs/THEOREMS.md`, 138.
     ///
     /// ```
     /// use subcert::exact::Rational;
@@ -49,8 +49,8 @@ impl InnerProducts {
         if first.arity() != second.arity() {
             return Err(InnerProductError::Arities(first.arity(), second.arity()));
         }
-        Limit::new(first)?;
-        Limit::new(second)?;
+        square_integrable(first)?;
+        square_integrable(second)?;
         let symbol = Symbol::of(first).correlation(&Symbol::of(second));
         Ok(InnerProducts(Limit::new(&symbol.mask()?)?))
     }
@@ -64,12 +64,55 @@ impl InnerProducts {
     }
 }
 
+/// Checks that φ is in L²: that the scheme converges, or that of ∫ φ(x) φ(x − y) dx, so that the scheme converges in L².
+fn square_integrable(mask: &Mask) -> Result<(), InnerProductError> {
+    let Err(error) = Limit::new(mask) else { return Ok(()) };
+    let symbol = Symbol::of(mask);
+    match Limit::new(&symbol.correlation(&symbol).mask()?) {
+        Ok(_) => Ok(()),
+        Err(_) => Err(error.into()),
+    }
+}
+
 /// φ(x): the limit at x of the data 1 at 0 and 0 elsewhere, with the points i of level k at i/n^k.
 ///
 /// # Errors
 /// When x is too large, or its digits repeat too late.
 pub fn basic(limit: &Limit, x: &Rational) -> Result<Rational, LimitError> {
     Ok(limit.at(x)?.coefficient(0))
+}
+
+/// The symbol of ψ with φ^{(m)}(x) = Σ_i (−1)^i binomial(m, i) ψ(x − i): n^m A/σ^m; `None` where the order of the sum rules is
+/// less than m.
+///
+/// ```
+/// use subcert::scheme::parse_scheme;
+/// use subcert::smoothness::{Symbol, derivative_symbol};
+///
+/// // The slope of the hat function is made of two boxes.
+/// let hat = Symbol::of(parse_scheme("b-spline:degree=1")?.masks()[0]);
+/// let boxes = Symbol::of(parse_scheme("b-spline:degree=0")?.masks()[0]);
+/// assert_eq!(derivative_symbol(&hat, 1).expect("sum rules").coefficients(), boxes.coefficients());
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+#[must_use]
+pub fn derivative_symbol(symbol: &Symbol, m: u32) -> Option<Symbol> {
+    let factor = Rational::from(Integer::from(symbol.arity()).pow(m));
+    symbol.difference(m as usize, &factor)
+}
+
+/// The symbol Aσ/n of χ with ∫_{x−1}^x φ = χ(x).
+#[must_use]
+pub fn integral_symbol(symbol: &Symbol) -> Symbol {
+    let n = symbol.arity();
+    let mut sums = vec![Rational::zero(); symbol.coefficients().len() + n - 1];
+    let share = Rational::new(1, n);
+    for (k, a) in symbol.coefficients().iter().enumerate() {
+        for sum in &mut sums[k..k + n] {
+            *sum += &(a * &share);
+        }
+    }
+    Symbol::new(n, symbol.powers().0, sums)
 }
 
 /// M_m = ∫ x^m φ(x) dx for m = 0, …, `last`, in the sense of distributions if φ is none else.

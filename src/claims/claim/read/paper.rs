@@ -8,7 +8,7 @@ use super::regularity::RegularityFile;
 use crate::claim::{Alternative, Paper, SchemeSource};
 use crate::diagnostic::{Collected, Diagnostic, Errors, SourceText, read_text};
 use crate::formula::LocatedFormula;
-use crate::scheme::{SchemeTable, formula, from_toml, identifier};
+use crate::scheme::{SchemeTable, find_in_catalogue, formula, from_toml, identifier};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
@@ -185,7 +185,7 @@ impl Reader<'_> {
         let mut schemes = BTreeMap::new();
         for table in tables {
             let name = table.name.get_ref();
-            let Some(scheme) = errors.take(self.scheme(table)) else { continue };
+            let Some(scheme) = errors.take(self.scheme(table, &schemes)) else { continue };
             if schemes.insert(name.clone(), scheme).is_some() {
                 let message = format!("the scheme `{name}` is defined twice");
                 errors.add(self.error(table.name.span(), message));
@@ -194,10 +194,20 @@ impl Reader<'_> {
         schemes
     }
 
-    fn scheme(&self, table: &SchemeTable) -> Result<SchemeSource, Diagnostic> {
+    /// A scheme; those `before` it may be parts of its symbol.
+    fn scheme(
+        &self,
+        table: &SchemeTable,
+        before: &BTreeMap<String, SchemeSource>,
+    ) -> Result<SchemeSource, Diagnostic> {
+        let other = |name: &str| match before.get(name) {
+            Some(SchemeSource::Own(definition)) => Some(Arc::new((**definition).clone())),
+            Some(SchemeSource::Alias(_)) => None,
+            None => find_in_catalogue(name).ok().cloned().map(Arc::new),
+        };
         Ok(match table.alias() {
             Some(other) => SchemeSource::Alias(self.reference(other)?),
-            None => SchemeSource::Own(Box::new(table.define(self.source)?)),
+            None => SchemeSource::Own(Box::new(table.define(self.source, &other)?)),
         })
     }
 }

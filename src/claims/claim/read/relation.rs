@@ -64,10 +64,6 @@ impl ClaimTable for RelationTable {
         named(&self.symbols, Role::Symbol).chain(indices).collect()
     }
 
-    fn takes_given(&self) -> bool {
-        false
-    }
-
     fn read(&self, reader: &Reader<'_>, paper: &mut Paper) -> Result<(), Diagnostic> {
         paper.equations.push(reader.relation(self)?);
         Ok(())

@@ -1,9 +1,10 @@
 //! Claims about smoothness that are true where more is true.
 
 use crate::claim::{Ends, ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
+use crate::evaluation::Limits;
 use crate::exact::{Enclosed as _, Interval, IntervalSet, LogSum};
 use crate::finding::{
-    KnownLimits, Limits, PaperAudit, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
+    KnownLimits, PaperAudit, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
 };
 use std::ops::Bound;
 

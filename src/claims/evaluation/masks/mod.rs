@@ -1,6 +1,9 @@
 //! Functions of masks and of their basic limit functions.
 
 pub(crate) mod constants;
+mod field;
+
+pub(crate) use field::over_field;
 
 use crate::cap::Cap;
 use crate::evaluation::arguments::{index, narrow, within};
@@ -11,8 +14,9 @@ use crate::formula::{Call, CallError, FormulaErrorKind, Value};
 use crate::limit::{Limit, LimitError};
 use crate::scheme::Mask;
 use crate::smoothness::{
-    InnerProductError, InnerProducts, Kept, Shape, Symbol, basic, moments, reproduction_degree,
-    reproduction_degree_at, shape_kept,
+    InnerProductError, InnerProducts, Kept, Shape, Symbol, basic, derivative_symbol,
+    integral_symbol, is_independent, moments, reproduction_degree, reproduction_degree_at,
+    shape_kept,
 };
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -27,7 +31,7 @@ const MAX_PRODUCTS: usize = 1 << 22;
 const MAX_CLASSES: u64 = 65_536;
 
 /// Results by what they are of; of few masks, so that they are searched one by one.
-type Results<K, T> = RefCell<Vec<(K, Result<T, CallError>)>>;
+pub(crate) type Results<K, T> = RefCell<Vec<(K, Result<T, CallError>)>>;
 
 /// What is known of the limits of masks: each is computed once for a claim.
 #[derive(Default)]
@@ -38,7 +42,7 @@ pub(crate) struct KnownLimits {
 }
 
 /// The result that is known, or computed now.
-fn once<K: PartialEq, T: Clone>(
+pub(crate) fn once<K: PartialEq, T: Clone>(
     known: &Results<K, T>,
     key: K,
     compute: impl FnOnce(&K) -> Result<T, CallError>,
@@ -52,13 +56,16 @@ fn once<K: PartialEq, T: Clone>(
 }
 
 impl KnownLimits {
-    fn limit(&self, mask: Mask) -> Result<Rc<Limit>, CallError> {
+    pub(crate) fn limit(&self, mask: Mask) -> Result<Rc<Limit>, CallError> {
         once(&self.limits, mask, |mask| {
             Limit::new(mask).map(Rc::new).map_err(|error| unlimited(&error))
         })
     }
 
-    fn inner_products(&self, masks: (Mask, Mask)) -> Result<Rc<InnerProducts>, CallError> {
+    pub(crate) fn inner_products(
+        &self,
+        masks: (Mask, Mask),
+    ) -> Result<Rc<InnerProducts>, CallError> {
         once(&self.products, masks, |(first, second)| {
             check_size(first, second)?;
             let bits =
@@ -140,7 +147,8 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
             let all = moments(&Symbol::of(&numbers(mask)?), narrow(m));
             all.last().map_or_else(|| Ok(V::zero()), number)
         }),
-        ("limit_value", [x]) => limit_value(mask, x, known),
+        ("limit_value", [x]) => options.derivative().and_then(|m| limit_value(mask, x, m, known)),
+        ("integral", [x, y]) => integral(mask, [x, y], known),
         ("inner_product", [k]) => inner_product(mask, k, options, other, known),
         ("positive", []) => {
             rational(mask).and_then(|mask| known.keeps(mask, Shape::Positive)).map(truth)
@@ -151,6 +159,14 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
         ("convex", []) => {
             rational(mask).and_then(|mask| known.keeps(mask, Shape::Convex)).map(truth)
         }
+        ("independent", []) => match rational(mask) {
+            Ok(mask) => Ok(truth(is_independent(&Symbol::of(&mask)))),
+            Err(_) => over_field(mask).map(|mask| truth(is_independent(&Symbol::of(&mask)))),
+        },
+        ("same", []) => match options.take("with") {
+            Some(name) => other(&name).map(|other| truth(Symbol::of(mask) == Symbol::of(&other))),
+            None => Err(CallError::Misuse("name the other scheme: `same(with = NAME)`".to_owned())),
+        },
         ("orthogonal", []) => dual(mask, mask).map(truth),
         ("biorthogonal", []) => match options.take("with") {
             Some(name) => other(&name).and_then(|other| dual(mask, &other)).map(truth),
@@ -215,18 +231,86 @@ fn degree<V: Value>(mask: &Mask<V>, parameters: Parameters) -> Result<usize, Cal
     })
 }
 
-fn limit_value<V: Value>(mask: &Mask<V>, x: &V, known: &KnownLimits) -> Result<V, CallError> {
-    let x = x.as_rational().ok_or_else(|| {
+/// A place of a limit.
+fn parameter<V: Value>(x: &V) -> Result<Rational, CallError> {
+    x.as_rational().ok_or_else(|| {
         CallError::Misuse(format!("a limit is computed at rational numbers, and not at {x}"))
-    })?;
+    })
+}
+
+/// The derivative of this order at x: Σ_i (−1)^i binomial(m, i) ψ(x − i).
+fn limit_value<V: Value>(
+    mask: &Mask<V>,
+    x: &V,
+    order: u32,
+    known: &KnownLimits,
+) -> Result<V, CallError> {
+    let x = parameter(x)?;
     let mask = rational(mask)?;
-    let (first, last) = Symbol::of(&mask).support();
-    let limit = known.limit(mask)?;
-    if x <= first || x >= last {
-        return Ok(V::zero());
+    known.limit(mask.clone())?;
+    let derived = match order {
+        0 => mask,
+        _ => {
+            let symbol = derivative_symbol(&Symbol::of(&mask), order);
+            let mask = symbol.and_then(|symbol| symbol.mask().ok());
+            mask.ok_or_else(|| {
+                CallError::Undefined(format!(
+                    "limits have no continuous derivative of order {order}"
+                ))
+            })?
+        }
+    };
+    let mut sum = Rational::zero();
+    // (−1)^i binomial(m, i)
+    let mut factor = Rational::one();
+    for i in 0..=order {
+        sum += &(basic_value(&derived, &(&x - Rational::from(i)), known)? * &factor);
+        factor = factor * Rational::from(i64::from(i) - i64::from(order)) / Rational::from(i + 1);
     }
-    let value = basic(&limit, &x).map_err(|error| unlimited(&error))?;
-    Ok(V::from_rational(&value))
+    Ok(V::from_rational(&sum))
+}
+
+/// φ(x).
+fn basic_value(mask: &Mask, x: &Rational, known: &KnownLimits) -> Result<Rational, CallError> {
+    let (first, last) = Symbol::of(mask).support();
+    let limit = known.limit(mask.clone())?;
+    if *x <= first || *x >= last {
+        return Ok(Rational::zero());
+    }
+    basic(&limit, x).map_err(|error| unlimited(&error))
+}
+
+/// The greatest number of places at which an integral is summed.
+const MAX_PLACES: i64 = 256;
+
+/// ∫ φ from x to y: Σ_{j ≥ 0} (χ(y − j) − χ(x − j)).
+fn integral<V: Value>(mask: &Mask<V>, ends: [&V; 2], known: &KnownLimits) -> Result<V, CallError> {
+    let mask = rational(mask)?;
+    known.limit(mask.clone())?;
+    let symbol = integral_symbol(&Symbol::of(&mask));
+    let (first, last) = symbol.support();
+    let sums = symbol.mask().map_err(|error| CallError::Misuse(error.to_string()))?;
+    let mut up_to = [Rational::zero(), Rational::zero()];
+    for (sum, end) in up_to.iter_mut().zip(ends) {
+        let end = parameter(end)?;
+        // All of φ is before what is not less than the end of the support of χ less 1.
+        if end >= &last - Rational::one() {
+            *sum = Rational::one();
+            continue;
+        }
+        let count = (&end - &first).ceil().to_i64().unwrap_or(i64::MAX);
+        if count > MAX_PLACES {
+            return Err(CallError::BeyondCap(Cap::new(
+                "the support of a limit",
+                MAX_PLACES.unsigned_abs(),
+            )));
+        }
+        for j in 0..count.max(0) {
+            *sum += &basic_value(&sums, &(&end - Rational::from(j)), known)?;
+        }
+    }
+    let [from, to] = up_to;
+    Ok(V::from_rational(&(to - from)))
 }
 
 fn inner_product<V: Value>(
@@ -267,7 +351,7 @@ fn check_size<F: crate::exact::Scalar>(first: &Mask<F>, second: &Mask<F>) -> Res
 }
 
 /// Why a limit is not computed: there is none, or it is not shown that there is one.
-fn unlimited(error: &LimitError) -> CallError {
+pub(crate) fn unlimited(error: &LimitError) -> CallError {
     match error {
         LimitError::NoLimit { .. } => {
             let what = "there is no continuous limit: the multiplicity of the eigenvalue 1";

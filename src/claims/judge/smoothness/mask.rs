@@ -2,8 +2,9 @@
 
 use crate::claim::PrintedValences;
 use crate::diagnostic::Diagnostic;
+use crate::evaluation::Limits;
 use crate::evaluation::limits::LimitScheme;
-use crate::finding::{Limits, Reason};
+use crate::finding::Reason;
 use crate::scheme::Mask;
 use crate::smoothness::Smoothness;
 

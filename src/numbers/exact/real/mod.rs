@@ -6,3 +6,5 @@ pub(super) mod cyclotomic;
 pub(super) mod expression;
 pub(super) mod number_field;
 pub(super) mod roots;
+
+pub(super) mod square;

@@ -23,6 +23,17 @@ pub(crate) fn outcome(finding: &EquationFinding<'_>) -> String {
         EquationVerdict::Tried { cases } => {
             format!("true in the {cases} cases that were tried; open{}", compared(finding))
         }
+        EquationVerdict::Undecided { cases, open } => {
+            let mut lines = vec![match cases {
+                1 => "open: bounds of the values do not decide it".to_owned(),
+                _ => format!(
+                    "open in {} of {cases} cases: bounds of the values do not decide them",
+                    open.len()
+                ),
+            }];
+            lines.extend(open.iter().take(MAX_FAILURES).map(|case| difference(finding, case)));
+            lines.join("\n")
+        }
         EquationVerdict::NotCheckable => {
             format!("not checkable without {}", finding.equation.absent().unwrap_or_default())
         }

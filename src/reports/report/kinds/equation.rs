@@ -66,6 +66,9 @@ impl<'a> Told<'a> for EquationFinding<'a> {
             EquationVerdict::Fails { failures, mends, .. } => {
                 (Some(failures.iter().map(json::Failure::of).collect()), Some(&mends[..]), None)
             }
+            EquationVerdict::Undecided { open, .. } => {
+                (Some(open.iter().map(json::Failure::of).collect()), None, None)
+            }
             EquationVerdict::NotCheckable => {
                 (None, None, equation.absent().map(|absent| format!("missing: {absent}")))
             }

@@ -4,3 +4,4 @@ pub(super) mod far_polygon;
 pub(super) mod overshoot;
 pub(super) mod step;
 pub(super) mod summit;
+pub(super) mod supremum;

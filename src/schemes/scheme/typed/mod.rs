@@ -4,6 +4,8 @@ use super::definition::{CatalogueFacts, Coefficients, ParameterSpec, ROUNDED, Sc
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{AlgebraicNumber, Polynomial, Rational, Scalar as _};
 use crate::formula::{Expr, FreeNames, LocatedFormula, Scope, Value, evaluate};
+use crate::scheme::composed::composed_of;
+use crate::scheme::error::SchemeError;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
@@ -30,11 +32,19 @@ const ANY: (i64, i64) = (355, 113);
 pub(super) fn typed(
     text: &str,
     given: &BTreeMap<String, Expr>,
+    others: &dyn Fn(&str) -> Option<Arc<SchemeDefinition>>,
 ) -> Result<SchemeDefinition, Diagnostic> {
     let source = SourceText::new(SOURCE, text);
     let definitions = BTreeMap::new();
+    let mut composed = BTreeMap::new();
     let (offset, coefficients, names) = if text::is_symbol(text) {
         let symbol = SymbolFormula::read(&source, 0..text.len(), text)?;
+        for name in composed_of(&symbol.formula.expr) {
+            let missing = || SchemeError::NoOther { name: name.clone() }.to_string();
+            let other =
+                others(&name).ok_or_else(|| Diagnostic::new(&source, 0..text.len(), missing()))?;
+            composed.insert(name, other);
+        }
         let names = symbol.names(&definitions);
         (None, Coefficients::Symbol(Box::new(symbol)), names)
     } else {
@@ -52,6 +62,7 @@ pub(super) fn typed(
         definitions,
         offset,
         coefficients,
+        others: composed,
     })
 }
 

@@ -4,9 +4,11 @@ use super::sum::{EVERYWHERE, Sum, lacks_factor, no_arity};
 use super::text::{MASK, is_sum};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{
-    FormulaErrorKind, FreeNames, Laurent, LocatedFormula, SYMBOL_VARIABLE, Scope, Value, evaluate,
+    FormulaErrorKind, FreeNames, Functions, Laurent, LocatedFormula, SYMBOL_VARIABLE, Scope, Value,
+    evaluate,
 };
 use crate::scheme::Rules;
+use crate::scheme::composed::composed_of;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
@@ -51,6 +53,9 @@ impl SymbolFormula {
     pub(super) fn names(&self, definitions: &BTreeMap<String, LocatedFormula>) -> BTreeSet<String> {
         let mut names = FreeNames::new(definitions).of(&self.formula.expr);
         names.remove(SYMBOL_VARIABLE);
+        // The parts of names such as `four-point` are no parameters.
+        let others = composed_of(&self.formula.expr);
+        names.retain(|name| others.iter().all(|other| other.split('-').all(|part| part != name)));
         names
     }
 
@@ -101,11 +106,12 @@ impl SymbolFormula {
         definitions: &BTreeMap<String, LocatedFormula>,
         parameters: &BTreeMap<String, V>,
         stated: Option<i64>,
+        functions: &dyn Functions<Laurent<V>>,
     ) -> Result<(Vec<Vec<V>>, i64), Diagnostic> {
         let constant =
             |(name, value): (&String, &V)| (name.clone(), Laurent::constant(value.clone()));
         let constants: BTreeMap<String, Laurent<V>> = parameters.iter().map(constant).collect();
-        let scope = Scope::new(definitions, &())
+        let scope = Scope::new(definitions, functions)
             .with_all(&constants)
             .with(SYMBOL_VARIABLE, Laurent::variable());
         let value = evaluate(&self.formula.expr, &scope).map_err(|error| {

@@ -14,6 +14,7 @@
 //! | `norm` | inverses, by norms modulo primes |
 //! | `minimal` | the minimal polynomial of a number |
 //! | `size` | bounds of conjugates, and the content |
+//! | `square_root` | square roots of rational numbers |
 
 mod arithmetic;
 mod error;
@@ -26,6 +27,7 @@ mod order;
 mod row_product;
 mod size;
 mod sparse;
+mod square_root;
 mod symmetric;
 
 pub use error::{CosineError, MAX_CONDUCTOR, common_conductor};

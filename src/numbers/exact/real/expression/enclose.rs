@@ -2,7 +2,7 @@
 
 use super::node::{Generator, Operation, RealExpression};
 use super::rounded::outward;
-use super::square::floor_root;
+use crate::exact::real::square::floor_root;
 use crate::exact::{Enclosed, Enclosure, Integer, Rational};
 
 /// From this level on, a rational number has an enclosure of width 0.

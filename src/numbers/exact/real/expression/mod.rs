@@ -4,7 +4,6 @@
 //! | file | subject |
 //! |---|---|
 //! | `size` | bounds of conjugates, which separate a number from 0 |
-//! | `square` | integer square roots, and square factors |
 //! | `isolated` | a real root of a polynomial with cyclotomic coefficients |
 //! | `error` | the errors of roots |
 //! | `node` | the number type, and the field that a number is known to be in |
@@ -30,8 +29,6 @@ mod order;
 mod roots;
 mod rounded;
 mod size;
-mod square;
 
 pub use error::{MAX_ROOT_DEGREE, RootError};
 pub use node::RealExpression;
-pub use square::floor_root;

@@ -4,8 +4,8 @@ use super::error::{MAX_ROOT_DEGREE, RootError};
 use super::isolated::{Isolated, RootKind};
 use super::node::{Field, Generator, Operation, RealExpression};
 use super::size::Size;
-use super::square::square_part;
 use crate::exact::polynomials::dense::trimmed;
+use crate::exact::real::square::square_part;
 use crate::exact::{Integer, Rational, Real, RealCyclotomic, Scalar, format::short};
 use std::sync::Arc;
 

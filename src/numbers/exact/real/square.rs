@@ -27,7 +27,7 @@ pub fn floor_root(x: &Integer) -> Integer {
 
 /// (s, t) with x = s²·t for a rational x > 0, s > 0 rational and t a positive integer. t is 1 for the
 /// square of a rational, and is divided by the squares of small primes.
-pub(super) fn square_part(x: &Rational) -> (Rational, Integer) {
+pub(in crate::exact) fn square_part(x: &Rational) -> (Rational, Integer) {
     let (mut rest, q) = (x.numerator() * x.denominator(), x.denominator());
     let mut root = Integer::one();
     let whole = floor_root(&rest);
