@@ -49,13 +49,29 @@ fn show() {
         "golden",
         "daubechies",
         "hat",
+        "haar",
+        "cubic",
+        "bell",
         "mirrored",
         "later",
         "cutting",
         "dual",
         "round",
     ] {
-        bounds(&format!("overshoot({s})"));
-        bounds(&format!("gibbs({s})"));
+        bounds(&format!("riesz_lower({s})"));
+        bounds(&format!("riesz_upper({s})"));
+    }
+    for f in [
+        "inner_product(haar, 0)",
+        "inner_product(haar, 1)",
+        "inner_product(haar, 0, with = hat)",
+        "independent(haar)",
+        "independent(averaged)",
+        "independent(daubechies)",
+        "same(hat, with = hat)",
+        "same(hat, with = b-spline)",
+        "same(scheme = b-spline, degree=3, with = cubic)",
+    ] {
+        bounds(f);
     }
 }

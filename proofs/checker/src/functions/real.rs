@@ -12,6 +12,8 @@ pub enum Real {
     Exact(Value),
     /// One between these two.
     Between(Q, Q),
+    /// The only root of a polynomial between these two. The constant coefficient comes first.
+    Root(Vec<Q>, Q, Q),
 }
 
 impl Real {
@@ -28,7 +30,9 @@ impl Real {
     pub fn value(self) -> Result<Value, Stop> {
         match self {
             Real::Exact(value) => Ok(value),
-            Real::Between(low, high) => Err(Stop::Wrong(format!("DEBUG {low} {high}"))),
+            Real::Root(_, low, high) | Real::Between(low, high) => {
+                Err(Stop::Wrong(format!("DEBUG {low} {high}")))
+            }
         }
     }
 }

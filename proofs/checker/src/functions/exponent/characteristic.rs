@@ -26,8 +26,11 @@ pub enum Eigenvalue {
 }
 
 /// The coefficients, from the constant one on, of det(x − M): Faddeev's and LeVerrier's recursion.
-fn characteristic(meter: &Meter, matrix: &[Vec<Value>]) -> Result<Vec<Value>, Stop> {
+pub fn characteristic(meter: &Meter, matrix: &[Vec<Value>]) -> Result<Vec<Value>, Stop> {
     let size = matrix.len();
+    if size > MAX_SIZE {
+        return Err(Stop::Capped("the size of a matrix"));
+    }
     let mut coefficients = vec![Value::int(1)];
     let mut product: Vec<Vec<Value>> = vec![vec![Value::int(0); size]; size];
     for k in 1..=size {
@@ -90,9 +93,6 @@ enum Side {
 /// exceeds, p and its derivatives are positive; and where they are, there is no root, nor beyond. If p alone is 0 and no derivative
 /// is negative, no root is beyond.
 pub fn greatest(meter: &Meter, matrix: &[Vec<Value>], arity: usize) -> Result<Eigenvalue, Stop> {
-    if matrix.len() > MAX_SIZE {
-        return Err(Stop::Capped("the size of a matrix"));
-    }
     // A multiple of the matrix has integers, and an eigenvalue whose integer part tells enough.
     let denominator = Value::denominator(matrix.iter().flatten())?;
     let unit = denominator.rational().unwrap_or_else(Q::one);

@@ -10,9 +10,11 @@ mod printed;
 mod sobolev;
 
 use super::call::Call;
+use super::masks::Mask;
 use crate::numbers::Value;
 use crate::text::Stop;
 
+pub use characteristic::characteristic;
 pub use printed::{Bound, LogSum};
 
 /// The value of such a function; `None` if the call is none of them.
@@ -20,6 +22,12 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
     let found = match (call.function, call.arguments) {
         ("smoothness", []) => known::smoothness(call.library, &*call.scheme()?)?,
         ("hoelder", []) => known::hoelder(call.library, &*call.scheme()?)?,
+        ("independent", []) => {
+            let meter = call.library.meter;
+            let mask = Mask::of_numbers(meter, &*call.scheme()?)?;
+            let found = independent::has_independent_shifts(meter, &mask)?;
+            return Ok(Some(Value::int(found.into())));
+        }
         ("sobolev", []) => sobolev::sobolev(call.library, &*call.scheme()?)?,
         _ => return Ok(None),
     };

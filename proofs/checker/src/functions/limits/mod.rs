@@ -8,6 +8,7 @@ mod moments;
 mod points;
 mod products;
 mod related;
+mod riesz;
 
 use super::call::{Call, within};
 use super::masks::Mask;
@@ -49,6 +50,8 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
             let other = call.named("with")?.unwrap_or_else(|| Rc::clone(&scheme));
             products::inner_product(library, &scheme, &other, k)?
         }
+        ("riesz_lower", []) => riesz::bound(library, &*call.scheme()?, false)?.value()?,
+        ("riesz_upper", []) => riesz::bound(library, &*call.scheme()?, true)?.value()?,
         _ => return Ok(None),
     }))
 }

@@ -65,7 +65,7 @@ pub fn antiderivative(library: &Library<'_>, scheme: &Scheme) -> Result<Rc<Schem
 }
 
 /// The scheme with these coefficients: a_k is in the rule α = k mod n, of the point (α − k)/n.
-fn scheme_of(mask: &Mask) -> Result<Scheme, Stop> {
+pub fn scheme_of(mask: &Mask) -> Result<Scheme, Stop> {
     let n = signed(mask.arity)?;
     let point = |k: i64| k.checked_div_euclid(n).and_then(i64::checked_neg).ok_or(PLACE);
     let (first, last) = (point(mask.last()?)?, point(mask.first)?);
