@@ -9,6 +9,9 @@ mod named;
 mod peaks;
 mod real;
 mod reproduction;
+mod roots;
 mod shape;
 mod steps;
 pub mod sums;
+
+pub use real::{Real, real};

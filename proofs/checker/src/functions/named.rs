@@ -4,6 +4,7 @@
 
 use super::call::{Call, TERMS, entry, number, within, wrong};
 use super::depth::depth;
+use super::roots::{root, square_root};
 use super::sums::greatest;
 use super::{exponent, limits, masks, peaks, shape};
 use crate::data::{best_offset, moved, surface};
@@ -53,6 +54,13 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         ("mod", [x, m]) => {
             scope.spend(x.cost_of_quotient(m))?;
             x.minus(&m.times(&floor(&x.over(m)?)?)?)
+        }
+        ("sqrt", [x]) => match x.rational() {
+            Some(x) => Ok(square_root(library.meter, &x)?.into()),
+            None => wrong("`sqrt` of such a number is for relations between numbers"),
+        },
+        ("root", [coefficients @ .., number]) => {
+            root(library.meter, coefficients, number.integer(MAX_INTEGER)?)
         }
         ("kronecker", [a, b]) => {
             let difference = a.minus(b)?;

@@ -11,6 +11,7 @@ mod sobolev;
 
 use super::call::Call;
 use super::masks::Mask;
+use super::real::Real;
 use crate::numbers::Value;
 use crate::text::Stop;
 
@@ -19,17 +20,21 @@ pub use printed::{Bound, LogSum};
 
 /// The value of such a function; `None` if the call is none of them.
 pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
-    let found = match (call.function, call.arguments) {
+    real(call)?.map(Real::value).transpose()
+}
+
+/// The same as a real number.
+pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
+    Ok(Some(match (call.function, call.arguments) {
         ("smoothness", []) => known::smoothness(call.library, &*call.scheme()?)?,
         ("hoelder", []) => known::hoelder(call.library, &*call.scheme()?)?,
         ("independent", []) => {
             let meter = call.library.meter;
             let mask = Mask::of_numbers(meter, &*call.scheme()?)?;
             let found = independent::has_independent_shifts(meter, &mask)?;
-            return Ok(Some(Value::int(found.into())));
+            Real::Exact(Value::int(found.into()))
         }
         ("sobolev", []) => sobolev::sobolev(call.library, &*call.scheme()?)?,
         _ => return Ok(None),
-    };
-    found.value().map(Some)
+    }))
 }

@@ -12,6 +12,7 @@ mod riesz;
 
 use super::call::{Call, within};
 use super::masks::Mask;
+use super::real::Real;
 use crate::formulas::MAX_INTEGER;
 use crate::numbers::Value;
 use crate::text::Stop;
@@ -50,8 +51,16 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
             let other = call.named("with")?.unwrap_or_else(|| Rc::clone(&scheme));
             products::inner_product(library, &scheme, &other, k)?
         }
-        ("riesz_lower", []) => riesz::bound(library, &*call.scheme()?, false)?.value()?,
-        ("riesz_upper", []) => riesz::bound(library, &*call.scheme()?, true)?.value()?,
-        _ => return Ok(None),
+        _ => return real(call)?.map(Real::value).transpose(),
     }))
+}
+
+/// The functions among them whose values may be any real numbers.
+pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
+    let upper = match (call.function, call.arguments) {
+        ("riesz_lower", []) => false,
+        ("riesz_upper", []) => true,
+        _ => return Ok(None),
+    };
+    riesz::bound(call.library, &*call.scheme()?, upper).map(Some)
 }

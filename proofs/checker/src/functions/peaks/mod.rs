@@ -18,14 +18,19 @@ use crate::text::Stop;
 use fixed::Fixed;
 use sums::Sum;
 
-/// The value of such a function; `None` if the call is none of them.
+/// The value of such a function, if it is known; `None` if the call is none of them.
 pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
+    real(call)?.map(Real::value).transpose()
+}
+
+/// The same as a real number.
+pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
     let sum = match (call.function, call.arguments) {
         ("overshoot", []) => Sum::Positive,
         ("gibbs", []) => Sum::Step,
         _ => return Ok(None),
     };
-    greatest(call.library, &*call.scheme()?, sum)?.value().map(Some)
+    greatest(call.library, &*call.scheme()?, sum).map(Some)
 }
 
 /// The supremum of such a sum. It is 1 if φ ≥ 0, since Σ_k φ(x − k) = 1.
