@@ -64,6 +64,8 @@ pub struct Scope<'a> {
     pub families: BTreeSet<String>,
     /// The scheme that functions are about.
     pub scheme: Option<Rc<Scheme>>,
+    /// The reference of the scheme, if it is a ring.
+    pub ring: Option<String>,
     /// Names without a value that no index may have either.
     pub reserved: &'static [&'static str],
     /// Names with values that an index may have. They are the indices of an equation.
@@ -91,7 +93,7 @@ impl<'a> Scope<'a> {
         reading: &'a Reading,
     ) -> Scope<'a> {
         let (values, unstated, beyond, families) = Default::default();
-        let (scheme, piece, depth, angle) = Default::default();
+        let (scheme, ring, piece, depth, angle) = Default::default();
         let (memory, reserved, hidden) = Default::default();
         Scope {
             definitions,
@@ -100,6 +102,7 @@ impl<'a> Scope<'a> {
             beyond,
             families,
             scheme,
+            ring,
             reserved,
             hidden,
             piece,

@@ -96,23 +96,26 @@ impl<'c> Call<'c> {
         place.ok_or_else(|| Stop::Wrong(format!("`{name}` cannot be `{word}`")))
     }
 
+    /// The reference to the scheme that the option `scheme` names. Options give values to its parameters.
+    pub fn reference(&mut self) -> Result<Option<String>, Stop> {
+        let Some(name) = self.option("scheme") else { return Ok(None) };
+        let (own, parameters): (Vec<_>, Vec<_>) =
+            self.options.iter().partition(|(name, _)| WORDS.contains(&name.as_str()));
+        self.options = own;
+        let plain = |word: &str| word.parse::<i64>().is_ok() || is_name(word);
+        if !parameters.iter().all(|(_, word)| plain(word)) {
+            return wrong("the value of a parameter is an integer or a name");
+        }
+        let parameters: Vec<String> =
+            parameters.iter().map(|(name, word)| format!("{name}={word}")).collect();
+        Ok(Some(format!("{name}:{}", parameters.join(","))))
+    }
+
     /// The scheme that the call is about. Options give values to the parameters of one that is named.
     pub fn scheme(&mut self) -> Result<Rc<Scheme>, Stop> {
-        let scheme = match self.option("scheme") {
+        let scheme = match self.reference()? {
             None => self.scope.scheme.clone(),
-            Some(name) => {
-                let (own, parameters): (Vec<_>, Vec<_>) =
-                    self.options.iter().partition(|(name, _)| WORDS.contains(&name.as_str()));
-                self.options = own;
-                let plain = |word: &str| word.parse::<i64>().is_ok() || is_name(word);
-                if !parameters.iter().all(|(_, word)| plain(word)) {
-                    return wrong("the value of a parameter is an integer or a name");
-                }
-                let parameters: Vec<String> =
-                    parameters.iter().map(|(name, word)| format!("{name}={word}")).collect();
-                let reference = format!("{name}:{}", parameters.join(","));
-                self.library.resolve(&reference, self.scope)?.first().cloned()
-            }
+            Some(reference) => self.library.resolve(&reference, self.scope)?.first().cloned(),
         };
         scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a scheme", self.function)))
     }

@@ -13,5 +13,6 @@ mod roots;
 mod shape;
 mod steps;
 pub mod sums;
+mod vertices;
 
 pub use real::{Real, real};

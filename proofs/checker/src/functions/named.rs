@@ -6,7 +6,7 @@ use super::call::{Call, TERMS, entry, number, within, wrong};
 use super::depth::depth;
 use super::roots::{root, square_root};
 use super::sums::greatest;
-use super::{exponent, limits, masks, peaks, shape};
+use super::{exponent, limits, masks, peaks, shape, vertices};
 use crate::data::{best_offset, moved, surface};
 use crate::formulas::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::numbers::{Meter, Number, Q, Value, capped};
@@ -113,7 +113,7 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         }
         ("positive" | "monotone" | "convex", []) => shape::of(call),
         (_, arguments) => {
-            for group in [masks::of, limits::of, exponent::of, peaks::of] {
+            for group in [masks::of, limits::of, exponent::of, peaks::of, vertices::of] {
                 if let Some(value) = group(call)? {
                     return Ok(value);
                 }

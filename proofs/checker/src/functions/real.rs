@@ -3,7 +3,7 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::call::Call;
-use super::{exponent, limits, peaks};
+use super::{exponent, limits, peaks, vertices};
 use crate::formulas::{Asked, Scope};
 use crate::numbers::{Number, Q, Value};
 use crate::schemes::Library;
@@ -46,7 +46,7 @@ impl Real {
 /// The value of a function that may be any real number; `None` if the function is none of these.
 pub fn real(library: &Library<'_>, scope: &Scope<'_>, of: Asked<'_>) -> Result<Option<Real>, Stop> {
     let mut call = Call::new(library, scope, of);
-    for group in [exponent::real, peaks::real, limits::real] {
+    for group in [exponent::real, peaks::real, limits::real, vertices::real] {
         if let Some(found) = group(&mut call)? {
             call.finished()?;
             return Ok(Some(found));

@@ -153,11 +153,21 @@ pub fn scope<'a>(
     for (name, _) in symbols.clone() {
         scope.values.remove(name);
     }
-    if let Some(reference) = claim.text("scheme") {
+    if let Some(reference) =
+        claim.text("scheme").filter(|reference| is_ring(paper, reference, &scope))
+    {
+        scope.ring = Some(reference.to_owned());
+    } else if let Some(reference) = claim.text("scheme") {
         scope.scheme = paper.library.resolve(reference, &scope)?.first().cloned();
     }
     scope.values.extend(symbols.map(|(name, symbol)| (name.to_owned(), symbol)));
     Ok(scope)
+}
+
+/// Whether a reference names rules around a vertex or on a face.
+fn is_ring(paper: &Paper<'_>, reference: &str, scope: &Scope<'_>) -> bool {
+    let entry = paper.library.entry(reference, scope);
+    entry.is_ok_and(|(_, table, _)| table.get("orbits").is_some())
 }
 
 /// The verdict of a certificate, and how many cases it lists as false.
