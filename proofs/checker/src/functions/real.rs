@@ -15,9 +15,9 @@ pub enum Real {
     /// This one.
     Exact(Value),
     /// One between these two.
-    Between(Q, Q),
+    Between(Box<[Q; 2]>),
     /// The only root of a polynomial between these two. The constant coefficient comes first.
-    Root(Vec<Q>, Q, Q),
+    Root(Vec<Q>, Box<[Q; 2]>),
     /// The real root of this number, counted from 1 in increasing order, of a polynomial without multiple roots.
     RootOf(Vec<Number>, i64),
     /// A quotient.
@@ -28,7 +28,7 @@ impl Real {
     /// What is between two bounds, the lower one first.
     pub fn between(low: Q, high: Q) -> Result<Real, Stop> {
         match low.cmp(&high) {
-            std::cmp::Ordering::Less => Ok(Real::Between(low, high)),
+            std::cmp::Ordering::Less => Ok(Real::Between(Box::new([low, high]))),
             std::cmp::Ordering::Equal => Ok(Real::Exact(low.into())),
             std::cmp::Ordering::Greater => Err(Stop::Wrong("bounds contradict each other".into())),
         }

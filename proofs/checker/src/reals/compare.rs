@@ -16,7 +16,7 @@ use std::cmp::Ordering;
 const FIRST: u64 = 192;
 
 /// The most binary digits.
-const MOST: u64 = 12_288;
+const MOST: u64 = 49_152;
 
 /// The values of two formulas.
 pub struct Pair {

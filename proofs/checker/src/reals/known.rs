@@ -58,11 +58,13 @@ impl Digits<'_> {
     pub fn found(self, found: &Real) -> Result<Known, Stop> {
         match found {
             Real::Exact(value) => self.exact(value.number()?),
-            Real::Between(low, high) => {
+            Real::Between(ends) => {
+                let [low, high] = &**ends;
                 let near = self.between(low, high)?;
                 Ok(Known { near, number: None, size: None, key: format!("{low}..{high}") })
             }
-            Real::Root(polynomial, low, high) => {
+            Real::Root(polynomial, ends) => {
+                let [low, high] = &**ends;
                 let bound = crate::numbers::beyond_roots(polynomial);
                 self.meter.spend(crate::numbers::steps_between(polynomial, low, high))?;
                 let before = roots_between(polynomial, &-bound, low);

@@ -4,8 +4,10 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::products::inner_products;
+use crate::functions::call::number;
 use crate::functions::exponent::characteristic;
 use crate::functions::real::Real;
+use crate::functions::steps::add;
 use crate::numbers::{
     Meter, Q, Value, at, bits, divide, gcd, int, multiplied, roots_between, signum, steps_of_gcd,
     trimmed,
@@ -32,7 +34,22 @@ pub fn bound(library: &Library<'_>, scheme: &Scheme, upper: bool) -> Result<Real
         return Ok(Real::Exact(constant.clone()));
     }
     let rational: Option<Vec<Q>> = polynomial.iter().map(Value::rational).collect();
-    let p = rational.ok_or(Stop::Capped("the extremes of a polynomial that is not rational"))?;
+    let Some(p) = rational else {
+        if !is_monotone(meter, &polynomial)? {
+            return Err(Stop::Capped("the extremes of a polynomial that is not rational"));
+        }
+        let ends = [1, -1].map(|end| {
+            let terms = (0_usize..).zip(&polynomial);
+            let even = |k: usize| end > 0 || k.is_multiple_of(2);
+            let term =
+                |sum: Value, (k, c): (usize, &Value)| sum.plus(if even(k) { 1 } else { -1 }, c);
+            terms.into_iter().try_fold(Value::int(0), term)
+        });
+        let [one, other] = ends;
+        let (one, other) = (one?, other?);
+        let below = one.compare(&other)?.is_lt();
+        return Ok(Real::Exact(if below == upper { other } else { one }));
+    };
     if !upper {
         return least(meter, &p);
     }
@@ -40,14 +57,18 @@ pub fn bound(library: &Library<'_>, scheme: &Scheme, upper: bool) -> Result<Real
     let negated: Vec<Q> = p.iter().map(|c| -c).collect();
     Ok(match least(meter, &negated)? {
         Real::Exact(value) => Real::Exact(value.negated()?),
-        Real::Between(low, high) => Real::Between(-high, -low),
-        Real::Root(f, low, high) => {
+        Real::Between(ends) => Real::Between(Box::new(opposite(&ends))),
+        Real::Root(f, ends) => {
             let sign = |k: usize| if k.is_multiple_of(2) { int(1) } else { int(-1) };
             let f = (0..).zip(f).map(|(k, c)| c * sign(k)).collect();
-            Real::Root(f, -high, -low)
+            Real::Root(f, Box::new(opposite(&ends)))
         }
         other => other,
     })
+}
+
+fn opposite([low, high]: &Bounds) -> Bounds {
+    [-high, -low]
 }
 
 /// P = Σ_k g_k C_k, with cos(kξ) = C_k(cos ξ): C_0 = 1, C_1 = t, C_{k+1} = 2tC_k − C_{k−1}.
@@ -62,7 +83,7 @@ fn polynomial(meter: &Meter, first: i64, known: &[Value]) -> Result<Vec<Value>, 
         for g in both.into_iter().flatten() {
             for (sum, c) in sum.iter_mut().zip(&cosine) {
                 let c = Value::from(Q::from_integer(c.clone()));
-                crate::functions::steps::add(meter, sum, g, &c)?;
+                add(meter, sum, g, &c)?;
             }
         }
         // C_1 = 2tC_0 − t.
@@ -75,6 +96,35 @@ fn polynomial(meter: &Meter, first: i64, known: &[Value]) -> Result<Vec<Value>, 
         sum.pop();
     }
     Ok(sum)
+}
+
+/// Whether P′ is shown to have one sign: the coefficients of (1 + u)^d P′((u − 1)/(u + 1)), 0 < u < ∞, have.
+fn is_monotone(meter: &Meter, p: &[Value]) -> Result<bool, Stop> {
+    let mut sum: Vec<Value> = Vec::new();
+    // By Horner's rule with u − 1 in place of the argument, and a power of u + 1 for each missing factor.
+    let mut power = vec![BigInt::one()];
+    let times = |p: &[Value], sign: i64| {
+        let mut product = vec![Value::int(0); p.len().saturating_add(1)];
+        for (k, c) in p.iter().enumerate() {
+            product[k].add(sign, c)?;
+            product[k.saturating_add(1)].add(1, c)?;
+        }
+        Ok::<Vec<Value>, Stop>(product)
+    };
+    for (k, c) in p.iter().enumerate().skip(1).rev() {
+        let c = c.times(&number(k))?;
+        sum = times(&sum, -1)?;
+        sum.resize(power.len(), Value::int(0));
+        for (sum, binomial) in sum.iter_mut().zip(&power) {
+            add(meter, sum, &c, &Q::from_integer(binomial.clone()).into())?;
+        }
+        let mut next = [&power[..], &[BigInt::zero()]].concat();
+        next.iter_mut().skip(1).zip(&power).for_each(|(sum, c)| *sum += c);
+        power = next;
+    }
+    let signs = sum.iter().map(|c| c.number()?.sign());
+    let signs = signs.collect::<Result<Vec<i8>, Stop>>()?;
+    Ok(signs.iter().all(|sign| *sign >= 0) || signs.iter().all(|sign| *sign <= 0))
 }
 
 fn derivative(p: &[Q]) -> Vec<Q> {
@@ -127,7 +177,7 @@ fn least(meter: &Meter, p: &[Q]) -> Result<Real, Stop> {
     match exact {
         Some(value) if at(&f, &value).is_zero() || value <= low => Ok(Real::Exact(value.into())),
         Some(value) if value < high && count(&low, &value)? == 0 => Ok(Real::Exact(value.into())),
-        _ => Ok(Real::Root(f, low, high)),
+        _ => Ok(Real::Root(f, Box::new([low, high]))),
     }
 }
 

@@ -83,23 +83,70 @@ impl Row {
     }
 }
 
-/// A cell with the rows of some sums.
+/// A cell, with the rows of some functions.
 #[derive(Clone)]
 pub struct Cell {
     pub level: u32,
-    pub rows: Vec<Row>,
+    /// A function that counts as it is.
+    pub whole: Row,
+    /// Functions f that count with max(0, f).
+    pub parts: Vec<Row>,
 }
 
 impl Cell {
+    /// The number of rows.
+    pub fn count(&self) -> u64 {
+        (self.parts.len() as u64).saturating_add(1)
+    }
+
     /// The parts of a cell.
-    pub fn parts(&self, fixed: &Fixed, meter: &Meter) -> Result<Vec<Cell>, Stop> {
-        // A product of numbers of 256 binary digits, and what belongs to it.
-        let rows = self.rows.len() as u64;
-        meter.spend(fixed.count.saturating_mul(rows).saturating_mul(2))?;
+    pub fn split(&self, fixed: &Fixed, meter: &Meter) -> Result<Vec<Cell>, Stop> {
+        meter.spend(fixed.count.saturating_mul(self.count()))?;
         let part = |digit| Cell {
             level: self.level.saturating_add(1),
-            rows: self.rows.iter().map(|row| row.part(fixed, digit)).collect(),
+            whole: self.whole.part(fixed, digit),
+            parts: self.parts.iter().map(|row| row.part(fixed, digit)).collect(),
         };
         Ok((0..fixed.terms.len()).map(part).collect())
+    }
+
+    /// The same with fewer rows: a function without negative values counts as it is, and one without positive ones does not count.
+    pub fn decided(mut self, total: &BigInt) -> Cell {
+        for row in std::mem::take(&mut self.parts) {
+            let [low, high] = row.bounds(total);
+            if !low.is_negative() {
+                self.whole.add(&row);
+            } else if high.is_positive() {
+                self.parts.push(row);
+            }
+        }
+        self
+    }
+
+    /// An upper bound of the sum. max(0, f) is f + max(0, −f): those that are about positive are summed first, so that what they lose
+    /// and gain is balanced.
+    pub fn above(&self, total: &BigInt) -> BigInt {
+        let (mut sum, mut rest) = (self.whole.clone(), BigInt::zero());
+        for row in &self.parts {
+            let [low, high] = row.bounds(total);
+            if (&low + &high).is_positive() {
+                rest += (-low).max(BigInt::zero());
+                sum.add(row);
+            } else {
+                rest += high.max(BigInt::zero());
+            }
+        }
+        let [_, high] = sum.bounds(total);
+        rest + high
+    }
+
+    /// A lower bound of the sum at the beginning.
+    pub fn at_start(&self, fixed: &Fixed, total: &BigInt) -> BigInt {
+        let low = |row: &Row| {
+            let [low, _] = row.at_start(fixed, total);
+            low
+        };
+        let parts = self.parts.iter().map(|row| low(row).max(BigInt::zero()));
+        parts.sum::<BigInt>() + low(&self.whole)
     }
 }

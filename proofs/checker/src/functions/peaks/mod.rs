@@ -38,10 +38,20 @@ fn greatest(library: &Library<'_>, scheme: &Scheme, sum: Sum) -> Result<Real, St
     exists(library, scheme)?;
     let meter = library.meter;
     let mask = Mask::of_numbers(meter, scheme)?;
-    if is_positive(library, scheme)? {
+    if is_nonnegative(&mask)? || is_positive(library, scheme)? {
         return Ok(Real::Exact(Value::int(1)));
     }
     let fixed = Fixed::new(meter, &mask, &values(library, scheme)?)?;
     let [low, high] = search::greatest(meter, &fixed, sum)?;
     Real::between(low.max(Q::from_integer(1.into())), high)
+}
+
+/// Whether no coefficient is negative; then φ ≥ 0.
+fn is_nonnegative(mask: &Mask) -> Result<bool, Stop> {
+    for a in &mask.values {
+        if a.number()?.sign()? < 0 {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }

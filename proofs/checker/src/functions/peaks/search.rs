@@ -12,14 +12,15 @@ use num_traits::One as _;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// The most cells that are split for one bound.
-const MAX_SPLITS: usize = 4_096;
+/// The most cells that are split for one bound, and the most steps that this may cost.
+const MAX_SPLITS: u64 = 16_384;
+const MAX_STEPS: u64 = 8_000_000;
 
 /// The highest level of a cell.
 const MAX_LEVEL: u32 = 96;
 
 /// The binary digits of 1 over the greatest difference of the bounds.
-const ENOUGH: u64 = 40;
+const ENOUGH: u64 = 32;
 
 /// The binary digits behind the point of the result.
 const PLACES: u64 = 64;
@@ -53,7 +54,7 @@ fn total(meter: &Meter, fixed: &Fixed) -> Result<BigInt, Stop> {
     let endless = one() << DIGITS;
     let bounded = |cell: Cell| {
         let mut sums = [BigInt::default(), BigInt::default()];
-        for row in &cell.rows {
+        for row in &cell.parts {
             sums.iter_mut().zip(row.spread()).for_each(|(sum, x)| *sum += x);
         }
         let [radius, middle] = sums;
@@ -64,13 +65,15 @@ fn total(meter: &Meter, fixed: &Fixed) -> Result<BigInt, Stop> {
     };
     let (bound, mut radius, cell) = bounded(unit(fixed));
     let mut cells = BinaryHeap::from([Bounded(bound, cell)]);
+    let steps = Meter::up_to(MAX_STEPS);
     for _ in 0..MAX_SPLITS {
         let Some(Bounded(bound, cell)) = cells.pop() else { break };
-        if bound < endless && (&radius << 3_u8 < one()) {
+        if bound < endless && (&radius << 2_u8 < one()) {
             return Ok(bound);
         }
+        steps.spend(fixed.count.saturating_mul(cell.count()))?;
         radius = BigInt::default();
-        for part in cell.parts(fixed, meter)? {
+        for part in cell.split(fixed, meter)? {
             let (bound, of_part, part) = bounded(part);
             radius = radius.max(of_part);
             cells.push(Bounded(bound, part));
@@ -79,25 +82,29 @@ fn total(meter: &Meter, fixed: &Fixed) -> Result<BigInt, Stop> {
     Err(Stop::Capped("the cells of a limit function"))
 }
 
-/// Bounds of the supremum of a sum, or of 1, which all these sums reach.
+/// Bounds of the supremum of a sum, or of 1, which all these sums reach. They are as near to each other as so many splits allow.
 pub fn greatest(meter: &Meter, fixed: &Fixed, sum: Sum) -> Result<[Q; 2], Stop> {
     let total = total(meter, fixed)?;
     let (mut low, near) = (one(), one() >> ENOUGH);
     let mut cells = BinaryHeap::new();
     for cell in sum.cells(fixed) {
-        low = low.max(sum.at_start(&cell, fixed, &total));
-        cells.push(Bounded(sum.above(&cell, &total), cell));
+        low = low.max(cell.at_start(fixed, &total));
+        cells.push(Bounded(cell.above(&total), cell));
     }
+    let mut steps = MAX_STEPS;
     for _ in 0..MAX_SPLITS {
         let Some(Bounded(bound, cell)) = cells.peek() else { break };
+        let Some(rest) = steps.checked_sub(fixed.count.saturating_mul(cell.count())) else { break };
         if *bound <= &low + &near || cell.level >= MAX_LEVEL {
             break;
         }
-        let parts = cell.parts(fixed, meter)?;
+        steps = rest;
+        let parts = cell.split(fixed, meter)?;
         cells.pop();
         for part in parts {
-            low = low.max(sum.at_start(&part, fixed, &total));
-            cells.push(Bounded(sum.above(&part, &total), part));
+            let part = part.decided(&total);
+            low = low.max(part.at_start(fixed, &total));
+            cells.push(Bounded(part.above(&total), part));
         }
     }
     let high = cells.peek().map_or_else(|| low.clone(), |cell| cell.0.clone().max(low.clone()));

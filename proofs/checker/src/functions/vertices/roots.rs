@@ -111,6 +111,7 @@ fn simple(p: &Polynomial, meter: &Meter) -> Result<Vec<(Real, Interval)>, Stop> 
 /// All real roots.
 pub fn roots(p: &Polynomial, meter: &Meter) -> Result<Roots, Stop> {
     let degree = p.len().saturating_sub(1);
+    let (ones, p) = without_one(p, meter)?;
     let mut rest = p.clone();
     let mut real: Vec<Root> = Vec::new();
     // Of the roots of the greatest common divisor with the derivative, each is there once less often.
@@ -120,7 +121,7 @@ pub fn roots(p: &Polynomial, meter: &Meter) -> Result<Roots, Stop> {
         let shared = common(&rest, &slope, meter)?;
         let [factor, _] = divided(&rest, &shared, meter)?;
         let found = simple(&factor, meter)?;
-        if real.is_empty() && rest.len() == p.len() {
+        if rest.len() == p.len() {
             real = found
                 .into_iter()
                 .map(|(value, near)| Root { value, near, multiplicity: 1 })
@@ -136,9 +137,32 @@ pub fn roots(p: &Polynomial, meter: &Meter) -> Result<Roots, Stop> {
         }
         rest = shared;
     }
+    if ones > 0 {
+        let value = Real::Exact(Number::Small(1, 1).into());
+        let place =
+            real.partition_point(|root| root.near.compare(&1.into()) == Some(Ordering::Less));
+        if real.iter().any(|root| !is_apart(&root.near, &1.into())) {
+            return Err(Stop::Capped("the digits that separate eigenvalues"));
+        }
+        real.insert(place, Root { value, near: 1.into(), multiplicity: ones });
+    }
     let counted: usize = real.iter().map(|root| root.multiplicity).sum();
     real.reverse();
     Ok(Roots { real, others: degree.saturating_sub(counted) })
+}
+
+/// How often 1 is a root, and the quotient without these.
+fn without_one(p: &Polynomial, meter: &Meter) -> Result<(usize, Polynomial), Stop> {
+    let (mut ones, mut rest) = (0_usize, p.clone());
+    let factor = vec![Number::Small(-1, 1), Number::Small(1, 1)];
+    while rest.len() > 1 {
+        let [quotient, remainder] = divided(&rest, &factor, meter)?;
+        if !remainder.is_empty() {
+            break;
+        }
+        (ones, rest) = (ones.saturating_add(1), quotient);
+    }
+    Ok((ones, rest))
 }
 
 /// Whether two intervals have no number in common.
