@@ -3,6 +3,7 @@
 pub mod call;
 pub mod depth;
 pub mod exponent;
+mod found;
 mod limits;
 mod masks;
 mod named;
@@ -15,4 +16,5 @@ mod steps;
 pub mod sums;
 mod vertices;
 
-pub use real::{Real, real};
+pub use found::real;
+pub use real::Real;

@@ -2,11 +2,7 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::call::Call;
-use super::{exponent, limits, peaks, vertices};
-use crate::formulas::{Asked, Scope};
 use crate::numbers::{Number, Q, Value};
-use crate::schemes::Library;
 use crate::text::Stop;
 
 /// A real number.
@@ -41,16 +37,4 @@ impl Real {
             _ => Err(Stop::Undecided("a real number where others are needed")),
         }
     }
-}
-
-/// The value of a function that may be any real number; `None` if the function is none of these.
-pub fn real(library: &Library<'_>, scope: &Scope<'_>, of: Asked<'_>) -> Result<Option<Real>, Stop> {
-    let mut call = Call::new(library, scope, of);
-    for group in [exponent::real, peaks::real, limits::real, vertices::real] {
-        if let Some(found) = group(&mut call)? {
-            call.finished()?;
-            return Ok(Some(found));
-        }
-    }
-    Ok(None)
 }

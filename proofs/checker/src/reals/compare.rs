@@ -5,7 +5,7 @@
 use super::evaluate::Reals;
 use super::known::Known;
 use crate::formulas::{Expr, Scope};
-use crate::numbers::Q;
+use crate::numbers::{Number, Q};
 use crate::schemes::Library;
 use crate::text::Stop;
 use num_bigint::BigInt;
@@ -16,7 +16,7 @@ use std::cmp::Ordering;
 const FIRST: u64 = 192;
 
 /// The most binary digits.
-const MOST: u64 = 49_152;
+const MOST: u64 = 16_384;
 
 /// The values of two formulas.
 pub struct Pair {
@@ -26,6 +26,8 @@ pub struct Pair {
     pub order: Option<Ordering>,
     /// left − right is between these.
     pub difference: [Q; 2],
+    /// left − right, if it is known to be a number of a field Q(2cos(2π/n)).
+    pub number: Option<Number>,
 }
 
 /// The values of two formulas with as many digits as it takes.
@@ -58,7 +60,8 @@ fn pair_with(
     let (left, right) = (reals.value(left)?, reals.value(right)?);
     let difference = reals.digits().sum(&left, -1, &right)?;
     let ends = difference.ends();
-    let pair = |order| Pair { left, right, order, difference: ends };
+    let number = difference.number.clone();
+    let pair = |order| Pair { left, right, order, difference: ends, number };
     if let Some(number) = &difference.number {
         let order = number.sign()?.cmp(&0);
         return Ok((pair(Some(order)), None));

@@ -4,7 +4,7 @@
 
 use super::size::Size;
 use crate::functions::Real;
-use crate::numbers::{Meter, Number, Q, field, roots_between};
+use crate::numbers::{Meter, Number, Q, common_multiple, field, roots_between};
 use crate::shipped::{Interval, Sturm};
 use crate::text::Stop;
 use num_bigint::BigInt;
@@ -80,8 +80,11 @@ impl Digits<'_> {
 
     /// The real root of a polynomial, counted from 1.
     pub fn root(self, coefficients: &[Number], number: i64) -> Result<Known, Stop> {
-        let known =
-            coefficients.iter().map(|c| self.exact(c)).collect::<Result<Vec<Known>, Stop>>()?;
+        // Without denominators, which would count several times.
+        let bottoms: Vec<BigInt> = coefficients.iter().map(Number::bottom).collect();
+        let common = Number::from(Q::from_integer(common_multiple(&bottoms)?));
+        let known = coefficients.iter().map(|c| self.exact(&c.times(&common)?));
+        let known = known.collect::<Result<Vec<Known>, Stop>>()?;
         self.root_of(&known, number)
     }
 

@@ -9,7 +9,7 @@
 use crate::numbers::{Number, Q};
 use num_bigint::BigInt;
 use num_integer::Integer as _;
-use num_traits::Signed as _;
+use num_traits::{One as _, Signed as _, Zero as _};
 use std::collections::BTreeMap;
 
 /// The exponents of the bounds, and the field: that of 2cos(2π/n) with some roots adjoined.
@@ -27,12 +27,15 @@ impl Size {
     pub fn of(number: &Number) -> Size {
         let (n, coordinates) = number.coordinates();
         let bottom = number.bottom();
-        let terms = (0_u64..).zip(&coordinates).map(|(i, c)| {
+        let terms = (0_u32..).zip(&coordinates).map(|(i, c)| {
             let top = (c * Q::from_integer(bottom.clone())).to_integer();
-            top.abs() << i
+            // Each power of x is at most 2 times the one before.
+            top.abs() * BigInt::from(2).pow(i)
         });
         let upper: BigInt = terms.sum();
-        Size { upper: upper.bits(), lower: bottom.bits(), field: n.into(), roots: BTreeMap::new() }
+        // The least exponents with upper ≤ 2^u and bottom ≤ 2^l.
+        let bits = |size: BigInt| (size - BigInt::one()).max(BigInt::zero()).bits();
+        Size { upper: bits(upper), lower: bits(bottom), field: n.into(), roots: BTreeMap::new() }
     }
 
     /// A common field.
@@ -90,7 +93,9 @@ impl Size {
 
     /// An exponent e: the number is 0, or at least 2^−e in absolute value.
     pub fn separation(&self) -> u64 {
-        let field = (self.field / 2).max(1);
+        // Q(2cos(2π/n)) has half as many dimensions as there are residues prime to n.
+        let residues = (1..=self.field).filter(|k| k.gcd(&self.field) == 1).count() as u64;
+        let field = (residues / 2).max(1);
         let degree = self.roots.values().fold(field, |all, degree| all.saturating_mul(*degree));
         degree.saturating_sub(1).saturating_mul(self.upper).saturating_add(self.lower)
     }

@@ -107,6 +107,7 @@ reasons! {
     NotAll "the rule does not show every case"
     Case "there is no such case here; they are listed in order"
     Difference(said: Text, found: Text) "the certificate says {said}, and the difference of the sides is {found}"
+    Bounds(case: String) "the difference of the sides is not shown to be between these numbers: ({case})"
     NoDifference "the two sides do not differ"
     NotStated(at: Text) "the claim does not state that the two sides are equal at {at}, whatever its rounded ends stand for"
     Verdict(said: Text, found: Text) "the certificate says {said}, and the verdict is {found}"

@@ -3,7 +3,7 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::blocks::Polynomial;
-use crate::functions::Real;
+use crate::functions::real::Real;
 use crate::numbers::{Meter, Number, Q, field};
 use crate::shipped::{Interval, Sturm};
 use crate::text::Stop;
@@ -80,7 +80,9 @@ fn common(p: &Polynomial, q: &Polynomial, meter: &Meter) -> Result<Polynomial, S
         let [_, rest] = divided(&p, &q, meter)?;
         (p, q) = (q, rest);
     }
-    Ok(p)
+    // With a leading coefficient 1 the numbers stay short.
+    let lead = p.last().and_then(Number::inverse).ok_or(Stop::Undefined("it divides by 0"))?;
+    p.iter().map(|c| c.times(&lead)).collect()
 }
 
 /// The real roots of a polynomial without multiple ones, in increasing order.

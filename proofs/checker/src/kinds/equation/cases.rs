@@ -5,7 +5,7 @@
 use super::hypotheses;
 use crate::claims::{Paper, value};
 use crate::formulas::{Expr, MAX_INTEGER, Memory, Scope};
-use crate::numbers::{Q, Value, int, read_rational};
+use crate::numbers::{Number, Q, Value, int, read_rational};
 use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, agree, compare, require};
 use std::rc::Rc;
 
@@ -170,6 +170,14 @@ fn is_ring(paper: &Paper<'_>, reference: &str, scope: &Scope<'_>) -> bool {
     entry.is_ok_and(|(_, table, _)| table.get("orbits").is_some())
 }
 
+/// What follows `in` in the next line, if it is about this case: `case 3 in 1/8 1/4`.
+fn bounds(block: &mut Block<'_>, name: &str) -> Option<String> {
+    let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case")?.1;
+    let (case, said) = line.split_once("in ")?;
+    let spaced = case.is_empty() || case.ends_with(' ');
+    (spaced && case.trim() == name).then(|| said.trim().to_owned())
+}
+
 /// The verdict of a certificate, and how many cases it lists as false.
 pub struct Listing {
     verdict: Verdict,
@@ -204,6 +212,11 @@ impl Listing {
         (fails, difference): (bool, &Value),
         scope: &Scope<'_>,
     ) -> Checked<()> {
+        if let Some(said) = bounds(block, name) {
+            difference.number()?;
+            block.after("case")?;
+            return self.list(name, fails, &said, [difference.clone(), difference.clone()]);
+        }
         // `case 3 1/2 = p[0] - p[1]`, if the next line is about this case.
         let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case");
         let line = line.and_then(|(_, said)| said.split_once('='));
@@ -220,32 +233,46 @@ impl Listing {
         Ok(())
     }
 
-    /// The same of a case with real numbers, the bounds of whose difference are known. Without a verdict on the case, there is no line.
-    pub fn check_bounds(
+    /// The same of a case with other real numbers: bounds of the difference, and the difference if it is known. Without a verdict on the
+    /// case, there is no line.
+    pub fn check_real(
         &mut self,
         block: &mut Block<'_>,
         name: &str,
-        (fails, [low, high]): (Option<bool>, &[Q; 2]),
+        (fails, [low, high], number): (Option<bool>, &[Q; 2], Option<&Number>),
+        scope: &Scope<'_>,
     ) -> Checked<()> {
-        // `case 3 in 1/8 1/4`, if the next line is about this case.
-        let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case");
-        let line = line.and_then(|(_, said)| {
-            said.split_once(" in ").or(said.strip_prefix("in ").map(|rest| ("", rest)))
-        });
-        let Some((_, said)) = line.filter(|(case, _)| case.trim() == name) else {
+        if let Some(number) = number
+            && bounds(block, name).is_none()
+        {
+            let number = Value::from(number.clone());
+            return self.check(block, name, (fails == Some(true), &number), scope);
+        }
+        let Some(said) = bounds(block, name) else {
             self.open |= fails.is_none();
             let reason = || Reason::Differ(name.to_owned(), Text(format!("{low} to {high}")));
             return if fails == Some(true) { Err(reason().into()) } else { Ok(()) };
         };
-        let bounds =
-            said.split_once(' ').and_then(|(l, h)| read_rational(l).zip(read_rational(h.trim())));
         block.after("case")?;
-        let (least, most) = bounds.ok_or(Reason::Case)?;
-        require(
-            least < most && least <= *low && *high <= most,
-            Reason::Difference(Text(said.to_owned()), Text(format!("{low} to {high}"))),
-        )?;
-        require(fails == Some(true), Reason::NotFalse(name.to_owned()))?;
+        self.list(name, fails == Some(true), &said, [low.clone().into(), high.clone().into()])
+    }
+
+    /// Notes a case that is listed with bounds of a difference which is between two numbers.
+    fn list(
+        &mut self,
+        name: &str,
+        fails: bool,
+        said: &str,
+        [low, high]: [Value; 2],
+    ) -> Checked<()> {
+        let words = said.split_once(' ');
+        let ends = words.and_then(|(l, h)| read_rational(l).zip(read_rational(h.trim())));
+        let (least, most) =
+            ends.map(|(l, h)| (Value::from(l), Value::from(h))).ok_or(Reason::Case)?;
+        let apart = least.compare(&most)?.is_lt();
+        let within = least.compare(&low)?.is_le() && high.compare(&most)?.is_le();
+        require(apart && within, Reason::Bounds(name.to_owned()))?;
+        require(fails, Reason::NotFalse(name.to_owned()))?;
         self.listed = self.listed.saturating_add(1);
         Ok(())
     }

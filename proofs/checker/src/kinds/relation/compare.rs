@@ -2,7 +2,7 @@
 
 use super::states::{Comparison, Rest, Side, Sign};
 use crate::formulas::{Expr, Scope};
-use crate::numbers::{Decimal, Q, Value, rounding};
+use crate::numbers::{Decimal, Number, Q, Value, rounding};
 use crate::reals::{Pair, pair};
 use crate::schemes::Library;
 use crate::text::Stop;
@@ -51,6 +51,8 @@ pub struct Judged {
     pub fails: Option<bool>,
     /// Bounds of left − right.
     pub difference: [Q; 2],
+    /// left − right, if it is known to be a number of a field Q(2cos(2π/n)).
+    pub number: Option<Number>,
 }
 
 /// The same of real numbers of any kind.
@@ -68,7 +70,11 @@ pub fn judged_reals(
                 Sign::Near => near_reals(left, right, &pair)?,
                 _ => ordered(*sign, &pair),
             };
-            Ok(Judged { fails: holds.map(|holds| !holds), difference: pair.difference })
+            Ok(Judged {
+                fails: holds.map(|holds| !holds),
+                difference: pair.difference,
+                number: pair.number,
+            })
         }
         Rest::Member(members) => {
             let pairs = members.iter().map(compared).collect::<Result<Vec<Pair>, Stop>>()?;
@@ -77,23 +83,19 @@ pub fn judged_reals(
             let first = pairs.into_iter().next();
             let first = first.ok_or_else(|| Stop::Wrong("a set has no members".into()))?;
             let fails = (any || !open).then_some(!any);
-            Ok(Judged { fails, difference: first.difference })
+            Ok(Judged { fails, difference: first.difference, number: first.number })
         }
         Rest::Is(one) => {
             let [zero, unit] = [0, 1].map(|value| Expr::Number(Value::int(value)));
             let (zero, unit) = (compared(&zero)?, compared(&unit)?);
-            match (zero.order, unit.order) {
-                (Some(Ordering::Equal), _) => {
-                    let difference = if *one { unit.difference } else { zero.difference };
-                    Ok(Judged { fails: Some(*one), difference })
-                }
-                (_, Some(Ordering::Equal)) => {
-                    let difference = if *one { unit.difference } else { zero.difference };
-                    Ok(Judged { fails: Some(!*one), difference })
-                }
-                (None, _) | (_, None) => Err(Stop::Undecided("whether a number is 0 or 1")),
-                _ => Err(Stop::Wrong("a formula without a sign is 0 or 1".into())),
-            }
+            let is = match (zero.order, unit.order) {
+                (Some(Ordering::Equal), _) => false,
+                (_, Some(Ordering::Equal)) => true,
+                (None, _) | (_, None) => return Err(Stop::Undecided("whether a number is 0 or 1")),
+                _ => return Err(Stop::Wrong("a formula without a sign is 0 or 1".into())),
+            };
+            let off = if *one { unit } else { zero };
+            Ok(Judged { fails: Some(is != *one), difference: off.difference, number: off.number })
         }
     }
 }

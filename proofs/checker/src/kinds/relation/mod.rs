@@ -74,7 +74,8 @@ fn every_case<'a>(
                 }
                 Err(_) if !open && claim.texts("symbols").next().is_none() => {
                     let found = compare::judged_reals(&paper.library, comparison, &scope)?;
-                    listing.check_bounds(block, &name, (found.fails, &found.difference))?;
+                    let known = (found.fails, &found.difference, found.number.as_ref());
+                    listing.check_real(block, &name, known, &scope)?;
                 }
                 Err(stop) => return Err(stop.into()),
             }
