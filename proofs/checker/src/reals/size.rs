@@ -12,6 +12,9 @@ use num_integer::Integer as _;
 use num_traits::{One as _, Signed as _, Zero as _};
 use std::collections::BTreeMap;
 
+/// The greatest n whose residues are counted.
+const MAX_COUNTED: u64 = 10_000;
+
 /// The exponents of the bounds, and the field: that of 2cos(2π/n) with some roots adjoined.
 #[derive(Clone, Debug)]
 pub struct Size {
@@ -94,7 +97,11 @@ impl Size {
     /// An exponent e: the number is 0, or at least 2^−e in absolute value.
     pub fn separation(&self) -> u64 {
         // Q(2cos(2π/n)) has half as many dimensions as there are residues prime to n.
-        let residues = (1..=self.field).filter(|k| k.gcd(&self.field) == 1).count() as u64;
+        let residues = if self.field <= MAX_COUNTED {
+            (1..=self.field).filter(|k| k.gcd(&self.field) == 1).count() as u64
+        } else {
+            self.field
+        };
         let field = (residues / 2).max(1);
         let degree = self.roots.values().fold(field, |all, degree| all.saturating_mul(*degree));
         degree.saturating_sub(1).saturating_mul(self.upper).saturating_add(self.lower)
