@@ -18,6 +18,7 @@ mod vertex;
 
 // Certificates of joint spectral radii, and of depths of control data.
 mod radius;
+mod reals;
 mod sets;
 
 mod kinds;

@@ -86,13 +86,18 @@ mask = [['cos(2*pi/499)', '1 - cos(2*pi/499)', '0'], ['cos(2*pi/499)/2', '1/2 - 
 "#;
 
 /// The outcome of a relation without indices.
-fn outcome(states: &str, verdict: &str) -> Outcome {
+pub fn outcome(states: &str, verdict: &str) -> Outcome {
     relation(&format!("states = '{states}'"), &format!("states {states}\n {verdict}"))
 }
 
 /// The outcome of a relation with these fields and lines.
 pub fn relation(fields: &str, lines: &str) -> Outcome {
-    let claims = format!("key = 'k'\n{SCHEMES}\n[[relation]]\nid = 'r'\n{fields}\n");
+    relation_of(SCHEMES, fields, lines)
+}
+
+/// The same of other schemes.
+pub fn relation_of(schemes: &str, fields: &str, lines: &str) -> Outcome {
+    let claims = format!("key = 'k'\n{schemes}\n[[relation]]\nid = 'r'\n{fields}\n");
     let certificate = format!("subcert-certificate 4\npaper k\nrelation r\n {lines}\nend 1\n");
     let report = check(&claims, &[&certificate]).expect("a claim file");
     assert!(report.broken.is_empty(), "{:?}", report.broken);
@@ -100,7 +105,7 @@ pub fn relation(fields: &str, lines: &str) -> Outcome {
 }
 
 /// Checks that these formulas have these values, and no others.
-fn values(list: &[(&str, &str)]) {
+pub fn values(list: &[(&str, &str)]) {
     let mut wrong = String::new();
     for (formula, value) in list {
         let states = format!("{formula} = {value}");

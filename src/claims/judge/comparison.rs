@@ -56,7 +56,8 @@ impl Sides<'_> {
     /// Whether the sides have neither symbols nor hypotheses about them.
     fn is_of_numbers(&self) -> bool {
         let Identity { symbols, hypotheses, states, .. } = self.identity;
-        states.is_some() && symbols.is_empty() && hypotheses.is_empty()
+        let all = self.identity.is_for_all();
+        states.is_some() && !all && symbols.is_empty() && hypotheses.is_empty()
     }
 
     /// The value of a side as a real number.

@@ -198,11 +198,13 @@ impl<'a> Scope<'a> {
         indices: &Indices,
     ) -> (&'e [Expr], Options<'e>) {
         let Head::Call(_, options) = head else { return (parts, Cow::default()) };
-        match parts {
-            [Expr::Name(name), rest @ ..]
-                if !self.has_meaning(name, indices) && self.functions.has_scheme(name) =>
+        let named = parts.split_first().and_then(|(first, rest)| Some((differences(first)?, rest)));
+        match named {
+            Some((names, rest))
+                if names.iter().any(|name| !self.has_meaning(name, indices))
+                    && self.functions.has_scheme(&names.join("-")) =>
             {
-                let scheme = [("scheme".to_owned(), name.clone())];
+                let scheme = [("scheme".to_owned(), names.join("-"))];
                 (rest, Cow::Owned([&options[..], &scheme].concat()))
             }
             _ => (parts, Cow::Borrowed(options)),
@@ -310,6 +312,22 @@ impl<'a> Scope<'a> {
             "max" => a.max(b, self.piece.as_ref()),
             _ => a.negated()?.max(&b.negated()?, self.piece.as_ref())?.negated(),
         }
+    }
+}
+
+/// The names of `a - b - c`, or of `a`.
+pub fn differences(expr: &Expr) -> Option<Vec<&str>> {
+    match expr {
+        Expr::Name(name) => Some(vec![name]),
+        Expr::Of(Head::Chain(operators), parts) if operators.iter().all(|sign| *sign == '-') => {
+            let mut names = Vec::with_capacity(parts.len());
+            for part in parts {
+                let Expr::Name(name) = part else { return None };
+                names.push(name.as_str());
+            }
+            Some(names)
+        }
+        _ => None,
     }
 }
 

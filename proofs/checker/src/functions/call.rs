@@ -2,7 +2,7 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::formulas::{Asked, Indices, MAX_INTEGER, Scope};
+use crate::formulas::{Asked, Indices, MAX_INTEGER, Scope, is_name};
 use crate::numbers::{Value, count};
 use crate::schemes::{Convolution, Library, Scheme, Sequence};
 use crate::text::Stop;
@@ -11,6 +11,25 @@ use std::rc::Rc;
 /// The words that these options may have. The default is the first.
 pub const TERMS: [&str; 2] = ["each", "total"];
 pub const SUPREMA: [&str; 2] = ["independent", "joint"];
+/// The options of functions. Others are parameters of a scheme that is named.
+const WORDS: [&str; 15] = [
+    "data",
+    "derivative",
+    "exponent",
+    "index",
+    "offset",
+    "orbit",
+    "order",
+    "parameters",
+    "part",
+    "recursion",
+    "rounded",
+    "sequence",
+    "suprema",
+    "terms",
+    "with",
+];
+
 const ORDER: [&str; 2] = ["adjoint", "forward"];
 const RECURSION: [&str; 2] = ["derived", "printed"];
 
@@ -77,11 +96,23 @@ impl<'c> Call<'c> {
         place.ok_or_else(|| Stop::Wrong(format!("`{name}` cannot be `{word}`")))
     }
 
-    /// The scheme that the call is about.
+    /// The scheme that the call is about. Options give values to the parameters of one that is named.
     pub fn scheme(&mut self) -> Result<Rc<Scheme>, Stop> {
-        let scheme = match self.named("scheme")? {
+        let scheme = match self.option("scheme") {
             None => self.scope.scheme.clone(),
-            named => named,
+            Some(name) => {
+                let (own, parameters): (Vec<_>, Vec<_>) =
+                    self.options.iter().partition(|(name, _)| WORDS.contains(&name.as_str()));
+                self.options = own;
+                let plain = |word: &str| word.parse::<i64>().is_ok() || is_name(word);
+                if !parameters.iter().all(|(_, word)| plain(word)) {
+                    return wrong("the value of a parameter is an integer or a name");
+                }
+                let parameters: Vec<String> =
+                    parameters.iter().map(|(name, word)| format!("{name}={word}")).collect();
+                let reference = format!("{name}:{}", parameters.join(","));
+                self.library.resolve(&reference, self.scope)?.first().cloned()
+            }
         };
         scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a scheme", self.function)))
     }

@@ -60,6 +60,12 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
             let degree = reproduction(meter, &*call.scheme()?, false)?;
             number(degree).plus(1, &Value::int(1))?
         }
+        ("same", []) => {
+            let (one, Some(other)) = (call.scheme()?, call.named("with")?) else {
+                return wrong("the option `with` is missing");
+            };
+            truth(Mask::of_numbers(meter, &one)?.is(&Mask::of_numbers(meter, &other)?)?)
+        }
         ("orthogonal", []) => {
             let mask = Mask::numbers(call)?;
             truth(mask.is_dual_to(&mask, meter)?)
@@ -168,6 +174,20 @@ impl Mask {
 
     fn is_symmetric(&self) -> Result<bool, Stop> {
         for (a, b) in self.values.iter().zip(self.values.iter().rev()) {
+            if !a.equals(b)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Whether both are of one arity and have the same coefficients.
+    fn is(&self, other: &Mask) -> Result<bool, Stop> {
+        let places = (self.arity, self.first, self.values.len());
+        if places != (other.arity, other.first, other.values.len()) {
+            return Ok(false);
+        }
+        for (a, b) in self.values.iter().zip(&other.values) {
             if !a.equals(b)? {
                 return Ok(false);
             }

@@ -3,11 +3,15 @@
 pub mod call;
 pub mod depth;
 pub mod exponent;
-mod integers;
 mod limits;
 mod masks;
 mod named;
+mod peaks;
+mod real;
 mod reproduction;
+mod roots;
 mod shape;
 mod steps;
 pub mod sums;
+
+pub use real::{Real, real};

@@ -4,8 +4,9 @@
 
 use super::call::{Call, TERMS, entry, number, within, wrong};
 use super::depth::depth;
+use super::roots::{root, square_root};
 use super::sums::greatest;
-use super::{limits, masks, shape};
+use super::{exponent, limits, masks, peaks, shape};
 use crate::data::{best_offset, moved, surface};
 use crate::formulas::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::numbers::{Meter, Number, Q, Value, capped};
@@ -53,6 +54,13 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         ("mod", [x, m]) => {
             scope.spend(x.cost_of_quotient(m))?;
             x.minus(&m.times(&floor(&x.over(m)?)?)?)
+        }
+        ("sqrt", [x]) => match x.rational() {
+            Some(x) => Ok(square_root(library.meter, &x)?.into()),
+            None => wrong("`sqrt` of such a number is for relations between numbers"),
+        },
+        ("root", [coefficients @ .., number]) => {
+            root(library.meter, coefficients, number.integer(MAX_INTEGER)?)
         }
         ("kronecker", [a, b]) => {
             let difference = a.minus(b)?;
@@ -105,10 +113,12 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         }
         ("positive" | "monotone" | "convex", []) => shape::of(call),
         (_, arguments) => {
-            let found =
-                masks::of(call)?.map_or_else(|| limits::of(call), |found| Ok(Some(found)))?;
-            let none = || format!("there is no `{function}` of {} arguments", arguments.len());
-            found.ok_or_else(|| Stop::Wrong(none()))
+            for group in [masks::of, limits::of, exponent::of, peaks::of] {
+                if let Some(value) = group(call)? {
+                    return Ok(value);
+                }
+            }
+            wrong(format!("there is no `{function}` of {} arguments", arguments.len()))
         }
     }
 }

@@ -27,6 +27,15 @@ pub fn of(call: &mut Call<'_>) -> Result<Value, Stop> {
     Ok(Value::int(keeps(call.library, &scheme, m.unwrap_or(0))?.into()))
 }
 
+/// Whether φ ≥ 0 is known.
+pub fn is_positive(library: &Library<'_>, scheme: &Scheme) -> Result<bool, Stop> {
+    match keeps(library, scheme, 0) {
+        // What no level decides is not known. A meter that has run out stops what follows.
+        Err(Stop::Capped(_)) => library.meter.spend(0).map(|()| false),
+        found => found,
+    }
+}
+
 /// Whether the limits of all data whose m-th differences are not negative have this property too.
 fn keeps(library: &Library<'_>, scheme: &Scheme, m: usize) -> Result<bool, Stop> {
     let meter = library.meter;

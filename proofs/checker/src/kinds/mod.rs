@@ -12,7 +12,7 @@ pub mod table;
 pub mod theorem;
 
 use crate::claims::{Paper, misfit};
-use crate::lines::constant;
+use crate::lines::{constant, limits};
 use crate::text::{At, Block, Checked, Reason, Toml};
 use kind::{Kind, Proof};
 
@@ -66,6 +66,11 @@ fn judge<'a>(
     fit(claim, kind)?;
     while let Some(said) = block.maybe("constant") {
         constant::check(paper, said, block)?;
+    }
+    if kind == relation::KIND.name {
+        while let Some(said) = block.maybe("limits") {
+            limits::check(paper, said, block)?;
+        }
     }
     let proof = (named(kind)?.check)(paper, claim, block)?;
     block.finished()?;

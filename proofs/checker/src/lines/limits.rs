@@ -5,7 +5,8 @@ use crate::formulas::Scope;
 use crate::functions::exponent::{Bound, LogSum};
 use crate::numbers::{Q, Value};
 use crate::radius::{Radius, check_mask, has_independent_shifts};
-use crate::text::{Block, Checked, RadiusReason, Reason, Stop, Toml, Verdict, require};
+use crate::schemes::Scheme;
+use crate::text::{Block, Checked, RadiusReason, Reason, Stop, Toml, Verdict, require, words};
 
 /// What is shown of the limits of a mask.
 pub struct LimitProof {
@@ -13,13 +14,28 @@ pub struct LimitProof {
     mask: Vec<Vec<Q>>,
 }
 
+/// Checks `SCHEME` and the lines of a radius, and makes known what they show.
+pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Checked<()> {
+    let [reference] = words(said, "SCHEME")?;
+    let schemes = paper.library.resolve(reference, &paper.library.closed())?;
+    let [scheme] = &schemes[..] else { return Err(Reason::Single.into()) };
+    let shown = LimitProof::read(paper, rational(scheme)?, block)?;
+    paper.library.limits.show(&scheme.mask, shown.radius);
+    Ok(())
+}
+
+/// The rational mask of a scheme.
+fn rational(scheme: &Scheme) -> Result<Vec<Vec<Q>>, Stop> {
+    let mask = Value::rationals(&scheme.mask);
+    mask.ok_or(Stop::Undefined("a coefficient of the mask is irrational"))
+}
+
 /// The mask of the claim's scheme, in this scope.
 pub fn mask(paper: &Paper<'_>, claim: &Toml, scope: &Scope<'_>) -> Checked<Vec<Vec<Q>>> {
     let reference = claim.text("scheme").ok_or(Reason::Single)?;
     let schemes = paper.library.resolve(reference, scope)?;
     let [scheme] = &schemes[..] else { return Err(Reason::Single.into()) };
-    let mask = Value::rationals(&scheme.mask);
-    Ok(mask.ok_or(Stop::Undefined("a coefficient of the mask is irrational"))?)
+    Ok(rational(scheme)?)
 }
 
 impl LimitProof {

@@ -92,6 +92,11 @@ pub fn scaled(polynomial: &[BigInt], top: &BigInt, p: u64) -> BigInt {
 }
 
 impl Field {
+    /// The minimal polynomial of x.
+    pub fn minimal(&self) -> &[BigInt] {
+        &self.minimal
+    }
+
     /// Whether x < t = top/2^p, for t < 2.
     fn is_below(&self, top: &BigInt, p: u64) -> bool {
         // x is the largest root of ψ, and x ≥ 2 − (2π/n)² > 2 − 40/n². The next root is at

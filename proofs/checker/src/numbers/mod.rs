@@ -24,7 +24,10 @@ pub use magnitude::compare;
 pub use meter::Meter;
 pub use number::Number;
 pub use piece::{Ends, MAX_CUTS, Piece};
-pub use polynomial::{at, divide, gcd, multiplied, roots_between, signum, steps_of_gcd, trimmed};
+pub use polynomial::{
+    at, beyond_roots, divide, gcd, multiplied, roots_between, signum, steps_between, steps_of_gcd,
+    trimmed,
+};
 pub use root::Root;
 pub use rounding::{
     differing, gives, has_digits, interval, is_exchanged, is_one_unit, is_rounded, rounding,

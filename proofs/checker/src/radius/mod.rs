@@ -16,6 +16,7 @@ use crate::text::{
     At, Line, RadiusChecked as Checked, RadiusReason, RadiusRejection, Stop, Text, require,
 };
 use element::Element;
+use field::Field;
 use given::symbol;
 use independence::is_independent;
 use matrices::{Matrix, multiplied, sign_of_determinant, symmetric_square, times};
@@ -23,6 +24,7 @@ use num_traits::Signed as _;
 use read::{Certificate, Lower};
 use std::fmt;
 use std::ops::Range;
+use std::rc::Rc;
 
 /// What a valid certificate proves.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,6 +55,22 @@ pub fn has_independent_shifts(rules: &[Vec<Q>]) -> Result<bool, Stop> {
     let elements = |rule: &Vec<Q>| rule.iter().map(Element::fraction).collect();
     let elements: Vec<Vec<Element>> = rules.iter().map(elements).collect();
     is_independent(&symbol(&elements), rules.len(), &Meter::default())
+}
+
+/// The same of the coefficients of a symbol, numbers p(α) by the coefficients of p: α is the root between two numbers of a
+/// polynomial, which come in this order.
+pub fn has_independent_shifts_over(
+    symbol: &[Vec<Q>],
+    n: usize,
+    (polynomial, low, high): (Vec<Q>, Q, Q),
+    meter: &Meter,
+) -> Result<bool, Stop> {
+    let halvings = Stop::Capped("the halvings of an interval");
+    let field = Field::new(polynomial, low, high).ok_or(halvings.clone())?;
+    let field = Rc::new(field);
+    let symbol: Vec<Element> = symbol.iter().map(|a| Element::of(a, Some(&field))).collect();
+    let found = is_independent(&symbol, n, meter)?;
+    if field.gave_up() { Err(halvings) } else { Ok(found) }
 }
 
 /// Checks the lines of a certificate about the rules of a mask, which end with the line `end`. What is wrong with the

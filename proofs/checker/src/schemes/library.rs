@@ -1,12 +1,13 @@
 //! The library of the schemes that a claim file may name.
 
+use super::limits::Limits;
 use super::products::Products;
 use super::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Scheme};
 use super::{symbol, typed};
 use crate::formulas::{Definitions, Indices, Reading, Scope, formula, formulas, free};
 use crate::numbers::{Meter, Value};
 use crate::text::{Stop, Toml};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
@@ -15,14 +16,20 @@ const MAX_ALIASES: usize = 8;
 
 /// The schemes of a claim file and of the catalogue.
 pub struct Library<'a> {
-    /// The names of the schemes of the file, which hide those of the catalogue.
-    own: BTreeSet<&'a str>,
+    /// The names of the schemes of the file, which hide those of the catalogue, and their places.
+    own: BTreeMap<&'a str, usize>,
     tables: BTreeMap<&'a str, &'a Toml>,
     schemes: RefCell<BTreeMap<String, Rc<Scheme>>>,
+    /// How many symbols of other schemes are being multiplied out.
+    composing: Cell<usize>,
+    /// The lengths of the chains of schemes in whose symbols others stand.
+    composed: RefCell<BTreeMap<*const Scheme, usize>>,
     /// The steps of the claim at hand.
     pub meter: &'a Meter,
     /// The products of sequences and the constants that are known.
     pub products: Products<'a>,
+    /// What is known of limits.
+    pub limits: Limits,
     nothing: Definitions,
     as_printed: Reading,
     /// The constants that formulas asked for, while they are traced.
@@ -52,12 +59,26 @@ fn wrong<T>(of: &str, what: &str) -> Result<T, Stop> {
 impl<'a> Library<'a> {
     /// The library of a claim file's `[[scheme]]` tables.
     pub fn new(file: &'a [Toml], catalogue: &'a [Toml], meter: &'a Meter) -> Library<'a> {
-        let (schemes, nothing, as_printed, asked) = Default::default();
+        let (schemes, composing, composed) = Default::default();
+        let (limits, nothing, as_printed, asked) = Default::default();
         let products = Products::new(meter);
         let named = |table: &'a Toml| table.text("name").map(|name| (name, table));
-        let own = file.iter().filter_map(named).map(|(name, _)| name).collect();
+        let own =
+            file.iter().filter_map(named).zip(0..).map(|((name, _), at)| (name, at)).collect();
         let tables = catalogue.iter().chain(file).filter_map(named).collect();
-        Library { own, tables, schemes, meter, products, nothing, as_printed, asked }
+        Library {
+            own,
+            tables,
+            schemes,
+            composing,
+            composed,
+            meter,
+            products,
+            limits,
+            nothing,
+            as_printed,
+            asked,
+        }
     }
 
     /// What a computation gives, and the constants of schemes that its formulas ask for.
@@ -78,6 +99,8 @@ impl<'a> Library<'a> {
     pub fn restart(&self) {
         self.meter.restart();
         self.schemes.borrow_mut().clear();
+        self.composed.borrow_mut().clear();
+        self.limits.clear();
         self.products.clear();
     }
 
@@ -153,7 +176,7 @@ impl<'a> Library<'a> {
 
     /// Whether the claim file has a scheme of this name, which hides that of the catalogue.
     pub fn redefines(&self, name: &str) -> bool {
-        self.own.contains(name)
+        self.own.contains_key(name)
     }
 
     /// Whether a reference names a ring.
@@ -215,6 +238,41 @@ impl<'a> Library<'a> {
         Ok(parameters)
     }
 
+    /// The scheme, with these parameters, whose symbol stands in that of the scheme `of`. Chains of such schemes are as short as those of names,
+    /// whatever schemes are known already.
+    fn other(
+        &self,
+        (of, name): (&str, &str),
+        parameters: Indices,
+        longest: &Cell<usize>,
+    ) -> Result<Rc<Scheme>, Stop> {
+        let place = |name: &str| self.own.get(name);
+        if place(name).is_some_and(|other| place(of).is_none_or(|own| own <= other)) {
+            return wrong(of, "a scheme in its symbol does not stand before it");
+        }
+        let chain = Stop::Capped("the schemes in whose symbols others stand");
+        let depth = self.composing.get();
+        if depth == MAX_ALIASES {
+            return Err(chain);
+        }
+        self.composing.set(depth + 1);
+        let mut scope = self.closed();
+        let given = parameters.iter().map(|(name, _)| format!("{name}={name}"));
+        let given = given.collect::<Vec<String>>().join(",");
+        scope.values.extend(parameters);
+        let found = self.resolve(&format!("{name}:{given}"), &scope);
+        self.composing.set(depth);
+        let Some(scheme) = found?.into_iter().next() else {
+            return wrong(name, "there is no such scheme");
+        };
+        let length = 1 + self.composed.borrow().get(&Rc::as_ptr(&scheme)).copied().unwrap_or(0);
+        if length > MAX_ALIASES {
+            return Err(chain);
+        }
+        longest.set(longest.get().max(length));
+        Ok(scheme)
+    }
+
     fn scheme(
         &self,
         name: &str,
@@ -226,6 +284,7 @@ impl<'a> Library<'a> {
         if let Some(known) = self.schemes.borrow().get(&key) {
             return Ok(Rc::clone(known));
         }
+        let longest = Cell::new(0);
         let definitions = formulas(table.entries("let"))?;
         let mut scope = self.scope(&definitions);
         scope.values = parameters;
@@ -243,12 +302,14 @@ impl<'a> Library<'a> {
             (None, Some(text))
                 if ["mask", "width", "entry"].iter().all(|key| table.get(key).is_none()) =>
             {
-                Some(symbol::mask(text, table.text("arity"), &scope)?)
+                let other = |other: &str, with: Indices| self.other((name, other), with, &longest);
+                Some(symbol::mask(text, table.text("arity"), &scope, &other)?)
             }
             _ => return wrong(name, "its mask is given twice"),
         };
         if let Some((offset, mask)) = whole {
             let scheme = Rc::new(Scheme::new(mask, offset)?);
+            self.composed.borrow_mut().insert(Rc::as_ptr(&scheme), longest.get());
             self.schemes.borrow_mut().insert(key, Rc::clone(&scheme));
             return Ok(scheme);
         }

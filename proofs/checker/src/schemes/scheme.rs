@@ -15,6 +15,9 @@ pub const MAX_WIDTH: u16 = 256;
 /// The greatest offset.
 pub const MAX_OFFSET: i64 = 10_000;
 
+/// Values at the integers from the first one on. They are 0 at all others.
+pub type Integrals = (i64, Rc<[Value]>);
+
 /// A mask with its difference mask.
 pub struct Scheme {
     /// The mask a_{α,j}, with a row for each rule α.
@@ -25,8 +28,13 @@ pub struct Scheme {
     pub offset: i64,
     /// The values at the integers of the limit of 1 at 0, once they are known.
     pub limit: OnceCell<Rc<[Value]>>,
-    /// The integrals of this limit with the limits of other schemes, by the addresses of these. The library keeps them.
-    pub integrals: RefCell<BTreeMap<*const Scheme, Rc<[Value]>>>,
+    /// The integrals of this limit with the shifts of the limits of other schemes, from the first shift on, by the addresses of these.
+    /// The library keeps them.
+    pub integrals: RefCell<BTreeMap<*const Scheme, Integrals>>,
+    /// The schemes of the derivatives of this limit, by their orders.
+    pub derived: RefCell<BTreeMap<usize, Rc<Scheme>>>,
+    /// The scheme of its integrals over intervals of length 1.
+    pub antiderivative: OnceCell<Rc<Scheme>>,
     /// The same scheme with other numbers of its points, by the number of the point that becomes
     /// number 0.
     numbered: RefCell<BTreeMap<usize, Rc<Scheme>>>,
@@ -66,8 +74,9 @@ impl Scheme {
             difference.push(row);
         }
         difference.push(last);
-        let (limit, integrals, numbered) = Default::default();
-        Ok(Scheme { mask, difference, offset, limit, integrals, numbered })
+        let (limit, integrals, derived) = Default::default();
+        let (antiderivative, numbered) = Default::default();
+        Ok(Scheme { mask, difference, offset, limit, integrals, derived, antiderivative, numbered })
     }
 
     /// The scheme whose point i is the point i + `first` of this one, 0 ≤ `first` < n: rule α is

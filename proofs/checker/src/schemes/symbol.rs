@@ -1,13 +1,18 @@
 //! A mask by its symbol Σ_k a_k z^k: the formula is multiplied out.
 
-use super::scheme::MAX_ARITY;
-use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Scope, formula, names};
+use super::scheme::{MAX_ARITY, Scheme};
+use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Scope, formula, is_name, names};
 use crate::numbers::Value;
 use crate::text::Stop;
-use std::collections::BTreeMap;
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 /// The variable.
 const Z: &str = "z";
+
+/// The function that gives the symbol of another scheme.
+const OTHER: &str = "symbol";
 
 /// The greatest |k| of a power z^k.
 const MAX_POWER: u64 = 16_384;
@@ -21,14 +26,23 @@ const MAX_DEPTH: usize = 200;
 /// The coefficients by the powers of z; none is 0.
 type Laurent = BTreeMap<i64, Value>;
 
+/// What gives the other schemes whose symbols a symbol may name, with values of their parameters.
+pub(super) type Others<'o> = dyn Fn(&str, Indices) -> Result<Rc<Scheme>, Stop> + 'o;
+
+/// What `symbol` takes besides a scheme.
+const MONOMIAL: &str = "`symbol` takes cz^m, c ≠ 0 ≠ m";
+
+const POWER: Stop = Stop::Capped("the powers of z in a symbol");
+
 /// The offset and the rules of a symbol: a_k is in the rule α = k mod n, of the point (α − k)/n. The arity n is stated, or
 /// else the value at z = 1.
 pub(super) fn mask(
     text: &str,
     stated: Option<&str>,
     scope: &Scope<'_>,
+    others: &Others<'_>,
 ) -> Result<(i64, Vec<Vec<Value>>), Stop> {
-    let symbol = Expansion { scope }.of(&formula(text)?, &mut Vec::new(), 0)?;
+    let symbol = Expansion { scope, others }.of(&formula(text)?, &mut Vec::new(), 0)?;
     let n = match stated {
         Some(arity) => scope.value(&formula(arity)?)?,
         None => Value::total(symbol.values())?,
@@ -54,6 +68,7 @@ fn wrong(what: &str) -> Stop {
 
 struct Expansion<'s> {
     scope: &'s Scope<'s>,
+    others: &'s Others<'s>,
 }
 
 impl Expansion<'_> {
@@ -63,7 +78,7 @@ impl Expansion<'_> {
         }
         let found = names(expr, self.scope.definitions);
         self.scope.spend(1 + found.len() as u64)?;
-        if !found.contains(Z) {
+        if !self.has_variable(expr, &found) {
             return sum([(0, self.scope.evaluate(expr, indices)?)]);
         }
         match expr {
@@ -96,6 +111,9 @@ impl Expansion<'_> {
                 let exponent = self.scope.evaluate(&parts[1], indices)?.integer(MAX_INTEGER)?;
                 self.power(&base, exponent)
             }
+            Expr::Of(head @ Head::Call(function, _), parts) if function == OTHER => {
+                self.other((head, parts), indices, depth)
+            }
             Expr::Of(Head::Over(fold, index), parts) if fold == "sum" && parts.len() == 3 => {
                 if index == Z {
                     return Err(wrong("`z` is an index"));
@@ -117,15 +135,95 @@ impl Expansion<'_> {
         }
     }
 
+    /// Whether z or the symbol of another scheme is in a formula, or in what these names in it stand for.
+    fn has_variable(&self, expr: &Expr, found: &BTreeSet<String>) -> bool {
+        let definitions = found.iter().filter_map(|name| self.scope.definitions.get(name));
+        found.contains(Z) || names_other(expr) || definitions.into_iter().any(|of| names_other(of))
+    }
+
+    /// b(u), u = cz^m: the symbol of another scheme.
+    fn other(
+        &self,
+        (head, parts): (&Head, &[Expr]),
+        indices: &mut Indices,
+        depth: usize,
+    ) -> Result<Laurent, Stop> {
+        let (arguments, options) = match (head, parts.first()) {
+            // `z` is the variable here, and no scheme.
+            (Head::Call(_, options), Some(Expr::Name(name))) if name == Z => {
+                (parts, Cow::Borrowed(&options[..]))
+            }
+            _ => self.scope.asked(head, parts, indices),
+        };
+        let scheme = self.named(&options, indices)?;
+        let (m, c) = match arguments {
+            [] => (1, Value::int(1)),
+            [u] => {
+                let u = self.of(u, indices, depth + 1)?;
+                let term = u.into_iter().collect::<Vec<(i64, Value)>>().try_into();
+                let one: Option<[(i64, Value); 1]> = term.ok();
+                let [(m, c)] = one.filter(|[(m, _)]| *m != 0).ok_or_else(|| wrong(MONOMIAL))?;
+                (m, c)
+            }
+            _ => return Err(wrong("`symbol` takes a scheme, and one more argument at most")),
+        };
+        c.number()?;
+        let mut symbol = Laurent::new();
+        let (mut power, mut at) = (Value::int(1), 0);
+        for (k, b) in coefficients(&scheme) {
+            self.scope.spend(1)?;
+            if c != Value::int(1) {
+                // The first k may be far from 0. The others follow.
+                if at == 0 || k - at > 64 {
+                    power = c.power(k)?;
+                    self.scope.spend(power.steps(&power))?;
+                } else {
+                    for _ in at..k {
+                        self.scope.spend(power.steps(&c))?;
+                        power = power.times(&c)?;
+                    }
+                }
+                at = k;
+            }
+            self.scope.spend(b.steps(&power))?;
+            let k = k.checked_mul(m).ok_or(POWER)?;
+            add(&mut symbol, k, &b.times(&power)?)?;
+        }
+        Ok(symbol)
+    }
+
+    /// The scheme of the option `scheme`. Other options give values to its parameters.
+    fn named(
+        &self,
+        options: &[(String, String)],
+        indices: &mut Indices,
+    ) -> Result<Rc<Scheme>, Stop> {
+        let is_scheme = |option: &&(String, String)| option.0 == "scheme";
+        let (schemes, options): (Vec<_>, Vec<_>) = options.iter().partition(is_scheme);
+        let [(_, scheme)] = &schemes[..] else {
+            return Err(wrong("`symbol` takes one scheme"));
+        };
+        let mut parameters = Indices::new();
+        for (parameter, word) in options {
+            let value = match word.parse::<i64>() {
+                Ok(integer) => Value::int(integer),
+                Err(_) if is_name(word) => self.scope.name(word, indices)?,
+                Err(_) => return Err(wrong("a parameter is an integer or a name")),
+            };
+            parameters.push((parameter.clone(), value));
+        }
+        (self.others)(scheme, parameters)
+    }
+
     fn times(&self, left: &Laurent, right: &Laurent) -> Result<Laurent, Stop> {
-        let mut terms = Vec::new();
+        let mut product = Laurent::new();
         for (p, a) in left {
             for (q, b) in right {
                 self.scope.spend(a.cost(b))?;
-                terms.push((p + q, a.times(b)?));
+                add(&mut product, p + q, &a.times(b)?)?;
             }
         }
-        sum(terms)
+        Ok(product)
     }
 
     fn power(&self, base: &Laurent, exponent: i64) -> Result<Laurent, Stop> {
@@ -199,18 +297,42 @@ fn negated(symbol: Laurent) -> Result<Laurent, Stop> {
     symbol.into_iter().map(|(k, c)| Ok((k, c.negated()?))).collect()
 }
 
+/// Whether a symbol of another scheme is in a formula, without those that names in it stand for.
+fn names_other(expr: &Expr) -> bool {
+    let is = |node: &&Expr| matches!(node, Expr::Of(Head::Call(name, _), _) if name == OTHER);
+    expr.nodes().iter().any(is)
+}
+
+/// The coefficients of a scheme that are not 0, by ascending powers: a_k is a_{α,j} for k = α − n(o + j).
+fn coefficients(scheme: &Scheme) -> Vec<(i64, Value)> {
+    let n = i64::try_from(scheme.arity()).unwrap_or(0);
+    let columns = (scheme.offset..).take(scheme.width()).zip(0..);
+    let of = |(point, j): (i64, usize)| {
+        let entry = move |(alpha, rule): (i64, &Vec<Value>)| (alpha - n * point, rule[j].clone());
+        (0..).zip(&scheme.mask).map(entry)
+    };
+    let mut all: Vec<(i64, Value)> = columns.flat_map(of).collect();
+    all.retain(|(_, value)| !value.is_zero());
+    all.sort_by_key(|(k, _)| *k);
+    all
+}
+
+/// Adds a term.
+fn add(sum: &mut Laurent, power: i64, c: &Value) -> Result<(), Stop> {
+    if power.unsigned_abs() > MAX_POWER {
+        return Err(POWER);
+    }
+    let known = sum.remove(&power);
+    let value = known.map_or(Ok(c.clone()), |known| known.plus(1, c))?;
+    if !value.is_zero() {
+        sum.insert(power, value);
+    }
+    Ok(())
+}
+
 /// The sum of these terms.
 fn sum(terms: impl IntoIterator<Item = (i64, Value)>) -> Result<Laurent, Stop> {
     let mut sum = Laurent::new();
-    for (power, c) in terms {
-        if power.unsigned_abs() > MAX_POWER {
-            return Err(Stop::Capped("the powers of z in a symbol"));
-        }
-        let known = sum.remove(&power);
-        let value = known.map_or(Ok(c.clone()), |known| known.plus(1, &c))?;
-        if !value.is_zero() {
-            sum.insert(power, value);
-        }
-    }
+    terms.into_iter().try_for_each(|(power, c)| add(&mut sum, power, &c))?;
     Ok(sum)
 }

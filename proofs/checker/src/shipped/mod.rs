@@ -25,4 +25,6 @@ mod reading;
 mod rule;
 mod table;
 
+pub use interval::Interval;
+pub use roots::Sturm;
 pub use rule::check;

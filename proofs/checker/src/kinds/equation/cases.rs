@@ -5,7 +5,7 @@
 use super::hypotheses;
 use crate::claims::{Paper, value};
 use crate::formulas::{Expr, MAX_INTEGER, Memory, Scope};
-use crate::numbers::{Q, Value, int};
+use crate::numbers::{Q, Value, int, read_rational};
 use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, agree, compare, require};
 use std::rc::Rc;
 
@@ -23,15 +23,17 @@ pub struct Index<'a> {
     /// Its name.
     pub name: &'a str,
     /// Its values.
-    pub values: Values,
+    pub values: Values<'a>,
 }
 
 /// The values of an index.
-pub enum Values {
+pub enum Values<'a> {
     /// These numbers.
     Listed(Vec<Q>),
     /// The integers between two bounds, in the names of the indices before it.
     Between(Box<[Expr; 2]>),
+    /// Rows of numbers for several names.
+    Rows(Vec<&'a str>, Vec<Vec<Q>>),
     /// All integers from this one on.
     From(i64),
 }
@@ -45,22 +47,29 @@ fn integers(paper: &Paper<'_>, case: &Case<'_>, bounds: &[Expr; 2]) -> Result<[i
     Ok([bound(&bounds[0])?, bound(&bounds[1])?])
 }
 
-impl Index<'_> {
+impl<'a> Index<'a> {
     /// Its values, where the indices before it have these, or the first ones.
-    fn listed(&self, paper: &Paper<'_>, case: &Case<'_>) -> Result<Vec<Q>, Stop> {
-        Ok(match &self.values {
+    fn listed(&self, paper: &Paper<'_>, case: &Case<'_>) -> Result<Vec<Vec<Q>>, Stop> {
+        let values: Vec<Q> = match &self.values {
+            Values::Rows(_, rows) => return Ok(rows.clone()),
             Values::Listed(values) => values.clone(),
             Values::Between(bounds) => {
                 let [from, to] = integers(paper, case, bounds)?;
                 (from..=to).take(MAX_CASES.saturating_add(1)).map(int).collect()
             }
             Values::From(least) => (*least..).take(FIRST).map(int).collect(),
-        })
+        };
+        Ok(values.into_iter().map(|value| vec![value]).collect())
     }
 
     /// Whether this is one of its values, where the indices before it have these.
-    pub fn has(&self, paper: &Paper<'_>, case: &Case<'_>, value: &Q) -> Result<bool, Stop> {
+    pub fn has(&self, paper: &Paper<'_>, case: &Case<'_>, values: &[Q]) -> Result<bool, Stop> {
+        if let Values::Rows(_, rows) = &self.values {
+            return Ok(rows.iter().any(|row| row == values));
+        }
+        let [value] = values else { return Ok(false) };
         Ok(match &self.values {
+            Values::Rows(..) => false,
             Values::Listed(values) => values.contains(value),
             Values::Between(bounds) => {
                 let [from, to] = integers(paper, case, bounds)?.map(int);
@@ -68,6 +77,14 @@ impl Index<'_> {
             }
             Values::From(least) => value.is_integer() && *value >= int(*least),
         })
+    }
+
+    /// Its name, or the names of several.
+    pub fn names(&self) -> Vec<&'a str> {
+        match &self.values {
+            Values::Rows(names, _) => names.clone(),
+            _ => vec![self.name],
+        }
     }
 
     /// Whether it has all values from one on.
@@ -89,9 +106,10 @@ pub fn cases<'a>(
             if longer.len().saturating_add(values.len()) > MAX_CASES {
                 return Err(Stop::Capped("the number of cases"));
             }
-            let cases =
-                values.into_iter().map(|value| [&case[..], &[(index.name, value)]].concat());
-            longer.extend(cases);
+            longer.extend(values.into_iter().map(|values| {
+                let named: Case<'_> = index.names().into_iter().zip(values).collect();
+                [&case[..], &named[..]].concat()
+            }));
         }
         cases = longer;
     }
@@ -110,7 +128,15 @@ pub fn scope<'a>(
     (case, symbols): (&Case<'_>, &[&str]),
     memory: &Rc<Memory>,
 ) -> Result<Scope<'a>, Stop> {
-    let mut scope = paper.scope();
+    // Relations have the values that the file states.
+    let relation = claim.get("states").is_some();
+    let mut scope = if relation { paper.stated() } else { paper.scope() };
+    for (name, _) in case {
+        scope.beyond.remove(*name);
+    }
+    for name in claim.texts("symbols").chain(symbols.iter().copied()) {
+        scope.beyond.remove(name);
+    }
     for symbol in claim.texts("symbols") {
         scope.values.insert(symbol.to_owned(), Value::symbol(symbol));
         scope.families.insert(symbol.to_owned());
@@ -138,12 +164,14 @@ pub fn scope<'a>(
 pub struct Listing {
     verdict: Verdict,
     listed: usize,
+    /// Whether bounds leave some case open.
+    open: bool,
 }
 
 impl Listing {
     /// A verdict that has been read, before its first case.
     pub fn of(verdict: Verdict) -> Listing {
-        Listing { verdict, listed: 0 }
+        Listing { verdict, listed: 0, open: false }
     }
 
     /// Reads one of these verdicts, whose number of cases has to be this.
@@ -182,9 +210,42 @@ impl Listing {
         Ok(())
     }
 
+    /// The same of a case with real numbers, the bounds of whose difference are known. Without a verdict on the case, there is no line.
+    pub fn check_bounds(
+        &mut self,
+        block: &mut Block<'_>,
+        name: &str,
+        (fails, [low, high]): (Option<bool>, &[Q; 2]),
+    ) -> Checked<()> {
+        // `case 3 in 1/8 1/4`, if the next line is about this case.
+        let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case");
+        let line = line.and_then(|(_, said)| {
+            said.split_once(" in ").or(said.strip_prefix("in ").map(|rest| ("", rest)))
+        });
+        let Some((_, said)) = line.filter(|(case, _)| case.trim() == name) else {
+            self.open |= fails.is_none();
+            let reason = || Reason::Differ(name.to_owned(), Text(format!("{low} to {high}")));
+            return if fails == Some(true) { Err(reason().into()) } else { Ok(()) };
+        };
+        let bounds =
+            said.split_once(' ').and_then(|(l, h)| read_rational(l).zip(read_rational(h.trim())));
+        block.after("case")?;
+        let (least, most) = bounds.ok_or(Reason::Case)?;
+        require(
+            least < most && least <= *low && *high <= most,
+            Reason::Difference(Text(said.to_owned()), Text(format!("{low} to {high}"))),
+        )?;
+        require(fails == Some(true), Reason::NotFalse(name.to_owned()))?;
+        self.listed = self.listed.saturating_add(1);
+        Ok(())
+    }
+
     /// Checks that no other case is listed, and that the verdict fits.
     pub fn finished(self, block: &mut Block<'_>) -> Checked<()> {
         require(block.maybe("case").is_none(), Reason::Case)?;
+        if self.open && self.listed == 0 {
+            return Err(Stop::Undecided("a comparison of numbers that are known by bounds").into());
+        }
         let found = match self.verdict {
             _ if self.listed > 0 => Verdict::Fails,
             Verdict::Tried => Verdict::Tried,

@@ -1,10 +1,12 @@
 //! Whether a comparison is true of numbers.
 
-use super::states::{Comparison, Rest, Sign};
-use crate::formulas::Scope;
-use crate::numbers::{Decimal, Value, rounding};
+use super::states::{Comparison, Rest, Side, Sign};
+use crate::formulas::{Expr, Scope};
+use crate::numbers::{Decimal, Q, Value, rounding};
+use crate::reals::{Pair, pair};
+use crate::schemes::Library;
 use crate::text::Stop;
-use num_traits::Zero as _;
+use num_traits::{Signed as _, Zero as _};
 use std::cmp::Ordering;
 
 /// Whether a comparison is false, and left − right.
@@ -43,6 +45,104 @@ pub fn judged(comparison: &Comparison, scope: &Scope<'_>) -> Result<(bool, Value
     }
 }
 
+/// What is known of a comparison of real numbers.
+pub struct Judged {
+    /// Whether it is false; `None` if bounds do not decide it.
+    pub fails: Option<bool>,
+    /// Bounds of left − right.
+    pub difference: [Q; 2],
+}
+
+/// The same of real numbers of any kind.
+pub fn judged_reals(
+    library: &Library<'_>,
+    comparison: &Comparison,
+    scope: &Scope<'_>,
+) -> Result<Judged, Stop> {
+    let left = &comparison.left;
+    let compared = |right: &Expr| pair(library, scope, (&left.expr, right));
+    match &comparison.rest {
+        Rest::Sign(sign, right) => {
+            let pair = compared(&right.expr)?;
+            let holds = match sign {
+                Sign::Near => near_reals(left, right, &pair)?,
+                _ => ordered(*sign, &pair),
+            };
+            Ok(Judged { fails: holds.map(|holds| !holds), difference: pair.difference })
+        }
+        Rest::Member(members) => {
+            let pairs = members.iter().map(compared).collect::<Result<Vec<Pair>, Stop>>()?;
+            let any = pairs.iter().any(|pair| pair.order == Some(Ordering::Equal));
+            let open = pairs.iter().any(|pair| pair.order.is_none());
+            let first = pairs.into_iter().next();
+            let first = first.ok_or_else(|| Stop::Wrong("a set has no members".into()))?;
+            let fails = (any || !open).then_some(!any);
+            Ok(Judged { fails, difference: first.difference })
+        }
+        Rest::Is(one) => {
+            let [zero, unit] = [0, 1].map(|value| Expr::Number(Value::int(value)));
+            let (zero, unit) = (compared(&zero)?, compared(&unit)?);
+            match (zero.order, unit.order) {
+                (Some(Ordering::Equal), _) => {
+                    let difference = if *one { unit.difference } else { zero.difference };
+                    Ok(Judged { fails: Some(*one), difference })
+                }
+                (_, Some(Ordering::Equal)) => {
+                    let difference = if *one { unit.difference } else { zero.difference };
+                    Ok(Judged { fails: Some(!*one), difference })
+                }
+                (None, _) | (_, None) => Err(Stop::Undecided("whether a number is 0 or 1")),
+                _ => Err(Stop::Wrong("a formula without a sign is 0 or 1".into())),
+            }
+        }
+    }
+}
+
+/// Whether a pair fits a sign that is not ≈. Bounds that meet at one end decide ≤ and ≥.
+fn ordered(sign: Sign, pair: &Pair) -> Option<bool> {
+    if let Some(order) = pair.order {
+        return Some(fits(sign, order));
+    }
+    let [low, high] = &pair.difference;
+    match sign {
+        Sign::AtMost if !high.is_positive() => Some(true),
+        Sign::Greater if !high.is_positive() => Some(false),
+        Sign::AtLeast if !low.is_negative() => Some(true),
+        Sign::Less if !low.is_negative() => Some(false),
+        _ => None,
+    }
+}
+
+/// Whether a printed side is what the other one may be rounded to: both bounds, or neither on one side of it.
+fn near_reals(left: &Side, right: &Side, pair: &Pair) -> Result<Option<bool>, Stop> {
+    let (decimal, value) =
+        printed_side((&left.printed, &right.printed), (&pair.left, &pair.right))?;
+    let [low, high] = value.ends();
+    let is_near = |end: &Q| is_near(decimal, &Value::from(end.clone()));
+    let (below, above) = (is_near(&low)?, is_near(&high)?);
+    let apart = low > decimal.value || high < decimal.value;
+    Ok((below == above && (below || apart)).then_some(below))
+}
+
+/// The printed side, and the value of the other one. The right one counts if both are printed, but for a fraction beside a decimal.
+fn printed_side<'p, T>(
+    printed: (&'p Option<Decimal>, &'p Option<Decimal>),
+    (left, right): (&'p T, &'p T),
+) -> Result<(&'p Decimal, &'p T), Stop> {
+    match printed {
+        (Some(one), Some(other)) if other.unit.is_zero() && !one.unit.is_zero() => Ok((one, right)),
+        (_, Some(other)) => Ok((other, left)),
+        (Some(one), None) => Ok((one, right)),
+        (None, None) => Err(Stop::Wrong("no side of ≈ is a printed number".into())),
+    }
+}
+
+fn is_near(decimal: &Decimal, value: &Value) -> Result<bool, Stop> {
+    let found = rounding(decimal, value)?;
+    // Of a value that is cut some digit is left: 0 is no 0.857.
+    Ok(found != "neither" && !(found == "cut" && decimal.value.is_zero()))
+}
+
 /// Whether this order of two sides fits a sign that is not ≈.
 pub fn fits(sign: Sign, order: Ordering) -> bool {
     match sign {
@@ -55,20 +155,12 @@ pub fn fits(sign: Sign, order: Ordering) -> bool {
     }
 }
 
-/// Whether a printed side is what the other one may be rounded to. The right one counts if both are printed.
+/// Whether a printed side is what the other one may be rounded to.
 fn near(
     printed: (&Option<Decimal>, &Option<Decimal>),
-    (left, right): (&Value, &Value),
+    values: (&Value, &Value),
 ) -> Result<bool, Stop> {
-    let (decimal, value) = match printed {
-        (_, Some(right)) => (right, left),
-        (Some(left), None) => (left, right),
-        (None, None) => {
-            return Err(Stop::Wrong("no side of ≈ is a printed number".into()));
-        }
-    };
+    let (decimal, value) = printed_side(printed, values)?;
     value.number()?;
-    let found = rounding(decimal, value)?;
-    // Of a value that is cut some digit is left: 0 is no 0.857.
-    Ok(found != "neither" && !(found == "cut" && decimal.value.is_zero()))
+    is_near(decimal, value)
 }

@@ -2,15 +2,16 @@
 
 mod all;
 mod compare;
+mod ranges;
 mod states;
 
-use super::equation::cases::{Index, Listing, MAX_CASES, Values, cases, name_of, scope};
+use super::equation::cases::{Index, Listing, MAX_CASES, cases, name_of, scope};
 use super::kind::{Kind, Proof};
 use crate::claims::Paper;
-use crate::formulas::{MAX_INTEGER, formula};
-use crate::numbers::{Q, capped, read_rational};
+use crate::numbers::{Q, read_rational};
 use crate::text::{Block, Checked, Reason, Stop, Toml, Verdict, require};
-use states::{Comparison, comparisons, in_name, place_of, split};
+use ranges::{index, printed, ranges};
+use states::{Comparison, comparisons};
 use std::rc::Rc;
 
 /// Claims of this kind.
@@ -65,9 +66,18 @@ fn every_case<'a>(
     for case in &cases {
         let scope = scope(paper, claim, (case, &[]), &memory)?;
         for (number, comparison) in (1..).zip(stated) {
-            let (fails, difference) = compare::judged(comparison, &scope)?;
             let name = numbered(name_of(case), number, stated);
-            listing.check(block, &name, (fails, &difference), &scope)?;
+            let comparison = &comparison.printed(|name| printed(claim, case, name));
+            match compare::judged(comparison, &scope) {
+                Ok((fails, difference)) => {
+                    listing.check(block, &name, (fails, &difference), &scope)?;
+                }
+                Err(_) if !open && claim.texts("symbols").next().is_none() => {
+                    let found = compare::judged_reals(&paper.library, comparison, &scope)?;
+                    listing.check_bounds(block, &name, (found.fails, &found.difference))?;
+                }
+                Err(stop) => return Err(stop.into()),
+            }
         }
     }
     let at = block.at;
@@ -90,14 +100,18 @@ fn one_case<'a>(
     let mut words = said.split_whitespace();
     let mut case = Vec::new();
     for index in indices {
-        let value = words.next().and_then(read_rational).ok_or(Reason::Case)?;
-        require(index.has(paper, &case, &value)?, Reason::Case)?;
-        case.push((index.name, value));
+        let names = index.names();
+        let values: Option<Vec<Q>> =
+            names.iter().map(|_| words.next().and_then(read_rational)).collect();
+        let values = values.ok_or(Reason::Case)?;
+        require(index.has(paper, &case, &values)?, Reason::Case)?;
+        case.extend(names.into_iter().zip(values));
     }
     let number = if stated.len() > 1 { words.next().unwrap_or_default() } else { "1" };
     let found = (1..).zip(stated).find(|(place, _)| place.to_string() == number);
     let (number, comparison) = found.ok_or(Reason::Case)?;
     let scope = scope(paper, claim, (&case, &[]), &Rc::default())?;
+    let comparison = &comparison.printed(|name| printed(claim, &case, name));
     let (fails, difference) = compare::judged(comparison, &scope)?;
     // Numbers that are written otherwise name no case.
     let name = numbered(name_of(&case), number, stated);
@@ -116,52 +130,7 @@ fn numbered(case: String, number: usize, stated: &[Comparison]) -> String {
     }
 }
 
-/// The texts of `for`.
-fn ranges(claim: &Toml) -> impl Iterator<Item = &str> {
-    claim.text("for").into_iter().chain(claim.texts("for"))
-}
-
-/// What follows `all`.
-fn of_all(text: &str) -> Option<&str> {
-    let rest = text.trim().strip_prefix("all").filter(|rest| rest.starts_with(char::is_whitespace));
-    rest.map(str::trim).filter(|rest| !rest.starts_with('='))
-}
-
-/// The name of an index.
-fn name(text: &str) -> Option<&str> {
-    let name = match of_all(text) {
-        Some(rest) => rest.split(|c| !in_name(c)).next()?,
-        None => text.split_once('=')?.0,
-    };
-    Some(name.trim())
-}
-
-/// Reads an index: `n = 1..4`, `n = 1, 2, 4`, `all n` or `all n >= 3`.
-fn index(text: &str) -> Result<Index<'_>, Stop> {
-    let wrong = || Stop::Wrong(format!("`{text}` is no index with its values"));
-    let name = name(text).ok_or_else(wrong)?;
-    if let Some(rest) = of_all(text) {
-        let least = rest.get(name.len()..).unwrap_or_default().trim();
-        let least = if least.is_empty() {
-            1
-        } else {
-            let least = least.strip_prefix(">=").or(least.strip_prefix('≥')).ok_or_else(wrong)?;
-            let least = read_rational(least).filter(Q::is_integer).ok_or_else(wrong)?;
-            capped(least.numer(), MAX_INTEGER).ok_or(Stop::Capped("the size of an integer"))?
-        };
-        return Ok(Index { name, values: Values::From(least) });
-    }
-    let (_, values) = text.split_once('=').ok_or_else(wrong)?;
-    if let Some((at, _)) = place_of(values, &[".."]) {
-        let (from, to) = (values.get(..at), values.get(at..).and_then(|to| to.strip_prefix("..")));
-        let [from, to] = [from, to].map(|bound| formula(bound.unwrap_or_default()));
-        return Ok(Index { name, values: Values::Between(Box::new([from?, to?])) });
-    }
-    let values: Option<Vec<Q>> = split(values).into_iter().map(read_rational).collect();
-    Ok(Index { name, values: Values::Listed(values.ok_or_else(wrong)?) })
-}
-
 /// The symbols and the indices of a relation.
 fn names(claim: &Toml) -> Vec<&str> {
-    claim.texts("symbols").chain(ranges(claim).filter_map(name)).collect()
+    claim.texts("symbols").chain(ranges(claim).flat_map(ranges::names)).collect()
 }

@@ -41,6 +41,25 @@ pub struct Comparison {
     pub rest: Rest,
 }
 
+impl Comparison {
+    /// The same where a side that is the name of an index stands for what is printed for it.
+    pub fn printed(&self, of: impl Fn(&str) -> Option<Decimal>) -> Comparison {
+        let side = |side: &Side| {
+            let named = if let Expr::Name(name) = &side.expr { of(name) } else { None };
+            Side { expr: side.expr.clone(), printed: named.or_else(|| side.printed.clone()) }
+        };
+        let rest = match &self.rest {
+            Rest::Sign(sign, right) => Rest::Sign(*sign, Box::new(side(right))),
+            Rest::Member(members) => Rest::Member(members.clone()),
+            Rest::Is(one) => Rest::Is(*one),
+        };
+        Comparison { left: side(&self.left), rest }
+    }
+}
+
+/// What no statement has.
+const REFUSED: [&str; 6] = ["==", "=>", "=<", "±", "+-", "+−"];
+
 /// The signs. Those of two characters stand before those with which they begin.
 const SIGNS: [(&str, Sign); 11] = [
     ("!=", Sign::Unequal),
@@ -115,6 +134,9 @@ fn around<'t>(text: &'t str, at: usize, token: &str) -> (&'t str, &'t str) {
 
 /// Reads what is stated. It has one comparison at least.
 pub fn comparisons(text: &str) -> Result<Vec<Comparison>, Stop> {
+    if REFUSED.iter().any(|refused| text.contains(refused)) {
+        return wrong("a sign that no relation has");
+    }
     if let Some((at, _)) = place_of(text, &["in"]) {
         let (left, set) = around(text, at, "in");
         return members(&side(left)?, set.trim());

@@ -2,15 +2,16 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::masks::{Mask, signed};
-use super::steps::{add, over};
+use crate::functions::masks::{Mask, signed};
+use crate::functions::steps::{add, over};
 use crate::numbers::{Meter, Value};
 use crate::text::Stop;
 
 /// The most integers of a support.
 const MAX_UNKNOWNS: usize = 256;
 
-const PLACE: Stop = Stop::Capped("the places of a limit function");
+/// The cap of places.
+pub const PLACE: Stop = Stop::Capped("the places of a limit function");
 
 /// The first and the last integer from l/(n − 1) to K/(n − 1).
 pub fn window(mask: &Mask) -> Result<(i64, i64), Stop> {

@@ -1,0 +1,40 @@
+//! Exponents of limits: printed ones, those that certificates of radii show, and those of Sobolev.
+
+#![warn(clippy::arithmetic_side_effects)]
+
+mod characteristic;
+mod independent;
+mod known;
+mod logarithm;
+mod printed;
+mod sobolev;
+
+use super::call::Call;
+use super::masks::Mask;
+use super::real::Real;
+use crate::numbers::Value;
+use crate::text::Stop;
+
+pub use characteristic::characteristic;
+pub use printed::{Bound, LogSum};
+
+/// The value of such a function; `None` if the call is none of them.
+pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
+    real(call)?.map(Real::value).transpose()
+}
+
+/// The same as a real number.
+pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
+    Ok(Some(match (call.function, call.arguments) {
+        ("smoothness", []) => known::smoothness(call.library, &*call.scheme()?)?,
+        ("hoelder", []) => known::hoelder(call.library, &*call.scheme()?)?,
+        ("independent", []) => {
+            let meter = call.library.meter;
+            let mask = Mask::of_numbers(meter, &*call.scheme()?)?;
+            let found = independent::has_independent_shifts(meter, &mask)?;
+            Real::Exact(Value::int(found.into()))
+        }
+        ("sobolev", []) => sobolev::sobolev(call.library, &*call.scheme()?)?,
+        _ => return Ok(None),
+    }))
+}
