@@ -79,8 +79,9 @@ impl Expr {
                 Node::Fold { index, .. } => {
                     indices.insert(index.as_str());
                 }
+                // `with` alone names a scheme.
                 Node::Call { options, .. }
-                    if options.iter().any(|option| option.definition().is_some()) =>
+                    if options.iter().any(|option| option.name == "sequence") =>
                 {
                     let named = options.iter().find(|option| option.name == INDEX_OPTION);
                     indices.insert(named.map_or(SEQUENCE_INDEX, |option| &option.word));

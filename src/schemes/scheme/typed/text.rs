@@ -41,7 +41,8 @@ pub(in crate::scheme) fn is_typed(name: &str) -> bool {
 /// Whether this is the symbol of a mask: no list, and a sum or product in `z`, maybe with a mistake. With hyphens alone, as in `a-z`, it is a name.
 pub(super) fn is_symbol(text: &str) -> bool {
     let is_list = text.trim_start().starts_with(['[', '{']) || list(text).is_ok();
-    !is_list && has_variable(text) && text.contains(['^', '(', '*', '·', '×', '+'])
+    let composed = text.trim_start().starts_with("symbol(");
+    !is_list && (composed || has_variable(text)) && text.contains(['^', '(', '*', '·', '×', '+'])
 }
 
 /// Whether `z` is a word in a text; a number may stand before it, as it does by mistake in `2z`.

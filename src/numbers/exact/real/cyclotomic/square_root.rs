@@ -1,7 +1,6 @@
 //! Square roots of rational numbers, by Gauss sums.
 
 use super::error::{MAX_CONDUCTOR, common_conductor};
-use super::norm::primes;
 use super::number::RealCyclotomic;
 use crate::exact::real::square::square_part;
 use crate::exact::{Rational, Scalar as _};
@@ -30,9 +29,10 @@ impl RealCyclotomic {
         let (factor, rest) = square_part(x);
         let mut rest = u32::try_from(rest.to_i64()?).ok()?;
         let mut root = RealCyclotomic::from(factor);
-        for p in primes().take_while(|p| *p <= MAX_CONDUCTOR) {
+        // What is left has no divisor below p, so that p is prime if it divides it.
+        for p in 2..=MAX_CONDUCTOR {
             if rest == 1 {
-                return Some(root);
+                break;
             }
             if rest % p == 0 {
                 rest /= p;
@@ -41,7 +41,7 @@ impl RealCyclotomic {
                 root = &root * &next;
             }
         }
-        None
+        (rest == 1).then_some(root)
     }
 }
 
