@@ -154,7 +154,7 @@ fn other_commands_take_rational_masks_only() {
         );
     }
     let range = ["range", "four-point:w=sqrt(2)*v", "--param", "v"];
-    assert_parts(&refused(range), &["such numbers are for a [[relation]] without symbols"]);
+    assert_parts(&refused(range), &["is not a polynomial in `v` with rational coefficients"]);
 }
 
 #[test]
