@@ -247,13 +247,17 @@ impl<'a> Scope<'a> {
         let definition = definition.ok_or_else(|| Stop::Wrong(format!("`{name}` is unknown")))?;
         let scheme = self.scheme.as_ref().map(Rc::as_ptr);
         let key = (name.to_owned(), self.occurring(name, definition, indices), scheme);
-        if let Some(known) = self.memory.values.borrow().get(&key) {
+        // The parameters of a ring are no part of the key.
+        let remembers = self.ring.is_none();
+        if let Some(known) = self.memory.values.borrow().get(&key).filter(|_| remembers) {
             return Ok(known.clone());
         }
         let angle = self.angle.replace(false);
         let value = self.evaluate(definition, indices);
         self.angle.set(angle);
-        if let Ok(value) = &value {
+        if let Ok(value) = &value
+            && remembers
+        {
             self.memory.values.borrow_mut().insert(key, value.clone());
         }
         value
