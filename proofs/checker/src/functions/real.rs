@@ -2,7 +2,7 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::numbers::{Q, Value};
+use crate::numbers::{Number, Q, Value};
 use crate::text::Stop;
 
 /// A real number.
@@ -14,6 +14,10 @@ pub enum Real {
     Between(Q, Q),
     /// The only root of a polynomial between these two. The constant coefficient comes first.
     Root(Vec<Q>, Q, Q),
+    /// The i-th of the real roots of a polynomial without multiple roots, from 1 on, ascending. The constant coefficient comes first.
+    RootOf(Vec<Number>, i64),
+    /// A quotient. The divisor is not 0.
+    Ratio(Box<Real>, Box<Real>),
 }
 
 impl Real {
@@ -33,6 +37,7 @@ impl Real {
             Real::Root(_, low, high) | Real::Between(low, high) => {
                 Err(Stop::Wrong(format!("DEBUG {low} {high}")))
             }
+            Real::RootOf(..) | Real::Ratio(..) => Err(Stop::Undecided("a real number")),
         }
     }
 }

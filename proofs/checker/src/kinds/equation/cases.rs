@@ -128,7 +128,11 @@ pub fn scope<'a>(
         scope.values.remove(name);
     }
     if let Some(reference) = claim.text("scheme") {
-        scope.scheme = paper.library.resolve(reference, &scope)?.first().cloned();
+        if paper.library.is_ring(reference) {
+            scope.ring = Some(Rc::new(paper.library.ring(reference, &scope)?));
+        } else {
+            scope.scheme = paper.library.resolve(reference, &scope)?.first().cloned();
+        }
     }
     scope.values.extend(symbols.map(|(name, symbol)| (name.to_owned(), symbol)));
     Ok(scope)
