@@ -12,3 +12,4 @@ mod reproduction;
 mod shape;
 mod steps;
 pub mod sums;
+mod vertices;

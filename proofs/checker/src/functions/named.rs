@@ -5,7 +5,7 @@
 use super::call::{Call, TERMS, entry, number, within, wrong};
 use super::depth::depth;
 use super::sums::greatest;
-use super::{exponent, limits, masks, peaks, shape};
+use super::{exponent, limits, masks, peaks, shape, vertices};
 use crate::data::{best_offset, moved, surface};
 use crate::formulas::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::numbers::{Meter, Number, Q, Value, capped};
@@ -109,6 +109,9 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
                 if let Some(value) = group(call)? {
                     return Ok(value);
                 }
+            }
+            if let Some(real) = vertices::of(call)? {
+                return real.value();
             }
             wrong(format!("there is no `{function}` of {} arguments", arguments.len()))
         }
