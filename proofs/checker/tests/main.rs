@@ -23,3 +23,4 @@ mod relations;
 mod rules;
 mod shape;
 mod toml;
+mod vertices;

@@ -2,6 +2,7 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
+mod places;
 mod polynomials;
 mod roots;
 mod sectors;
@@ -12,8 +13,9 @@ use super::real::Real;
 use crate::formulas::MAX_INTEGER;
 use crate::numbers::{Meter, Value};
 use crate::text::Stop;
+use places::{Factor, Place, decide};
 use polynomials::{Cyclic, Polynomial, characteristic};
-use roots::{Factor, Place, Root, Roots, decide};
+use roots::{Root, Roots};
 use sectors::{Sectors, of_each, over_square};
 use std::cmp::Ordering;
 use std::rc::Rc;
