@@ -24,6 +24,22 @@ orbits = { face = 'n' }
 edges = [['face[i]', 'face[i + 1]']]
 weights.face.face = 'kronecker(i, j)'
 [[scheme]]
+name = 'spiral'
+parameters.N = {}
+parameters.a = {}
+parameters.b = {}
+parameters.c = {}
+parameters.d = {}
+orbits = { face = 'N', edge = 'N', ray = 'N' }
+edges = [['face[i]', 'face[i + 1]'], ['face[i]', 'edge[i]'], ['edge[i]', 'ray[i]']]
+weights.face.face = '(3 + 2*cos(2*pi*(j - i)/N))/(4*N) + kronecker(i, j)/4'
+weights.edge.edge = 'a*kronecker(i, j)'
+weights.edge.ray = 'b*kronecker(i, j)'
+weights.edge.face = '(1 - a - b)*kronecker(i, j)'
+weights.ray.edge = 'c*kronecker(i, j)'
+weights.ray.ray = 'd*kronecker(i, j)'
+weights.ray.face = '(1 - c - d)*kronecker(i, j)'
+[[scheme]]
 name = 'mean'
 parameters.N = {}
 parameters.w = {}
@@ -149,6 +165,61 @@ fn the_ring_of_a_claim() {
     assert_eq!(about("turned", "", "limit_weight(4) = 1/4", "holds 1"), Outcome::Valid);
     let found = about("still", "", "limit_weight(4) = 1/4", "holds 1");
     assert!(matches!(found, Outcome::Incomplete(..)), "{found:?}");
+}
+
+/// The roots 1/2 and 1/4 of `spiral`, and in all blocks those of ((a, b), (c, d)).
+#[test]
+fn other_roots() {
+    let ring = |parts: &str, states: &str| about(&format!("spiral:{parts}"), "", states, "holds 1");
+    for (parts, states) in [
+        // 1/8 ± i/16.
+        ("a=1/8,b=1/16,c=-1/16,d=1/8", "subdominant(5) = 1/2"),
+        ("a=1/8,b=1/16,c=-1/16,d=1/8", "curvature(5) = 1"),
+        ("a=1/8,b=1/16,c=-1/16,d=1/8", "eigenvalue(5, 1, 1) = 1/2"),
+        // 1/4 ± i/4.
+        ("a=1/4,b=1/4,c=-1/4,d=1/4", "subdominant(5) = 1/2"),
+        // ±√(1/50) and ±√(2/25).
+        ("a=0,b=1/5,c=1/10,d=0", "curvature(5) = 1"),
+        ("a=0,b=2/5,c=1/5,d=0", "subdominant(5) = 1/2"),
+        // −1/3 and 0.
+        ("a=-1/3,b=0,c=0,d=0", "curvature(5) = 4/3"),
+        ("a=-1/3,b=0,c=0,d=0", "eigenvalue(5, 1, 3) = -1/3"),
+        // −1/3, twice, with one eigenvector.
+        ("a=-1/3,b=1,c=0,d=-1/3", "eigenvalue(5, 2, 3) = -1/3"),
+        // 1/4 once more.
+        ("a=1/4,b=0,c=0,d=0", "eigenvalue(5, 2, 2) = 1/4"),
+    ] {
+        let found = ring(parts, states);
+        assert_eq!(found, Outcome::Valid, "{parts} {states}");
+    }
+    for (parts, states) in [
+        // 1/8 ± i/2: greater than 1/2. 1/4 ± i/4: greater than 1/4.
+        ("a=1/8,b=1/2,c=-1/2,d=1/8", "subdominant(5) = 1/2"),
+        ("a=1/4,b=1/4,c=-1/4,d=1/4", "curvature(5) = 2"),
+        // Exactly 1/2 in absolute value: 3/10 ± 2i/5.
+        ("a=3/10,b=2/5,c=-2/5,d=3/10", "subdominant(5) = 1/2"),
+        // A limit that is not unique.
+        ("a=1,b=0,c=0,d=0", "limit_weight(5) = 0"),
+    ] {
+        let found = ring(parts, states);
+        let Outcome::Incomplete(Some(rejection)) = &found else {
+            panic!("{parts} {states}: {found:?}")
+        };
+        assert!(matches!(rejection.reason, Reason::Stopped(_)), "{parts} {states}: {found:?}");
+    }
+    for (parts, states) in [
+        ("a=-1/2,b=0,c=0,d=0", "subdominant(5) = 1/2"),
+        ("a=1/2,b=0,c=0,d=0", "subdominant(5) = 1/2"),
+        ("a=0,b=1/2,c=1/2,d=0", "subdominant(5) = 1/2"),
+        ("a=0,b=1,c=1,d=0", "subdominant(5) = 1"),
+        ("a=1,b=0,c=0,d=0", "curvature(5) = 4"),
+        // √(3/10) > 1/2, and −√(3/10).
+        ("a=0,b=1/2,c=3/5,d=0", "subdominant(5) = 1/2"),
+        ("a=1/8,b=1/16,c=-1/16,d=1/8", "eigenvalue(5, 1, 2) = 1/8"),
+    ] {
+        let found = ring(parts, states);
+        assert!(matches!(found, Outcome::Invalid(..)), "{parts} {states}: {found:?}");
+    }
 }
 
 #[test]

@@ -15,8 +15,10 @@ pub enum Real {
     /// The only root of a polynomial between these two. The constant coefficient comes first.
     Root(Vec<Q>, Q, Q),
     /// The i-th of the real roots of a polynomial without multiple roots, from 1 on, ascending. The constant coefficient comes first.
+    #[expect(dead_code, reason = "no comparison reads it yet")]
     RootOf(Vec<Number>, i64),
     /// A quotient. The divisor is not 0.
+    #[expect(dead_code, reason = "no comparison reads it yet")]
     Ratio(Box<Real>, Box<Real>),
 }
 

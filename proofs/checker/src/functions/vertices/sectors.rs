@@ -159,9 +159,12 @@ fn is_turned(meter: &Meter, own: &[Value], expected: &[Value], turn: usize) -> R
 impl Turning<'_> {
     /// The characteristic polynomial of M_k, k ≠ 0, which must be real.
     pub fn block(&self, k: usize) -> Result<Polynomial, Stop> {
-        let coefficient = |c: &Cyclic| match self.part(c, k, true)?.is_zero() {
-            true => self.part(c, k, false),
-            false => wrong("the characteristic polynomial of a block of the ring is not real"),
+        let coefficient = |c: &Cyclic| {
+            if self.part(c, k, true)?.is_zero() {
+                self.part(c, k, false)
+            } else {
+                wrong("the characteristic polynomial of a block of the ring is not real")
+            }
         };
         self.1.iter().map(coefficient).collect()
     }
