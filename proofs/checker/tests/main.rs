@@ -25,3 +25,4 @@ mod rules;
 mod shape;
 mod toml;
 mod twins;
+mod vertices;

@@ -4,7 +4,7 @@ use super::definitions::{Definitions, names as names_in};
 use super::formula::{Expr, Head};
 use super::reading::Reading;
 use crate::numbers::{Meter, Piece, Value};
-use crate::schemes::Scheme;
+use crate::schemes::{Ring, Scheme};
 use crate::text::Stop;
 use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
@@ -29,8 +29,8 @@ pub struct Memory {
 }
 
 /// A definition and what its value depends on: the values of the names and indices that occur in
-/// it, and the scheme.
-type Known = (String, Indices, Option<*const Scheme>);
+/// it, and the scheme or the ring.
+type Known = (String, Indices, Option<*const Scheme>, Option<Rc<Ring>>);
 
 /// A function with its arguments and options.
 pub type Asked<'c> = (&'c str, &'c [Value], &'c [(String, String)]);
@@ -64,8 +64,8 @@ pub struct Scope<'a> {
     pub families: BTreeSet<String>,
     /// The scheme that functions are about.
     pub scheme: Option<Rc<Scheme>>,
-    /// The reference of the scheme, if it is a ring.
-    pub ring: Option<String>,
+    /// The ring that functions are about, if it is none of a mask.
+    pub ring: Option<Rc<Ring>>,
     /// Names without a value that no index may have either.
     pub reserved: &'static [&'static str],
     /// Names with values that an index may have. They are the indices of an equation.
@@ -246,7 +246,8 @@ impl<'a> Scope<'a> {
         let definition = self.definitions.get(name);
         let definition = definition.ok_or_else(|| Stop::Wrong(format!("`{name}` is unknown")))?;
         let scheme = self.scheme.as_ref().map(Rc::as_ptr);
-        let key = (name.to_owned(), self.occurring(name, definition, indices), scheme);
+        let occurring = self.occurring(name, definition, indices);
+        let key = (name.to_owned(), occurring, scheme, self.ring.clone());
         if let Some(known) = self.memory.values.borrow().get(&key) {
             return Ok(known.clone());
         }

@@ -4,7 +4,7 @@
 
 use crate::formulas::{Asked, Indices, MAX_INTEGER, Scope, is_name};
 use crate::numbers::{Value, count};
-use crate::schemes::{Convolution, Library, Scheme, Sequence};
+use crate::schemes::{Convolution, Library, LocalRules, Scheme, Sequence};
 use crate::text::Stop;
 use std::rc::Rc;
 
@@ -96,8 +96,8 @@ impl<'c> Call<'c> {
         place.ok_or_else(|| Stop::Wrong(format!("`{name}` cannot be `{word}`")))
     }
 
-    /// The reference to the scheme that the option `scheme` names. Options give values to its parameters.
-    pub fn reference(&mut self) -> Result<Option<String>, Stop> {
+    /// The scheme that the call names. Options give values to its parameters.
+    fn reference(&mut self) -> Result<Option<String>, Stop> {
         let Some(name) = self.option("scheme") else { return Ok(None) };
         let (own, parameters): (Vec<_>, Vec<_>) =
             self.options.iter().partition(|(name, _)| WORDS.contains(&name.as_str()));
@@ -111,13 +111,28 @@ impl<'c> Call<'c> {
         Ok(Some(format!("{name}:{}", parameters.join(","))))
     }
 
-    /// The scheme that the call is about. Options give values to the parameters of one that is named.
+    /// The scheme that the call is about.
     pub fn scheme(&mut self) -> Result<Rc<Scheme>, Stop> {
         let scheme = match self.reference()? {
             None => self.scope.scheme.clone(),
             Some(reference) => self.library.resolve(&reference, self.scope)?.first().cloned(),
         };
-        scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a scheme", self.function)))
+        let what = if self.scope.ring.is_some() { "mask" } else { "scheme" };
+        scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a {what}", self.function)))
+    }
+
+    /// The ring that the call is about, at a valence.
+    pub fn ring(&mut self, valence: i64) -> Result<LocalRules<'c>, Stop> {
+        let entry = match (self.reference()?, &self.scope.ring) {
+            (Some(reference), _) if self.library.is_ring(&reference) => {
+                Some(self.library.entry(&reference, self.scope)?)
+            }
+            (None, Some(ring)) => self.library.of_ring(ring),
+            _ => None,
+        };
+        let entry =
+            entry.ok_or_else(|| Stop::Wrong(format!("`{}` needs a ring", self.function)))?;
+        LocalRules::of_entry(self.library, entry, Some(valence))
     }
 
     /// The scheme that an option names.

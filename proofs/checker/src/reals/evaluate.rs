@@ -40,20 +40,19 @@ impl<'r> Reals<'r> {
 
     /// As a formula of numbers of fields Q(2cos(2π/n)) if it is one, and otherwise by its parts.
     fn evaluate(&self, expr: &Expr, indices: &mut Indices) -> Result<Known, Stop> {
-        match self.scope.evaluate(expr, indices) {
+        let stop = match self.scope.evaluate(expr, indices) {
             Ok(value) => return self.digits.exact(value.number()?),
-            // A meter that has run out stays so.
-            Err(stop) if self.digits.meter.spend(1).is_err() => return Err(stop),
-            Err(stop) => {
-                if self.depth.get() == MAX_DEPTH {
-                    return Err(Stop::Capped("the nesting of formulas"));
-                }
-                self.depth.set(self.depth.get().saturating_add(1));
-                let found = self.parts(expr, indices);
-                self.depth.set(self.depth.get().saturating_sub(1));
-                found?.ok_or(stop)
-            }
+            Err(stop) => stop,
+        };
+        // A meter that has run out stays so.
+        self.digits.meter.spend(1)?;
+        if self.depth.get() == MAX_DEPTH {
+            return Err(Stop::Capped("the nesting of formulas"));
         }
+        self.depth.set(self.depth.get().saturating_add(1));
+        let found = self.parts(expr, indices);
+        self.depth.set(self.depth.get().saturating_sub(1));
+        found?.ok_or(stop)
     }
 
     /// The value by those of the parts; `None` if there is no other way.
@@ -119,12 +118,12 @@ impl<'r> Reals<'r> {
                         number.ok_or(Stop::Wrong("the number of a root is an integer".into()))?;
                     digits.root_of(coefficients, number.integer(MAX_INTEGER)?)?
                 }
-                ("abs", [x]) => self.greater(x, &x.negated(digits)?)?,
+                ("abs", [x]) => greater(x, &x.negated(digits)?)?,
                 ("max", [first, rest @ ..]) => {
-                    rest.iter().try_fold(first.clone(), |best, x| self.greater(&best, x))?
+                    rest.iter().try_fold(first.clone(), |best, x| greater(&best, x))?
                 }
                 ("min", [first, rest @ ..]) => {
-                    rest.iter().try_fold(first.clone(), |best, x| self.lesser(&best, x))?
+                    rest.iter().try_fold(first.clone(), |best, x| lesser(&best, x))?
                 }
                 ("floor", [x]) => self.floor(x)?,
                 ("ceil", [x]) => self.floor(&x.negated(digits)?)?.negated(digits)?,
@@ -157,28 +156,11 @@ impl<'r> Reals<'r> {
             total = Some(match (&total, fold) {
                 (None, _) => term?,
                 (Some(total), "sum") => self.digits.sum(total, 1, &term?)?,
-                (Some(total), "max") => self.greater(total, &term?)?,
-                (Some(total), _) => self.lesser(total, &term?)?,
+                (Some(total), "max") => greater(total, &term?)?,
+                (Some(total), _) => lesser(total, &term?)?,
             });
         }
         total.ok_or_else(|| Stop::Wrong("a maximum or minimum has an empty range".into()))
-    }
-
-    /// The greater one. If that is not known, it is neither of both, but enclosed.
-    fn greater(&self, one: &Known, other: &Known) -> Result<Known, Stop> {
-        match one.near.compare(&other.near) {
-            Some(order) => Ok(if order.is_lt() { other } else { one }.clone()),
-            None if one.is_made_as(other) => Ok(one.clone()),
-            None => Err(Stop::Undecided("which of two numbers is greater")),
-        }
-    }
-
-    fn lesser(&self, one: &Known, other: &Known) -> Result<Known, Stop> {
-        match one.near.compare(&other.near) {
-            Some(order) => Ok(if order.is_gt() { other } else { one }.clone()),
-            None if one.is_made_as(other) => Ok(one.clone()),
-            None => Err(Stop::Undecided("which of two numbers is less")),
-        }
     }
 
     fn floor(&self, x: &Known) -> Result<Known, Stop> {
@@ -186,6 +168,23 @@ impl<'r> Reals<'r> {
             return self.digits.exact(&Q::from_integer(number.floor()?).into());
         }
         self.digits.exact(&Q::from_integer(x.near.floor()?).into())
+    }
+}
+
+/// The greater one. If that is not known, it is neither of both, but enclosed.
+fn greater(one: &Known, other: &Known) -> Result<Known, Stop> {
+    match one.near.compare(&other.near) {
+        Some(order) => Ok(if order.is_lt() { other } else { one }.clone()),
+        None if one.is_made_as(other) => Ok(one.clone()),
+        None => Err(Stop::Undecided("which of two numbers is greater")),
+    }
+}
+
+fn lesser(one: &Known, other: &Known) -> Result<Known, Stop> {
+    match one.near.compare(&other.near) {
+        Some(order) => Ok(if order.is_gt() { other } else { one }.clone()),
+        None if one.is_made_as(other) => Ok(one.clone()),
+        None => Err(Stop::Undecided("which of two numbers is less")),
     }
 }
 

@@ -37,18 +37,17 @@ impl Digits<'_> {
     /// A number of a field Q(2cos(2π/n)).
     pub fn exact(self, number: &Number) -> Result<Known, Stop> {
         let (n, coordinates) = number.coordinates();
-        let near = match number.rational() {
-            Some(value) => Interval::point(value)?,
-            None => {
-                let bits = self.bits.saturating_add(64);
-                self.meter.spend(bits.saturating_mul(coordinates.len() as u64) / 16)?;
-                let low = field(n).enclose(bits);
-                let exponent = i64::try_from(bits).unwrap_or(0).saturating_neg();
-                let x = Interval::new(low.clone(), low + BigInt::one(), exponent, bits)?;
-                coordinates.iter().rev().try_fold(Interval::from(0), |sum, c| {
-                    sum.times(&x, bits)?.plus(&Interval::point(c.clone())?, bits)
-                })?
-            }
+        let near = if let Some(value) = number.rational() {
+            Interval::point(value)?
+        } else {
+            let bits = self.bits.saturating_add(64);
+            self.meter.spend(bits.saturating_mul(coordinates.len() as u64) / 16)?;
+            let low = field(n).enclose(bits);
+            let exponent = i64::try_from(bits).unwrap_or(0).saturating_neg();
+            let x = Interval::new(low.clone(), low + BigInt::one(), exponent, bits)?;
+            coordinates.iter().rev().try_fold(Interval::from(0), |sum, c| {
+                sum.times(&x, bits)?.plus(&Interval::point(c.clone())?, bits)
+            })?
         };
         let key = format!("{n}:{coordinates:?}");
         Ok(Known { near, number: Some(number.clone()), size: Some(Size::of(number)), key })

@@ -2,7 +2,7 @@
 
 use super::limits::Limits;
 use super::products::Products;
-use super::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Scheme};
+use super::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Ring, Scheme};
 use super::{symbol, typed};
 use crate::formulas::{Definitions, Indices, Reading, Scope, formula, formulas, free};
 use crate::numbers::{Meter, Value};
@@ -128,6 +128,18 @@ impl<'a> Library<'a> {
             (Some(entry), true) => Ok(entry),
             _ => wrong(reference, "it is a tensor product"),
         }
+    }
+
+    /// The ring that a reference names, with the values of its parameters in the scope.
+    pub fn ring(&self, reference: &str, scope: &Scope<'_>) -> Result<Ring, Stop> {
+        let (name, _, parameters) = self.entry(reference, scope)?;
+        Ok((name.to_owned(), parameters))
+    }
+
+    /// The table of a ring.
+    pub fn of_ring(&self, (name, parameters): &Ring) -> Option<Entry<'a>> {
+        let table = self.named(name)?;
+        Some((table.text("name")?, table, parameters.clone()))
     }
 
     /// The schemes behind the names of a reference. In the formulas of a `use`, the parameters that

@@ -1,6 +1,6 @@
 //! Rings: the points around an extraordinary vertex or face. Their rules depend on the valence.
 
-use super::library::Library;
+use super::library::{Entry, Library};
 use super::orbits::{Orbits, wrong};
 use crate::formulas::{Scope, formulas};
 use crate::numbers::{Meter, Value, unit};
@@ -15,6 +15,8 @@ pub struct LocalRules<'a> {
     meter: &'a Meter,
     /// The names `vertex`, `edge[0]`, `edge[1]`, … of the points.
     pub names: Vec<String>,
+    /// The names of the orbits, with the numbers of their points.
+    pub orbits: Vec<(String, usize)>,
     /// The matrix M of the m_{a,b} with `x'_a = Σ_b m_{a,b} x_b`.
     pub weights: Vec<Vec<Value>>,
     /// The edges of the mesh.
@@ -39,7 +41,15 @@ impl<'a> LocalRules<'a> {
         scope: &Scope<'_>,
         valence: Option<i64>,
     ) -> Result<LocalRules<'a>, Stop> {
-        let (name, table, mut parameters) = library.entry(reference, scope)?;
+        LocalRules::of_entry(library, library.entry(reference, scope)?, valence)
+    }
+
+    /// The same of a table with its parameters.
+    pub fn of_entry(
+        library: &'a Library<'a>,
+        (name, table, mut parameters): Entry<'a>,
+        valence: Option<i64>,
+    ) -> Result<LocalRules<'a>, Stop> {
         if let Some(valence) = valence {
             let known = table.entries("parameters");
             let open = |name: &&str| {
@@ -55,8 +65,9 @@ impl<'a> LocalRules<'a> {
         let orbits = Orbits::read(table, &inner)?;
         let edges = orbits.edges(table, &inner)?;
         let (names, weights) = (orbits.names(), orbits.weights(table, &inner)?);
-        let ring =
-            LocalRules { meter: library.meter, names, weights, edges, contracts: OnceCell::new() };
+        let (meter, orbits) = (library.meter, orbits.counts());
+        let contracts = OnceCell::new();
+        let ring = LocalRules { meter, names, orbits, weights, edges, contracts };
         for row in &ring.weights {
             if Value::total(row)? != Value::int(1) {
                 return Err(wrong("the weights of a point do not sum to 1"));

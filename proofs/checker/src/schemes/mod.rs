@@ -17,4 +17,4 @@ pub use convolution::{Convolution, MAX_LENGTH, Product, Sequence, Sums};
 pub use library::{Constant, Library, names};
 pub use local_rules::{LocalRules, less};
 pub use powers::{Operator, PLACES};
-pub use scheme::{Integrals, MAX_OFFSET, Scheme};
+pub use scheme::{Integrals, MAX_OFFSET, Ring, Scheme};

@@ -37,6 +37,14 @@ impl<'t> Orbits<'t> {
         self.0.iter().flat_map(|&(name, count)| (0..count).map(move |i| (name, count, i)))
     }
 
+    /// The names, with the numbers of points.
+    pub fn counts(&self) -> Vec<(String, usize)> {
+        let count = |(name, count): &(&str, i64)| {
+            ((*name).to_owned(), usize::try_from(*count).unwrap_or(0))
+        };
+        self.0.iter().map(count).collect()
+    }
+
     /// The names of all points.
     pub fn names(&self) -> Vec<String> {
         let name = |(name, count, i): (&str, i64, i64)| {

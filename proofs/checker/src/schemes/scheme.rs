@@ -18,6 +18,9 @@ pub const MAX_OFFSET: i64 = 10_000;
 /// Values at the integers from the first one on. They are 0 at all others.
 pub type Integrals = (i64, Rc<[Value]>);
 
+/// The name of a ring, with the values of its parameters.
+pub type Ring = (String, BTreeMap<String, Value>);
+
 /// A mask with its difference mask.
 pub struct Scheme {
     /// The mask a_{α,j}, with a row for each rule α.

@@ -1,12 +1,13 @@
 //! Constants that programs ship: certificates about claim files of projects
-//! (`proofs/format/shipped.md`). Nothing here is shared with the checks of papers but texts, formulas and rational numbers.
+//! (`proofs/format/shipped.md`). Nothing here is shared with the checks of papers but texts, formulas, rational numbers, and enclosures of
+//! roots.
 
 // Enclosures of real numbers, and formulas on them.
 mod arithmetic;
 mod cosine;
 mod functions;
-mod interval;
-mod roots;
+pub mod interval;
+pub mod roots;
 mod value;
 
 // Numbers in programs, and what is said of them.

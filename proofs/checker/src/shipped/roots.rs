@@ -187,6 +187,20 @@ impl<'m> Sturm<'m> {
         }
     }
 
+    /// The number of different real roots.
+    pub fn count(&self) -> Result<i64, Stop> {
+        let bound = self.beyond()?;
+        let (Some(first), Some(last)) = (self.changes(&-&bound)?, self.changes(&bound)?) else {
+            return Err(Stop::Undecided("the number of roots of a polynomial"));
+        };
+        Ok(i64::try_from(first.saturating_sub(last)).unwrap_or(0))
+    }
+
+    /// Whether no root is multiple.
+    pub fn is_simple(&self) -> bool {
+        self.chain.last().is_some_and(|last| last.len() == 1)
+    }
+
     fn interval(&self, low: &Q, high: &Q) -> Result<Interval, Stop> {
         let [low, high] = [low, high].map(|end| Interval::Point(end.clone()));
         let ([low, _], [_, high], exponent) = low.aligned(&high, self.bits + 8);

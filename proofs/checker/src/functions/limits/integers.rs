@@ -49,12 +49,12 @@ pub fn at_integers(meter: &Meter, mask: &Mask) -> Result<Vec<Value>, Stop> {
 }
 
 /// The solution of linear equations, if it is the only one. The right side of each comes last.
-fn solve(meter: &Meter, mut rows: Vec<Vec<Value>>) -> Result<Vec<Value>, Stop> {
+pub fn solve(meter: &Meter, mut rows: Vec<Vec<Value>>) -> Result<Vec<Value>, Stop> {
     let size = rows.len();
     for j in 0..size {
         let least = (j..size).filter(|i| !rows[*i][j].is_zero());
         let least = least.min_by_key(|i| rows[*i][j].steps(&rows[*i][j]));
-        rows.swap(j, least.ok_or(Stop::Capped("a limit function that is not unique"))?);
+        rows.swap(j, least.ok_or(Stop::Capped("a solution that is not unique"))?);
         let (above, below) = rows.split_at_mut(j.saturating_add(1));
         let Some(pivot) = above.last() else { return Err(PLACE) };
         for row in below.iter_mut().filter(|row| !row[j].is_zero()) {

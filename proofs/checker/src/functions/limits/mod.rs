@@ -19,7 +19,7 @@ use crate::text::Stop;
 use std::rc::Rc;
 
 pub use existing::{exists, values};
-pub use integers::window;
+pub use integers::{solve, window};
 
 /// The greatest degree of a moment.
 const MAX_DEGREE: i64 = 64;

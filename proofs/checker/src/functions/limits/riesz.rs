@@ -63,7 +63,7 @@ pub fn bound(library: &Library<'_>, scheme: &Scheme, upper: bool) -> Result<Real
             let f = (0..).zip(f).map(|(k, c)| c * sign(k)).collect();
             Real::Root(f, Box::new(opposite(&ends)))
         }
-        other => other,
+        Real::RootOf(..) | Real::Ratio(..) => return Err(HALVINGS),
     })
 }
 

@@ -153,21 +153,15 @@ pub fn scope<'a>(
     for (name, _) in symbols.clone() {
         scope.values.remove(name);
     }
-    if let Some(reference) =
-        claim.text("scheme").filter(|reference| is_ring(paper, reference, &scope))
-    {
-        scope.ring = Some(reference.to_owned());
-    } else if let Some(reference) = claim.text("scheme") {
-        scope.scheme = paper.library.resolve(reference, &scope)?.first().cloned();
+    if let Some(reference) = claim.text("scheme") {
+        if paper.library.is_ring(reference) {
+            scope.ring = Some(Rc::new(paper.library.ring(reference, &scope)?));
+        } else {
+            scope.scheme = paper.library.resolve(reference, &scope)?.first().cloned();
+        }
     }
     scope.values.extend(symbols.map(|(name, symbol)| (name.to_owned(), symbol)));
     Ok(scope)
-}
-
-/// Whether a reference names rules around a vertex or on a face.
-fn is_ring(paper: &Paper<'_>, reference: &str, scope: &Scope<'_>) -> bool {
-    let entry = paper.library.entry(reference, scope);
-    entry.is_ok_and(|(_, table, _)| table.get("orbits").is_some())
 }
 
 /// What follows `in` in the next line, if it is about this case: `case 3 in 1/8 1/4`.

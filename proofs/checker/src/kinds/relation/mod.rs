@@ -73,7 +73,7 @@ fn every_case<'a>(
                     listing.check(block, &name, (fails, &difference), &scope)?;
                 }
                 Err(_) if !open && claim.texts("symbols").next().is_none() => {
-                    let found = compare::judged_reals(&paper.library, comparison, &scope)?;
+                    let found = compare::judged_reals(paper.library, comparison, &scope)?;
                     let known = (found.fails, &found.difference, found.number.as_ref());
                     listing.check_real(block, &name, known, &scope)?;
                 }

@@ -1,0 +1,180 @@
+//! Polynomials with coefficients in fields of cosines: characteristic polynomials, and factors without multiple roots. The constant
+//! coefficient comes first.
+
+#![warn(clippy::arithmetic_side_effects)]
+
+use crate::functions::call::number;
+use crate::functions::steps::{add, over, plus, times};
+use crate::numbers::{Meter, Value};
+use crate::text::Stop;
+
+/// A polynomial whose leading coefficient is not 0.
+pub type Polynomial = Vec<Value>;
+
+/// An element c_0 + c_1 x + … of the numbers with an x of x^n = 1.
+pub type Cyclic = Vec<Value>;
+
+/// The coefficients of det(t − M), a matrix of such elements (Faddeev and LeVerrier).
+pub fn characteristic(
+    meter: &Meter,
+    matrix: &[Vec<Cyclic>],
+    n: usize,
+) -> Result<Vec<Cyclic>, Stop> {
+    let size = matrix.len();
+    let mut one = vec![Value::int(0); n];
+    if let Some(first) = one.first_mut() {
+        *first = Value::int(1);
+    }
+    let zero = vec![vec![vec![Value::int(0); n]; size]; size];
+    let (mut coefficients, mut power) = (vec![one], zero.clone());
+    for k in 1..=size {
+        // N ← M(N + c), c ← −tr(N)/k.
+        for (i, row) in power.iter_mut().enumerate() {
+            if let (Some(entry), Some(c)) = (row.get_mut(i), coefficients.last()) {
+                added(meter, entry, c)?;
+            }
+        }
+        let mut next = zero.clone();
+        for (row, sums) in matrix.iter().zip(&mut next) {
+            for (entry, other) in row.iter().zip(&power) {
+                for (sum, x) in sums.iter_mut().zip(other) {
+                    product(meter, sum, entry, x)?;
+                }
+            }
+        }
+        let mut trace = vec![Value::int(0); n];
+        for (i, row) in next.iter().enumerate() {
+            if let Some(entry) = row.get(i) {
+                added(meter, &mut trace, entry)?;
+            }
+        }
+        let share = number(k);
+        let share = |c: &Value| over(meter, c, &share)?.negated();
+        coefficients.push(trace.iter().map(share).collect::<Result<_, Stop>>()?);
+        power = next;
+    }
+    coefficients.reverse();
+    Ok(coefficients)
+}
+
+/// Adds an element.
+fn added(meter: &Meter, sum: &mut Cyclic, other: &Cyclic) -> Result<(), Stop> {
+    sum.iter_mut().zip(other).try_for_each(|(sum, term)| plus(meter, sum, term))
+}
+
+/// Adds a product of elements.
+fn product(meter: &Meter, sum: &mut Cyclic, left: &Cyclic, right: &Cyclic) -> Result<(), Stop> {
+    let not_zero = |x: &Cyclic| -> Vec<(usize, Value)> {
+        x.iter().cloned().enumerate().filter(|(_, c)| !c.is_zero()).collect()
+    };
+    let right = not_zero(right);
+    meter.spend(1)?;
+    for (i, a) in not_zero(left) {
+        for (j, b) in &right {
+            let place = i.saturating_add(*j).checked_rem(sum.len());
+            if let Some(sum) = place.and_then(|place| sum.get_mut(place)) {
+                add(meter, sum, &a, b)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Removes leading coefficients that are 0.
+fn trimmed(mut p: Polynomial) -> Polynomial {
+    while p.last().is_some_and(Value::is_zero) {
+        p.pop();
+    }
+    p
+}
+
+/// p with the leading coefficient 1.
+fn monic(meter: &Meter, p: &[Value]) -> Result<Polynomial, Stop> {
+    let Some(leading) = p.last() else { return Ok(Vec::new()) };
+    if *leading == Value::int(1) {
+        return Ok(p.to_vec());
+    }
+    let inverse = over(meter, &Value::int(1), leading)?;
+    p.iter().map(|c| times(meter, c, &inverse)).collect()
+}
+
+/// The quotient and the remainder of a division by a polynomial with the leading coefficient 1.
+fn divided(
+    meter: &Meter,
+    p: &[Value],
+    divisor: &[Value],
+) -> Result<(Polynomial, Polynomial), Stop> {
+    let (mut rest, mut quotient) = (p.to_vec(), Vec::new());
+    let degree = divisor.len().saturating_sub(1);
+    while rest.len() > degree {
+        let Some(leading) = rest.pop() else { break };
+        let factor = leading.negated()?;
+        let shift = rest.len().saturating_sub(degree);
+        for (sum, c) in rest.iter_mut().skip(shift).zip(divisor) {
+            add(meter, sum, &factor, c)?;
+        }
+        quotient.push(leading);
+    }
+    quotient.reverse();
+    Ok((quotient, trimmed(rest)))
+}
+
+/// p′.
+fn slope(meter: &Meter, p: &[Value]) -> Result<Polynomial, Stop> {
+    (1..).zip(p.iter().skip(1)).map(|(k, c)| times(meter, c, &number(k))).collect()
+}
+
+/// The greatest common divisor with the leading coefficient 1.
+fn common(meter: &Meter, p: &[Value], q: &[Value]) -> Result<Polynomial, Stop> {
+    let (mut p, mut q) = (monic(meter, p)?, monic(meter, q)?);
+    while !q.is_empty() {
+        let rest = divided(meter, &p, &q)?.1;
+        (p, q) = (q, monic(meter, &rest)?);
+    }
+    Ok(p)
+}
+
+/// p(x).
+pub fn at(meter: &Meter, p: &[Value], x: &Value) -> Result<Value, Stop> {
+    let mut sum = Value::int(0);
+    for c in p.iter().rev() {
+        sum = times(meter, &sum, x)?;
+        plus(meter, &mut sum, c)?;
+    }
+    Ok(sum)
+}
+
+/// How often a number is a root of p ≠ 0, and the quotient without it.
+pub fn without(meter: &Meter, p: &[Value], x: &Value) -> Result<(usize, Polynomial), Stop> {
+    let (mut rest, mut count) = (p.to_vec(), 0_usize);
+    while rest.len() > 1 && at(meter, &rest, x)?.is_zero() {
+        rest = divided(meter, &rest, &[x.negated()?, Value::int(1)])?.0;
+        count = count.saturating_add(1);
+    }
+    Ok((count, rest))
+}
+
+/// Polynomials f_m without multiple roots and without common ones, of which p is a multiple of the product of the f_m^m (Yun).
+pub fn square_free(meter: &Meter, p: &[Value]) -> Result<Vec<(Polynomial, usize)>, Stop> {
+    let p = monic(meter, p)?;
+    let derivative = slope(meter, &p)?;
+    let first = common(meter, &p, &derivative)?;
+    let (mut b, mut c) = (divided(meter, &p, &first)?.0, divided(meter, &derivative, &first)?.0);
+    let (mut found, mut multiplicity) = (Vec::new(), 1_usize);
+    while b.len() > 1 {
+        let mut d = c;
+        let of_b = slope(meter, &b)?;
+        d.resize(d.len().max(of_b.len()), Value::int(0));
+        for (d, s) in d.iter_mut().zip(&of_b) {
+            plus(meter, d, &s.negated()?)?;
+        }
+        let d = trimmed(d);
+        let factor = common(meter, &b, &d)?;
+        (b, c) = (divided(meter, &b, &factor)?.0, divided(meter, &d, &factor)?.0);
+        if factor.len() > 1 {
+            found.push((factor, multiplicity));
+        }
+        multiplicity = multiplicity.saturating_add(1);
+    }
+    Ok(found)
+}
