@@ -9,9 +9,7 @@
 //! everywhere.
 
 use subcert_claims::{audit, claim, shipped};
-#[cfg(feature = "report")]
-use subcert_numbers::formula;
-use subcert_numbers::{diagnostic, exact};
+use subcert_numbers::{diagnostic, exact, formula};
 use subcert_schemes::{bound, characteristic, joint, limit, scheme, smoothness, spectrum};
 #[cfg(feature = "report")]
 use subcert_schemes::{facts, float};

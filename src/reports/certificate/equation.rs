@@ -85,12 +85,12 @@ fn case(failure: &Failure) -> String {
     }
     match failure.difference() {
         SideValue::Polynomial(difference) => format!("{line} = {}", closed(&difference)),
-        SideValue::Real(difference) => match difference.number() {
-            Some(number) => format!("{line} = {}", closed(&number)),
-            None => {
-                let [low, high] = bounds(&difference);
-                format!("{line} in {low} {high}")
+        SideValue::Real(difference) => {
+            if let Some(number) = difference.number() {
+                return format!("{line} = {}", closed(&number));
             }
-        },
+            let [low, high] = bounds(&difference);
+            format!("{line} in {low} {high}")
+        }
     }
 }

@@ -248,17 +248,15 @@ fn limit_value<V: Value>(
     let x = parameter(x)?;
     let mask = rational(mask)?;
     known.limit(mask.clone())?;
-    let derived = match order {
-        0 => mask,
-        _ => {
-            let symbol = derivative_symbol(&Symbol::of(&mask), order);
-            let mask = symbol.and_then(|symbol| symbol.mask().ok());
-            mask.ok_or_else(|| {
-                CallError::Undefined(format!(
-                    "limits have no continuous derivative of order {order}"
-                ))
-            })?
-        }
+    let derived = if order == 0 {
+        mask
+    } else {
+        let symbol = derivative_symbol(&Symbol::of(&mask), order);
+        let mask = symbol.and_then(|symbol| symbol.mask().ok());
+        mask.ok_or_else(|| {
+            let message = format!("limits have no continuous derivative of order {order}");
+            CallError::Undefined(message)
+        })?
     };
     let mut sum = Rational::zero();
     // (−1)^i binomial(m, i)

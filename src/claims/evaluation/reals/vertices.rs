@@ -13,11 +13,15 @@ use std::cmp::Ordering;
 /// The valences that are asked for.
 const VALENCES: std::ops::RangeInclusive<i64> = 3..=100;
 
+/// The rules of a scheme at a valence.
+type AtValence<'a> =
+    dyn Fn(&[Instance<RealCyclotomic>], usize) -> Result<LocalRules, SchemeError> + 'a;
+
 /// The value of such a function of a ring, whose valence is the first argument; `rules` gives those of a valence.
 pub(crate) fn of_ring<V: Value>(
     known: &KnownReals,
     ring: &[Instance<V>],
-    rules: &dyn Fn(&[Instance<RealCyclotomic>], usize) -> Result<LocalRules, SchemeError>,
+    rules: &AtValence<'_>,
     call: &Call<'_, V>,
     options: &mut Options<'_>,
 ) -> Result<RealValue, CallError> {
@@ -119,7 +123,7 @@ fn curvature(spectrum: &Spectrum, part: Part) -> Result<RealValue, CallError> {
         belongs(&other.blocks)
             && (other.imaginary.is_some() || other.real != one && other.real != *lambda)
     });
-    let most = others.map(|other| &other.modulus).max_by(|a, b| a.cmp(b));
+    let most = others.map(|other| &other.modulus).max();
     let hidden = spectrum.complex.iter().filter(|hidden| belongs(&hidden.blocks));
     for hidden in hidden {
         let bound = RealExpression::from(hidden.greatest[1].clone());

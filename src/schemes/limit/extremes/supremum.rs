@@ -182,7 +182,8 @@ impl Search {
     fn norm(&self) -> Option<Rational> {
         let (mut cells, mut denominator) = (vec![self.unit()], Integer::one());
         let half = Rational::new(1, 2);
-        while cells.len() <= MAX_FIRST / self.arity.unsigned_abs() as usize {
+        let arity = usize::try_from(self.arity).unwrap_or(MAX_FIRST);
+        while cells.len() <= MAX_FIRST / arity {
             cells = cells
                 .iter()
                 .flat_map(|rows| (0..self.arity).map(move |r| self.part(rows, r)))
