@@ -107,7 +107,6 @@ fn what_is_not_known() {
         "gibbs(wild) = 1",
         "riesz_lower(wild) = 1",
         "overshoot(round) = 1",
-        "overshoot(four) = 1",
         "riesz_lower(fine) = 0",
     ] {
         let found = outcome(states, "holds 1");

@@ -91,7 +91,7 @@ pub fn basic(limit: &Limit, x: &Rational) -> Result<Rational, LimitError> {
 ///
 /// // The slope of the hat function is made of two boxes.
 /// let hat = Symbol::of(parse_scheme("b-spline:degree=1")?.masks()[0]);
-/// let boxes = Symbol::of(parse_scheme("b-spline:degree=0")?.masks()[0]);
+/// let boxes = Symbol::of(parse_scheme("haar")?.masks()[0]);
 /// assert_eq!(derivative_symbol(&hat, 1).expect("sum rules").coefficients(), boxes.coefficients());
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```

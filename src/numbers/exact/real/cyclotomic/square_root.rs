@@ -17,7 +17,7 @@ impl RealCyclotomic {
     /// let root = |n: i64| RealCyclotomic::square_root(&Rational::from(n)).expect("a small number");
     /// assert_eq!(&root(6) * &root(15), &RealCyclotomic::from(3) * &root(10));
     /// assert_eq!(root(12), &RealCyclotomic::from(2) * &root(3));
-    /// assert_eq!(RealCyclotomic::square_root(&Rational::from(1009)), None);
+    /// assert_eq!(RealCyclotomic::square_root(&Rational::from(-1)), None);
     /// ```
     #[must_use]
     pub fn square_root(x: &Rational) -> Option<RealCyclotomic> {
