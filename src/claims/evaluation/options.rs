@@ -132,8 +132,8 @@ impl<'a> Options<'a> {
     /// The order of a derivative.
     pub(crate) fn derivative(&mut self) -> Result<u32, CallError> {
         let Some(word) = self.take("derivative") else { return Ok(0) };
-        let order = word.parse().ok().filter(|m| (0..=MAX_DERIVATIVE).contains(m));
-        order.and_then(|m| u32::try_from(m).ok()).ok_or_else(|| {
+        let order = word.parse::<u32>().ok().filter(|order| i64::from(*order) <= MAX_DERIVATIVE);
+        order.ok_or_else(|| {
             CallError::Misuse(format!(
                 "`derivative` is an integer from 0 to {MAX_DERIVATIVE}, not `{word}`"
             ))
