@@ -1,7 +1,7 @@
 //! Equations and other relations between formulas.
 
 use super::table::LocatedReference;
-use crate::exact::Rational;
+use crate::exact::{IntervalSet, Rational};
 use crate::formula::{LocatedFormula, Node};
 
 /// An equation or another relation, or a list of them with indices.
@@ -63,6 +63,8 @@ pub struct Identity {
     pub comparisons: Vec<Comparison>,
     /// The text of a relation.
     pub states: Option<String>,
+    /// Whether it is claimed to be false for all other real numbers than the values of its only index.
+    pub only: bool,
 }
 
 impl Identity {
@@ -73,6 +75,15 @@ impl Identity {
     #[must_use]
     pub fn first(&self) -> &Comparison {
         self.comparisons.first().expect("a claim compares something")
+    }
+
+    /// The index that has real values, if there is one, and its place among the indices.
+    #[must_use]
+    pub fn real_index(&self) -> Option<(usize, &str, &IntervalSet)> {
+        self.indices.iter().enumerate().find_map(|(place, index)| match index {
+            Index::Real { name, values, .. } => Some((place, name.as_str(), values)),
+            _ => None,
+        })
     }
 
     /// Whether an index runs over all integers from some one on.
@@ -219,6 +230,15 @@ pub enum Index {
         /// The rows, each with a value for each name and with what is printed.
         rows: Vec<Vec<(Rational, String)>>,
     },
+    /// Real numbers: all, or those that inequalities with the name describe.
+    Real {
+        /// Its name in formulas.
+        name: String,
+        /// Its values.
+        values: IntervalSet,
+        /// The text of the index.
+        text: String,
+    },
     /// All integers from one on.
     All {
         /// Its name in formulas.
@@ -233,9 +253,10 @@ impl Index {
     #[must_use]
     pub fn names(&self) -> &[String] {
         match self {
-            Index::Listed { name, .. } | Index::Range { name, .. } | Index::All { name, .. } => {
-                std::slice::from_ref(name)
-            }
+            Index::Listed { name, .. }
+            | Index::Range { name, .. }
+            | Index::Real { name, .. }
+            | Index::All { name, .. } => std::slice::from_ref(name),
             Index::Together { names, .. } => names,
         }
     }

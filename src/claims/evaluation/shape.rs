@@ -1,22 +1,19 @@
 //! Masks over numbers of any kind, and the functions that read only their coefficients.
 
-use crate::bound::{
-    Constants, Order, Recursion, convolution_coefficient, power_norm_generic, sequence,
-};
-use crate::cap::Cap;
+use crate::bound::{Constants, Recursion, convolution_coefficient, sequence};
 use crate::claim::LocatedReference;
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::arguments::{index, narrow, place, within};
 use crate::evaluation::functions::{QUANTITIES, check_name, name_of};
 use crate::evaluation::library::Library;
-use crate::evaluation::masks::constants::{constant, levels, moved, no_level};
-use crate::evaluation::masks::{KnownLimits, numbers, of_mask, rational};
+use crate::evaluation::masks::constants::{constant, constant_by_sums, no_level};
+use crate::evaluation::masks::{KnownLimits, of_mask, rational};
 use crate::evaluation::options::{Exponent, Options};
 use crate::evaluation::reals::{About, Used, about, as_value, is_of_mask_too, of_ring};
 use crate::evaluation::reference::{self, Unresolved, reference, unresolved};
 use crate::evaluation::series;
 use crate::evaluation::series::Norms;
-use crate::exact::{Rational, RealCyclotomic};
+use crate::exact::Rational;
 use crate::formula::{Call, CallError, Context, Functions, RealValue, Value};
 use crate::scheme::{Instance, Mask, Reference, Rules, Scheme};
 use std::borrow::Borrow;
@@ -171,7 +168,7 @@ impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
         let other = |name: &str| self.named(name, context);
         let value = match found.constants(self.shapes.library) {
             Some(constants) => constant(call, &mut options, constants)?,
-            None => irrational(call, &mut options, &found)?,
+            None => constant_by_sums(call, &mut options, &found.mask)?,
         };
         let value = value.map_or_else(
             || {
@@ -276,7 +273,7 @@ pub(crate) fn shape<V: Value + PartialEq, R: Borrow<Rules<V>>>(
     difference: impl FnOnce() -> R,
     call: &Call<'_, V>,
     options: &mut Options<'_>,
-    (other, known): (impl FnOnce(&str) -> Result<Mask<V>, CallError>, &KnownLimits),
+    (other, known): (impl Fn(&str) -> Result<Mask<V>, CallError>, &KnownLimits),
 ) -> Result<V, CallError> {
     let number = |value: usize| V::from_rational(&Rational::from(value));
     match (call.function, call.arguments) {
@@ -295,7 +292,7 @@ pub(crate) fn shape<V: Value + PartialEq, R: Borrow<Rules<V>>>(
         }
         ("arity", []) => Ok(number(mask.arity())),
         ("width", []) => Ok(number(mask.width())),
-        _ => of_mask(mask, call, options, other, known).unwrap_or_else(|| Err(usage(call))),
+        _ => of_mask(mask, call, options, other, known)?.ok_or_else(|| usage(call)),
     }
 }
 
@@ -307,46 +304,6 @@ fn usage<V>(call: &Call<'_, V>) -> CallError {
     CallError::Misuse(format!(
         "`{name}` cannot be used so with {count} arguments; its form is {usage}"
     ))
-}
-
-/// The most residue classes of a constant of an irrational mask.
-const MAX_CLASSES: usize = 4_096;
-
-/// A constant of a mask that is not rational, if the call asks for one.
-fn irrational<V: Value + PartialEq>(
-    call: &Call<'_, V>,
-    options: &mut Options<'_>,
-    of: &Shape<V>,
-) -> Result<Option<V>, CallError> {
-    let known = ["contraction", "norm", "tensor", "displacement", "surface_displacement"];
-    if !known.contains(&call.function) {
-        return Ok(None);
-    }
-    let mask = numbers(&of.mask)?;
-    let norm = |rules: &Rules<RealCyclotomic>, c: u32, order: Order| {
-        let classes = rules.arity().checked_pow(c);
-        if classes.is_none_or(|classes| classes > MAX_CLASSES) {
-            let what = "the number of residue classes of an irrational mask";
-            return Err(CallError::BeyondCap(Cap::new(what, MAX_CLASSES as u64)));
-        }
-        let norm = power_norm_generic(rules, c, order);
-        norm.map_err(|error| CallError::BeyondCap(error.cap()))
-    };
-    let value = match (call.function, call.arguments) {
-        ("contraction", c @ ([] | [_])) => {
-            let (c, order) = (levels(c)?, options.order()?);
-            norm(&mask.difference(), c, order)?
-        }
-        ("norm", c @ ([] | [_])) => {
-            let (c, order) = (levels(c)?, options.order()?);
-            norm(mask.rules(), c, order)?
-        }
-        ("displacement", []) => moved(&mask, options, || None)?,
-        (name, _) => {
-            return Err(CallError::Misuse(format!("`{name}` is computed for rational masks only")));
-        }
-    };
-    Ok(V::of_number(&value))
 }
 
 /// The greatest number of convolutions whose coefficients are summed term by term.

@@ -4,7 +4,9 @@ use super::judgement::{Harm, Judgement};
 use crate::cap::Cap;
 use crate::claim::Equation;
 use crate::evaluation::Limits;
-use crate::exact::{Polynomial, Rational, Rounding, Scalar as _, format::short};
+use crate::exact::{
+    IntervalSet, Polynomial, Rational, RealAlgebraic, Rounding, Scalar as _, format::short,
+};
 use crate::formula::{RealValue, Value as _};
 use crate::verdict::Word;
 use std::fmt;
@@ -62,6 +64,8 @@ pub enum EquationVerdict {
         /// The cases that are open.
         open: Vec<Failure>,
     },
+    /// It is about real values of an index, or about all other real numbers, too.
+    Reals(OnReals),
     /// The equation needs something that is absent, as the claim says.
     NotCheckable,
     /// A value is beyond a cap.
@@ -75,7 +79,8 @@ impl EquationVerdict {
         match self {
             EquationVerdict::Holds { .. } | EquationVerdict::Proved => Word::Holds,
             EquationVerdict::Tried { .. } | EquationVerdict::Undecided { .. } => Word::Open,
-            EquationVerdict::Fails { .. } => Word::Fails,
+            EquationVerdict::Reals(found) if found.holds() => Word::Holds,
+            EquationVerdict::Reals(_) | EquationVerdict::Fails { .. } => Word::Fails,
             EquationVerdict::NotCheckable | EquationVerdict::BeyondCap(_) => Word::NotCheckable,
         }
     }
@@ -86,6 +91,47 @@ impl EquationVerdict {
         let EquationVerdict::Fails { failures, .. } = self else { return false };
         failures.iter().all(|failure| failure.rounding.is_some())
     }
+}
+
+/// For which real numbers a relation is true.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OnReals {
+    /// The name of the index.
+    pub name: String,
+    /// Its place among the indices.
+    pub place: usize,
+    /// What is known for each combination of the other indices.
+    pub cases: Vec<RealCase>,
+}
+
+impl OnReals {
+    /// Whether what the relation states is true.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.cases.iter().all(|case| case.counterexample.is_none())
+    }
+}
+
+/// For which real numbers a relation is true, in one combination of the other indices.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RealCase {
+    /// The other indices in words; empty where there are none.
+    pub at: String,
+    /// The values of the other indices.
+    pub indices: Vec<Rational>,
+    /// Where it is true: of all real numbers if it is claimed for no others, and else of those for which it is claimed.
+    pub truth: IntervalSet,
+    /// A number that shows that the claim is false.
+    pub counterexample: Option<Counterexample>,
+}
+
+/// A number for which a relation is false, or true though it is said to be false there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Counterexample {
+    /// The number.
+    pub value: RealAlgebraic,
+    /// The comparison that is false there, from 0 on; `None` if all are true.
+    pub fails: Option<usize>,
 }
 
 /// The value of a side.

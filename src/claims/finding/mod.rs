@@ -26,7 +26,9 @@ pub use cell::{
     AsRead, Assumed, CellFinding, CellKind, Direction, Missing, PointsAt, Slip, Sound, Verdict,
 };
 pub use consistency::{Contradiction, Needed, Side, TablePart};
-pub use equation::{EquationFinding, EquationVerdict, Failure, SideValue};
+pub use equation::{
+    Counterexample, EquationFinding, EquationVerdict, Failure, OnReals, RealCase, SideValue,
+};
 pub use function::{Example, FunctionFinding, FunctionVerdict};
 pub use judgement::Harm;
 pub use kernel::{Excess, KernelFinding, KernelProof, KernelStatement, RingExcess};

@@ -39,7 +39,7 @@ impl Case {
     }
 
     /// The case without values.
-    fn first() -> Case {
+    pub(crate) fn first() -> Case {
         let (values, printed, symbolic, text) = Default::default();
         Case { values, printed, symbolic, text }
     }
@@ -56,6 +56,7 @@ impl Case {
                 Index::All { name, .. } => {
                     case.with(name, name, (Rational::from(value), &value.to_string()))
                 }
+                Index::Real { .. } => case,
                 Index::Listed { name, label, .. } | Index::Range { name, label, .. } => {
                     let printed = known(name).to_string();
                     case.with(name, label, (known(name), &printed))
@@ -108,6 +109,11 @@ pub(crate) fn cases(identity: &Identity, unbounded: Unbounded) -> Result<Vec<Cas
                         )
                     }));
                     capped(&longer, right)?;
+                    continue;
+                }
+                // What real numbers stand for it, is judged for each case.
+                (Index::Real { .. }, _) => {
+                    longer.push(case);
                     continue;
                 }
                 (Index::All { name, from }, Unbounded::Symbol) => {

@@ -13,6 +13,7 @@ use crate::judge::comparison::Sides;
 use crate::judge::for_all::{ForAll, decide};
 use crate::judge::kind::JudgeAlone;
 use crate::judge::mend;
+use crate::judge::reals;
 use crate::judge::relation::decided;
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -34,7 +35,7 @@ impl<'a> JudgeAlone<'a> for Equation {
         let verdict = match &self.body {
             EquationBody::NotCheckable(_) => EquationVerdict::NotCheckable,
             EquationBody::Identity(identity) => {
-                let found = Diagnostic::or_cap(compare(paper, identity, &shapes))?;
+                let found = Diagnostic::or_cap(compare(paper, identity, (&shapes, library)))?;
                 found.unwrap_or_else(EquationVerdict::BeyondCap)
             }
         };
@@ -45,7 +46,7 @@ impl<'a> JudgeAlone<'a> for Equation {
 fn compare(
     paper: &Paper,
     identity: &Identity,
-    shapes: &Shapes<'_, Polynomial>,
+    (shapes, library): (&Shapes<'_, Polynomial>, &Library<'_>),
 ) -> Result<EquationVerdict, Diagnostic> {
     let mut given = BTreeMap::new();
     if identity.states.is_some() {
@@ -53,6 +54,9 @@ fn compare(
         for name in identity.indices.iter().flat_map(Index::names).chain(&identity.symbols) {
             given.remove(name);
         }
+    }
+    if identity.only || identity.real_index().is_some() {
+        return reals::judge(paper, identity, library, &given);
     }
     let sides = Sides { paper, identity, shapes, given, spent: Cell::new(0) };
     if identity.is_for_all() {

@@ -15,6 +15,7 @@ pub(crate) mod parallel;
 pub(crate) mod promise;
 pub(crate) mod range;
 pub(crate) mod reading;
+mod reals;
 mod recovery;
 pub(crate) mod related;
 mod relation;

@@ -54,14 +54,21 @@ pub(crate) fn holds(
             let value = number(printed, left)?;
             let [zero, one] = [Rational::zero(), Rational::one()].map(RealCyclotomic::from);
             if value != zero && value != one {
-                let message =
-                    format!("this states nothing by itself: it is {value}, and neither 0 nor 1");
-                return Err(Diagnostic::new(&printed.source, printed.span.clone(), message)
-                    .with_help("compare it with something: `= 3`, `< 1/2`, `in {1, 2}`"));
+                return Err(states_nothing(printed, &value));
             }
             (value == one) == (comparison.sign == Sign::True)
         }
     })
+}
+
+/// The error of a formula that states nothing by itself.
+pub(crate) fn states_nothing(
+    formula: &LocatedFormula,
+    value: &dyn std::fmt::Display,
+) -> Diagnostic {
+    let message = format!("this states nothing by itself: it is {value}, and neither 0 nor 1");
+    Diagnostic::new(&formula.source, formula.span.clone(), message)
+        .with_help("compare it with something: `= 3`, `< 1/2`, `in {1, 2}`")
 }
 
 /// A left side, and what is printed for the indices of the case.

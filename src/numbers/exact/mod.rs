@@ -14,7 +14,7 @@
 //! | [`IntegerPolynomial`], [`SturmSequence`] | polynomials in one variable, and their real roots |
 //! | [`Enclosure`], [`Enclosed`] | intervals of any width around a real number |
 //! | [`BivariatePolynomial`] | functions of two free parameters |
-//! | [`RationalPolynomial`], [`PiecewisePolynomial`], [`Parametric`] | functions of a free parameter |
+//! | [`RationalPolynomial`], [`PiecewisePolynomial`], [`Parametric`], [`QuotientAt`] | functions of a free parameter |
 //! | [`Interval`], [`IntervalSet`] | where a function of the parameter is below a bound |
 //! | [`Scalar`], [`Real`] | the operations that algorithms need of a number type |
 //! | [`Matrix`] | matrices with few distinct entries |
@@ -62,6 +62,7 @@ pub use parameter::interval::Interval;
 pub use parameter::interval_set::IntervalSet;
 pub use parameter::parametric::Parametric;
 pub use parameter::piecewise::PiecewisePolynomial;
+pub use parameter::quotient_at::{Place, QuotientAt};
 pub use polynomials::dense::{divided, greatest_divisor, square_free, stretched, value_at};
 pub use polynomials::rational_polynomial::RationalPolynomial;
 pub use polynomials::sturm::SturmSequence;

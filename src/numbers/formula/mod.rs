@@ -65,6 +65,7 @@ mod token;
 mod value;
 mod value_algebraic;
 mod value_expression;
+mod value_quotient;
 mod value_real;
 
 pub use angle::PI;

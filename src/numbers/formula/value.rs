@@ -3,8 +3,8 @@
 use super::error::FormulaErrorKind;
 use super::root_error::{RootError, rational_root};
 use crate::exact::{
-    CosineError, Integer, Parametric, Polynomial, Rational, Real, RealCyclotomic, Scalar,
-    common_conductor,
+    CosineError, Integer, Parametric, Polynomial, QuotientAt, Rational, Real, RealCyclotomic,
+    Scalar, common_conductor,
 };
 
 /// A type of values of formulas. An operation that the type does not have returns `None`.
@@ -54,6 +54,15 @@ pub trait Value: Scalar + std::fmt::Display {
     /// ⌊self⌋.
     fn floor(&self) -> Option<Integer> {
         self.as_rational().map(|value| value.floor())
+    }
+
+    /// This as a function of a parameter at a place of it, if it is one.
+    fn at_place(&self) -> Option<QuotientAt> {
+        None
+    }
+    /// This function of a parameter at a place of it, if the type has it.
+    fn of_place(_: QuotientAt) -> Option<Self> {
+        None
     }
 
     /// Whether this is 0; `None` when the answer depends on a symbol.

@@ -2,7 +2,8 @@
 
 use super::block::{Block, Certified, closed};
 use super::limits::radius;
-use crate::audit::{EquationFinding, EquationVerdict, Failure, Limits, SideValue};
+use super::parametric::place;
+use crate::audit::{EquationFinding, EquationVerdict, Failure, Limits, OnReals, SideValue};
 use crate::claim::{EquationBody, Identity, Paper};
 use crate::exact::{Integer, Rational};
 use crate::formula::{RealValue, Value as _};
@@ -32,12 +33,28 @@ impl Certified for EquationFinding<'_> {
                     block.line(case(failure));
                 }
             }
+            EquationVerdict::Reals(found) => on_reals(&mut block, found, &self.equation.body),
             EquationVerdict::Undecided { .. } => block.give_up("bounds leave it open"),
             EquationVerdict::NotCheckable => {}
             EquationVerdict::BeyondCap(cap) => block.give_up(cap.to_string()),
         }
         block
     }
+}
+
+/// `holds reals`, or `fails reals` and the first number that shows it: `false 3 1/2`, `true 0`.
+fn on_reals(block: &mut Block, found: &OnReals, body: &EquationBody) {
+    let first = found.cases.iter().find_map(|case| Some((case, case.counterexample.as_ref()?)));
+    let Some((case, number)) = first else { return block.line("holds reals".to_owned()) };
+    block.line("fails reals".to_owned());
+    let mut words: Vec<String> = case.indices.iter().map(ToString::to_string).collect();
+    words.insert(found.place.min(words.len()), place(&number.value));
+    let several = matches!(body, EquationBody::Identity(body) if body.comparisons.len() > 1);
+    if let Some(comparison) = number.fails.filter(|_| several) {
+        words.push((comparison + 1).to_string());
+    }
+    let truth = if number.fails.is_some() { "false" } else { "true" };
+    block.line(format!("{truth} {}", words.join(" ")));
 }
 
 fn restate(block: &mut Block, identity: &Identity) {

@@ -113,7 +113,7 @@ fn contains(set: &IntervalSet, place: &RealAlgebraic) -> bool {
 }
 
 /// `3/2`, or `root:-2,0,1:1:2`: a polynomial, and an interval with exactly one root of it.
-fn place(place: &RealAlgebraic) -> String {
+pub(super) fn place(place: &RealAlgebraic) -> String {
     if let Some(rational) = place.as_rational() {
         return rational.to_string();
     }

@@ -33,6 +33,7 @@ pub use extremes::step::{
 };
 pub use extremes::supremum::{greatest_of_bounded, greatest_of_step};
 pub use functional::{ExtremalPolygon, Functional, rule_at};
+pub(crate) use natural::rule_shifts;
 pub use natural::{NaturalShift, Parametrisation, natural_shift};
 pub use parameter::is_fraction;
 pub use points::{Combination, LimitWeights, Points};

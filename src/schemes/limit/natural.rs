@@ -1,6 +1,6 @@
 //! The parameters at which the points of a polygon are compared with the limit.
 
-use crate::exact::{Enclosed, Rational, Real};
+use crate::exact::{Enclosed, Rational, Real, Scalar};
 use crate::scheme::Mask;
 
 /// How parameters are assigned to the points of a level.
@@ -113,14 +113,7 @@ const MAX_DIGITS: usize = 16;
 pub fn natural_shift<F: Real + PartialEq + Enclosed>(mask: &Mask<F>) -> NaturalShift<F> {
     let number = |x: Rational| F::from_rational(&x);
     let n = Rational::from(mask.arity());
-    let offset = Rational::from(mask.offset());
-    let shift = |(alpha, row): (usize, &Vec<F>)| {
-        let weighted = row.iter().enumerate().map(|(j, entry)| entry.times(&number(j.into())));
-        let mean = weighted.fold(number(offset.clone()), |sum, term| sum.plus(&term));
-        let rest = number(Rational::from(alpha)).minus(&number(n.clone()).times(&mean));
-        rest.times(&number((&n - Rational::one()).recip()))
-    };
-    let shifts: Vec<F> = mask.rules().rows().iter().enumerate().map(shift).collect();
+    let shifts = rule_shifts(mask);
     let keeps_lines = shifts.iter().all(|shift| *shift == shifts[0]);
     let mean = F::total(&shifts).times(&number(n.recip()));
     let enclosure = mean.enclosure(0);
@@ -134,6 +127,20 @@ pub fn natural_shift<F: Real + PartialEq + Enclosed>(mask: &Mask<F>) -> NaturalS
     let nearest = scaled.step(Rational::floor);
     let shift = number(Rational::from(nearest) / parts);
     NaturalShift { shift, keeps_lines, rounded: true, of_rules: shifts }
+}
+
+/// s_α = (α − n(m_α + o))/(n − 1) with m_α = Σ_j j a_{α,j}, for each rule α.
+pub(crate) fn rule_shifts<F: Scalar>(mask: &Mask<F>) -> Vec<F> {
+    let number = |x: Rational| F::from_rational(&x);
+    let n = Rational::from(mask.arity());
+    let shift = |(alpha, row): (usize, &Vec<F>)| {
+        let weighted = row.iter().enumerate().map(|(j, entry)| entry.times(&number(j.into())));
+        let offset = number(Rational::from(mask.offset()));
+        let mean = weighted.fold(offset, |sum, term| sum.plus(&term));
+        let rest = number(Rational::from(alpha)).minus(&number(n.clone()).times(&mean));
+        rest.times(&number((&n - Rational::one()).recip()))
+    };
+    mask.rules().rows().iter().enumerate().map(shift).collect()
 }
 
 /// Whether the n-adic digits of a number repeat within [`MAX_DIGITS`].

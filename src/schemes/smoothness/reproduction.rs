@@ -1,7 +1,7 @@
 //! Polynomials that a scheme reproduces.
 
-use crate::exact::{Enclosed, Rational, Real};
-use crate::limit::natural_shift;
+use crate::exact::{Rational, Scalar};
+use crate::limit::rule_shifts;
 use crate::scheme::Mask;
 
 /// The largest d such that one refinement takes the values of every polynomial p of degree at most d at
@@ -20,13 +20,19 @@ use crate::scheme::Mask;
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
 #[must_use]
-pub fn reproduction_degree<F: Real + PartialEq + Enclosed>(mask: &Mask<F>) -> usize {
-    reproduction_degree_at(mask, &natural_shift(mask).shift)
+pub fn reproduction_degree<F: Scalar + PartialEq>(mask: &Mask<F>) -> usize {
+    let shifts = rule_shifts(mask);
+    // Without one shift for all rules lines are not reproduced.
+    if shifts.iter().all(|shift| *shift == shifts[0]) {
+        reproduction_degree_at(mask, &shifts[0])
+    } else {
+        0
+    }
 }
 
 /// As [`reproduction_degree`], with the points i of level k at (i + s)/n^k for this s: 0 for the parameters i/n^k.
 #[must_use]
-pub fn reproduction_degree_at<F: Real + PartialEq>(mask: &Mask<F>, shift: &F) -> usize {
+pub fn reproduction_degree_at<F: Scalar + PartialEq>(mask: &Mask<F>, shift: &F) -> usize {
     let number = |x: Rational| F::from_rational(&x);
     let inverse = number(Rational::from(mask.arity()).recip());
     let holds = |degree: usize| {

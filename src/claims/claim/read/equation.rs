@@ -84,7 +84,15 @@ impl Reader<'_> {
         let left = self.left(left, &indices)?;
         let comparisons = vec![Comparison::equal(left, formula(self.source, right)?)];
         let (symbols, hypotheses) = self.presupposed(&table.symbols, &table.hypotheses)?;
-        Ok(Identity { scheme, symbols, hypotheses, indices, comparisons, states: None })
+        Ok(Identity {
+            scheme,
+            symbols,
+            hypotheses,
+            indices,
+            comparisons,
+            states: None,
+            only: false,
+        })
     }
 
     /// The symbols and the hypotheses of a claim.

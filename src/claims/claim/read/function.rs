@@ -8,7 +8,7 @@ use crate::claim::{
     SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
 };
 use crate::diagnostic::Diagnostic;
-use crate::exact::{RealAlgebraic, RealCyclotomic, parse_decimal};
+use crate::exact::{Decimal, RealAlgebraic, RealCyclotomic, parse_decimal};
 use crate::formula::{LocatedFormula, Parameters, evaluate};
 use crate::scheme::{Spanned, formula, identifier};
 use std::ops::Range;
@@ -156,24 +156,33 @@ impl Reader<'_> {
     fn range_end(&self, field: &Spanned<NumberField>) -> Result<RangeEnd, Diagnostic> {
         let NumberField { printed, read, .. } = field.get_ref();
         let text = read.as_ref().unwrap_or(printed);
-        let (decimal, value) = if let Ok(decimal) = parse_decimal(text) {
+        let (decimal, value) = self.place_of(text, field.span())?;
+        Ok(RangeEnd { text: printed.clone(), decimal, value, span: field.span() })
+    }
+
+    /// The value of a decimal, or of a closed formula.
+    pub(super) fn place_of(
+        &self,
+        text: &str,
+        span: Range<usize>,
+    ) -> Result<(Option<Decimal>, RealAlgebraic), Diagnostic> {
+        Ok(if let Ok(decimal) = parse_decimal(text) {
             let value = RealAlgebraic::from(decimal.value());
             (Some(decimal), value)
         } else {
-            let formula = LocatedFormula::read(self.source, field.span(), text)?;
+            let formula = LocatedFormula::read(self.source, span.clone(), text)?;
             let value = evaluate(&formula.expr, &Parameters::<RealCyclotomic>::default())
                 .map_err(|error| formula.diagnostic(&error))?;
             let value = RealAlgebraic::of_cyclotomic(&value).ok_or_else(|| {
                 let message = "cosines of these angles are too complicated for an end of a range";
                 let most = RealAlgebraic::MAX_CONDUCTOR;
-                self.error(field.span(), message).with_help(format!(
+                self.error(span.clone(), message).with_help(format!(
                     "cosines of multiples of 2*pi/n may stand here for n up to {most}; other ends are \
                      decimals"
                 ))
             })?;
             (None, value)
-        };
-        Ok(RangeEnd { text: printed.clone(), decimal, value, span: field.span() })
+        })
     }
 
     fn no_ends(&self, table: &RangeTable) -> Diagnostic {

@@ -9,12 +9,13 @@ use crate::claim::{
     Comparison, Equation, EquationBody, Identity, Index, Left, LocatedReference, Paper, Sign,
 };
 use crate::diagnostic::Diagnostic;
-use crate::exact::{Rational, parse_rational, within};
+use crate::exact::{Interval, IntervalSet, Rational, parse_rational, within};
 use crate::formula::LocatedFormula;
 use crate::scheme::{Spanned, identifier};
 use serde::Deserialize;
 use statement::{NoStatement, Statement, Values, index, statement};
 use std::collections::BTreeSet;
+use std::ops::Bound;
 
 claim_table!(RelationTable {
     /// Names that stay symbolic; `q` may be a family such as `q[2*i-1]`.
@@ -25,8 +26,12 @@ claim_table!(RelationTable {
     hypotheses: Vec<Spanned<String>>,
     /// What is claimed: `'0 < contraction(2) <= 1/2'`, `'symmetric()'`, `'sum_rules() in {3, 4}'`.
     states: Option<Spanned<String>>,
-    /// The indices: `'n = 2..8'`, `'n = 2, 4, 8'`, `'(n, v) = (3, 0.41), (4, 0.5)'` or `'all n >= 2'`, or a list of these.
+    /// The indices: `'n = 2..8'`, `'n = 2, 4, 8'`, `'(n, v) = (3, 0.41), (4, 0.5)'`, `'all n >= 2'`, `'real v'` or
+    /// `'0 < v < 1/4'`, or a list of these.
     r#for: Option<Spanned<ForField>>,
+    /// Whether the relation is claimed for no other real number than the values of its only index.
+    #[serde(default)]
+    only: Option<Spanned<bool>>,
     /// In place of `states`: what the paper lacks that the relation would need.
     absent: Option<String>,
 });
@@ -34,11 +39,12 @@ claim_table!(RelationTable {
 one_or_each!(
     /// One index, or a list of them.
     ForField,
-    "an index such as 'n = 2..8' or 'all n >= 2', or a list of them"
+    "an index such as 'n = 2..8', 'all n >= 2' or '0 < v < 1', or a list of them"
 );
 
 /// How indices are written.
-const FOR: &str = "write for = 'n = 2..8', 'n = 2, 4, 8', '(n, v) = (3, 0.41), (4, 0.5)' or 'all n >= 2', or a list of these";
+const FOR: &str = "write for = 'n = 2..8', 'n = 2, 4, 8', '(n, v) = (3, 0.41), (4, 0.5)' or 'all n >= 2', or 'real v', \
+                   '0 < v <= 1/4', 'v > 0' or 'v != 1/16' for real numbers, or a list of these";
 
 /// The greatest absolute value of the first of all values of an index.
 const MAX_FIRST: i64 = 1_000_000;
@@ -103,8 +109,93 @@ impl Reader<'_> {
         let indices = indices.collect::<Result<Vec<Index>, Diagnostic>>()?;
         let (symbols, hypotheses) = self.presupposed(&table.symbols, &table.hypotheses)?;
         let comparisons = self.comparisons(states)?;
-        let states = Some(states.get_ref().clone());
-        Ok(Identity { scheme, symbols, hypotheses, indices, comparisons, states })
+        let only = table.only.as_ref().is_some_and(|only| *only.get_ref());
+        let stated = Some(states.get_ref().clone());
+        let identity =
+            Identity { scheme, symbols, hypotheses, indices, comparisons, states: stated, only };
+        self.check_reals(table, &identity, states)?;
+        Ok(identity)
+    }
+
+    /// Checks what a relation may have beside an index of real numbers.
+    fn check_reals(
+        &self,
+        table: &RelationTable,
+        identity: &Identity,
+        states: &Spanned<String>,
+    ) -> Result<(), Diagnostic> {
+        let place = |span: Option<std::ops::Range<usize>>| span.unwrap_or_else(|| states.span());
+        let reals = identity.indices.iter().filter(|index| matches!(index, Index::Real { .. }));
+        let reals = reals.count();
+        if identity.only
+            && (reals == 0 && !matches!(identity.indices[..], [Index::Listed { .. }])
+                || identity.indices.len() != 1)
+        {
+            let span = place(table.only.as_ref().map(Spanned::span));
+            let message =
+                "`only` is about the one index of a relation, which has real or listed values";
+            return Err(self.error(span, message).with_help(
+                "for = 'v = 1/16' with only = true states it for 1/16 and for no other real v",
+            ));
+        }
+        if reals == 0 && !identity.only {
+            return Ok(());
+        }
+        let span = place(table.r#for.as_ref().map(Spanned::span));
+        if reals > 1 {
+            return Err(self.error(span, "two indices of real numbers cannot be judged together"));
+        }
+        if identity.is_for_all() || !identity.symbols.is_empty() || !identity.hypotheses.is_empty()
+        {
+            let message = "beside an index of real numbers there are no symbols, no hypotheses and no index that is `all`";
+            return Err(self.error(span, message));
+        }
+        if identity.comparisons.iter().any(|comparison| comparison.sign == Sign::Near) {
+            let message = "`~` compares a printed number with one value, and there are many here";
+            return Err(self
+                .error(states.span(), message)
+                .with_help("write an interval: `x in [a, b]`"));
+        }
+        Ok(())
+    }
+
+    /// The real numbers that signs and formulas describe.
+    fn reals(
+        &self,
+        signs: &[(Sign, &str)],
+        span: std::ops::Range<usize>,
+    ) -> Result<IntervalSet, Diagnostic> {
+        let mut set = IntervalSet::everything();
+        for (sign, text) in signs {
+            let (_, end) = self.place_of(text, span.clone())?;
+            let (low, high) = match sign {
+                Sign::Less => (Bound::Unbounded, Bound::Excluded(end)),
+                Sign::AtMost => (Bound::Unbounded, Bound::Included(end)),
+                Sign::Greater => (Bound::Excluded(end), Bound::Unbounded),
+                Sign::AtLeast => (Bound::Included(end), Bound::Unbounded),
+                _ => (Bound::Included(end.clone()), Bound::Included(end)),
+            };
+            let described = IntervalSet::from(Interval { low, high });
+            set = match sign {
+                Sign::Unequal => set.without(&described),
+                _ => set.intersection(&described),
+            };
+        }
+        let bounded = |(sign, _): &(Sign, &str)| match sign {
+            Sign::Less | Sign::AtMost => 1,
+            Sign::Greater | Sign::AtLeast => -1,
+            _ => 0,
+        };
+        if let [first, second] = signs
+            && bounded(first) * bounded(second) != -1
+        {
+            let message = "both signs have one direction: `0 < v < 1`";
+            return Err(self.error(span, message).with_help(FOR));
+        }
+        if set.is_empty() {
+            return Err(self.error(span, "no number is between these ends").with_help(FOR));
+        }
+        Ok(set)
     }
 
     /// The comparisons of a text.
@@ -191,6 +282,10 @@ impl Reader<'_> {
             |text: &str| LocatedFormula::read(self.source, span.clone(), text).map(Box::new);
         match values {
             Values::Rows(_) => Err(refused("this is no index with values")),
+            Values::Real(signs) => {
+                let values = self.reals(&signs, span.clone())?;
+                Ok(Index::Real { name, values, text: text.trim().to_owned() })
+            }
             Values::Range(from, to) => {
                 let (from, to) = (formula(from)?, formula(to)?);
                 Ok(Index::Range { label: name.clone(), name, from, to })

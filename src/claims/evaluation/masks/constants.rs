@@ -2,10 +2,11 @@
 
 use crate::bound::{
     ClassCap, Constants, DepthError, MAX_DEPTH, Operator, Order, Suprema, Terms, best_offset,
-    displacement, surface_displacement,
+    displacement, power_norm_generic, surface_displacement,
 };
 use crate::cap::Cap;
 use crate::evaluation::arguments::level;
+use crate::evaluation::masks::{at_place, numbers};
 use crate::evaluation::options::Options;
 use crate::exact::{Rational, Real};
 use crate::formula::{Call, CallError, Value};
@@ -15,6 +16,10 @@ use std::rc::Rc;
 /// max_β |Σ_j b_{β,j}|.
 pub(crate) fn total_contraction<S: Real>(difference: &Rules<S>) -> S {
     S::maximum(difference.rows().iter().map(|row| Terms::Total.gather(row)))
+}
+
+fn total_of_one_level() -> CallError {
+    CallError::Misuse("`terms = total` is defined for c = 1 only".to_owned())
 }
 
 /// σ with the terms and at the offset that the options name; `best` gives the best offset, if the mask has one.
@@ -75,10 +80,7 @@ pub(crate) fn constant<V: Value>(
                     capped(of.in_order(order).norm(Operator::Difference, c, order))
                 }
                 Terms::Total if c == 1 => Ok(total_contraction(own.difference())),
-                Terms::Total => {
-                    let message = "`terms = total` is defined for c = 1 only";
-                    return Err(CallError::Misuse(message.to_owned()));
-                }
+                Terms::Total => return Err(total_of_one_level()),
             }
         }
         ("norm", c @ ([] | [_])) => {
@@ -106,6 +108,59 @@ pub(crate) fn constant<V: Value>(
         _ => return Ok(None),
     };
     value.map(|value| Some(V::from_rational(&value)))
+}
+
+/// The most residue classes of a constant of a mask that is not rational.
+const MAX_SUMMED_CLASSES: usize = 4_096;
+
+/// A constant of a mask that is not rational, by its definition; `None` if there is no such constant of so many arguments.
+pub(crate) fn constant_by_sums<V: Value>(
+    call: &Call<'_, V>,
+    options: &mut Options<'_>,
+    mask: &Mask<V>,
+) -> Result<Option<V>, CallError> {
+    let known = ["contraction", "norm", "tensor", "displacement", "surface_displacement"];
+    if !known.contains(&call.function) {
+        return Ok(None);
+    }
+    Ok(match at_place(mask) {
+        Some(mask) => V::of_place(by_sums(call, options, &mask)?),
+        None => V::of_number(&by_sums(call, options, &numbers(mask)?)?),
+    })
+}
+
+fn by_sums<V: Value, F: Real + PartialEq>(
+    call: &Call<'_, V>,
+    options: &mut Options<'_>,
+    mask: &Mask<F>,
+) -> Result<F, CallError> {
+    let norm = |rules: &Rules<F>, c: u32, order: Order| {
+        let classes = rules.arity().checked_pow(c);
+        if classes.is_none_or(|classes| classes > MAX_SUMMED_CLASSES) {
+            let what = "the number of residue classes of a mask that is not rational";
+            return Err(CallError::BeyondCap(Cap::new(what, MAX_SUMMED_CLASSES as u64)));
+        }
+        let norm = power_norm_generic(rules, c, order);
+        norm.map_err(|error| CallError::BeyondCap(error.cap()))
+    };
+    match (call.function, call.arguments) {
+        ("contraction", c @ ([] | [_])) => {
+            let (c, order) = (levels(c)?, options.order()?);
+            match options.terms()? {
+                Terms::Each => norm(&mask.difference(), c, order),
+                Terms::Total if c == 1 => Ok(total_contraction(&mask.difference())),
+                Terms::Total => Err(total_of_one_level()),
+            }
+        }
+        ("norm", c @ ([] | [_])) => {
+            let (c, order) = (levels(c)?, options.order()?);
+            norm(mask.rules(), c, order)
+        }
+        ("displacement", []) => moved(mask, options, || None),
+        (name, _) => {
+            Err(CallError::Misuse(format!("`{name}` is computed for rational masks only")))
+        }
+    }
 }
 
 fn capped(value: Result<Rational, ClassCap>) -> Result<Rational, CallError> {

@@ -25,12 +25,20 @@ pub(crate) fn over_field<V: Value>(mask: &Mask<V>) -> Result<Mask<FieldElement>,
         error.cap().map_or_else(|| CallError::Misuse(error.to_string()), CallError::BeyondCap)
     })?;
     let generator = generator.element();
+    let two = FieldElement::from_rational(&Rational::from(2));
+    // C_0 = 1 and C_k = 2cos(2πk/n) = C_1·C_{k−1} − C_{k−2}, with 2 for C_0 in the one of k = 2.
+    let mut basis = vec![FieldElement::from_rational(&Rational::one()), generator.clone()];
+    let coordinates = RealCyclotomic::coordinates(&all);
+    for k in 2..coordinates.iter().map(Vec::len).max().unwrap_or(0) {
+        let before = if k == 2 { two.clone() } else { basis[k - 2].clone() };
+        basis.push(generator.times(&basis[k - 1]).minus(&before));
+    }
     let value = |coordinates: &Vec<Rational>| {
-        coordinates.iter().rev().fold(FieldElement::zero(), |sum, c| {
-            sum.times(generator).plus(&FieldElement::from_rational(c))
+        let terms = coordinates.iter().zip(&basis);
+        terms.fold(FieldElement::zero(), |sum, (c, element)| {
+            sum.plus(&element.times(&FieldElement::from_rational(c)))
         })
     };
-    let coordinates = RealCyclotomic::coordinates(&all);
     let mut values = coordinates.iter().map(value);
     Ok(mask.map(|_| values.next().unwrap_or_else(FieldElement::zero)))
 }

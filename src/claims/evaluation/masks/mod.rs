@@ -1,28 +1,25 @@
 //! Functions of masks and of their basic limit functions.
 
+mod coefficients;
 pub(crate) mod constants;
 mod field;
 
 pub(crate) use field::over_field;
 
 use crate::cap::Cap;
-use crate::evaluation::arguments::{index, narrow, within};
-use crate::evaluation::options::{Data, Options, Parameters};
-use crate::exact::{Rational, RealCyclotomic, Scalar as _};
-use crate::facts::{centre, is_interpolating};
-use crate::formula::{Call, CallError, FormulaErrorKind, Value};
+use crate::evaluation::arguments::index;
+use crate::evaluation::options::Options;
+use crate::exact::{QuotientAt, Rational, RealCyclotomic, Scalar};
+use crate::formula::{Call, CallError, Value};
 use crate::limit::{Limit, LimitError};
 use crate::scheme::Mask;
 use crate::smoothness::{
     InnerProductError, InnerProducts, Kept, Shape, Symbol, basic, derivative_symbol,
-    integral_symbol, is_independent, moments, reproduction_degree, reproduction_degree_at,
-    shape_kept,
+    integral_symbol, is_independent, shape_kept,
 };
+use coefficients::of_coefficients;
 use std::cell::RefCell;
 use std::rc::Rc;
-
-/// The greatest m of a moment.
-const MAX_MOMENT: i64 = 64;
 
 /// The greatest product of the numbers of coefficients of two masks.
 const MAX_PRODUCTS: usize = 1 << 22;
@@ -103,79 +100,45 @@ impl KnownLimits {
 /// The greatest product of the bits of two masks whose inner products are computed.
 const MAX_BITS: u64 = 1 << 24;
 
-/// The value of a function of a mask; `None` if there is no such function of so many arguments. `other` gives the mask of the
-/// scheme that a name stands for.
+/// The value of a function of a mask. `other` gives the mask of the scheme that a name stands for.
+///
+/// # Errors
+/// When there is no such value; `None` if there is no such function of so many arguments.
 pub(crate) fn of_mask<V: Value + PartialEq>(
     mask: &Mask<V>,
     call: &Call<'_, V>,
     options: &mut Options<'_>,
-    other: impl FnOnce(&str) -> Result<Mask<V>, CallError>,
+    other: impl Fn(&str) -> Result<Mask<V>, CallError>,
     known: &KnownLimits,
-) -> Option<Result<V, CallError>> {
+) -> Result<Option<V>, CallError> {
+    if let Some(value) = of_coefficients(mask, call, options, &other)? {
+        return Ok(Some(value));
+    }
     let truth = |holds: bool| V::from_rational(&Rational::from(i64::from(holds)));
-    let count = |count: usize| V::from_rational(&Rational::from(count));
-    let number = |value: &RealCyclotomic| {
-        V::of_number(value).ok_or(CallError::Inner(FormulaErrorKind::Unsupported(IRRATIONAL)))
-    };
-    let support = |of: fn([Rational; 2]) -> Rational| {
-        let (first, last) = Symbol::of(&numbers(mask)?).support();
-        Ok(V::from_rational(&of([first, last])))
-    };
-    Some(match (call.function, call.arguments) {
-        ("coefficient", [k]) => {
-            index("a place in the mask", k).map(|k| Symbol::of(mask).coefficient(k))
-        }
-        ("symbol_at", [z]) => symbol_at(mask, z),
-        ("support", []) => support(|[first, last]| last - first),
-        ("support_start", []) => support(|[first, _]| first),
-        ("support_end", []) => support(|[_, last]| last),
-        ("symmetric", []) => numbers(mask).map(|mask| truth(centre(&Symbol::of(&mask)).is_some())),
-        ("interpolating", []) => numbers(mask).map(|mask| truth(is_interpolating(&mask))),
-        ("sum_rules", []) => numbers(mask).map(|mask| count(Symbol::of(&mask).sum_rules().0)),
-        ("generation", []) => {
-            // The rules sum to 1, so that the order is 1 at least.
-            numbers(mask).map(|mask| count(Symbol::of(&mask).sum_rules().0 - 1))
-        }
-        ("reproduction", []) => {
-            options.parameters().and_then(|parameters| Ok(count(degree(mask, parameters)?)))
-        }
-        ("approximation_order", []) => options.data().and_then(|data| match data {
-            Data::Sampled => Ok(count(degree(mask, Parameters::Natural)? + 1)),
-            Data::Adapted => Ok(count(Symbol::of(&numbers(mask)?).sum_rules().0)),
+    let keeps = |shape| Ok::<V, CallError>(truth(known.keeps(rational(mask)?, shape)?));
+    let value = match (call.function, call.arguments) {
+        ("coefficient", [k]) => Symbol::of(mask).coefficient(index("a place in the mask", k)?),
+        ("symbol_at", [z]) => symbol_at(mask, z)?,
+        ("limit_value", [x]) => limit_value(mask, x, options.derivative()?, known)?,
+        ("integral", [x, y]) => integral(mask, [x, y], known)?,
+        ("inner_product", [k]) => inner_product(mask, k, options, other, known)?,
+        ("positive", []) => keeps(Shape::Positive)?,
+        ("monotone", []) => keeps(Shape::Monotone)?,
+        ("convex", []) => keeps(Shape::Convex)?,
+        ("independent", []) => truth(match rational(mask) {
+            Ok(mask) => is_independent(&Symbol::of(&mask)),
+            Err(_) => is_independent(&Symbol::of(&over_field(mask)?)),
         }),
-        ("moment", [m]) => within("the order of a moment", m, 0..=MAX_MOMENT).and_then(|m| {
-            let all = moments(&Symbol::of(&numbers(mask)?), narrow(m));
-            all.last().map_or_else(|| Ok(V::zero()), number)
-        }),
-        ("limit_value", [x]) => options.derivative().and_then(|m| limit_value(mask, x, m, known)),
-        ("integral", [x, y]) => integral(mask, [x, y], known),
-        ("inner_product", [k]) => inner_product(mask, k, options, other, known),
-        ("positive", []) => {
-            rational(mask).and_then(|mask| known.keeps(mask, Shape::Positive)).map(truth)
-        }
-        ("monotone", []) => {
-            rational(mask).and_then(|mask| known.keeps(mask, Shape::Monotone)).map(truth)
-        }
-        ("convex", []) => {
-            rational(mask).and_then(|mask| known.keeps(mask, Shape::Convex)).map(truth)
-        }
-        ("independent", []) => match rational(mask) {
-            Ok(mask) => Ok(truth(is_independent(&Symbol::of(&mask)))),
-            Err(_) => over_field(mask).map(|mask| truth(is_independent(&Symbol::of(&mask)))),
-        },
         ("same", []) => match options.take("with") {
-            Some(name) => other(&name).map(|other| truth(Symbol::of(mask) == Symbol::of(&other))),
-            None => Err(CallError::Misuse("name the other scheme: `same(with = NAME)`".to_owned())),
+            Some(name) => truth(Symbol::of(mask) == Symbol::of(&other(&name)?)),
+            None => {
+                let message = "name the other scheme: `same(with = NAME)`";
+                return Err(CallError::Misuse(message.to_owned()));
+            }
         },
-        ("orthogonal", []) => dual(mask, mask).map(truth),
-        ("biorthogonal", []) => match options.take("with") {
-            Some(name) => other(&name).and_then(|other| dual(mask, &other)).map(truth),
-            None => Err(CallError::Misuse(
-                "name the other scheme: `biorthogonal(with = NAME)`".to_owned(),
-            )),
-        },
-        _ => return None,
-    })
+        _ => return Ok(None),
+    };
+    Ok(Some(value))
 }
 
 const IRRATIONAL: &str = "this value is irrational, where only rational numbers can be used";
@@ -189,6 +152,13 @@ pub(crate) fn numbers<V: Value>(mask: &Mask<V>) -> Result<Mask<RealCyclotomic>, 
     Err(CallError::Misuse(
         "this needs a mask of numbers, and this one has symbols in it".to_owned(),
     ))
+}
+
+/// The mask with functions of a parameter for coefficients, at a place of it, if the values are such functions.
+pub(crate) fn at_place<V: Value>(mask: &Mask<V>) -> Option<Mask<QuotientAt>> {
+    let mut all = mask.rules().rows().iter().flatten();
+    let located = all.all(|entry| entry.at_place().is_some());
+    located.then(|| mask.map(|entry| entry.at_place().unwrap_or_else(QuotientAt::zero)))
 }
 
 /// The mask, whose coefficients are rational.
@@ -221,14 +191,6 @@ fn symbol_at<V: Value + PartialEq>(mask: &Mask<V>, z: &V) -> Result<V, CallError
     }
     let inverse = one.divided(z).map_err(CallError::Inner)?;
     Ok((low..0).fold(value, |value, _| value.times(&inverse)))
-}
-
-fn degree<V: Value>(mask: &Mask<V>, parameters: Parameters) -> Result<usize, CallError> {
-    let mask = numbers(mask)?;
-    Ok(match parameters {
-        Parameters::Natural => reproduction_degree(&mask),
-        Parameters::Indexed => reproduction_degree_at(&mask, &RealCyclotomic::zero()),
-    })
 }
 
 /// A place of a limit.
@@ -328,18 +290,7 @@ fn inner_product<V: Value>(
     products.at(&k).map(|value| V::from_rational(&value)).map_err(|error| unlimited(&error))
 }
 
-fn dual<V: Value>(first: &Mask<V>, second: &Mask<V>) -> Result<bool, CallError> {
-    let masks = [numbers(first)?, numbers(second)?];
-    let [first, second] = &masks;
-    if first.arity() != second.arity() {
-        let message = format!("the arities differ: {} and {}", first.arity(), second.arity());
-        return Err(CallError::Misuse(message));
-    }
-    check_size(first, second)?;
-    Ok(Symbol::of(first).is_dual_to(&Symbol::of(second)))
-}
-
-fn check_size<F: crate::exact::Scalar>(first: &Mask<F>, second: &Mask<F>) -> Result<(), CallError> {
+fn check_size<F: Scalar>(first: &Mask<F>, second: &Mask<F>) -> Result<(), CallError> {
     let size = |mask: &Mask<F>| mask.arity() * mask.width();
     if size(first).saturating_mul(size(second)) > MAX_PRODUCTS {
         let what = "the number of coefficients of one mask times that of the other";

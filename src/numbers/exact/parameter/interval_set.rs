@@ -21,8 +21,12 @@ impl IntervalSet {
     /// The union of the cells of the real line that `keep` marks. The points p_1 < … <
     /// p_n cut the line into the 2n + 1 cells (−∞, p_1), {p_1}, (p_1, p_2), …, (p_n, ∞),
     /// and `keep` has one entry for each, in this order.
-    pub(super) fn of_cells(points: &[RealAlgebraic], keep: &[bool]) -> IntervalSet {
-        debug_assert_eq!(keep.len(), 2 * points.len() + 1);
+    ///
+    /// # Panics
+    /// When there are not 2n + 1 entries.
+    #[must_use]
+    pub fn of_cells(points: &[RealAlgebraic], keep: &[bool]) -> IntervalSet {
+        assert_eq!(keep.len(), 2 * points.len() + 1);
         let low = |cell: usize| match cell {
             0 => Bound::Unbounded,
             cell if cell % 2 == 1 => Bound::Included(points[cell / 2].clone()),

@@ -2,7 +2,7 @@
 
 use super::function::beyond;
 use crate::audit::Failure;
-use crate::audit::{EquationFinding, EquationVerdict};
+use crate::audit::{EquationFinding, EquationVerdict, OnReals};
 use crate::claim::{Comparison, EquationBody, Identity, Index, Sign};
 use crate::exact::{Rational, Rounding};
 
@@ -34,6 +34,7 @@ pub(crate) fn outcome(finding: &EquationFinding<'_>) -> String {
             lines.extend(open.iter().take(MAX_FAILURES).map(|case| difference(finding, case)));
             lines.join("\n")
         }
+        EquationVerdict::Reals(found) => on_reals(finding, found),
         EquationVerdict::NotCheckable => {
             format!("not checkable without {}", finding.equation.absent().unwrap_or_default())
         }
@@ -52,6 +53,36 @@ pub(crate) fn outcome(finding: &EquationFinding<'_>) -> String {
             lines.join("\n")
         }
     }
+}
+
+/// Whether a relation is true for real values of an index, and where it is true if that is not as claimed.
+fn on_reals(finding: &EquationFinding<'_>, found: &OnReals) -> String {
+    let EquationBody::Identity(identity) = &finding.equation.body else { return String::new() };
+    let name = &found.name;
+    if found.holds() {
+        let only = if identity.only { format!(", and for no other {name}") } else { String::new() };
+        return format!("holds{}{only}", compared(finding));
+    }
+    let failing = found.cases.iter().filter_map(|case| Some((case, case.counterexample.as_ref()?)));
+    let shown = failing.take(MAX_FAILURES).flat_map(|(case, number)| {
+        let at = if case.at.is_empty() { String::new() } else { format!("{}: ", case.at) };
+        let comparison = number.fails.and_then(|place| identity.comparisons.get(place));
+        let what = match (comparison, identity.comparisons.len()) {
+            (Some(comparison), 2..) => {
+                let (left, right) = (&comparison.left.formula(0).text, &comparison.right().text);
+                format!("{left} {} {right} is false", comparison.sign.mark())
+            }
+            (Some(_), _) => "it is false".to_owned(),
+            (None, _) => "it is true".to_owned(),
+        };
+        let whole = if identity.only || case.truth.is_empty() { "" } else { "of these, " };
+        [
+            format!("{at}{what} for {name} = {}", number.value),
+            format!("{at}{whole}it is true for {}", case.truth.describe(name)),
+        ]
+    });
+    let lines: Vec<String> = ["fails".to_owned()].into_iter().chain(shown).collect();
+    lines.into_iter().chain(finding.equation.note.clone()).collect::<Vec<String>>().join("\n")
 }
 
 /// A case in which a claim is false: the difference of the sides of an equation, the values of those of another relation.
@@ -102,6 +133,7 @@ fn compared(finding: &EquationFinding<'_>) -> String {
             format!(", ({}) in {} rows", names.join(", "), rows.len())
         }
         Index::All { name, from } => format!(" for all {name} ≥ {from}"),
+        Index::Real { text, .. } => format!(" for {text}"),
     };
     identity.indices.iter().map(index).collect()
 }

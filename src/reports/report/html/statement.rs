@@ -118,5 +118,6 @@ fn index(index: &Index) -> String {
             format!("({}) = {}", names.join(", "), rows.join(", "))
         }
         Index::All { name, from } => format!("all {name} ≥ {from}"),
+        Index::Real { text, .. } => text.clone(),
     }
 }

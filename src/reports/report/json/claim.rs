@@ -82,6 +82,9 @@ pub enum Details<'a> {
         failures: Option<Vec<Failure<'a>>>,
         /// Changes of one symbol after which the equation holds.
         mends: Option<&'a [String]>,
+        /// Of a relation about real values of an index: where it is true, for each combination of the other indices. Where it is
+        /// claimed for no other number, all real numbers count, and else those for which it is claimed.
+        holds_for: Option<Vec<String>>,
     },
     /// Of a closed form in a free parameter.
     Function {

@@ -62,6 +62,12 @@ impl<'a> Told<'a> for EquationFinding<'a> {
 
     fn form<'s>(&'s self, _: &'s PaperAudit<'_>) -> Vec<Claim<'s>> {
         let equation = self.equation;
+        let holds_for = match &self.verdict {
+            EquationVerdict::Reals(found) => {
+                Some(found.cases.iter().map(|case| case.truth.describe(&found.name)).collect())
+            }
+            _ => None,
+        };
         let (failures, mends, absent) = match &self.verdict {
             EquationVerdict::Fails { failures, mends, .. } => {
                 (Some(failures.iter().map(json::Failure::of).collect()), Some(&mends[..]), None)
@@ -75,9 +81,10 @@ impl<'a> Told<'a> for EquationFinding<'a> {
             EquationVerdict::BeyondCap(cap) => (None, None, Some(cap.to_string())),
             EquationVerdict::Holds { .. }
             | EquationVerdict::Proved
+            | EquationVerdict::Reals(_)
             | EquationVerdict::Tried { .. } => (None, None, None),
         };
-        let details = Details::Equation { failures, mends };
+        let details = Details::Equation { failures, mends, holds_for };
         let (title, verdict) = (equation.title.as_str(), self.verdict.word().name());
         let claim =
             Claim::plain(&self.id, &equation.locus, equation.kind(), title, verdict, details);

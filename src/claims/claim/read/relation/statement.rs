@@ -161,6 +161,8 @@ pub(super) enum Values<'t> {
     Rows(Vec<Vec<&'t str>>),
     /// `all n >= 2`
     All(Option<&'t str>),
+    /// `real v`, `0 < v <= 1`, `v != 0`: the signs behind `v`, each with what stands behind it.
+    Real(Vec<(Sign, &'t str)>),
 }
 
 /// An index with its values: `n = 2..8`, `n = 2, 4, 8`, `all n` or `all n >= 2`; or several with rows of values.
@@ -172,6 +174,14 @@ pub(super) fn index(text: &str) -> Option<(Vec<&str>, Values<'_>)> {
         let bound = [">=", "≥"].into_iter().find_map(|sign| rest.split_once(sign));
         let (name, from) = bound.map_or((rest, None), |(name, from)| (name, Some(from.trim())));
         return Some((vec![name.trim()], Values::All(from)));
+    }
+    if let Some(rest) =
+        text.strip_prefix("real").filter(|rest| rest.starts_with(char::is_whitespace))
+    {
+        return Some((vec![rest.trim()], Values::Real(Vec::new())));
+    }
+    if let Some((name, signs)) = described(text) {
+        return Some((vec![name], Values::Real(signs)));
     }
     let (name, values) = text.split_once('=')?;
     if name.starts_with('(') {
@@ -185,6 +195,42 @@ pub(super) fn index(text: &str) -> Option<(Vec<&str>, Values<'_>)> {
         None => Values::Listed(values.split(',').map(str::trim).collect()),
     };
     Some((vec![name.trim()], values))
+}
+
+/// `a < v <= b`, `v > a`, `a >= v`, `v != a`: the name, and the signs behind it with what stands behind them.
+fn described(text: &str) -> Option<(&str, Vec<(Sign, &str)>)> {
+    let found = signs(text, &outer(text)?);
+    let end = |at: usize| found.get(at).map_or(text.len(), |(_, place)| place.start);
+    let behind = |at: usize| Some(text.get(found.get(at)?.1.end..end(at.checked_add(1)?))?.trim());
+    let before = text.get(..end(0))?.trim();
+    let is_order = |sign| !matches!(sign, Sign::Equal | Sign::Near);
+    if !found.iter().all(|(sign, _)| is_order(*sign)) {
+        return None;
+    }
+    match found[..] {
+        // The formula may stand on either side: a name is no number.
+        [(sign, _)] if is_name(before) => Some((before, vec![(sign, behind(0)?)])),
+        [(sign, _)] => Some((behind(0)?, vec![(turned(sign), before)])),
+        [(first, _), (second, _)] if first != Sign::Unequal && second != Sign::Unequal => {
+            Some((behind(0)?, vec![(turned(first), before), (second, behind(1)?)]))
+        }
+        _ => None,
+    }
+}
+
+fn is_name(text: &str) -> bool {
+    text.starts_with(char::is_alphabetic) && text.chars().all(|c| c.is_alphanumeric() || c == '_')
+}
+
+/// The sign with which the sides change places.
+fn turned(sign: Sign) -> Sign {
+    match sign {
+        Sign::Less => Sign::Greater,
+        Sign::AtMost => Sign::AtLeast,
+        Sign::Greater => Sign::Less,
+        Sign::AtLeast => Sign::AtMost,
+        other => other,
+    }
 }
 
 /// The parts of `(a, b)`.

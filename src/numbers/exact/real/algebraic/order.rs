@@ -1,7 +1,7 @@
 //! Equality and order of real algebraic numbers.
 
 use super::number::{Form, RealAlgebraic, Root};
-use crate::exact::Rational;
+use crate::exact::{IntegerPolynomial, Rational, SturmSequence};
 use std::cmp::Ordering;
 
 /// The number of halvings of two intervals before the gcd of the polynomials is computed.
@@ -32,6 +32,39 @@ impl RealAlgebraic {
             }
             Form::Irrational(_) => Ordering::Less,
         }
+    }
+}
+
+impl RealAlgebraic {
+    /// The sign of a polynomial at this number: −1, 0 or 1.
+    ///
+    /// ```
+    /// use subcert::exact::{IntegerPolynomial, RealAlgebraic};
+    ///
+    /// // At √2: x² − 2, x² − x and x − 2.
+    /// let root = &RealAlgebraic::roots_of(&IntegerPolynomial::from([-2, 0, 1]))[1];
+    /// let sign = |p: IntegerPolynomial| root.sign_of(&p);
+    /// assert_eq!([sign([-2, 0, 1].into()), sign([0, -1, 1].into()), sign([-2, 1].into())], [0, 1, -1]);
+    /// ```
+    #[must_use]
+    pub fn sign_of(&self, p: &IntegerPolynomial) -> i8 {
+        let root = match &self.0 {
+            Form::Rational(value) => return p.sign_at(value),
+            Form::Irrational(root) => root,
+        };
+        if p.degree().unwrap_or(0) == 0 {
+            return p.leading().sign();
+        }
+        // A common divisor has no other root than this one in the interval, and that is simple.
+        let common = p.gcd(&root.polynomial);
+        if common.sign_at(&root.lower) == -common.sign_at(&root.upper) {
+            return 0;
+        }
+        let (sequence, mut root) = (SturmSequence::new(p), root.clone());
+        while sequence.count_roots(&root.lower, &root.upper) > 0 {
+            root.halve();
+        }
+        p.sign_at(&root.upper)
     }
 }
 

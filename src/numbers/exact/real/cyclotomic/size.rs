@@ -31,7 +31,7 @@ impl RealCyclotomic {
     }
 
     /// Rational c_{i,k} such that number i is Σ_k c_{i,k} b_k, with b_k that are linearly independent over
-    /// the rationals and the same for all of these numbers.
+    /// the rationals and the same for all of these numbers: b_0 = 1 and b_k = 2cos(2πk/n), for a common conductor n.
     ///
     /// # Panics
     /// When the numbers have no [`common_conductor`](super::common_conductor).

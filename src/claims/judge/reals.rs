@@ -1,0 +1,242 @@
+//! Judging relations for all real values of an index.
+//!
+//! The line is cut into open intervals and the points between them. A rational number of an interval stands for all of it if no
+//! polynomial has a root there whose sign was asked for: then all formulas take the same course at all numbers of the interval. If
+//! one has, the interval is cut at its roots.
+
+use crate::cap::Cap;
+use crate::claim::{Comparison, Identity, Index, LocatedReference, Paper, Sign};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::library::Library;
+use crate::evaluation::shape::{Coefficients, Own, Shapes, own_shape};
+use crate::exact::{
+    IntegerPolynomial, Interval, IntervalSet, Place, QuotientAt, Rational, RealAlgebraic,
+    Scalar as _,
+};
+use crate::finding::{Counterexample, EquationVerdict, OnReals, RealCase};
+use crate::formula::{LocatedFormula, Scope, evaluate};
+use crate::judge::cases::{Case, Unbounded, beyond, cases};
+use crate::judge::relation::states_nothing;
+use std::collections::BTreeMap;
+use std::ops::Bound;
+use std::rc::Rc;
+
+/// The most intervals into which the line is cut.
+const MAX_CUTS: usize = 1_000;
+
+/// Judges a relation with an index of real numbers, or one that is claimed for no other number.
+pub(super) fn judge(
+    paper: &Paper,
+    identity: &Identity,
+    library: &Library<'_>,
+    given: &BTreeMap<String, Rational>,
+) -> Result<EquationVerdict, Diagnostic> {
+    let (place, name, stated) = match (identity.real_index(), &identity.indices[..]) {
+        (Some((place, name, stated)), _) => (place, name, stated.clone()),
+        (None, [Index::Listed { name, values, .. }]) => {
+            let points =
+                values.iter().map(|(value, _)| IntervalSet::from(point(value.clone().into())));
+            (0, name.as_str(), points.fold(IntervalSet::default(), |all, one| all.union(&one)))
+        }
+        (None, _) => (0, "", IntervalSet::default()),
+    };
+    let others = match identity.real_index() {
+        Some(_) => cases(identity, Unbounded::Tried)?,
+        None => vec![Case::first()],
+    };
+    let found = others.into_iter().map(|case| {
+        let line =
+            Line { paper, identity, library, given, name, case: &case, roots: BTreeMap::new() };
+        let (truth, counterexample) = line.judged(&stated)?;
+        let indices = case.values.iter().map(|(_, value)| value.clone()).collect();
+        Ok(RealCase { at: case.text.clone(), indices, truth, counterexample })
+    });
+    let cases = found.collect::<Result<Vec<RealCase>, Diagnostic>>()?;
+    Ok(EquationVerdict::Reals(OnReals { name: name.to_owned(), place, cases }))
+}
+
+fn point(at: RealAlgebraic) -> Interval {
+    Interval { low: Bound::Included(at.clone()), high: Bound::Included(at) }
+}
+
+/// The truth of each comparison at a place, and the polynomials on whose signs it rests.
+type Truths = (Vec<bool>, Vec<IntegerPolynomial>);
+
+/// The line of the values of the index, in one combination of the others.
+struct Line<'a> {
+    paper: &'a Paper,
+    identity: &'a Identity,
+    library: &'a Library<'a>,
+    given: &'a BTreeMap<String, Rational>,
+    name: &'a str,
+    case: &'a Case,
+    /// The roots of the polynomials whose signs were asked for.
+    roots: BTreeMap<String, Vec<RealAlgebraic>>,
+}
+
+impl Line<'_> {
+    /// Where the relation is true, and a number that shows that the claim is false.
+    fn judged(
+        mut self,
+        stated: &IntervalSet,
+    ) -> Result<(IntervalSet, Option<Counterexample>), Diagnostic> {
+        let everywhere = self.identity.only;
+        let mut points: Vec<RealAlgebraic> = stated.ends().map(|(end, _)| end.clone()).collect();
+        points.sort();
+        points.dedup();
+        let within = |set: &Interval| everywhere || stated.covers(set);
+        // Open intervals by their ends, of which the first is taken next.
+        let ends = |at: usize| points.get(at).cloned();
+        let mut rest: Vec<[Option<RealAlgebraic>; 2]> =
+            (0..=points.len()).rev().map(|i| [i.checked_sub(1).and_then(ends), ends(i)]).collect();
+        let (mut cuts, mut cells) = (points.clone(), Vec::new());
+        while let Some(cell) = rest.pop() {
+            let open = interval(&cell);
+            let Some(at) = open.rational().filter(|_| within(&open)) else {
+                cells.push((cell, Vec::new()));
+                continue;
+            };
+            let (truths, asked) = self.truths(at.into())?;
+            let inside = self.roots_in(&asked, &cell);
+            if inside.is_empty() {
+                cells.push((cell, truths));
+                continue;
+            }
+            if cuts.len() + inside.len() > MAX_CUTS {
+                let cap = Cap::new("the number of intervals of a parameter", MAX_CUTS as u64);
+                return Err(beyond(self.identity.first().right(), cap));
+            }
+            let [low, high] = cell;
+            let all = [low].into_iter().chain(inside.iter().cloned().map(Some)).chain([high]);
+            let all: Vec<Option<RealAlgebraic>> = all.collect();
+            rest.extend(all.windows(2).rev().map(|pair| [pair[0].clone(), pair[1].clone()]));
+            cuts.extend(inside);
+        }
+        cuts.sort();
+        let mut found = Vec::with_capacity(2 * cuts.len() + 1);
+        for (i, (cell, truths)) in cells.into_iter().enumerate() {
+            found.push((interval(&cell), truths));
+            if let Some(cut) = cuts.get(i) {
+                let alone = point(cut.clone());
+                let truths = if within(&alone) { self.truths(cut.clone())?.0 } else { Vec::new() };
+                found.push((alone, truths));
+            }
+        }
+        let holds = |truths: &[bool]| !truths.is_empty() && truths.iter().all(|truth| *truth);
+        let keep: Vec<bool> = found.iter().map(|(_, truths)| holds(truths)).collect();
+        let truth = IntervalSet::of_cells(&cuts, &keep);
+        let counterexample = found.iter().find_map(|(set, truths)| {
+            let fails = truths.iter().position(|truth| !truth);
+            (!truths.is_empty() && stated.covers(set) != holds(truths))
+                .then(|| Counterexample { value: number_in(set), fails })
+        });
+        Ok((truth, counterexample))
+    }
+
+    /// The roots of polynomials in an open interval, each once.
+    fn roots_in(
+        &mut self,
+        polynomials: &[IntegerPolynomial],
+        [low, high]: &[Option<RealAlgebraic>; 2],
+    ) -> Vec<RealAlgebraic> {
+        let mut inside = Vec::new();
+        for polynomial in polynomials {
+            let known = self.roots.entry(polynomial.to_string());
+            let roots = known.or_insert_with(|| RealAlgebraic::roots_of(polynomial));
+            let apart = |root: &&RealAlgebraic| {
+                low.as_ref().is_none_or(|low| low < *root)
+                    && high.as_ref().is_none_or(|high| *root < high)
+            };
+            inside.extend(roots.iter().filter(apart).cloned());
+        }
+        inside.sort();
+        inside.dedup();
+        inside
+    }
+
+    /// The truth of each comparison at a number.
+    fn truths(&self, at: RealAlgebraic) -> Result<Truths, Diagnostic> {
+        let place = Rc::new(Place::new(at));
+        let shapes = Shapes::new(self.library);
+        let none = Coefficients { shapes: &shapes, own: None };
+        let own = match &self.identity.scheme {
+            None => None,
+            Some(located) => Some(self.own(&shapes, located, &none, &place)?),
+        };
+        let functions = Coefficients { shapes: &shapes, own };
+        let scope = self.scope(&functions, &place);
+        let value = |formula: &LocatedFormula| {
+            evaluate(&formula.expr, &scope).map_err(|error| {
+                let error = formula.diagnostic(&error);
+                let message = format!("{} for {} = {}", error.message, self.name, place.number());
+                Diagnostic { message, ..error }
+            })
+        };
+        let comparisons = self.identity.comparisons.iter();
+        let truths = comparisons.map(|comparison| truth(comparison, value));
+        let truths = truths.collect::<Result<Vec<bool>, Diagnostic>>()?;
+        Ok((truths, place.asked()))
+    }
+
+    fn own(
+        &self,
+        shapes: &Shapes<'_, QuotientAt>,
+        located: &LocatedReference,
+        functions: &Coefficients<'_, QuotientAt>,
+        place: &Rc<Place>,
+    ) -> Result<Own<QuotientAt>, Diagnostic> {
+        own_shape(shapes, located, &self.scope(functions, place))
+    }
+
+    fn scope<'s>(
+        &'s self,
+        functions: &'s Coefficients<'s, QuotientAt>,
+        place: &Rc<Place>,
+    ) -> Scope<'s, QuotientAt> {
+        let mut scope = Scope::new(&self.paper.definitions, functions);
+        let others = self.case.values.iter().map(|(name, value)| (name, value));
+        for (name, value) in self.given.iter().chain(others) {
+            scope = scope.with(name, QuotientAt::from_rational(value));
+        }
+        scope.with(self.name, QuotientAt::variable(place))
+    }
+}
+
+fn interval([low, high]: &[Option<RealAlgebraic>; 2]) -> Interval {
+    let open = |end: &Option<RealAlgebraic>| {
+        end.as_ref().map_or(Bound::Unbounded, |end| Bound::Excluded(end.clone()))
+    };
+    Interval { low: open(low), high: open(high) }
+}
+
+/// A number of a set, rational if there is a rational one.
+fn number_in(set: &Interval) -> RealAlgebraic {
+    match (set.rational(), &set.low) {
+        (Some(number), _) => number.into(),
+        (None, Bound::Included(only)) => only.clone(),
+        (None, _) => Rational::zero().into(),
+    }
+}
+
+/// Whether a comparison is true at the place of the values.
+fn truth(
+    comparison: &Comparison,
+    value: impl Fn(&LocatedFormula) -> Result<QuotientAt, Diagnostic>,
+) -> Result<bool, Diagnostic> {
+    let left = value(comparison.left.formula(0))?;
+    let rights = comparison.rights.iter().map(value).collect::<Result<Vec<_>, Diagnostic>>()?;
+    let order = || left.minus(&rights[0]).sign();
+    let number = |value: i64| QuotientAt::from_rational(&Rational::from(value));
+    Ok(match comparison.sign {
+        Sign::True | Sign::False if ![0, 1].iter().any(|n| left == number(*n)) => {
+            return Err(states_nothing(comparison.left.formula(0), &left));
+        }
+        Sign::Equal | Sign::True | Sign::False | Sign::Near => order() == 0,
+        Sign::Unequal => order() != 0,
+        Sign::Less => order() < 0,
+        Sign::AtMost => order() <= 0,
+        Sign::Greater => order() > 0,
+        Sign::AtLeast => order() >= 0,
+        Sign::OneOf => rights.iter().any(|right| left == *right),
+    })
+}
