@@ -54,7 +54,8 @@ fn minimal(number: &Number, meter: &Meter) -> Result<Vec<Q>, Stop> {
                 continue;
             };
             let factor = top / bottom;
-            for (value, other) in place.iter_mut().zip(other).chain(combination.iter_mut().zip(by)) {
+            for (value, other) in place.iter_mut().zip(other).chain(combination.iter_mut().zip(by))
+            {
                 *value -= &factor * other;
             }
         }
