@@ -1,10 +1,14 @@
 //! Relations for all real values of an index, or for those between two ends: the pieces of their line.
 
 use crate::masks::relation_of;
-use subcert_check::Outcome;
+use subcert_check::{Outcome, check};
 
 /// The four-point scheme with a tension, and masks whose ends are 0 for an irrational number.
 const SCHEMES: &str = "
+[define]
+between = 'sum(i = 1..2, abs(v - i))'
+[given]
+given = '5'
 [[scheme]]
 name = 'fp'
 symbol = '(1+z)^2/(2*z)*(1 - 2*w*(1-z)^2*(1+z^2)/z^2)'
@@ -91,13 +95,16 @@ const CLAIMS: &[Claim] = &[
     ("bent:w=v", "'real v'", false, "width() = 3", FALSE_AT_ROOT),
     ("bent:w=v", "'real v'", false, "support() = 5", FALSE_AT_ROOT),
     ("bent:w=v", "'v > 0'", false, "sum_rules() = 1", FALSE_AT_ROOT),
-    (
-        "bent:w=v",
-        "'real v'",
-        false,
-        "mask(0, width() - 1) + mask(1, width() - 1) > 0",
-        "holds reals",
-    ),
+    ("bent:w=v", "'real v'", false, "mask(0, 0) = 0", FALSE_AT_ROOT),
+    ("bent:w=v", "'real v'", false, "mask(0, 0) in {0, 1/2}", "holds reals"),
+    ("fp:w=abs(v)", "'v = 1/16, -1/16'", true, "sum_rules() = 4", "holds reals"),
+    ("fp:w=v^2/32", "'v > 0'", false, "sum_rules() = 2", FALSE_AT_ROOT),
+    ("fp:w=v^2/32", "'v > 0'", false, "moment(2) != 0", FALSE_AT_ROOT),
+    ("fp:w=v^2/32", "'v > 0'", false, "reproduction() = 1", FALSE_AT_ROOT),
+    ("", "'real v'", false, "between >= 1", "holds reals"),
+    ("", "'1 <= v <= 2'", true, "between = 1", "holds reals"),
+    ("", "'1 <= v < 2'", true, "between = 1", "fails reals\n true 2"),
+    ("", "'real given'", false, "given = 5", "fails reals\n false 4"),
     (
         "daubechies:w=v",
         "'real v'",
@@ -329,15 +336,31 @@ fn what_has_no_value_is_left_open() {
         ("", "'real v'", "2^v > 0"),
         ("", "'v >= 0'", "sqrt(v) >= 0"),
         ("", "'real v'", "v^2 > sqrt(2)*v - 1"),
-        ("", "'real v'", "kronecker(v, v + 1)"),
+        ("", "'real v'", "kronecker(v, 2)"),
         ("", "'real v'", "u = u"),
-        // It is 0 or 1 for two numbers only.
-        ("", "'real v'", "v"),
-        ("", "'v > 0'", "not (v*(v-1))"),
     ] {
         for only in [false, true] {
             let found = outcome(&(scheme, of, only, states, ""), "holds reals");
             assert!(matches!(found, Outcome::Incomplete(Some(_))), "{states}: {found:?}");
         }
+    }
+    // These are 0 or 1 for two numbers only.
+    for states in ["v", "not (v*(v-1))", "v in {v, 1/v}"] {
+        assert!(!valid(&("", "'real v'", false, states, ""), "holds reals"), "{states}");
+    }
+}
+
+/// The name of the index is a name of the claim.
+#[test]
+fn the_name_has_one_meaning() {
+    for (of, fits) in [("real v", true), ("real delta", false), ("0 < delta < 1", false)] {
+        let claims = format!(
+            "key = 'k'\n[define]\ndelta = '1'\n[[relation]]\nid = 'r'\nstates = '1 = 1'\nfor = '{of}'"
+        );
+        let certificate =
+            "subcert-certificate 4\npaper k\nrelation r\n states 1 = 1\n holds reals\nend 1";
+        let valid = check(&claims, &[certificate])
+            .is_ok_and(|report| report.claims.iter().all(|(.., found)| *found == Outcome::Valid));
+        assert_eq!(valid, fits, "{of}");
     }
 }

@@ -139,7 +139,12 @@ impl<'c> Call<'c> {
         };
         let entry =
             entry.ok_or_else(|| Stop::Wrong(format!("`{}` needs a ring", self.function)))?;
-        LocalRules::of_entry(self.library, entry, Some(valence))
+        let ring = LocalRules::of_entry(self.library, entry, Some(valence))?;
+        if self.piece().is_some() {
+            // Whether polynomials are 0 is not looked for on the piece.
+            ring.weights.iter().flatten().try_for_each(|weight| weight.number().map(|_| ()))?;
+        }
+        Ok(ring)
     }
 
     /// The scheme that an option names.
