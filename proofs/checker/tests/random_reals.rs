@@ -1,5 +1,8 @@
 //! Random relations for real values of an index, against the truth at all numbers where a polynomial or a range may change.
 
+// Ends and roots are few numbers, which are equal or far apart.
+#![allow(clippy::float_cmp)]
+
 use crate::masks::relation_of;
 use std::f64::consts::SQRT_2;
 use std::fmt::Write as _;
@@ -89,7 +92,9 @@ fn range(numbers: &mut Numbers) -> Range {
 }
 
 /// A product of factors, its sign, and its roots.
-fn polynomial(numbers: &mut Numbers) -> (String, Box<dyn Fn(f64) -> usize>, Vec<f64>) {
+type Polynomial = (String, Box<dyn Fn(f64) -> usize>, Vec<f64>);
+
+fn polynomial(numbers: &mut Numbers) -> Polynomial {
     let (mut text, mut roots, mut linear) = (String::from("1"), Vec::new(), Vec::new());
     let mut negative = false;
     let mut square = false;
@@ -131,14 +136,40 @@ fn polynomial(numbers: &mut Numbers) -> (String, Box<dyn Fn(f64) -> usize>, Vec<
     (text, Box::new(sign), roots)
 }
 
+/// A polynomial and the range of all numbers for which something is true of its sign, if it is a range.
+fn fitting(truth: [bool; 3], root: f64) -> Option<(Polynomial, Range)> {
+    let quadratic = root.abs() == SQRT_2;
+    let sign = move |x: f64| {
+        let is = if quadratic { x.abs().total_cmp(&SQRT_2) } else { x.total_cmp(&(root + 0.0)) };
+        usize::try_from(is as i8 + 1).unwrap_or(0)
+    };
+    let of = match (quadratic, truth) {
+        (true, [true, false, false]) => "-sqrt(2) < v < sqrt(2)".into(),
+        (true, [true, true, false]) => "sqrt(2) ≥ v ≥ -sqrt(2)".into(),
+        (true, _) => return None,
+        (false, [true, false, false]) => format!("v < {root}"),
+        (false, [true, true, false]) => format!("{root} >= v"),
+        (false, [true, _, true]) => format!("v != {root}"),
+        (false, [false, true, false]) => format!("v = {root}"),
+        (false, [_, true, true]) => format!("v ≥ {root}"),
+        (false, _) => format!("{root} < v"),
+    };
+    let p = if quadratic { "v^2 - 2".into() } else { format!("v - ({root})") };
+    let roots = if quadratic { vec![-SQRT_2, SQRT_2] } else { vec![root] };
+    let has = move |x: f64| truth[sign(x)];
+    Some(((p, Box::new(sign), roots.clone()), (of, Box::new(has), roots)))
+}
+
 #[test]
 fn random_claims_have_the_verdict_that_is_true() {
     let mut numbers = Numbers(11);
     let (mut counts, mut accepted) = ([[0; 2]; 2], 0);
     for round in 0..200 {
         let (scheme, stated, truth) = STATED[numbers.below(STATED.len())];
-        let (p, sign, roots) = polynomial(&mut numbers);
-        let (of, has, ends) = range(&mut numbers);
+        let ((p, sign, roots), (of, has, ends)) = match fitting(truth, numbers.end()) {
+            Some(fitting) if numbers.below(4) == 0 => fitting,
+            _ => (polynomial(&mut numbers), range(&mut numbers)),
+        };
         let only = of.starts_with("v =") || numbers.below(2) == 0;
         let mut places: Vec<f64> = roots.into_iter().chain(ends).collect();
         places.sort_by(f64::total_cmp);
