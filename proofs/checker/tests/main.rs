@@ -20,6 +20,8 @@ mod mutation;
 mod names;
 mod opposites;
 mod radius;
+mod random_reals;
+mod reals_of_index;
 mod relations;
 mod rules;
 mod shape;

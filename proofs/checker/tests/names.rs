@@ -194,3 +194,18 @@ fn hypotheses_hold_together() {
         assert!(matches!(equation(hypotheses, "holds 1"), Outcome::Invalid(..)), "{hypotheses}");
     }
 }
+
+/// The name of an index with real values is a name of the claim.
+#[test]
+fn the_name_of_an_index_with_real_values() {
+    for (of, fits) in [("real v", true), ("real delta", false), ("0 < delta < 1", false)] {
+        let claims = format!(
+            "key = 'k'\n[define]\ndelta = '1'\n[[relation]]\nid = 'r'\nstates = '1 = 1'\nfor = '{of}'"
+        );
+        let certificate =
+            "subcert-certificate 4\npaper k\nrelation r\n states 1 = 1\n holds reals\nend 1";
+        let valid = check(&claims, &[certificate])
+            .is_ok_and(|report| report.claims.iter().all(|(.., found)| *found == Outcome::Valid));
+        assert_eq!(valid, fits, "{of}");
+    }
+}

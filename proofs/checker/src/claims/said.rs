@@ -29,7 +29,7 @@ pub fn said(kind: &str, block: &Block<'_>) -> String {
             format!("{word}: {} is not {}, at {at}", shortened(left), shortened(right))
         }
         (Some((Verdict::Rounding, how)), [_, ..]) => format!("{}, {how}", Verdict::Rounding),
-        (Some((word, _)), [] | ["1"]) => word.to_string(),
+        (Some((word, _)), [] | ["1" | "reals"]) => word.to_string(),
         (Some((Verdict::Fails, "all")), _) => format!("{} in a case", Verdict::Fails),
         (Some((Verdict::Fails, cases)), _) => {
             format!("{} in {failing} of {cases} cases", Verdict::Fails)

@@ -3,7 +3,7 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use crate::formulas::{Asked, Indices, MAX_INTEGER, Scope, is_name};
-use crate::numbers::{Value, count};
+use crate::numbers::{Piece, Value, count};
 use crate::schemes::{Convolution, Library, LocalRules, Scheme, Sequence};
 use crate::text::Stop;
 use std::rc::Rc;
@@ -111,6 +111,11 @@ impl<'c> Call<'c> {
         Ok(Some(format!("{name}:{}", parameters.join(","))))
     }
 
+    /// The piece on which functions of masks take masks with its symbol, if there is one.
+    pub fn piece(&self) -> Option<&'c Piece<'c>> {
+        self.scope.piece.as_ref().filter(|piece| piece.is_of_masks())
+    }
+
     /// The scheme that the call is about.
     pub fn scheme(&mut self) -> Result<Rc<Scheme>, Stop> {
         let scheme = match self.reference()? {
@@ -118,7 +123,9 @@ impl<'c> Call<'c> {
             Some(reference) => self.library.resolve(&reference, self.scope)?.first().cloned(),
         };
         let what = if self.scope.ring.is_some() { "mask" } else { "scheme" };
-        scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a {what}", self.function)))
+        let scheme =
+            scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a {what}", self.function)))?;
+        self.piece().map_or(Ok(Rc::clone(&scheme)), |piece| scheme.shortened(piece))
     }
 
     /// The ring that the call is about, at a valence.
@@ -132,7 +139,12 @@ impl<'c> Call<'c> {
         };
         let entry =
             entry.ok_or_else(|| Stop::Wrong(format!("`{}` needs a ring", self.function)))?;
-        LocalRules::of_entry(self.library, entry, Some(valence))
+        let ring = LocalRules::of_entry(self.library, entry, Some(valence))?;
+        if self.piece().is_some() {
+            // Whether polynomials are 0 is not looked for on the piece.
+            ring.weights.iter().flatten().try_for_each(|weight| weight.number().map(|_| ()))?;
+        }
+        Ok(ring)
     }
 
     /// The scheme that an option names.

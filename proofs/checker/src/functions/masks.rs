@@ -6,7 +6,7 @@ use super::call::{Call, number, wrong};
 use super::reproduction::reproduction;
 use super::steps::{add, plus, times};
 use crate::formulas::MAX_INTEGER;
-use crate::numbers::{Meter, Value, count, int};
+use crate::numbers::{Meter, Piece, Value, count, int};
 use crate::schemes::Scheme;
 use crate::text::Stop;
 
@@ -29,53 +29,57 @@ pub fn signed(index: usize) -> Result<i64, Stop> {
 
 /// The value of such a function; `None` if the call is none of them.
 pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
-    let meter = call.library.meter;
+    let (meter, piece) = (call.library.meter, call.piece());
     let truth = |is: bool| Value::int(is.into());
     let value = match (call.function, call.arguments) {
         ("coefficient", [k]) => coefficient(&*call.scheme()?, k.integer(MAX_INTEGER)?)?,
-        ("symbol_at", [z]) => Mask::of(meter, &*call.scheme()?)?.symbol_at(meter, z)?,
-        ("support_start", []) => Mask::numbers(call)?.parts(|mask| Ok(mask.first))?,
-        ("support_end", []) => Mask::numbers(call)?.parts(Mask::last)?,
-        ("support", []) => Mask::numbers(call)?.parts(Mask::length)?,
-        ("symmetric", []) => truth(Mask::numbers(call)?.is_symmetric()?),
+        ("symbol_at", [z]) => Mask::of(meter, &*call.scheme()?, piece)?.symbol_at(meter, z)?,
+        ("support_start", []) => Mask::called(call)?.parts(|mask| Ok(mask.first))?,
+        ("support_end", []) => Mask::called(call)?.parts(Mask::last)?,
+        ("support", []) => Mask::called(call)?.parts(Mask::length)?,
+        ("symmetric", []) => truth(Mask::called(call)?.is_symmetric(piece)?),
         ("interpolating", []) => {
             let scheme = call.scheme()?;
             meter.spend(number_of_entries(&scheme))?;
-            scheme.numeric()?;
-            truth(scheme.mask.iter().any(|rule| is_unit(rule)))
+            if piece.is_none() {
+                scheme.numeric()?;
+            }
+            let mut rules = scheme.mask.iter();
+            truth(rules.try_fold(false, |is, rule| Ok(is || is_unit(rule, piece)?))?)
         }
-        ("sum_rules", []) => number(Mask::numbers(call)?.sum_rules(meter)?),
+        ("sum_rules", []) => number(Mask::called(call)?.sum_rules(meter, piece)?),
         ("generation", []) => {
-            number(Mask::numbers(call)?.sum_rules(meter)?).minus(&Value::int(1))?
+            number(Mask::called(call)?.sum_rules(meter, piece)?).minus(&Value::int(1))?
         }
         ("reproduction", []) => {
             let scheme = call.scheme()?;
             let indexed = call.choose("parameters", &["natural", "indexed"])? == 1;
-            number(reproduction(meter, &scheme, indexed)?)
+            number(reproduction(meter, &scheme, indexed, piece)?)
         }
         ("approximation_order", []) if call.choose("data", &["sampled", "adapted"])? == 1 => {
-            number(Mask::numbers(call)?.sum_rules(meter)?)
+            number(Mask::called(call)?.sum_rules(meter, piece)?)
         }
         ("approximation_order", []) => {
-            let degree = reproduction(meter, &*call.scheme()?, false)?;
+            let degree = reproduction(meter, &*call.scheme()?, false, piece)?;
             number(degree).plus(1, &Value::int(1))?
         }
         ("same", []) => {
             let (one, Some(other)) = (call.scheme()?, call.named("with")?) else {
                 return wrong("the option `with` is missing");
             };
-            truth(Mask::of_numbers(meter, &one)?.is(&Mask::of_numbers(meter, &other)?)?)
+            let one = Mask::on(meter, &one, piece)?;
+            truth(one.is(&Mask::of_numbers(meter, &other)?, piece)?)
         }
         ("orthogonal", []) => {
-            let mask = Mask::numbers(call)?;
-            truth(mask.is_dual_to(&mask, meter)?)
+            let mask = Mask::called(call)?;
+            truth(mask.is_dual_to(&mask, meter, piece)?)
         }
         ("biorthogonal", []) => {
-            let mask = Mask::numbers(call)?;
+            let mask = Mask::called(call)?;
             let Some(other) = call.named("with")? else {
                 return wrong("the option `with` is missing");
             };
-            truth(mask.is_dual_to(&Mask::of_numbers(meter, &other)?, meter)?)
+            truth(mask.is_dual_to(&Mask::of_numbers(meter, &other)?, meter, piece)?)
         }
         _ => return Ok(None),
     };
@@ -86,10 +90,23 @@ fn number_of_entries(scheme: &Scheme) -> u64 {
     (scheme.arity() as u64).saturating_mul(scheme.width() as u64)
 }
 
+/// Whether two values are equal on a piece.
+fn equal(one: &Value, other: &Value, piece: Option<&Piece<'_>>) -> Result<bool, Stop> {
+    one.minus(other)?.is_zero_on(piece)
+}
+
 /// Whether a rule keeps one point as it is.
-fn is_unit(rule: &[Value]) -> bool {
-    let mut others = rule.iter().filter(|a| !a.is_zero());
-    others.next() == Some(&Value::int(1)) && others.next().is_none()
+fn is_unit(rule: &[Value], piece: Option<&Piece<'_>>) -> Result<bool, Stop> {
+    let mut others = Vec::new();
+    for a in rule {
+        if !a.is_zero_on(piece)? {
+            others.push(a);
+        }
+    }
+    match others[..] {
+        [only] => equal(only, &Value::int(1), piece),
+        _ => Ok(false),
+    }
 }
 
 /// The k of the first entry: α − n(o + j) for α = 0 and j = N − 1. The others follow in the order of −j and α.
@@ -112,8 +129,8 @@ fn coefficient(scheme: &Scheme, k: i64) -> Result<Value, Stop> {
 }
 
 impl Mask {
-    /// The coefficients of a scheme.
-    fn of(meter: &Meter, scheme: &Scheme) -> Result<Mask, Stop> {
+    /// The coefficients of a scheme. On a piece, those that are 0 there are left out at both ends.
+    fn of(meter: &Meter, scheme: &Scheme, piece: Option<&Piece<'_>>) -> Result<Mask, Stop> {
         let columns = (0..scheme.width()).rev();
         let all = columns.flat_map(|j| scheme.mask.iter().filter_map(move |rule| rule.get(j)));
         let mut values: Vec<Value> = Vec::new();
@@ -121,23 +138,37 @@ impl Mask {
             meter.spend(a.cost(a))?;
             values.push(a.clone());
         }
-        while values.last().is_some_and(Value::is_zero) {
+        while let Some(last) = values.last()
+            && last.is_zero_on(piece)?
+        {
             values.pop();
         }
-        let zeros = values.iter().take_while(|a| a.is_zero()).count();
+        let mut zeros = 0_usize;
+        while let Some(first) = values.get(zeros)
+            && first.is_zero_on(piece)?
+        {
+            zeros = zeros.saturating_add(1);
+        }
         let first = start(scheme)?.checked_add(signed(zeros)?).ok_or(PLACE)?;
         Ok(Mask { arity: scheme.arity(), first, values: values.split_off(zeros) })
     }
 
     /// The same, which have to be numbers.
     pub fn of_numbers(meter: &Meter, scheme: &Scheme) -> Result<Mask, Stop> {
-        scheme.numeric()?;
-        Mask::of(meter, scheme)
+        Mask::on(meter, scheme, None)
+    }
+
+    /// The same, which have to be numbers but on a piece.
+    fn on(meter: &Meter, scheme: &Scheme, piece: Option<&Piece<'_>>) -> Result<Mask, Stop> {
+        if piece.is_none() {
+            scheme.numeric()?;
+        }
+        Mask::of(meter, scheme, piece)
     }
 
     /// The same of the scheme of a call.
-    fn numbers(call: &mut Call<'_>) -> Result<Mask, Stop> {
-        Mask::of_numbers(call.library.meter, &*call.scheme()?)
+    pub fn called(call: &mut Call<'_>) -> Result<Mask, Stop> {
+        Mask::on(call.library.meter, &*call.scheme()?, call.piece())
     }
 
     /// K − l.
@@ -172,9 +203,9 @@ impl Mask {
         times(meter, &sum, &power)
     }
 
-    fn is_symmetric(&self) -> Result<bool, Stop> {
+    fn is_symmetric(&self, piece: Option<&Piece<'_>>) -> Result<bool, Stop> {
         for (a, b) in self.values.iter().zip(self.values.iter().rev()) {
-            if !a.equals(b)? {
+            if !equal(a, b, piece)? {
                 return Ok(false);
             }
         }
@@ -182,13 +213,13 @@ impl Mask {
     }
 
     /// Whether both are of one arity and have the same coefficients.
-    fn is(&self, other: &Mask) -> Result<bool, Stop> {
+    fn is(&self, other: &Mask, piece: Option<&Piece<'_>>) -> Result<bool, Stop> {
         let places = (self.arity, self.first, self.values.len());
         if places != (other.arity, other.first, other.values.len()) {
             return Ok(false);
         }
         for (a, b) in self.values.iter().zip(&other.values) {
-            if !a.equals(b)? {
+            if !equal(a, b, piece)? {
                 return Ok(false);
             }
         }
@@ -196,9 +227,9 @@ impl Mask {
     }
 
     /// How often 1 + z + … + z^{n−1} divides a(z).
-    fn sum_rules(&self, meter: &Meter) -> Result<usize, Stop> {
+    fn sum_rules(&self, meter: &Meter, piece: Option<&Piece<'_>>) -> Result<usize, Stop> {
         let (mut rest, mut order) = (self.values.clone(), 0_usize);
-        while let Some(quotient) = quotient(meter, &rest, self.arity)? {
+        while let Some(quotient) = quotient(meter, &rest, self.arity, piece)? {
             rest = quotient;
             order = order.saturating_add(1);
         }
@@ -206,7 +237,12 @@ impl Mask {
     }
 
     /// Whether Σ_k a_k b_{k+nm} is n for m = 0, and 0 for all other m.
-    fn is_dual_to(&self, other: &Mask, meter: &Meter) -> Result<bool, Stop> {
+    fn is_dual_to(
+        &self,
+        other: &Mask,
+        meter: &Meter,
+        piece: Option<&Piece<'_>>,
+    ) -> Result<bool, Stop> {
         if self.arity != other.arity {
             return wrong("the two masks are of two arities");
         }
@@ -227,7 +263,7 @@ impl Mask {
                 }
             }
             let expected = if m == 0 { number(self.arity) } else { Value::int(0) };
-            if !sum.equals(&expected)? {
+            if !equal(&sum, &expected, piece)? {
                 return Ok(false);
             }
         }
@@ -237,7 +273,12 @@ impl Mask {
 
 /// p/(1 + z + … + z^{n−1}), if that is a polynomial. It is (1 − z)p/(1 − z^n), a power series whose coefficients behind
 /// the degree of p less n − 1 have to be 0: n of them in a row are enough.
-pub fn quotient(meter: &Meter, p: &[Value], n: usize) -> Result<Option<Vec<Value>>, Stop> {
+pub fn quotient(
+    meter: &Meter,
+    p: &[Value],
+    n: usize,
+    piece: Option<&Piece<'_>>,
+) -> Result<Option<Vec<Value>>, Stop> {
     let Some(degree) = p.len().checked_sub(n) else { return Ok(None) };
     let (mut series, zero) = (Vec::<Value>::with_capacity(p.len()), Value::int(0));
     for i in 0..=p.len() {
@@ -247,7 +288,7 @@ pub fn quotient(meter: &Meter, p: &[Value], n: usize) -> Result<Option<Vec<Value
         for term in before.iter().chain(&earlier) {
             plus(meter, &mut next, term)?;
         }
-        if i > degree && !next.is_zero() {
+        if i > degree && !next.is_zero_on(piece)? {
             return Ok(None);
         }
         series.push(next);

@@ -4,15 +4,22 @@
 
 use super::call::{number, wrong};
 use super::steps::{add, over, times};
-use crate::numbers::{Meter, Q, Value, count, int};
+use crate::numbers::{Meter, Piece, Q, Value, count, int};
 use crate::schemes::Scheme;
 use crate::text::Stop;
 
 /// The greatest degree of polynomials that the rules take to themselves, with the points at i + s and (i + s)/n.
-pub fn reproduction(meter: &Meter, scheme: &Scheme, indexed: bool) -> Result<usize, Stop> {
-    scheme.numeric()?;
+pub fn reproduction(
+    meter: &Meter,
+    scheme: &Scheme,
+    indexed: bool,
+    piece: Option<&Piece<'_>>,
+) -> Result<usize, Stop> {
+    if piece.is_none() {
+        scheme.numeric()?;
+    }
     let n = number(scheme.arity());
-    let shift = if indexed { Some(Value::int(0)) } else { natural_shift(meter, scheme)? };
+    let shift = if indexed { Some(Value::int(0)) } else { natural_shift(meter, scheme, piece)? };
     let Some(shift) = shift else { return Ok(0) };
     let points =
         (0..scheme.width()).map(|j| shift.plus(1, &(int(scheme.offset) + count(j)).into()));
@@ -31,7 +38,7 @@ pub fn reproduction(meter: &Meter, scheme: &Scheme, indexed: bool) -> Result<usi
             for (a, point) in rule.iter().zip(&of_points) {
                 add(meter, &mut sum, a, point)?;
             }
-            if !sum.equals(place)? {
+            if !sum.minus(place)?.is_zero_on(piece)? {
                 return Ok(degree);
             }
         }
@@ -48,7 +55,11 @@ fn raise(meter: &Meter, powers: &mut [Value], bases: &[Value]) -> Result<(), Sto
 }
 
 /// (α − n(m_α + o))/(n − 1), if it is the same number for all α.
-fn natural_shift(meter: &Meter, scheme: &Scheme) -> Result<Option<Value>, Stop> {
+fn natural_shift(
+    meter: &Meter,
+    scheme: &Scheme,
+    piece: Option<&Piece<'_>>,
+) -> Result<Option<Value>, Stop> {
     let (n, mut found) = (count(scheme.arity()), None::<Value>);
     for (alpha, rule) in scheme.mask.iter().enumerate() {
         let mut mean = Value::from(int(scheme.offset));
@@ -58,7 +69,7 @@ fn natural_shift(meter: &Meter, scheme: &Scheme) -> Result<Option<Value>, Stop> 
         let off = number(alpha).minus(&times(meter, &mean, &n.clone().into())?)?;
         let shift = over(meter, &off, &Value::from(&n - Q::from_integer(1.into())))?;
         match &found {
-            Some(known) if !known.equals(&shift)? => return Ok(None),
+            Some(known) if !known.minus(&shift)?.is_zero_on(piece)? => return Ok(None),
             _ => found = Some(shift),
         }
     }

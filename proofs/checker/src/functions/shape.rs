@@ -101,7 +101,7 @@ fn integers(meter: &Meter, values: &[Value]) -> Result<Vec<BigInt>, Stop> {
 fn divided(meter: &Meter, p: &[BigInt], n: usize, m: usize) -> Result<Option<Vec<BigInt>>, Stop> {
     let mut rest: Vec<Value> = p.iter().map(|c| Q::from_integer(c.clone()).into()).collect();
     for _ in 0..m {
-        let Some(next) = quotient(meter, &rest, n)? else { return Ok(None) };
+        let Some(next) = quotient(meter, &rest, n, None)? else { return Ok(None) };
         rest = next;
     }
     integers(meter, &rest).map(Some)

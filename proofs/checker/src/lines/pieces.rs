@@ -87,29 +87,40 @@ impl<'a> Free<'a> {
 
     /// The sign on all parts of a piece and at its cuts; `None` if there are several signs.
     fn on_piece(&self, ends: Ends, value: &Formula<'_>) -> Result<Option<i8>, Stop> {
-        let (mut rest, mut sign, mut looks) = (vec![ends], None, 0);
-        while let Some([low, high]) = rest.pop() {
-            let scope = self.scope([low.clone(), high])?;
-            let above = value(&scope).and_then(|value| value.sign(scope.piece.as_ref()));
-            // The piece has become the part above its cuts. The parts below them are left.
-            let cuts = scope.piece.map_or(Vec::new(), |piece| piece.cuts());
-            let lower = [low].into_iter().chain(cuts.iter().cloned().map(Some));
-            rest.extend(lower.zip(&cuts).map(|(low, cut)| [low, Some(cut.clone())]));
-            let at_cuts = cuts.iter().map(|cut| self.at(cut, value));
-            for found in at_cuts.chain([above]) {
-                if looks == MAX_CUTS {
-                    return Err(Stop::Capped("the number of pieces"));
-                }
-                looks += 1;
-                let found = found?;
-                if sign.is_some_and(|sign| sign != found) {
-                    return Ok(None);
-                }
-                sign = Some(found);
-            }
-        }
-        Ok(sign)
+        on_parts(ends, |ends| {
+            let scope = self.scope(ends)?;
+            let sign = value(&scope).and_then(|value| value.sign(scope.piece.as_ref()));
+            Ok((sign, scope.piece.map_or(Vec::new(), |piece| piece.cuts())))
+        })
     }
+}
+
+/// What is found on all parts of a piece and at its cuts; `None` if it is not the same everywhere. What is found on a piece comes
+/// with its cuts: it is about the part above them.
+pub fn on_parts<T: PartialEq>(
+    ends: Ends,
+    find: impl Fn(Ends) -> Result<(Result<T, Stop>, Vec<Root>), Stop>,
+) -> Result<Option<T>, Stop> {
+    let (mut rest, mut known, mut looks) = (vec![ends], None, 0);
+    while let Some([low, high]) = rest.pop() {
+        let (above, cuts) = find([low.clone(), high])?;
+        // The parts below the cuts are left.
+        let lower = [low].into_iter().chain(cuts.iter().cloned().map(Some));
+        rest.extend(lower.zip(&cuts).map(|(low, cut)| [low, Some(cut.clone())]));
+        let at = |cut: &Root| find([Some(cut.clone()), Some(cut.clone())])?.0;
+        for found in cuts.iter().map(at).chain([above]) {
+            if looks == MAX_CUTS {
+                return Err(Stop::Capped("the number of pieces"));
+            }
+            looks += 1;
+            let found = found?;
+            if known.as_ref().is_some_and(|known| *known != found) {
+                return Ok(None);
+            }
+            known = Some(found);
+        }
+    }
+    Ok(known)
 }
 
 /// Signs as a certificate writes them.

@@ -3,6 +3,7 @@
 mod decimal;
 mod element;
 mod field;
+mod irrational;
 pub mod linear;
 mod magnitude;
 mod meter;

@@ -23,13 +23,24 @@ pub struct Piece<'m> {
     meter: &'m Meter,
     ends: RefCell<Ends>,
     cuts: RefCell<Vec<Root>>,
+    of_masks: bool,
 }
 
 impl<'m> Piece<'m> {
     /// A piece that is not cut. The meter counts the steps of signs.
     pub fn new(symbol: &str, ends: Ends, meter: &'m Meter) -> Piece<'m> {
         let (symbol, cuts) = (symbol.to_owned(), RefCell::default());
-        Piece { symbol, meter, ends: RefCell::new(ends), cuts }
+        Piece { symbol, meter, ends: RefCell::new(ends), cuts, of_masks: false }
+    }
+
+    /// The same piece, on which functions of masks take masks with the symbol.
+    pub fn of_masks(self) -> Piece<'m> {
+        Piece { of_masks: true, ..self }
+    }
+
+    /// Whether they do.
+    pub fn is_of_masks(&self) -> bool {
+        self.of_masks
     }
 
     /// The cuts, from below.
@@ -68,6 +79,14 @@ impl Value {
                 piece.sign_of(&polynomial.ok_or_else(no_polynomial)?)
             }
             (number, _) => number?.sign(),
+        }
+    }
+
+    /// Whether it is 0: a number, a polynomial on a piece, or without a piece a polynomial.
+    pub fn is_zero_on(&self, piece: Option<&Piece<'_>>) -> Result<bool, Stop> {
+        match (self.number(), piece) {
+            (Err(_), Some(_)) => Ok(self.sign(piece)? == 0),
+            _ => Ok(self.is_zero()),
         }
     }
 

@@ -54,7 +54,16 @@ impl Root {
         };
         let polynomial: Option<Vec<Q>> = polynomial.split(',').map(read_rational).collect();
         let ends = read_rational(low).zip(read_rational(high));
-        let Some((polynomial, (low, high))) = polynomial.zip(ends) else { return Ok(None) };
+        let Some((polynomial, ends)) = polynomial.zip(ends) else { return Ok(None) };
+        Root::between(polynomial, ends.into(), meter)
+    }
+
+    /// The only root of a polynomial between two numbers; `None` if it is not the only one, or too long.
+    pub fn between(
+        polynomial: Vec<Q>,
+        [low, high]: [Q; 2],
+        meter: &Meter,
+    ) -> Result<Option<Root>, Stop> {
         let ends = || [&low, &high].iter().all(|end| !at(&polynomial, end).is_zero());
         let long = polynomial.iter().chain([&low, &high]).map(bits).max().unwrap_or(0);
         let proper = low < high

@@ -320,7 +320,9 @@ impl<'a> Library<'a> {
             _ => return wrong(name, "its mask is given twice"),
         };
         if let Some((offset, mask)) = whole {
-            let scheme = Rc::new(Scheme::new(mask, offset)?);
+            let scheme = Scheme::new(mask, offset)?;
+            let of_symbol = table.get("symbol").is_some();
+            let scheme = Rc::new(if of_symbol { scheme.of_symbol() } else { scheme });
             self.composed.borrow_mut().insert(Rc::as_ptr(&scheme), longest.get());
             self.schemes.borrow_mut().insert(key, Rc::clone(&scheme));
             return Ok(scheme);

@@ -1,6 +1,6 @@
 //! Schemes: their masks and difference masks.
 
-use crate::numbers::Value;
+use crate::numbers::{Piece, Value};
 use crate::text::Stop;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -41,6 +41,10 @@ pub struct Scheme {
     /// The same scheme with other numbers of its points, by the number of the point that becomes
     /// number 0.
     numbered: RefCell<BTreeMap<usize, Rc<Scheme>>>,
+    /// Whether a symbol gives the mask, so that its first and its last column are not 0.
+    of_symbol: bool,
+    /// The same scheme without columns at both ends, by the number of the first one and that behind the last one.
+    shortened: RefCell<BTreeMap<(usize, usize), Rc<Scheme>>>,
 }
 
 impl Scheme {
@@ -78,8 +82,61 @@ impl Scheme {
         }
         difference.push(last);
         let (limit, integrals, derived) = Default::default();
-        let (antiderivative, numbered) = Default::default();
-        Ok(Scheme { mask, difference, offset, limit, integrals, derived, antiderivative, numbered })
+        let (antiderivative, numbered, of_symbol, shortened) = Default::default();
+        Ok(Scheme {
+            mask,
+            difference,
+            offset,
+            limit,
+            integrals,
+            derived,
+            antiderivative,
+            numbered,
+            of_symbol,
+            shortened,
+        })
+    }
+
+    /// The same scheme, whose mask is that of a symbol.
+    pub fn of_symbol(self) -> Scheme {
+        Scheme { of_symbol: true, ..self }
+    }
+
+    /// The scheme on a piece: the mask of a symbol has no columns at its ends that are 0 there.
+    pub fn shortened(self: &Rc<Scheme>, piece: &Piece<'_>) -> Result<Rc<Scheme>, Stop> {
+        let (mut first, mut end) = (0, self.width());
+        while self.of_symbol && first + 1 < end && self.is_zero_in(first, piece)? {
+            first += 1;
+        }
+        while self.of_symbol && first + 1 < end && self.is_zero_in(end - 1, piece)? {
+            end -= 1;
+        }
+        if end - first == self.width() {
+            return Ok(Rc::clone(self));
+        }
+        if let Some(known) = self.shortened.borrow().get(&(first, end)) {
+            return Ok(Rc::clone(known));
+        }
+        let mask = self.mask.iter().map(|row| row[first..end].to_vec()).collect();
+        let offset = i64::try_from(first).ok().and_then(|by| self.offset.checked_add(by));
+        let offset = offset.ok_or(Stop::Capped("the size of an offset"))?;
+        let scheme = Rc::new(Scheme::of(mask, offset)?);
+        self.shortened.borrow_mut().insert((first, end), Rc::clone(&scheme));
+        Ok(scheme)
+    }
+
+    /// Whether a column is 0 on a piece. A number that is not 0 tells it without a cut.
+    fn is_zero_in(&self, column: usize, piece: &Piece<'_>) -> Result<bool, Stop> {
+        let column = || self.mask.iter().map(|row| &row[column]);
+        if column().any(|a| a.number().is_ok_and(|a| !a.is_zero())) {
+            return Ok(false);
+        }
+        for a in column() {
+            if !a.is_zero_on(Some(piece))? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// The scheme whose point i is the point i + `first` of this one, 0 ≤ `first` < n: rule α is

@@ -158,6 +158,7 @@ reasons! {
     NotAsked "the value of the cell does not use this constant"
     NotLeast(level: i64) "the depth {level} is not the least that the constants of the proof give"
     NoValueGiven(name: String) "no valid certificate gives a value of {name}"
+    Valueless(why: Stop) "what is compared has no value for some real numbers, so that the claim is open: {why}"
     NotViolated(value: Text, bound: Text) "the value is {value}, which does not violate the bound {bound}"
 }
 
@@ -250,7 +251,7 @@ macro_rules! stopped {
 }
 
 stopped! {
-    Reason: Reason::Open | Reason::OpenNumber | Reason::Premise(_) | Reason::Field(_),
+    Reason: Reason::Open | Reason::OpenNumber | Reason::Premise(_) | Reason::Field(_) | Reason::Valueless(_),
     RadiusReason:,
     DepthReason:,
 }

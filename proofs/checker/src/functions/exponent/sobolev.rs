@@ -20,7 +20,7 @@ pub fn sobolev(library: &Library<'_>, scheme: &Scheme) -> Result<Real, Stop> {
         return Err(Stop::Capped("shifts that may be linearly dependent"));
     }
     let (n, mut rest, mut order) = (mask.arity, mask.values, 0_usize);
-    while let Some(next) = quotient(meter, &rest, n)? {
+    while let Some(next) = quotient(meter, &rest, n, None)? {
         rest = next;
         order = order.saturating_add(1);
     }

@@ -33,7 +33,7 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
     Ok(Some(match (call.function, call.arguments) {
         ("moment", [m]) => {
             let degree = within(m, 0, MAX_DEGREE)?;
-            let mask = Mask::of_numbers(library.meter, &*call.scheme()?)?;
+            let mask = Mask::called(call)?;
             moments::moment(library.meter, &mask, degree)?
         }
         ("limit_value", [x]) => {

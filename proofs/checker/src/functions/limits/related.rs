@@ -23,12 +23,12 @@ pub fn derived(library: &Library<'_>, scheme: &Scheme, order: usize) -> Result<R
         let (meter, mask) = (library.meter, Mask::of_numbers(library.meter, scheme)?);
         let (n, mut values) = (number(mask.arity), mask.values);
         for _ in 0..order {
-            let Some(next) = quotient(meter, &values, mask.arity)? else {
+            let Some(next) = quotient(meter, &values, mask.arity, None)? else {
                 return Err(Stop::Wrong("the symbol has no derivative of this order".into()));
             };
             values = next.iter().map(|b| times(meter, b, &n)).collect::<Result<_, Stop>>()?;
         }
-        if quotient(meter, &values, mask.arity)?.is_none() {
+        if quotient(meter, &values, mask.arity, None)?.is_none() {
             return Err(Stop::Capped("derivatives that are not shown to exist"));
         }
         let found = Rc::new(scheme_of(&Mask { values, ..mask })?);

@@ -5,7 +5,7 @@
 use super::hypotheses;
 use crate::claims::{Paper, value};
 use crate::formulas::{Expr, MAX_INTEGER, Memory, Scope};
-use crate::numbers::{Number, Q, Value, int, read_rational};
+use crate::numbers::{Number, Piece, Q, Value, int, read_rational};
 use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, agree, compare, require};
 use std::rc::Rc;
 
@@ -128,6 +128,37 @@ pub fn scope<'a>(
     (case, symbols): (&Case<'_>, &[&str]),
     memory: &Rc<Memory>,
 ) -> Result<Scope<'a>, Stop> {
+    let mut scope = names(paper, claim, (case, symbols), memory)?;
+    // What holds of a mask with a symbol need not hold of a number in its place: the mask may be shorter there.
+    for name in symbols {
+        scope.values.remove(*name);
+    }
+    resolve(paper, claim, &mut scope)?;
+    scope.values.extend(symbols.iter().map(|name| ((*name).to_owned(), Value::symbol(name))));
+    Ok(scope)
+}
+
+/// The scope of a case on a piece of another index, which is a symbol also in the mask.
+pub fn scope_on<'a>(
+    paper: &'a Paper<'a>,
+    claim: &Toml,
+    case: &Case<'_>,
+    (name, piece): (&str, Piece<'a>),
+) -> Result<Scope<'a>, Stop> {
+    // What is known of definitions is known of this piece.
+    let mut scope = names(paper, claim, (case, &[name]), &Rc::default())?;
+    scope.piece = Some(piece.of_masks());
+    resolve(paper, claim, &mut scope)?;
+    Ok(scope)
+}
+
+/// The scope of a case without the scheme.
+fn names<'a>(
+    paper: &'a Paper<'a>,
+    claim: &Toml,
+    (case, symbols): (&Case<'_>, &[&str]),
+    memory: &Rc<Memory>,
+) -> Result<Scope<'a>, Stop> {
     // Relations have the values that the file states.
     let relation = claim.get("states").is_some();
     let mut scope = if relation { paper.stated() } else { paper.scope() };
@@ -144,24 +175,24 @@ pub fn scope<'a>(
     scope.memory = Rc::clone(memory);
     let symbols = symbols.iter().map(|name| (*name, Value::symbol(name)));
     let values = case.iter().map(|(name, value)| (*name, Value::from(value.clone())));
-    for (name, value) in values.chain(symbols.clone()) {
+    for (name, value) in values.chain(symbols) {
         scope.hidden.insert(name.to_owned());
         scope.values.insert(name.to_owned(), value);
     }
     hypotheses::suppose(claim, &mut scope)?;
-    // What holds of a mask with a symbol need not hold of a number in its place: the mask may be shorter there.
-    for (name, _) in symbols.clone() {
-        scope.values.remove(name);
-    }
+    Ok(scope)
+}
+
+/// Gives a scope the scheme of the claim.
+fn resolve(paper: &Paper<'_>, claim: &Toml, scope: &mut Scope<'_>) -> Result<(), Stop> {
     if let Some(reference) = claim.text("scheme") {
         if paper.library.is_ring(reference) {
-            scope.ring = Some(Rc::new(paper.library.ring(reference, &scope)?));
+            scope.ring = Some(Rc::new(paper.library.ring(reference, scope)?));
         } else {
-            scope.scheme = paper.library.resolve(reference, &scope)?.first().cloned();
+            scope.scheme = paper.library.resolve(reference, scope)?.first().cloned();
         }
     }
-    scope.values.extend(symbols.map(|(name, symbol)| (name.to_owned(), symbol)));
-    Ok(scope)
+    Ok(())
 }
 
 /// What follows `in` in the next line, if it is about this case: `case 3 in 1/8 1/4`.

@@ -9,38 +9,47 @@ use crate::text::Stop;
 use num_traits::{Signed as _, Zero as _};
 use std::cmp::Ordering;
 
-/// Whether a comparison is false, and left − right.
+/// Whether a comparison is false, and left − right. On a piece of the scope, it is a comparison of polynomials.
 pub fn judged(comparison: &Comparison, scope: &Scope<'_>) -> Result<(bool, Value), Stop> {
+    let piece = scope.piece.as_ref();
     let left = scope.value(&comparison.left.expr)?;
     match &comparison.rest {
         Rest::Sign(sign, right) => {
             let printed = (&comparison.left.printed, &right.printed);
             let right = scope.value(&right.expr)?;
             let difference = left.minus(&right)?;
-            let holds = match sign {
-                Sign::Equal => difference.is_zero(),
-                Sign::Near => near(printed, (&left, &right))?,
-                _ => fits(*sign, left.number()?.compare(right.number()?)?),
+            let holds = match (sign, piece) {
+                (Sign::Equal, _) => difference.is_zero_on(piece)?,
+                (Sign::Near, _) => near(printed, (&left, &right))?,
+                (_, None) => fits(*sign, left.number()?.compare(right.number()?)?),
+                (_, Some(_)) => fits(*sign, difference.sign(piece)?.cmp(&0)),
             };
             Ok((!holds, difference))
         }
         Rest::Member(members) => {
             let members = members.iter().map(|member| scope.value(member));
             let members = members.collect::<Result<Vec<Value>, Stop>>()?;
-            for value in members.iter().chain([&left]) {
-                value.number()?;
+            if piece.is_none() {
+                for value in members.iter().chain([&left]) {
+                    value.number()?;
+                }
             }
             let off = members.iter().map(|member| left.minus(member));
             let off = off.collect::<Result<Vec<Value>, Stop>>()?;
-            Ok((off.iter().all(|off| !off.is_zero()), off.into_iter().next().unwrap_or(left)))
+            let mut equal = off.iter().map(|off| off.is_zero_on(piece));
+            let any = equal.try_fold(false, |any, equal| Ok::<_, Stop>(any || equal?))?;
+            Ok((!any, off.into_iter().next().unwrap_or(left)))
         }
         Rest::Is(one) => {
-            let is = left.number()?.integer();
-            if !matches!(is, Some(0 | 1)) {
+            if piece.is_none() {
+                left.number()?;
+            }
+            let less = left.minus(&Value::int(1))?;
+            let zero = left.is_zero_on(piece)?;
+            if !zero && !less.is_zero_on(piece)? {
                 return Err(Stop::Wrong("a formula without a sign is 0 or 1".into()));
             }
-            let difference = if *one { left.minus(&Value::int(1))? } else { left };
-            Ok((!difference.is_zero(), difference))
+            Ok((zero == *one, if *one { less } else { left }))
         }
     }
 }

@@ -3,6 +3,7 @@
 mod all;
 mod compare;
 mod ranges;
+mod reals;
 mod states;
 
 use super::equation::cases::{Index, Listing, MAX_CASES, cases, name_of, scope};
@@ -17,7 +18,7 @@ use std::rc::Rc;
 /// Claims of this kind.
 pub const KIND: Kind = Kind {
     name: "relation",
-    fields: "relation: claim symbols=*text hypotheses=*text states=text for=text|*text absent=text",
+    fields: "relation: claim symbols=*text hypotheses=*text states=text for=text|*text only=flag absent=text",
     names,
     check: |paper, claim, block| check(paper, claim, block).map(|()| Proof::Other),
 };
@@ -31,6 +32,9 @@ fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Ch
     }
     block.restates("states", claim.text("states"))?;
     let stated = comparisons(claim.text("states").unwrap_or_default())?;
+    if reals::concern(claim) {
+        return reals::check(paper, claim, &stated, block);
+    }
     let indices = ranges(claim).map(index).collect::<Result<Vec<Index<'_>>, Stop>>()?;
     let every = indices.iter().any(Index::is_all);
     match block.peek().map(|line| line.word()) {

@@ -2,8 +2,8 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::states::{in_name, place_of, split};
-use crate::formulas::{MAX_INTEGER, formula};
+use super::states::{SIGNS, Sign, in_name, place_of, split};
+use crate::formulas::{MAX_INTEGER, formula, is_name};
 use crate::kinds::equation::cases::{Case, Index, Values};
 use crate::numbers::{Decimal, Q, capped, read_rational};
 use crate::text::{Stop, Toml};
@@ -13,10 +13,67 @@ pub fn ranges(claim: &Toml) -> impl Iterator<Item = &str> {
     claim.text("for").into_iter().chain(claim.texts("for"))
 }
 
+/// What follows a word such as `all`, if it is not the name of an index.
+fn behind<'t>(text: &'t str, word: &str) -> Option<&'t str> {
+    let rest = text.trim().strip_prefix(word).filter(|rest| rest.starts_with(char::is_whitespace));
+    let sign = |rest: &str| SIGNS.iter().any(|(token, _)| rest.starts_with(token));
+    rest.map(str::trim).filter(|rest| !sign(rest))
+}
+
 /// What follows `all`.
 fn of_all(text: &str) -> Option<&str> {
-    let rest = text.trim().strip_prefix("all").filter(|rest| rest.starts_with(char::is_whitespace));
-    rest.map(str::trim).filter(|rest| !rest.starts_with('='))
+    behind(text, "all")
+}
+
+/// An index with real values.
+pub struct Real<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// The signs that stand behind its name, each with an end.
+    pub ends: Vec<(Sign, &'a str)>,
+}
+
+/// Reads an index with real values: `real v`, `v > 0`, `0 <= v < 1/4` or `v != 1/16`; `None` for an index with others.
+pub fn real(text: &str) -> Option<Result<Real<'_>, Stop>> {
+    let wrong = || Stop::Wrong(format!("`{text}` is no index with real values"));
+    if let Some(name) = behind(text, "real") {
+        return Some(is_name(name).then(|| Real { name, ends: Vec::new() }).ok_or_else(wrong));
+    }
+    if of_all(text).is_some() {
+        return None;
+    }
+    let (mut parts, mut signs, mut rest) = (Vec::new(), Vec::new(), text);
+    while let Some((at, which)) = place_of(rest, &SIGNS.map(|(token, _)| token)) {
+        let ((token, sign), (part, behind)) = (SIGNS[which], rest.split_at(at));
+        parts.push(part.trim());
+        signs.push(sign);
+        rest = behind.strip_prefix(token).unwrap_or_default();
+    }
+    parts.push(rest.trim());
+    if matches!(signs.first(), None | Some(Sign::Equal | Sign::Near)) {
+        return None;
+    }
+    let read = || match (&parts[..], &signs[..]) {
+        (&[name, end], &[sign]) if is_name(name) => Some((name, vec![(sign, end)])),
+        (&[end, name], &[sign]) => Some((name, vec![(turned(sign)?, end)])),
+        (&[low, name, high], &[first, second]) => {
+            Some((name, vec![(turned(first)?, low), (turned(turned(second)?)?, high)]))
+        }
+        _ => None,
+    };
+    let found = read().filter(|(name, _)| is_name(name));
+    Some(found.map(|(name, ends)| Real { name, ends }).ok_or_else(wrong))
+}
+
+/// The sign of the sides in the other order.
+fn turned(sign: Sign) -> Option<Sign> {
+    Some(match sign {
+        Sign::Less => Sign::Greater,
+        Sign::AtMost => Sign::AtLeast,
+        Sign::Greater => Sign::Less,
+        Sign::AtLeast => Sign::AtMost,
+        Sign::Equal | Sign::Unequal | Sign::Near => return None,
+    })
 }
 
 /// The parts of `(a, b)`.
@@ -27,6 +84,9 @@ fn parts(text: &str) -> Option<Vec<&str>> {
 
 /// The names of an entry.
 pub fn names(text: &str) -> Vec<&str> {
+    if let Some(real) = real(text) {
+        return real.map_or(Vec::new(), |real| vec![real.name]);
+    }
     if let Some(rest) = of_all(text) {
         return rest.split(|c| !in_name(c)).next().into_iter().map(str::trim).collect();
     }

@@ -61,7 +61,7 @@ impl Comparison {
 const REFUSED: [&str; 6] = ["==", "=>", "=<", "±", "+-", "+−"];
 
 /// The signs. Those of two characters stand before those with which they begin.
-const SIGNS: [(&str, Sign); 11] = [
+pub const SIGNS: [(&str, Sign); 11] = [
     ("!=", Sign::Unequal),
     ("<=", Sign::AtMost),
     (">=", Sign::AtLeast),
