@@ -1,6 +1,6 @@
 //! Functions of masks that read only coefficients, and compare them.
 
-use super::check_size;
+use super::common::check_size;
 use super::generic::{Asked, answered};
 use crate::evaluation::arguments::{narrow, within};
 use crate::evaluation::options::{Data, Options, Parameters};

@@ -1,6 +1,6 @@
 //! Functions of masks over any ordered field: of numbers, or of functions of a parameter at a place of it.
 
-use super::{IRRATIONAL, numbers};
+use super::common::{IRRATIONAL, numbers};
 use crate::exact::{QuotientAt, Real, Scalar as _};
 use crate::formula::{CallError, FormulaErrorKind, Value};
 use crate::scheme::Mask;

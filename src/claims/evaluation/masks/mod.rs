@@ -1,17 +1,19 @@
 //! Functions of masks and of their basic limit functions.
 
 mod coefficients;
+mod common;
 pub(crate) mod constants;
 mod field;
 mod generic;
 mod values;
 
+pub(crate) use common::{numbers, rational};
 pub(crate) use field::over_field;
 
 use crate::cap::Cap;
 use crate::evaluation::arguments::index;
 use crate::evaluation::options::Options;
-use crate::exact::{Rational, RealCyclotomic, Scalar};
+use crate::exact::Rational;
 use crate::formula::{Call, CallError, Value};
 use crate::limit::{Limit, LimitError};
 use crate::scheme::Mask;
@@ -20,16 +22,11 @@ use crate::smoothness::{
     integral_symbol, is_independent, shape_kept,
 };
 use coefficients::of_coefficients;
+use common::{MAX_CLASSES, MAX_PLACES, as_rational, check_size};
 use generic::answered;
 use std::cell::RefCell;
 use std::rc::Rc;
 use values::{InnerProduct, Integral, Keeps, ValueAt};
-
-/// The greatest product of the numbers of coefficients of two masks.
-const MAX_PRODUCTS: usize = 1 << 22;
-
-/// The greatest number of residue classes of T_c when a contraction below 1 is looked for.
-const MAX_CLASSES: u64 = 65_536;
 
 /// Results by what they are of; of few masks, so that they are searched one by one.
 pub(crate) type Results<K, T> = RefCell<Vec<(K, Result<T, CallError>)>>;
@@ -148,36 +145,6 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
     Ok(Some(value))
 }
 
-const IRRATIONAL: &str = "this value is irrational, where only rational numbers can be used";
-
-/// The mask, whose coefficients are numbers.
-pub(crate) fn numbers<V: Value>(mask: &Mask<V>) -> Result<Mask<RealCyclotomic>, CallError> {
-    let all = mask.rules().rows().iter().flatten();
-    if all.clone().all(|entry| entry.number().is_some()) {
-        return Ok(mask.map(|entry| entry.number().unwrap_or_else(RealCyclotomic::zero)));
-    }
-    Err(CallError::Misuse(
-        "this needs a mask of numbers, and this one has symbols in it".to_owned(),
-    ))
-}
-
-/// The mask, whose coefficients are rational.
-pub(crate) fn rational<V: Value>(mask: &Mask<V>) -> Result<Mask, CallError> {
-    if let Some(mask) = as_rational(mask) {
-        return Ok(mask);
-    }
-    numbers(mask)?;
-    let what = "the degree of the coefficients of a mask whose limits are computed";
-    Err(CallError::BeyondCap(Cap::new(what, 1)))
-}
-
-/// The mask, if its coefficients are rational.
-fn as_rational<V: Value>(mask: &Mask<V>) -> Option<Mask> {
-    let all = mask.rules().rows().iter().flatten();
-    let rational = all.clone().all(|entry| entry.as_rational().is_some());
-    rational.then(|| mask.map(|entry| entry.as_rational().unwrap_or_else(Rational::zero)))
-}
-
 /// Σ_k a_k z^k.
 fn symbol_at<V: Value + PartialEq>(mask: &Mask<V>, z: &V) -> Result<V, CallError> {
     let symbol = Symbol::of(mask);
@@ -248,9 +215,6 @@ fn basic_value(mask: &Mask, x: &Rational, known: &KnownLimits) -> Result<Rationa
     basic(&limit, x).map_err(|error| unlimited(&error))
 }
 
-/// The greatest number of places at which an integral is summed.
-const MAX_PLACES: i64 = 256;
-
 /// ∫ φ from x to y: Σ_{j ≥ 0} (χ(y − j) − χ(x − j)).
 fn integral<V: Value>(mask: &Mask<V>, ends: [&V; 2], known: &KnownLimits) -> Result<V, CallError> {
     let ends = [parameter(ends[0])?, parameter(ends[1])?];
@@ -298,15 +262,6 @@ fn inner_product<V: Value>(
     };
     let products = known.inner_products((first, second))?;
     products.at(&k).map(|value| V::from_rational(&value)).map_err(|error| unlimited(&error))
-}
-
-fn check_size<F: Scalar>(first: &Mask<F>, second: &Mask<F>) -> Result<(), CallError> {
-    let size = |mask: &Mask<F>| mask.arity() * mask.width();
-    if size(first).saturating_mul(size(second)) > MAX_PRODUCTS {
-        let what = "the number of coefficients of one mask times that of the other";
-        return Err(CallError::BeyondCap(Cap::new(what, MAX_PRODUCTS as u64)));
-    }
-    Ok(())
 }
 
 /// Why a limit is not computed: there is none, or it is not shown that there is one.

@@ -1,7 +1,7 @@
 //! Values, integrals and inner products of limits of masks that are not rational.
 
+use super::common::{MAX_CLASSES, MAX_PLACES, check_size};
 use super::generic::Asked;
-use super::{MAX_CLASSES, MAX_PLACES, check_size};
 use crate::cap::Cap;
 use crate::exact::{Rational, Real};
 use crate::formula::CallError;
