@@ -141,9 +141,9 @@ pub enum Node {
         /// The options after the arguments, such as `order = forward`.
         options: Vec<OptionWord>,
     },
-    /// The sum, maximum or minimum of `body` over `index` = `from`, …, `to`.
+    /// The sum, product, maximum or minimum of `body` over `index` = `from`, …, `to`.
     Fold {
-        /// Sum, maximum or minimum.
+        /// Sum, product, maximum or minimum.
         fold: Fold,
         /// The name of the index, which `body` may use.
         index: String,
@@ -161,6 +161,8 @@ pub enum Node {
 pub enum Fold {
     /// Their sum; 0 for an empty range.
     Sum,
+    /// Their product; 1 for an empty range.
+    Product,
     /// Their maximum; undefined for an empty range.
     Max,
     /// Their minimum; undefined for an empty range.
@@ -170,13 +172,14 @@ pub enum Fold {
 impl Fold {
     /// The fold with this name, if there is one.
     pub(super) fn named(name: &str) -> Option<Fold> {
-        [Fold::Sum, Fold::Max, Fold::Min].into_iter().find(|fold| fold.name() == name)
+        [Fold::Sum, Fold::Product, Fold::Max, Fold::Min].into_iter().find(|fold| fold.name() == name)
     }
 
     /// Its name in formulas.
     pub(super) fn name(self) -> &'static str {
         match self {
             Fold::Sum => "sum",
+            Fold::Product => "product",
             Fold::Max => "max",
             Fold::Min => "min",
         }

@@ -7,7 +7,7 @@ use super::value::Value;
 use crate::exact::{Integer, Rational};
 
 /// The names of the functions.
-pub(super) const NAMES: [&str; 12] = [
+pub(super) const NAMES: [&str; 14] = [
     "abs",
     "min",
     "max",
@@ -16,7 +16,9 @@ pub(super) const NAMES: [&str; 12] = [
     "mod",
     "kronecker",
     "binomial",
+    "factorial",
     "sum",
+    "product",
     COSINE,
     SQUARE_ROOT,
     ROOT,
@@ -40,6 +42,9 @@ const MAX_SYMBOLIC_POWER: u64 = 64;
 
 /// The greatest lower index of a binomial coefficient of a rational number.
 const MAX_BINOMIAL: u64 = 10_000;
+
+/// The greatest argument of `factorial`.
+const MAX_FACTORIAL: u64 = 1_000;
 
 /// The value of the built-in function `function`; `None` when there is none of this name.
 pub(super) fn call<V: Value>(
@@ -68,6 +73,7 @@ pub(super) fn call<V: Value>(
         ("mod", [x, modulus]) => modulo(x, modulus),
         ("kronecker", [left, right]) => kronecker(left, right),
         ("binomial", [top, bottom]) => binomial(top, bottom),
+        ("factorial", [n]) => factorial(n),
         (SQUARE_ROOT, [x]) => square_root(x),
         (ROOT, [coefficients @ .., number]) => {
             integer("the number of a root", number).and_then(|number| root(coefficients, number))
@@ -199,6 +205,20 @@ pub(super) fn power<V: Value>(base: &V, exponent: &V) -> Result<V, FormulaErrorK
     let power =
         (0..magnitude).try_fold(one.clone(), |power, _| apply(Operator::Multiply, power, base))?;
     if exponent < 0 { divide(&one, &power) } else { Ok(power) }
+}
+
+/// n! for an integer n ≥ 0.
+fn factorial<V: Value>(n: &V) -> Result<V, FormulaErrorKind> {
+    let what = "the argument of `factorial`";
+    let n = integer(what, n)?;
+    if n.unsigned_abs() > MAX_FACTORIAL {
+        return Err(FormulaErrorKind::too_large(what, MAX_FACTORIAL));
+    }
+    if n < 0 {
+        return Err(FormulaErrorKind::Undefined(format!("there is no factorial of {n}")));
+    }
+    let factors: Vec<Integer> = (1..=n).map(Integer::from).collect();
+    Ok(V::from_rational(&Rational::from(product(&factors))))
 }
 
 /// C(top, bottom) = top(top − 1)…(top − bottom + 1)/bottom!, 0 for bottom < 0.

@@ -193,7 +193,7 @@ impl<V: Value> Evaluator<'_, V> {
         Ok(values)
     }
 
-    /// The sum, maximum or minimum of `body` over `range`; `None` for the maximum or
+    /// The sum, product, maximum or minimum of `body` over `range`; `None` for the maximum or
     /// minimum over an empty range.
     fn fold(
         &self,
@@ -217,7 +217,11 @@ impl<V: Value> Evaluator<'_, V> {
         body: &Expr,
         indices: &mut Vec<(String, V)>,
     ) -> Result<Option<V>, FormulaError> {
-        let mut total = (fold == Fold::Sum).then(V::zero);
+        let mut total = match fold {
+            Fold::Sum => Some(V::zero()),
+            Fold::Product => Some(V::from_rational(&Rational::one())),
+            Fold::Max | Fold::Min => None,
+        };
         for i in range {
             indices[0].1 = V::from_rational(&Rational::from(i));
             let term = self.value(body, indices)?;
@@ -226,6 +230,7 @@ impl<V: Value> Evaluator<'_, V> {
                 Some(total) => {
                     let next = match fold {
                         Fold::Sum => builtin::apply(Operator::Add, total, &term),
+                        Fold::Product => builtin::apply(Operator::Multiply, total, &term),
                         Fold::Max => builtin::greater(&total, &term),
                         Fold::Min => builtin::lesser(&total, &term),
                     };

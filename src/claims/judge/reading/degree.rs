@@ -4,7 +4,7 @@
 //! w + (w − 1)(w − 2)(w − 3) is 1, 2 and 3 at w = 1, 2 and 3. The form of the formula shows it.
 
 use crate::claim::{Paper, SchemeSource, Table};
-use crate::formula::{Expr, LocatedFormula, Node, Operator, OptionWord};
+use crate::formula::{Expr, Fold, LocatedFormula, Node, Operator, OptionWord};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,7 +13,7 @@ const MAX_DEPTH: usize = 200;
 
 /// The functions of the language; all others are of schemes.
 pub(super) const LANGUAGE: [&str; 9] =
-    ["abs", "min", "max", "floor", "ceil", "mod", "kronecker", "binomial", "cos"];
+    ["abs", "min", "max", "floor", "ceil", "mod", "kronecker", "binomial", "factorial", "cos"];
 
 /// The degrees of formulas in a parameter p > 0: a formula of degree d is c·p^d, where c does not
 /// depend on p.
@@ -120,6 +120,8 @@ impl<'a> Degrees<'a> {
                 "surface_displacement" if !self.schemes_vary => common(arguments),
                 _ => None,
             },
+            // A product of several values has another degree.
+            Node::Fold { fold: Fold::Product, .. } => None,
             Node::Fold { index, from, to, body, .. } => {
                 let free = index != self.name && self.is_free(from) && self.is_free(to);
                 if free { of(body) } else { None }

@@ -160,10 +160,10 @@ fn call(function: &str, arguments: &[Expr], options: &[OptionWord]) -> Markup {
 
 fn folded(fold: Fold, index: &str, [from, to, body]: [&Expr; 3]) -> Markup {
     match fold {
-        Fold::Sum => html! {
+        Fold::Sum | Fold::Product => html! {
             mrow {
                 munderover {
-                    mo { "∑" }
+                    mo { @if fold == Fold::Sum { "∑" } @else { "∏" } }
                     mrow { (name(index)) mo { "=" } (inner(from)) }
                     mrow { (inner(to)) }
                 }
