@@ -2,7 +2,7 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::interval::Interval;
+use crate::enclosures::Interval;
 use super::rounding::{SINGLE, rounded, ten};
 use super::table::{Exact, Table};
 use crate::formulas::Definitions;

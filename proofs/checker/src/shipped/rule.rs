@@ -1,6 +1,6 @@
 //! The rule for constants of programs (proofs/format/shipped.md).
 
-use super::interval::Interval;
+use crate::enclosures::Interval;
 use super::literal::{read as read_literal, same};
 use super::reading::Reading;
 use super::table::Table;

@@ -1,8 +1,7 @@
 //! The values of formulas, enclosed by intervals.
 
-use super::cosine::Circle;
 use super::functions::{Call, is_zero};
-use super::interval::Interval;
+use crate::enclosures::{Circle, Interval};
 use crate::formulas::{Definitions, Expr, Head, MAX_INTEGER, names as names_in};
 use crate::numbers::{Meter, Q};
 use crate::text::Stop;
