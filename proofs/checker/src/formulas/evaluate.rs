@@ -2,6 +2,7 @@
 
 use super::definitions::{Definitions, names as names_in};
 use super::formula::{Expr, Head};
+use super::range::{Range, range};
 use super::reading::Reading;
 use crate::numbers::{Meter, Piece, Value};
 use crate::schemes::{Ring, Scheme};
@@ -277,21 +278,16 @@ impl<'a> Scope<'a> {
         parts: &[Expr],
         indices: &mut Indices,
     ) -> Result<Value, Stop> {
-        let [from, to, body] = parts else { return Err(Stop::Wrong("a range is missing".into())) };
+        let [from, to, body] = range(parts)?;
         self.index(index)?;
         let from = self.evaluate(from, indices)?.integer(MAX_INTEGER)?;
         let to = self.evaluate(to, indices)?.integer(MAX_INTEGER)?;
-        let mut total = (fold == "sum").then(|| Value::int(0));
-        for i in from..=to {
-            indices.push((index.to_owned(), Value::int(i)));
-            let term = self.evaluate(body, indices);
-            indices.pop();
-            total = Some(match total {
-                None => term?,
-                Some(total) => self.join(fold, &total, &term?)?,
-            });
-        }
-        total.ok_or_else(|| Stop::Wrong("a maximum or minimum has an empty range".into()))
+        let range = Range { index, ends: [from, to], others: indices, value: Value::int };
+        range.total(
+            (fold == "sum").then(|| Value::int(0)),
+            |indices| self.evaluate(body, indices),
+            |total, term| self.join(fold, total, term),
+        )
     }
 
     /// Checks that an index does not hide a name to which definitions may refer.

@@ -3,9 +3,9 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::size::Size;
+use crate::enclosures::{Interval, Sturm, enclosed};
 use crate::functions::Real;
 use crate::numbers::{Meter, Number, Q, common_multiple, roots_between};
-use crate::enclosures::{Interval, Sturm, enclosed};
 use crate::text::Stop;
 use num_bigint::BigInt;
 

@@ -152,8 +152,7 @@ fn is_root(
     other[usize::from(q)] = Q::one();
     meter.spend(steps_of_gcd(&p, &other).saturating_mul(2))?;
     let common = gcd(&p, &other);
-    let off =
-        |x: &Q| !numbers::at(&p, x).is_zero() && !numbers::at(&other, x).is_zero();
+    let off = |x: &Q| !numbers::at(&p, x).is_zero() && !numbers::at(&other, x).is_zero();
     let one = off(low) && off(high) && roots_between(&p, low, high) == 1;
     Ok(one && common.len() > 1 && roots_between(&common, low, high) == 1)
 }

@@ -3,9 +3,9 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::polynomials::Polynomial;
+use crate::enclosures::{Interval, Sturm, enclosed, is_within, without};
 use crate::functions::real::Real;
 use crate::numbers::{Meter, Number, Q, Value};
-use crate::enclosures::{Interval, Sturm, enclosed, is_within, without};
 use crate::text::Stop;
 use std::cmp::Ordering;
 use std::rc::Rc;
