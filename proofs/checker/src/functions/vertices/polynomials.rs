@@ -5,7 +5,7 @@
 
 use crate::functions::call::number;
 use crate::functions::steps::{Values, add, over, plus, times};
-use crate::numbers::{Meter, Ring, Value};
+use crate::numbers::{Meter, Ring, Value, characteristic};
 use crate::text::Stop;
 
 /// A polynomial whose leading coefficient is not 0.
@@ -15,7 +15,7 @@ pub type Polynomial = Vec<Value>;
 pub type Cyclic = Vec<Value>;
 
 /// Such elements for this n.
-pub struct Cycles<'m>(pub &'m Meter, pub usize);
+struct Cycles<'m>(&'m Meter, usize);
 
 impl Ring<Cyclic> for Cycles<'_> {
     fn integer(&self, value: i64) -> Cyclic {
@@ -50,6 +50,31 @@ impl Ring<Cyclic> for Cycles<'_> {
     fn share(&self, x: &Cyclic, k: usize) -> Result<Cyclic, Stop> {
         x.iter().map(|c| Values(self.0).share(c, k)).collect()
     }
+}
+
+/// The coefficients of det(t − M). A multiple dM has integers as coordinates, whose sums need no common divisors; those of M are its
+/// coefficients over powers of d.
+pub fn characteristic_of_cycles(
+    meter: &Meter,
+    n: usize,
+    matrix: &[Vec<Cyclic>],
+) -> Result<Vec<Cyclic>, Stop> {
+    let denominator = Value::denominator(matrix.iter().flatten().flatten())?;
+    let scaled = |entry: &Cyclic| multiple(meter, entry, &denominator);
+    let rows = matrix.iter().map(|row| row.iter().map(scaled).collect());
+    let rows = rows.collect::<Result<Vec<Vec<Cyclic>>, Stop>>()?;
+    let mut coefficients = characteristic(&Cycles(meter, n), &rows)?;
+    let (inverse, mut share) = (over(meter, &Value::int(1), &denominator)?, Value::int(1));
+    for c in coefficients.iter_mut().rev() {
+        *c = multiple(meter, c, &share)?;
+        share = times(meter, &share, &inverse)?;
+    }
+    Ok(coefficients)
+}
+
+/// A multiple of an element.
+fn multiple(meter: &Meter, element: &Cyclic, factor: &Value) -> Result<Cyclic, Stop> {
+    element.iter().map(|c| times(meter, c, factor)).collect()
 }
 
 /// Removes leading coefficients that are 0.

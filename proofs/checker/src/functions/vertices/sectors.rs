@@ -2,7 +2,7 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::polynomials::{Cycles, Cyclic, Polynomial, at};
+use super::polynomials::{Cyclic, Polynomial, at, characteristic_of_cycles};
 use crate::functions::call::{number, wrong};
 use crate::functions::limits::solve;
 use crate::functions::masks::signed;
@@ -94,7 +94,7 @@ impl<'m> Sectors<'m> {
                     .collect()
             })
             .collect();
-        Ok(Turning(self, characteristic(&Cycles(self.meter, self.valence), &matrix)?))
+        Ok(Turning(self, characteristic_of_cycles(self.meter, self.valence, &matrix)?))
     }
 
     /// The sums of the limit weights of the points of each orbit: uM_0 = u, Σu = 1.
