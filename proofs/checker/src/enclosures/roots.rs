@@ -88,8 +88,8 @@ impl<'m> Sturm<'m> {
     fn spend(&self, one: &Interval, other: &Interval) -> Result<(), Stop> {
         let words = |x: &Interval| x.size() / 64 + 1;
         let products = match (one, other) {
-            (Interval::Point(_), Interval::Point(_)) => words(one).max(words(other)).pow(2) / 4,
-            _ => words(one) * words(other) / 16,
+            (Interval::Point(_), Interval::Point(_)) => words(one).max(words(other)).pow(2) / 32,
+            _ => words(one) * words(other) / 64,
         };
         self.meter.spend(1 + products)
     }
