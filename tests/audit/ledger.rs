@@ -52,6 +52,9 @@ fn lines(audit: &PaperAudit<'_>) -> Vec<String> {
             EquationVerdict::Proved => "for all".to_owned(),
             EquationVerdict::Tried { cases } => format!("tried in {cases}"),
             EquationVerdict::Undecided { cases, open } => format!("{} of {cases} open", open.len()),
+            EquationVerdict::Reals(found) => {
+                found.cases.iter().map(|case| case.truth.to_string()).collect()
+            }
             EquationVerdict::NotCheckable | EquationVerdict::BeyondCap(_) => String::new(),
         };
         lines.push(format!("{} {} {detail}", finding.id, finding.verdict.word().name()));

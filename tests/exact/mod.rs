@@ -19,6 +19,7 @@ mod number_field;
 mod other_numbers;
 mod piecewise;
 mod polynomial;
+mod quotient_at;
 mod reading;
 mod univariate;
 

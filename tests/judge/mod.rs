@@ -9,6 +9,7 @@ mod lines;
 mod numbers;
 mod proportional;
 mod readings;
+mod real_indices;
 mod reals;
 mod recovered;
 mod relations;

@@ -202,3 +202,21 @@ fn symbols_in_files() {
         assert!(error.contains(part), "{new}: {error}");
     }
 }
+
+/// What is no scheme here is called by its name.
+#[test]
+fn other_kinds_of_schemes_are_recognised() {
+    for (fields, part) in [
+        ("symbol = '(1+z1)*(1+z2)*(1+z1*z2)/2'", "masks of two and more variables"),
+        ("symbol = '(1+x)*(1+y)/2'", "a second variable"),
+        ("symbol = '[[1,z],[0,1]]'", "Hermite and vector schemes"),
+        ("mask = [[['1/2', '-1/8'], ['1', '0']], [['1', '0'], ['0', '1']]]", "Hermite schemes"),
+    ] {
+        let text = format!("name = 's'\n{fields}\n");
+        let error = read_scheme(&SourceText::new("s.toml", text)).expect_err(fields);
+        assert!(error.to_string().contains(part), "{fields}: {error}");
+    }
+    // A name that has a value is no variable.
+    let text = "name = 's'\nsymbol = '(1+z)*(x + z)/(1 + x)'\nlet.x = '1/2'\n";
+    read_scheme(&SourceText::new("s.toml", text.to_owned())).expect("one variable");
+}

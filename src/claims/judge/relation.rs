@@ -2,7 +2,9 @@
 
 use crate::claim::{Comparison, Sign};
 use crate::diagnostic::Diagnostic;
-use crate::exact::{Decimal, Polynomial, Rational, RealCyclotomic, Rounding, parse_printed};
+use crate::exact::{
+    Decimal, Polynomial, Rational, RealCyclotomic, Rounding, Scalar as _, parse_printed,
+};
 use crate::finding::SideValue;
 use crate::formula::{LocatedFormula, RealValue, Value as _};
 use std::cmp::Ordering;
@@ -108,8 +110,14 @@ pub(crate) fn decided(
     let rights = comparison.rights.iter().zip(rights).map(|(text, side)| number(text, side));
     let rights = rights.collect::<Result<Vec<RealValue>, Diagnostic>>()?;
     let right = &rights[0];
+    let whole = |n: i64| RealValue::from_rational(&Rational::from(n));
     let equal = |right: &RealValue| left.compare(right).map(Ordering::is_eq);
     Ok(match comparison.sign {
+        Sign::True | Sign::False
+            if [0, 1].iter().all(|n| left.compare(&whole(*n)).is_some_and(Ordering::is_ne)) =>
+        {
+            return Err(states_nothing(printed, &left));
+        }
         Sign::Equal | Sign::True | Sign::False => equal(right),
         Sign::Unequal => equal(right).map(|equal| !equal),
         Sign::AtMost => left.is_at_most(right),

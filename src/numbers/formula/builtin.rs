@@ -158,7 +158,7 @@ fn multiply<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
 
 /// left / right.
 fn divide<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
-    if right.as_rational().is_some_and(|value| value.is_zero()) {
+    if right.vanishes() == Some(true) {
         return Err(FormulaErrorKind::DivisionByZero);
     }
     if left.quotient_size(right) > MAX_BITS {

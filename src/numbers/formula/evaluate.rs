@@ -5,6 +5,7 @@ use super::ast::{Expr, Fold, Node, Operator, OptionWord, Span};
 use super::builtin;
 use super::context::{Call, Context, Lookup, Work};
 use super::error::{CallError, FormulaError, FormulaErrorKind};
+use super::hyphens::differences;
 use super::value::Value;
 use crate::exact::Rational;
 
@@ -48,23 +49,6 @@ pub fn evaluate_with<V: Value>(
 struct Evaluator<'a, V> {
     context: &'a dyn Context<V>,
     work: &'a Work,
-}
-
-/// The names of `a - b - c`, or of `a`: a name with hyphens, such as `four-point`, reads as a difference.
-#[must_use]
-pub fn differences(expr: &Expr) -> Option<Vec<&str>> {
-    match &expr.node {
-        Node::Name(name) => Some(vec![name]),
-        Node::Chain(first, rest) => {
-            let mut names = differences(first).filter(|names| names.len() == 1)?;
-            for (operator, operand) in rest {
-                let Node::Name(name) = &operand.node else { return None };
-                names.push((*operator == Operator::Subtract).then_some(name)?);
-            }
-            Some(names)
-        }
-        _ => None,
-    }
 }
 
 fn fail<T>(kind: FormulaErrorKind, span: &Span) -> Result<T, FormulaError> {
@@ -183,8 +167,9 @@ impl<V: Value> Evaluator<'_, V> {
         // `four-point` reads as a difference.
         let Some(names) = differences(first) else { return (None, arguments) };
         let name = names.join("-");
-        let unknown = |name: &&str| {
-            indices.iter().all(|(index, _)| index != name)
+        let unknown = |name: &String| {
+            !name.starts_with(|c: char| c.is_ascii_digit())
+                && indices.iter().all(|(index, _)| index != name)
                 && matches!(self.context.name(name, indices), Ok(Lookup::Unknown))
         };
         let is_name = names.len() > 1 || indices.iter().all(|(index, _)| *index != name);

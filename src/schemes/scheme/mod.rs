@@ -12,14 +12,14 @@ mod definition;
 mod error;
 mod fields;
 mod file;
+mod file_rules;
+mod foreign;
 mod interpolation;
-mod local_definition;
-mod local_file;
-mod local_formulas;
-mod local_rules;
-mod local_symmetry;
+mod local;
 mod mask;
+mod parameters;
 mod parse;
+mod parse_any;
 mod parse_open;
 mod reference;
 mod rules;
@@ -34,15 +34,16 @@ pub use error::{ReferenceError, SchemeError};
 pub use fields::{definitions, formula, identifier};
 pub use file::{OtherSchemes, SchemeTable};
 pub use interpolation::lagrange_mask;
-pub(crate) use local_rules::point_name;
-pub use local_rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit};
-pub use local_symmetry::Representatives;
+pub(crate) use local::rules::point_name;
+pub use local::rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit};
+pub use local::symmetry::Representatives;
 pub use mask::{Mask, MaskError};
 pub use parse::find_in_catalogue;
 pub use parse::{
-    AnyScheme, files_without_offset, find_definition, names_ring, parse_algebraic,
-    parse_any_scheme, parse_local_rules, parse_rules_of_valence, parse_scheme, read_scheme,
+    files_without_offset, find_definition, names_ring, parse_local_rules, parse_rules_of_valence,
+    parse_scheme, read_scheme,
 };
+pub use parse_any::{AnyScheme, parse_algebraic, parse_any_scheme};
 pub use parse_open::{
     open_parameters, parse_in_parameters, parse_parametric, parse_rules_in_parameter,
 };

@@ -5,12 +5,12 @@ use super::catalogue;
 use super::definition::SchemeDefinition;
 use super::error::{ReferenceError, SchemeError};
 use super::file::{read_one_scheme, read_scheme_with};
-use super::local_rules::LocalRules;
+use super::local::rules::LocalRules;
 use super::mask::Mask;
 use super::reference::{Part, Reference, in_file, split_name};
 use super::typed::{is_typed, typed};
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::exact::{AlgebraicNumber, FieldElement, Rational, RealCyclotomic};
+use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{Expr, FreeNames, Parameters, Value, evaluate};
 use std::collections::BTreeMap;
 use std::hash::Hash;
@@ -19,27 +19,6 @@ use std::sync::Arc;
 
 /// The greatest size of a scheme file, in bytes.
 const MAX_FILE_BYTES: u64 = 1 << 20;
-
-/// The two kinds of schemes that SCHEME can name.
-#[derive(Clone, Debug, PartialEq)]
-pub enum AnyScheme {
-    /// A scheme with the same rules everywhere: one mask, or two for a tensor product.
-    Uniform(Scheme<Rational>),
-    /// Rules around one extraordinary vertex or face.
-    LocalRules(LocalRules<RealCyclotomic>),
-}
-
-impl From<Scheme> for AnyScheme {
-    fn from(scheme: Scheme) -> AnyScheme {
-        AnyScheme::Uniform(scheme)
-    }
-}
-
-impl From<LocalRules> for AnyScheme {
-    fn from(rules: LocalRules) -> AnyScheme {
-        AnyScheme::LocalRules(rules)
-    }
-}
 
 /// The exact scheme that SCHEME names: a catalogue entry such as `six-point:w=3/256`, a file such as
 /// `my.toml:w=1/16`, a mask such as `[1, 3, 3, 1]/4`, `1/4*{1, 3, 3, 1}` or `[w, 1/2, 1 - 2*w, 1/2, w]:w=1/8`, its symbol such as `z^-1*(1+z)^3/4`, or two with ` x ` between them.
@@ -141,49 +120,6 @@ pub fn parse_rules_of_valence(
     valence: Option<usize>,
 ) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
     Named::read(text)?.ring(valence)
-}
-
-/// The scheme or the ring that SCHEME names.
-///
-/// # Errors
-/// As [`parse_scheme`] and [`parse_local_rules`].
-///
-/// ```
-/// use subcert::scheme::{AnyScheme, parse_any_scheme};
-///
-/// assert!(matches!(parse_any_scheme("chaikin")?, AnyScheme::Uniform(_)));
-/// assert!(matches!(parse_any_scheme("doo-sabin:n=5")?, AnyScheme::LocalRules(_)));
-/// # Ok::<(), subcert::scheme::SchemeError>(())
-/// ```
-pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
-    let named = Named::read(text)?;
-    let names: Vec<&str> = named.reference.names().collect();
-    match names[..] {
-        [name] if named.definition(name)?.is_ring() => named.ring(None).map(AnyScheme::LocalRules),
-        _ => named.scheme().map(AnyScheme::Uniform),
-    }
-}
-
-/// The mask that SCHEME names, with coefficients of one real field Q(α): in its formulas and in the values of its
-/// parameters, `sqrt` and `root` are numbers.
-///
-/// # Errors
-/// As [`parse_scheme`], when this is a tensor product, and when the coefficients are in no field within the caps.
-///
-/// ```
-/// use subcert::exact::format::fixed;
-/// use subcert::scheme::parse_algebraic;
-///
-/// let mask = parse_algebraic("four-point:w=sqrt(2)/32")?;
-/// assert_eq!(fixed(&mask.rules().rows()[1][0], 8), "-0.04419417");
-/// # Ok::<(), subcert::scheme::SchemeError>(())
-/// ```
-pub fn parse_algebraic(text: &str) -> Result<Mask<FieldElement>, SchemeError> {
-    let named = Named::read(text)?;
-    let factor = named.factor(&Parameters::<AlgebraicNumber>::default(), None)?;
-    // The coefficients of a mask are in one field.
-    let mask = factor.mask()?;
-    Ok(mask.map(|c| c.element().clone()))
 }
 
 /// Reads one scheme from the text of a TOML file.
@@ -337,14 +273,17 @@ impl Named<'_> {
         Ok(Factor { text: &part.text, definition, parameters: values })
     }
 
-    fn scheme(&self) -> Result<Scheme<Rational>, SchemeError> {
+    pub(super) fn scheme(&self) -> Result<Scheme<Rational>, SchemeError> {
         let none = Parameters::default();
         let mask = |part: &Part| self.factor_of(part, &none, None)?.mask();
         let masks = self.reference.parts().iter().map(mask);
         Ok(Scheme::of(masks.collect::<Result<Vec<Mask>, SchemeError>>()?))
     }
 
-    fn ring(&self, valence: Option<usize>) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
+    pub(super) fn ring(
+        &self,
+        valence: Option<usize>,
+    ) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
         match self.reference.parts() {
             [part] => self.factor_of(part, &Parameters::default(), valence)?.ring(),
             _ => Err(SchemeError::NotRing { scheme: self.text.trim().to_owned() }),

@@ -1,7 +1,7 @@
 //! Reads SCHEME as a mask with parameters left open.
 
 use super::error::SchemeError;
-use super::local_rules::LocalRules;
+use super::local::rules::LocalRules;
 use super::mask::Mask;
 use super::parse::Named;
 use crate::exact::Polynomial;

@@ -150,6 +150,12 @@ fn explained(source: &Arc<SourceText>, error: &Error) -> Diagnostic {
             "write it in quotes, as '{text}': it is read exactly then, and its digits are kept"
         ));
     }
+    if error.message().contains("invalid type: sequence, expected a string") {
+        return diagnostic.with_help(
+            "a coefficient is a text with a number or a formula; schemes with matrices as coefficients, such as Hermite schemes, and \
+             masks of two variables are not taken",
+        );
+    }
     if is("integer") {
         return diagnostic.with_help("write it as a decimal number, or as a text in quotes");
     }

@@ -18,45 +18,41 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod basic;
 mod coefficient;
 mod contraction;
 mod excluded;
 mod exponent;
 mod formula;
+mod functions;
 mod independence;
-mod integrals;
 mod map;
 mod parametric;
 mod range;
 mod range_error;
 mod region;
 mod reproduction;
-mod riesz;
 mod search;
 mod shape;
-mod sobolev;
 mod special;
 mod symbol;
 mod transition;
 
-pub use basic::{BasicError, BasicValues};
 pub use coefficient::Coefficient;
 pub use contraction::contractions;
 pub use exponent::{Hoelder, Smoothness, SmoothnessError};
 pub use formula::ExponentFormula;
-pub use independence::is_independent;
-pub use integrals::{
-    InnerProductError, InnerProducts, basic, derivative_symbol, integral_symbol, moments,
+pub use functions::{
+    BasicError, BasicValues, InnerProductError, InnerProducts, LimitValues, basic,
+    derivative_symbol, integral_symbol, is_contractive, is_shape_kept, moments, riesz_bounds,
+    sobolev_exponent,
 };
+pub use independence::is_independent;
 pub use map::{MAX_BOXES, MapBox, SmoothMap, smooth_map};
 pub use range::{SmoothRange, smooth_range};
 pub use range_error::SmoothRangeError;
 pub use region::{Certain, Sides};
 pub use reproduction::{reproduction_degree, reproduction_degree_at};
-pub use riesz::riesz_bounds;
 pub use shape::{Kept, Shape, shape_kept};
-pub use sobolev::sobolev_exponent;
 pub use special::{SpecialValue, SpecialValues};
 pub use symbol::Symbol;
 pub use transition::transition_matrices;

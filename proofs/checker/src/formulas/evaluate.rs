@@ -4,7 +4,7 @@ use super::definitions::{Definitions, names as names_in};
 use super::formula::{Expr, Head};
 use super::range::{Range, range};
 use super::reading::Reading;
-use crate::numbers::{Meter, Piece, Value};
+use crate::numbers::{Meter, Piece, Q, Value};
 use crate::schemes::{Ring, Scheme};
 use crate::text::Stop;
 use std::borrow::Cow;
@@ -205,7 +205,9 @@ impl<'a> Scope<'a> {
         let named = parts.split_first().and_then(|(first, rest)| Some((differences(first)?, rest)));
         match named {
             Some((names, rest))
-                if names.iter().any(|name| !self.has_meaning(name, indices))
+                if names
+                    .iter()
+                    .any(|name| !is_number(name) && !self.has_meaning(name, indices))
                     && self.functions.has_scheme(&names.join("-")) =>
             {
                 let scheme = [("scheme".to_owned(), names.join("-"))];
@@ -315,20 +317,28 @@ impl<'a> Scope<'a> {
     }
 }
 
-/// The names of `a - b - c`, or of `a`.
-pub fn differences(expr: &Expr) -> Option<Vec<&str>> {
+/// The parts of `a - b - 4`, or of `a`: the first is a name, the others are names or whole numbers.
+pub fn differences(expr: &Expr) -> Option<Vec<String>> {
     match expr {
-        Expr::Name(name) => Some(vec![name]),
+        Expr::Name(name) => Some(vec![name.clone()]),
         Expr::Of(Head::Chain(operators), parts) if operators.iter().all(|sign| *sign == '-') => {
             let mut names = Vec::with_capacity(parts.len());
             for part in parts {
-                let Expr::Name(name) = part else { return None };
-                names.push(name.as_str());
+                let whole = |value: &Value| value.rational().filter(Q::is_integer);
+                names.push(match part {
+                    Expr::Name(name) => name.clone(),
+                    Expr::Number(value) if !names.is_empty() => whole(value)?.to_string(),
+                    _ => return None,
+                });
             }
             Some(names)
         }
         _ => None,
     }
+}
+
+fn is_number(part: &str) -> bool {
+    part.starts_with(|c: char| c.is_ascii_digit())
 }
 
 /// The family `q` of a member `q[3]`, or the whole of another name.

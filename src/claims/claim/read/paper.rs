@@ -16,6 +16,9 @@ use std::sync::Arc;
 /// The largest claim file that is read, in bytes.
 pub const MAX_CLAIM_FILE_BYTES: u64 = 4 << 20;
 
+/// The names that formulas have for other things, so that a scheme of such a name could not be named there.
+const RESERVED: [&str; 2] = ["pi", "z"];
+
 /// What to do with a file that has no table yet.
 const BEGIN: &str = "begin with key = \"doe2026\" and [paper], where title = \"…\" and year = \"2026\"; \
                      `subcert new doe2026` writes a whole file to start from";
@@ -185,7 +188,7 @@ impl Reader<'_> {
         let mut schemes = BTreeMap::new();
         for table in tables {
             let name = table.name.get_ref();
-            let Some(scheme) = errors.take(self.scheme(table, &schemes)) else { continue };
+            let Some(scheme) = errors.take(self.scheme(table, tables, &schemes)) else { continue };
             if schemes.insert(name.clone(), scheme).is_some() {
                 let message = format!("the scheme `{name}` is defined twice");
                 errors.add(self.error(table.name.span(), message));
@@ -194,17 +197,25 @@ impl Reader<'_> {
         schemes
     }
 
-    /// A scheme; those `before` it may be parts of its symbol.
+    /// One of the schemes of a file; those `before` it may be parts of its symbol, and no other one of a name of the file.
     fn scheme(
         &self,
         table: &SchemeTable,
+        all: &[SchemeTable],
         before: &BTreeMap<String, SchemeSource>,
     ) -> Result<SchemeSource, Diagnostic> {
         let other = |name: &str| match before.get(name) {
             Some(SchemeSource::Own(definition)) => Some(Arc::new((**definition).clone())),
             Some(SchemeSource::Alias(_)) => None,
+            None if all.iter().any(|one| one.name.get_ref() == name) => None,
             None => find_in_catalogue(name).ok().cloned().map(Arc::new),
         };
+        if RESERVED.contains(&table.name.get_ref().as_str()) {
+            let message = format!("`{}` means another thing in formulas", table.name.get_ref());
+            return Err(self
+                .error(table.name.span(), message)
+                .with_help("give the scheme another name"));
+        }
         Ok(match table.alias() {
             Some(other) => SchemeSource::Alias(self.reference(other)?),
             None => SchemeSource::Own(Box::new(table.define(self.source, &other)?)),

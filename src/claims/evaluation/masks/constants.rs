@@ -6,11 +6,12 @@ use crate::bound::{
 };
 use crate::cap::Cap;
 use crate::evaluation::arguments::level;
-use crate::evaluation::masks::{at_place, numbers};
+use crate::evaluation::masks::generic::{Asked, answered};
 use crate::evaluation::options::Options;
 use crate::exact::{Rational, Real};
 use crate::formula::{Call, CallError, Value};
 use crate::scheme::{Mask, Rules};
+use std::fmt::Display;
 use std::rc::Rc;
 
 /// max_β |Σ_j b_{β,j}|.
@@ -113,54 +114,59 @@ pub(crate) fn constant<V: Value>(
 /// The most residue classes of a constant of a mask that is not rational.
 const MAX_SUMMED_CLASSES: usize = 4_096;
 
+/// A constant by its definition.
+enum BySums {
+    Contraction(u32, Order, Terms),
+    Norm(u32, Order),
+    Displacement(Terms, i64),
+}
+
 /// A constant of a mask that is not rational, by its definition; `None` if there is no such constant of so many arguments.
 pub(crate) fn constant_by_sums<V: Value>(
     call: &Call<'_, V>,
     options: &mut Options<'_>,
     mask: &Mask<V>,
 ) -> Result<Option<V>, CallError> {
-    let known = ["contraction", "norm", "tensor", "displacement", "surface_displacement"];
-    if !known.contains(&call.function) {
-        return Ok(None);
-    }
-    Ok(match at_place(mask) {
-        Some(mask) => V::of_place(by_sums(call, options, &mask)?),
-        None => V::of_number(&by_sums(call, options, &numbers(mask)?)?),
-    })
+    let asked = match (call.function, call.arguments) {
+        ("contraction", c @ ([] | [_])) => {
+            BySums::Contraction(levels(c)?, options.order()?, options.terms()?)
+        }
+        ("norm", c @ ([] | [_])) => BySums::Norm(levels(c)?, options.order()?),
+        ("displacement", []) => {
+            let terms = options.terms()?;
+            BySums::Displacement(terms, options.offset(mask.offset(), || None)?)
+        }
+        (name @ ("tensor" | "surface_displacement"), _) => {
+            return Err(CallError::Misuse(format!("`{name}` is computed for rational masks only")));
+        }
+        _ => return Ok(None),
+    };
+    answered(&asked, &[mask]).map(Some)
 }
 
-fn by_sums<V: Value, F: Real + PartialEq>(
-    call: &Call<'_, V>,
-    options: &mut Options<'_>,
-    mask: &Mask<F>,
-) -> Result<F, CallError> {
-    let norm = |rules: &Rules<F>, c: u32, order: Order| {
-        let classes = rules.arity().checked_pow(c);
-        if classes.is_none_or(|classes| classes > MAX_SUMMED_CLASSES) {
-            let what = "the number of residue classes of a mask that is not rational";
-            return Err(CallError::BeyondCap(Cap::new(what, MAX_SUMMED_CLASSES as u64)));
-        }
-        let norm = power_norm_generic(rules, c, order);
-        norm.map_err(|error| CallError::BeyondCap(error.cap()))
-    };
-    match (call.function, call.arguments) {
-        ("contraction", c @ ([] | [_])) => {
-            let (c, order) = (levels(c)?, options.order()?);
-            match options.terms()? {
-                Terms::Each => norm(&mask.difference(), c, order),
-                Terms::Total if c == 1 => Ok(total_contraction(&mask.difference())),
-                Terms::Total => Err(total_of_one_level()),
+impl Asked for BySums {
+    fn value<F: Real + PartialEq + Display>(&self, masks: &[Mask<F>]) -> Result<F, CallError> {
+        let mask = &masks[0];
+        match *self {
+            BySums::Contraction(c, order, Terms::Each) => norm(&mask.difference(), c, order),
+            BySums::Contraction(1, _, Terms::Total) => Ok(total_contraction(&mask.difference())),
+            BySums::Contraction(_, _, Terms::Total) => Err(total_of_one_level()),
+            BySums::Norm(c, order) => norm(mask.rules(), c, order),
+            BySums::Displacement(terms, offset) => {
+                Ok(displacement(&mask.with_offset(offset), terms))
             }
         }
-        ("norm", c @ ([] | [_])) => {
-            let (c, order) = (levels(c)?, options.order()?);
-            norm(mask.rules(), c, order)
-        }
-        ("displacement", []) => moved(mask, options, || None),
-        (name, _) => {
-            Err(CallError::Misuse(format!("`{name}` is computed for rational masks only")))
-        }
     }
+}
+
+fn norm<F: Real>(rules: &Rules<F>, c: u32, order: Order) -> Result<F, CallError> {
+    let classes = rules.arity().checked_pow(c);
+    if classes.is_none_or(|classes| classes > MAX_SUMMED_CLASSES) {
+        let what = "the number of residue classes of a mask that is not rational";
+        return Err(CallError::BeyondCap(Cap::new(what, MAX_SUMMED_CLASSES as u64)));
+    }
+    let norm = power_norm_generic(rules, c, order);
+    norm.map_err(|error| CallError::BeyondCap(error.cap()))
 }
 
 fn capped(value: Result<Rational, ClassCap>) -> Result<Rational, CallError> {

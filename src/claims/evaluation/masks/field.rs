@@ -1,6 +1,6 @@
 //! Masks over the number field of their coefficients.
 
-use crate::evaluation::masks::numbers;
+use super::common::numbers;
 use crate::exact::{
     AlgebraicNumber, FieldElement, Rational, RealCyclotomic, Scalar as _, common_conductor,
     cosine_polynomial,

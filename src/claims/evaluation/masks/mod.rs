@@ -1,15 +1,19 @@
 //! Functions of masks and of their basic limit functions.
 
 mod coefficients;
+mod common;
 pub(crate) mod constants;
 mod field;
+mod generic;
+mod values;
 
+pub(crate) use common::{numbers, rational};
 pub(crate) use field::over_field;
 
 use crate::cap::Cap;
 use crate::evaluation::arguments::index;
 use crate::evaluation::options::Options;
-use crate::exact::{QuotientAt, Rational, RealCyclotomic, Scalar};
+use crate::exact::Rational;
 use crate::formula::{Call, CallError, Value};
 use crate::limit::{Limit, LimitError};
 use crate::scheme::Mask;
@@ -18,14 +22,11 @@ use crate::smoothness::{
     integral_symbol, is_independent, shape_kept,
 };
 use coefficients::of_coefficients;
+use common::{MAX_CLASSES, MAX_PLACES, as_rational, check_size};
+use generic::answered;
 use std::cell::RefCell;
 use std::rc::Rc;
-
-/// The greatest product of the numbers of coefficients of two masks.
-const MAX_PRODUCTS: usize = 1 << 22;
-
-/// The greatest number of residue classes of T_c when a contraction below 1 is looked for.
-const MAX_CLASSES: u64 = 65_536;
+use values::{InnerProduct, Integral, Keeps, ValueAt};
 
 /// Results by what they are of; of few masks, so that they are searched one by one.
 pub(crate) type Results<K, T> = RefCell<Vec<(K, Result<T, CallError>)>>;
@@ -115,7 +116,10 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
         return Ok(Some(value));
     }
     let truth = |holds: bool| V::from_rational(&Rational::from(i64::from(holds)));
-    let keeps = |shape| Ok::<V, CallError>(truth(known.keeps(rational(mask)?, shape)?));
+    let keeps = |shape| match as_rational(mask) {
+        Some(mask) => known.keeps(mask, shape).map(truth),
+        None => answered(&Keeps { shape }, &[mask]),
+    };
     let value = match (call.function, call.arguments) {
         ("coefficient", [k]) => Symbol::of(mask).coefficient(index("a place in the mask", k)?),
         ("symbol_at", [z]) => symbol_at(mask, z)?,
@@ -139,37 +143,6 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
         _ => return Ok(None),
     };
     Ok(Some(value))
-}
-
-const IRRATIONAL: &str = "this value is irrational, where only rational numbers can be used";
-
-/// The mask, whose coefficients are numbers.
-pub(crate) fn numbers<V: Value>(mask: &Mask<V>) -> Result<Mask<RealCyclotomic>, CallError> {
-    let all = mask.rules().rows().iter().flatten();
-    if all.clone().all(|entry| entry.number().is_some()) {
-        return Ok(mask.map(|entry| entry.number().unwrap_or_else(RealCyclotomic::zero)));
-    }
-    Err(CallError::Misuse(
-        "this needs a mask of numbers, and this one has symbols in it".to_owned(),
-    ))
-}
-
-/// The mask with functions of a parameter for coefficients, at a place of it, if the values are such functions.
-pub(crate) fn at_place<V: Value>(mask: &Mask<V>) -> Option<Mask<QuotientAt>> {
-    let mut all = mask.rules().rows().iter().flatten();
-    let located = all.all(|entry| entry.at_place().is_some());
-    located.then(|| mask.map(|entry| entry.at_place().unwrap_or_else(QuotientAt::zero)))
-}
-
-/// The mask, whose coefficients are rational.
-pub(crate) fn rational<V: Value>(mask: &Mask<V>) -> Result<Mask, CallError> {
-    let mask = numbers(mask)?;
-    let all = mask.rules().rows().iter().flatten();
-    if all.clone().all(|entry| entry.as_rational().is_some()) {
-        return Ok(mask.map(|entry| entry.as_rational().cloned().unwrap_or_else(Rational::zero)));
-    }
-    let what = "the degree of the coefficients of a mask whose limits are computed";
-    Err(CallError::BeyondCap(Cap::new(what, 1)))
 }
 
 /// Σ_k a_k z^k.
@@ -208,7 +181,9 @@ fn limit_value<V: Value>(
     known: &KnownLimits,
 ) -> Result<V, CallError> {
     let x = parameter(x)?;
-    let mask = rational(mask)?;
+    let Some(mask) = as_rational(mask) else {
+        return answered(&ValueAt { x: &x, order }, &[mask]);
+    };
     known.limit(mask.clone())?;
     let derived = if order == 0 {
         mask
@@ -240,19 +215,18 @@ fn basic_value(mask: &Mask, x: &Rational, known: &KnownLimits) -> Result<Rationa
     basic(&limit, x).map_err(|error| unlimited(&error))
 }
 
-/// The greatest number of places at which an integral is summed.
-const MAX_PLACES: i64 = 256;
-
 /// ∫ φ from x to y: Σ_{j ≥ 0} (χ(y − j) − χ(x − j)).
 fn integral<V: Value>(mask: &Mask<V>, ends: [&V; 2], known: &KnownLimits) -> Result<V, CallError> {
-    let mask = rational(mask)?;
+    let ends = [parameter(ends[0])?, parameter(ends[1])?];
+    let Some(mask) = as_rational(mask) else {
+        return answered(&Integral { ends: ends.each_ref() }, &[mask]);
+    };
     known.limit(mask.clone())?;
     let symbol = integral_symbol(&Symbol::of(&mask));
     let (first, last) = symbol.support();
     let sums = symbol.mask().map_err(|error| CallError::Misuse(error.to_string()))?;
     let mut up_to = [Rational::zero(), Rational::zero()];
     for (sum, end) in up_to.iter_mut().zip(ends) {
-        let end = parameter(end)?;
         // All of φ is before what is not less than the end of the support of χ less 1.
         if end >= &last - Rational::one() {
             *sum = Rational::one();
@@ -281,22 +255,13 @@ fn inner_product<V: Value>(
     known: &KnownLimits,
 ) -> Result<V, CallError> {
     let k = Rational::from(index("the distance of two functions", k)?);
-    let first = rational(mask)?;
-    let second = match options.take("with") {
-        Some(name) => rational(&other(&name)?)?,
-        None => first.clone(),
+    let second = options.take("with").map(|name| other(&name)).transpose()?;
+    let second = second.as_ref().unwrap_or(mask);
+    let (Some(first), Some(second)) = (as_rational(mask), as_rational(second)) else {
+        return answered(&InnerProduct { k }, &[mask, second]);
     };
     let products = known.inner_products((first, second))?;
     products.at(&k).map(|value| V::from_rational(&value)).map_err(|error| unlimited(&error))
-}
-
-fn check_size<F: Scalar>(first: &Mask<F>, second: &Mask<F>) -> Result<(), CallError> {
-    let size = |mask: &Mask<F>| mask.arity() * mask.width();
-    if size(first).saturating_mul(size(second)) > MAX_PRODUCTS {
-        let what = "the number of coefficients of one mask times that of the other";
-        return Err(CallError::BeyondCap(Cap::new(what, MAX_PRODUCTS as u64)));
-    }
-    Ok(())
 }
 
 /// Why a limit is not computed: there is none, or it is not shown that there is one.

@@ -2,7 +2,8 @@
 
 use super::exponents::KnownReals;
 use crate::cap::Cap;
-use crate::evaluation::arguments::within;
+use crate::evaluation::arguments::{index, within};
+use crate::evaluation::functions::{QUANTITIES, name_of};
 use crate::evaluation::options::{Options, Part};
 use crate::exact::{Rational, Real as _, RealCyclotomic, RealExpression, Scalar as _};
 use crate::formula::{Call, CallError, RealValue, Value};
@@ -35,7 +36,14 @@ pub(crate) fn of_ring<V: Value>(
     let spectrum = known.spectrum((ring, valence), || spectrum(&rules))?;
     match (call.function, rest) {
         ("eigenvalue", [block, number]) => {
-            let block = within("the number of a block", block, 0..=100)?;
+            let block = index("the number of a block", block)?;
+            let block =
+                usize::try_from(block).ok().filter(|block| *block < valence).ok_or_else(|| {
+                    let last = valence - 1;
+                    CallError::Misuse(format!(
+                        "at valence {valence} the blocks are 0 to {last}, and not {block}"
+                    ))
+                })?;
             let number = within("the number of an eigenvalue", number, 1..=1_000)?;
             eigenvalue(&spectrum, block, number)
         }
@@ -47,8 +55,8 @@ pub(crate) fn of_ring<V: Value>(
 }
 
 fn usage(function: &str) -> CallError {
-    let usage = crate::evaluation::functions::QUANTITIES.iter().map(|(usage, _)| *usage);
-    let mut usage = usage.filter(|usage| crate::evaluation::functions::name_of(usage) == function);
+    let usage = QUANTITIES.iter().map(|(usage, _)| *usage);
+    let mut usage = usage.filter(|usage| name_of(usage) == function);
     CallError::Misuse(format!("the form is {}", usage.next().unwrap_or(function)))
 }
 

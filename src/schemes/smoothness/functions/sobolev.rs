@@ -1,10 +1,10 @@
 //! Sobolev exponents.
 
-use super::formula::ExponentFormula;
-use super::independence::independent;
-use super::symbol::Symbol;
 use crate::exact::{Adjugate, Rational};
 use crate::joint::Entry;
+use crate::smoothness::formula::ExponentFormula;
+use crate::smoothness::independence::independent;
+use crate::smoothness::symbol::Symbol;
 
 /// The most rows of the matrix whose spectral radius is taken.
 const MAX_ROWS: usize = 40;

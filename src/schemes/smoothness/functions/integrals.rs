@@ -1,9 +1,9 @@
 //! Integrals of basic limit functions.
 
-use super::symbol::Symbol;
 use crate::exact::{Integer, Rational, Scalar};
 use crate::limit::{Limit, LimitError};
 use crate::scheme::{Mask, MaskError};
+use crate::smoothness::symbol::Symbol;
 
 /// Why there are no inner products.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -96,20 +96,21 @@ pub fn basic(limit: &Limit, x: &Rational) -> Result<Rational, LimitError> {
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
 #[must_use]
-pub fn derivative_symbol(symbol: &Symbol, m: u32) -> Option<Symbol> {
+pub fn derivative_symbol<F: Scalar + PartialEq>(symbol: &Symbol<F>, m: u32) -> Option<Symbol<F>> {
     let factor = Rational::from(Integer::from(symbol.arity()).pow(m));
     symbol.difference(m as usize, &factor)
 }
 
 /// The symbol Aσ/n of χ with ∫_{x−1}^x φ = χ(x).
 #[must_use]
-pub fn integral_symbol(symbol: &Symbol) -> Symbol {
+pub fn integral_symbol<F: Scalar + PartialEq>(symbol: &Symbol<F>) -> Symbol<F> {
     let n = symbol.arity();
-    let mut sums = vec![Rational::zero(); symbol.coefficients().len() + n - 1];
-    let share = Rational::new(1, n);
+    let mut sums = vec![F::zero(); symbol.coefficients().len() + n - 1];
+    let share = F::from_rational(&Rational::new(1, n));
     for (k, a) in symbol.coefficients().iter().enumerate() {
+        let part = a.times(&share);
         for sum in &mut sums[k..k + n] {
-            *sum += &(a * &share);
+            sum.accumulate(&part);
         }
     }
     Symbol::new(n, symbol.powers().0, sums)

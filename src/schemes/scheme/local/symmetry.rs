@@ -1,6 +1,6 @@
 //! The rotational symmetry of a ring, and representatives of its points and edges.
 
-use super::local_rules::LocalRules;
+use super::rules::LocalRules;
 use std::collections::BTreeSet;
 
 /// Representatives of the points and edges of a ring: one from each orbit under its

@@ -1,10 +1,10 @@
 //! Reading the orbits, weights and edges of a ring from TOML.
 
-use super::fields::{formula, identifier};
-use super::local_formulas::{EdgeFormulas, End, LocalFormulas};
-use super::spanned::Spanned;
+use super::formulas::{EdgeFormulas, End, LocalFormulas};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{LocatedFormula, Node};
+use crate::scheme::fields::{formula, identifier};
+use crate::scheme::spanned::Spanned;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -12,16 +12,16 @@ use std::sync::Arc;
 type FormulaTable = BTreeMap<Spanned<String>, Spanned<String>>;
 
 /// The number of points of each orbit.
-pub(super) type OrbitTable = Spanned<FormulaTable>;
+pub(in crate::scheme) type OrbitTable = Spanned<FormulaTable>;
 
 /// For each orbit of new points, the weights of the orbits of old points.
-pub(super) type WeightTable = BTreeMap<Spanned<String>, FormulaTable>;
+pub(in crate::scheme) type WeightTable = BTreeMap<Spanned<String>, FormulaTable>;
 
 /// Pairs of points.
-pub(super) type EdgeTable = Spanned<Vec<Spanned<Vec<Spanned<String>>>>>;
+pub(in crate::scheme) type EdgeTable = Spanned<Vec<Spanned<Vec<Spanned<String>>>>>;
 
 /// Reads a ring. Its orbits keep the order of the file.
-pub(super) fn ring(
+pub(in crate::scheme) fn ring(
     source: &Arc<SourceText>,
     orbits: &OrbitTable,
     weights: &WeightTable,

@@ -1,50 +1,50 @@
 //! The formulas of a ring, and their places in the file.
 
-use super::error::SchemeError;
-use super::local_rules::{LocalError, Orbit};
+use super::rules::{LocalError, Orbit};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::LocatedFormula;
+use crate::scheme::error::SchemeError;
 use std::ops::Range;
 use std::sync::Arc;
 
 /// The index of a new point within its orbit, and the index of an edge within its family.
-pub(super) const NEW_INDEX: &str = "i";
+pub(in crate::scheme) const NEW_INDEX: &str = "i";
 
 /// The index of an old point within its orbit.
-pub(super) const OLD_INDEX: &str = "j";
+pub(in crate::scheme) const OLD_INDEX: &str = "j";
 
 /// The formulas of a ring.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct LocalFormulas {
+pub(in crate::scheme) struct LocalFormulas {
     /// The orbits, with their numbers of points.
-    pub(super) orbits: Vec<(String, LocatedFormula)>,
+    pub(in crate::scheme) orbits: Vec<(String, LocatedFormula)>,
     /// For each orbit of new points and each orbit of old points, the formula of the
     /// weight in i and j. `None` stands for the weight 0.
-    pub(super) weights: Vec<Vec<Option<LocatedFormula>>>,
+    pub(in crate::scheme) weights: Vec<Vec<Option<LocatedFormula>>>,
     /// The families of edges.
-    pub(super) edges: Vec<EdgeFormulas>,
+    pub(in crate::scheme) edges: Vec<EdgeFormulas>,
 }
 
 /// A family of edges, one for each i.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct EdgeFormulas {
-    pub(super) ends: [End; 2],
-    pub(super) source: Arc<SourceText>,
-    pub(super) span: Range<usize>,
+pub(in crate::scheme) struct EdgeFormulas {
+    pub(in crate::scheme) ends: [End; 2],
+    pub(in crate::scheme) source: Arc<SourceText>,
+    pub(in crate::scheme) span: Range<usize>,
 }
 
 /// An end of an edge: `vertex`, `edge[i + 1]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct End {
-    pub(super) orbit: usize,
+pub(in crate::scheme) struct End {
+    pub(in crate::scheme) orbit: usize,
     /// The formula between the brackets. Its value is taken mod the number of points of
     /// the orbit.
-    pub(super) index: Option<LocatedFormula>,
+    pub(in crate::scheme) index: Option<LocatedFormula>,
 }
 
 impl EdgeFormulas {
     /// An error if an end has no index though its orbit has more than one point.
-    pub(super) fn check_brackets(&self, orbits: &[Orbit]) -> Result<(), SchemeError> {
+    pub(in crate::scheme) fn check_brackets(&self, orbits: &[Orbit]) -> Result<(), SchemeError> {
         let bare = |end: &&End| end.index.is_none() && orbits[end.orbit].count > 1;
         let Some(end) = self.ends.iter().find(bare) else { return Ok(()) };
         let Orbit { name, count } = &orbits[end.orbit];
@@ -52,7 +52,7 @@ impl EdgeFormulas {
         Err(self.refusal(&message, Some(format!("write {name}[i], for i = 0, …, {}", count - 1))))
     }
 
-    pub(super) fn refusal(&self, message: &str, help: Option<String>) -> SchemeError {
+    pub(in crate::scheme) fn refusal(&self, message: &str, help: Option<String>) -> SchemeError {
         let diagnostic = Diagnostic::new(&self.source, self.span.clone(), message);
         SchemeError::File(Box::new(Diagnostic { help, ..diagnostic }))
     }
@@ -60,13 +60,13 @@ impl EdgeFormulas {
 
 impl LocalFormulas {
     /// The place that spans all weights.
-    pub(super) fn whole(&self) -> (&Arc<SourceText>, Range<usize>) {
+    pub(in crate::scheme) fn whole(&self) -> (&Arc<SourceText>, Range<usize>) {
         extent(self.weights.iter().flatten().flatten())
     }
 
     /// The error that these formulas do not give a ring, at its place in the file. `at` may add
     /// labels.
-    pub(super) fn refusal(
+    pub(in crate::scheme) fn refusal(
         &self,
         error: &LocalError,
         at: impl FnOnce(Diagnostic) -> Diagnostic,

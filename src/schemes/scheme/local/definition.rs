@@ -1,12 +1,12 @@
 //! Rings from formulas over parameters and indices.
 
-use super::definition::{Coefficients, SchemeDefinition};
-use super::error::{SchemeError, at_values};
-use super::local_formulas::{End, LocalFormulas, NEW_INDEX, OLD_INDEX};
-use super::local_rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit, point_name};
+use super::formulas::{End, LocalFormulas, NEW_INDEX, OLD_INDEX};
+use super::rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit, point_name};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Matrix, Naming, Rational};
 use crate::formula::{Dependence, IndexPair, LocatedFormula, Value};
+use crate::scheme::definition::{Coefficients, SchemeDefinition};
+use crate::scheme::error::{SchemeError, at_values};
 use std::collections::BTreeMap;
 use std::hash::Hash;
 use std::ops::Range;

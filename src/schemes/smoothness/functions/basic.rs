@@ -1,10 +1,10 @@
 //! Exact values of the basic limit function and of its derivatives.
 
-use super::coefficient::Coefficient;
-use super::contraction::derived;
-use super::exponent::Smoothness;
-use super::symbol::Symbol;
 use crate::exact::{Rational, null_rows};
+use crate::smoothness::coefficient::Coefficient;
+use crate::smoothness::contraction::derived;
+use crate::smoothness::exponent::Smoothness;
+use crate::smoothness::symbol::Symbol;
 
 /// The most values of one function.
 const MAX_VALUES: usize = 20_000;

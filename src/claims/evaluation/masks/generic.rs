@@ -1,0 +1,33 @@
+//! Functions of masks over any ordered field: of numbers, or of functions of a parameter at a place of it.
+
+use super::common::{IRRATIONAL, numbers};
+use crate::exact::{QuotientAt, Real, Scalar as _};
+use crate::formula::{CallError, FormulaErrorKind, Value};
+use crate::scheme::Mask;
+use std::fmt::Display;
+
+/// What is asked of masks: of one, or of several.
+pub(super) trait Asked {
+    /// Its value.
+    fn value<F: Real + PartialEq + Display>(&self, masks: &[Mask<F>]) -> Result<F, CallError>;
+}
+
+/// The value over the field of the coefficients, which are numbers or functions of one parameter.
+pub(super) fn answered<V: Value>(asked: &impl Asked, masks: &[&Mask<V>]) -> Result<V, CallError> {
+    let located: Option<Vec<Mask<QuotientAt>>> = masks.iter().map(|mask| at_place(mask)).collect();
+    let found = match located {
+        Some(masks) => V::of_place(asked.value(&masks)?),
+        None => {
+            let masks = masks.iter().map(|mask| numbers(mask));
+            V::of_number(&asked.value(&masks.collect::<Result<Vec<_>, CallError>>()?)?)
+        }
+    };
+    found.ok_or(CallError::Inner(FormulaErrorKind::Unsupported(IRRATIONAL)))
+}
+
+/// The mask with functions of a parameter for coefficients, at a place of it, if the values are such functions.
+fn at_place<V: Value>(mask: &Mask<V>) -> Option<Mask<QuotientAt>> {
+    let mut all = mask.rules().rows().iter().flatten();
+    let located = all.all(|entry| entry.at_place().is_some());
+    located.then(|| mask.map(|entry| entry.at_place().unwrap_or_else(QuotientAt::zero)))
+}
