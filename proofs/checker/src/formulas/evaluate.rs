@@ -1,10 +1,10 @@
 //! The evaluation of formulas.
 
 use super::definitions::{Definitions, names as names_in};
-use super::formula::{Expr, Head};
+use super::formula::{Expr, Head, differences};
 use super::range::{Range, range};
 use super::reading::Reading;
-use crate::numbers::{Meter, Piece, Q, Value};
+use crate::numbers::{Meter, Piece, Value};
 use crate::schemes::{Ring, Scheme};
 use crate::text::Stop;
 use std::borrow::Cow;
@@ -314,26 +314,6 @@ impl<'a> Scope<'a> {
             "max" => a.max(b, self.piece.as_ref()),
             _ => a.negated()?.max(&b.negated()?, self.piece.as_ref())?.negated(),
         }
-    }
-}
-
-/// The parts of `a - b - 4`, or of `a`: the first is a name, the others are names or whole numbers.
-pub fn differences(expr: &Expr) -> Option<Vec<String>> {
-    match expr {
-        Expr::Name(name) => Some(vec![name.clone()]),
-        Expr::Of(Head::Chain(operators), parts) if operators.iter().all(|sign| *sign == '-') => {
-            let mut names = Vec::with_capacity(parts.len());
-            for part in parts {
-                let whole = |value: &Value| value.rational().filter(Q::is_integer);
-                names.push(match part {
-                    Expr::Name(name) => name.clone(),
-                    Expr::Number(value) if !names.is_empty() => whole(value)?.to_string(),
-                    _ => return None,
-                });
-            }
-            Some(names)
-        }
-        _ => None,
     }
 }
 
