@@ -9,6 +9,7 @@
 
 mod claims;
 mod data;
+mod enclosures;
 mod formulas;
 mod functions;
 mod numbers;

@@ -10,6 +10,7 @@ mod command;
 mod composed;
 mod depth;
 mod derivatives;
+mod exact_roots;
 mod exponents;
 mod family;
 mod format;

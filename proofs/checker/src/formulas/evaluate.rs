@@ -1,9 +1,10 @@
 //! The evaluation of formulas.
 
 use super::definitions::{Definitions, names as names_in};
-use super::formula::{Expr, Head};
+use super::formula::{Expr, Head, differences};
+use super::range::{Range, range};
 use super::reading::Reading;
-use crate::numbers::{Meter, Piece, Q, Value};
+use crate::numbers::{Meter, Piece, Value};
 use crate::schemes::{Ring, Scheme};
 use crate::text::Stop;
 use std::borrow::Cow;
@@ -279,21 +280,16 @@ impl<'a> Scope<'a> {
         parts: &[Expr],
         indices: &mut Indices,
     ) -> Result<Value, Stop> {
-        let [from, to, body] = parts else { return Err(Stop::Wrong("a range is missing".into())) };
+        let [from, to, body] = range(parts)?;
         self.index(index)?;
         let from = self.evaluate(from, indices)?.integer(MAX_INTEGER)?;
         let to = self.evaluate(to, indices)?.integer(MAX_INTEGER)?;
-        let mut total = (fold == "sum").then(|| Value::int(0));
-        for i in from..=to {
-            indices.push((index.to_owned(), Value::int(i)));
-            let term = self.evaluate(body, indices);
-            indices.pop();
-            total = Some(match total {
-                None => term?,
-                Some(total) => self.join(fold, &total, &term?)?,
-            });
-        }
-        total.ok_or_else(|| Stop::Wrong("a maximum or minimum has an empty range".into()))
+        let range = Range { index, ends: [from, to], others: indices, value: Value::int };
+        range.total(
+            (fold == "sum").then(|| Value::int(0)),
+            |indices| self.evaluate(body, indices),
+            |total, term| self.join(fold, total, term),
+        )
     }
 
     /// Checks that an index does not hide a name to which definitions may refer.
@@ -318,26 +314,6 @@ impl<'a> Scope<'a> {
             "max" => a.max(b, self.piece.as_ref()),
             _ => a.negated()?.max(&b.negated()?, self.piece.as_ref())?.negated(),
         }
-    }
-}
-
-/// The parts of `a - b - 4`, or of `a`: the first is a name, the others are names or whole numbers.
-pub fn differences(expr: &Expr) -> Option<Vec<String>> {
-    match expr {
-        Expr::Name(name) => Some(vec![name.clone()]),
-        Expr::Of(Head::Chain(operators), parts) if operators.iter().all(|sign| *sign == '-') => {
-            let mut names = Vec::with_capacity(parts.len());
-            for part in parts {
-                let whole = |value: &Value| value.rational().filter(Q::is_integer);
-                names.push(match part {
-                    Expr::Name(name) => name.clone(),
-                    Expr::Number(value) if !names.is_empty() => whole(value)?.to_string(),
-                    _ => return None,
-                });
-            }
-            Some(names)
-        }
-        _ => None,
     }
 }
 

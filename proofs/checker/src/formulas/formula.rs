@@ -1,6 +1,6 @@
 //! The parser of formulas.
 
-use crate::numbers::{Decimal, Value, is_fraction, read_rational};
+use crate::numbers::{Decimal, Q, Value, is_fraction, read_rational};
 use crate::text::{Cursor, Parsed};
 
 /// The longest formula of a claim file, in characters.
@@ -45,6 +45,26 @@ impl Expr {
             nodes.extend(parts.iter().flat_map(Expr::nodes));
         }
         nodes
+    }
+}
+
+/// The parts of `a - b - 4`, or of `a`: the first is a name, the others are names or whole numbers.
+pub fn differences(expr: &Expr) -> Option<Vec<String>> {
+    match expr {
+        Expr::Name(name) => Some(vec![name.clone()]),
+        Expr::Of(Head::Chain(operators), parts) if operators.iter().all(|sign| *sign == '-') => {
+            let mut names = Vec::with_capacity(parts.len());
+            for part in parts {
+                let whole = |value: &Value| value.rational().filter(Q::is_integer);
+                names.push(match part {
+                    Expr::Name(name) => name.clone(),
+                    Expr::Number(value) if !names.is_empty() => whole(value)?.to_string(),
+                    _ => return None,
+                });
+            }
+            Some(names)
+        }
+        _ => None,
     }
 }
 

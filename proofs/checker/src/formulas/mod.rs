@@ -3,9 +3,11 @@
 mod definitions;
 mod evaluate;
 mod formula;
+mod range;
 mod reading;
 
 pub use definitions::{Definitions, formula, formula_of, formulas, free, names};
 pub use evaluate::{Asked, Functions, Indices, MAX_INTEGER, Memory, Scope, member};
 pub use formula::{Expr, Head, MAX_LENGTH, is_name, parse};
+pub use range::{Range, range};
 pub use reading::{CHOICES, Reading};

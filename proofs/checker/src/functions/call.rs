@@ -50,10 +50,18 @@ pub fn wrong<T>(what: impl Into<String>) -> Result<T, Stop> {
     Err(Stop::Wrong(what.into()))
 }
 
-/// Reads an integer from `least` to `most` as an index.
+/// Reads an integer from `least` to `most` as an index. A greater one is beyond a cap.
 pub fn within(value: &Value, least: i64, most: i64) -> Result<usize, Stop> {
-    let integer = Some(value.integer(most)?).filter(|integer| *integer >= least);
-    let index = integer.and_then(|integer| usize::try_from(integer).ok());
+    between(value.integer(most)?, least, most)
+}
+
+/// The same where a greater one is no index at all.
+pub fn index(value: &Value, least: i64, most: i64) -> Result<usize, Stop> {
+    between(value.integer(MAX_INTEGER)?, least, most)
+}
+
+fn between(integer: i64, least: i64, most: i64) -> Result<usize, Stop> {
+    let index = usize::try_from(integer).ok().filter(|_| (least..=most).contains(&integer));
     index.ok_or_else(|| Stop::Wrong(format!("an integer from {least} to {most} is needed")))
 }
 

@@ -2,8 +2,8 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
+use crate::enclosures::{Interval, Sturm};
 use crate::numbers::{Meter, Number, Q, Value};
-use crate::shipped::{Interval, Sturm};
 use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer as _;

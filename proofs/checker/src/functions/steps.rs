@@ -2,8 +2,29 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::numbers::{Meter, Value};
+use crate::numbers::{Meter, Ring, Value, count};
 use crate::text::Stop;
+
+/// Values whose steps this meter counts.
+pub struct Values<'m>(pub &'m Meter);
+
+impl Ring<Value> for Values<'_> {
+    fn integer(&self, value: i64) -> Value {
+        Value::int(value)
+    }
+
+    fn add(&self, sum: &mut Value, term: &Value) -> Result<(), Stop> {
+        plus(self.0, sum, term)
+    }
+
+    fn add_product(&self, sum: &mut Value, left: &Value, right: &Value) -> Result<(), Stop> {
+        add(self.0, sum, left, right)
+    }
+
+    fn share(&self, x: &Value, k: usize) -> Result<Value, Stop> {
+        over(self.0, x, &count(k).into())?.negated()
+    }
+}
 
 /// left · right.
 pub fn times(meter: &Meter, left: &Value, right: &Value) -> Result<Value, Stop> {

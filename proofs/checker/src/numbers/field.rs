@@ -2,10 +2,14 @@
 
 use super::polynomial::{divide, multiplied};
 use num_bigint::BigInt;
+use num_integer::Integer as _;
 use num_traits::{One, Signed, Zero};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
+
+/// The binary digits of an enclosure that are found one by one.
+const FIRST: u64 = 96;
 
 /// The field Q(x), x = 2cos(2π/n), n ≥ 3.
 pub struct Field {
@@ -112,12 +116,35 @@ impl Field {
     pub fn enclose(&self, p: u64) -> BigInt {
         let mut enclosure = self.enclosure.borrow_mut();
         while enclosure.1 < p {
-            let middle: BigInt = &enclosure.0 * 2 + 1;
-            let finer = enclosure.1 + 1;
-            let lower = self.is_below(&middle, finer);
-            *enclosure = (if lower { middle - 1 } else { middle }, finer);
+            *enclosure = self.newton(&enclosure, p).unwrap_or_else(|| {
+                let middle: BigInt = &enclosure.0 * 2 + 1;
+                let finer = enclosure.1 + 1;
+                let lower = self.is_below(&middle, finer);
+                (if lower { middle - 1 } else { middle }, finer)
+            });
         }
         &enclosure.0 >> (enclosure.1 - p)
+    }
+
+    /// A finer enclosure, of p binary digits at most, near to where Newton's step leads, if x is there.
+    fn newton(&self, (low, digits): &(BigInt, u64), p: u64) -> Option<(BigInt, u64)> {
+        // The digits double but for those that ψ″/ψ′ takes, which is at most a power of n.
+        let finer = p.min(2 * digits.checked_sub(FIRST / 2)?);
+        let more = finer.checked_sub(*digits).filter(|more| *digits >= FIRST && *more > 1)?;
+        let slope: Vec<BigInt> =
+            self.minimal.iter().zip(0_u32..).skip(1).map(|(c, k)| c * k).collect();
+        let slope = scaled(&slope, low, *digits);
+        if slope.is_zero() {
+            return None;
+        }
+        let step = (scaled(&self.minimal, low, *digits) << more).div_floor(&slope);
+        let near: BigInt = (low << more) - step;
+        let lowest = [&near - 1, near.clone(), near + 1];
+        let lowest = lowest.into_iter().find(|low| {
+            let above: BigInt = low + 1;
+            !self.is_below(low, finer) && self.is_below(&above, finer)
+        });
+        Some((lowest?, finer))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Numbers, polynomials and their signs, and decimals as they are printed.
 
+mod characteristic;
 mod decimal;
 mod element;
 mod field;
@@ -15,6 +16,7 @@ mod rounding;
 mod show;
 mod value;
 
+pub use characteristic::{Ring, characteristic};
 pub use decimal::{
     Decimal, Q, bits, capped, common_multiple, count, int, is_blank, is_fraction,
     over_one_denominator, read_rational,

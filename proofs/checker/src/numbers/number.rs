@@ -241,6 +241,11 @@ impl Number {
         }
     }
 
+    /// How many coordinates it has.
+    pub fn degree(&self) -> u64 {
+        self.field().1
+    }
+
     /// The n of its field, and how many coordinates it has there.
     fn field(&self) -> (u32, u64) {
         match self {

@@ -3,7 +3,7 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::known::{Digits, Known};
-use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Scope};
+use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Range, Scope, range};
 use crate::functions::real;
 use crate::numbers::{Q, Value};
 use crate::schemes::Library;
@@ -152,23 +152,20 @@ impl<'r> Reals<'r> {
         parts: &[Expr],
         indices: &mut Indices,
     ) -> Result<Known, Stop> {
-        let [from, to, body] = parts else { return Err(Stop::Wrong("a range is missing".into())) };
+        let [from, to, body] = range(parts)?;
         self.scope.index(index)?;
         let from = self.scope.evaluate(from, indices)?.integer(MAX_INTEGER)?;
         let to = self.scope.evaluate(to, indices)?.integer(MAX_INTEGER)?;
-        let mut total = if fold == "sum" { Some(self.digits.integer(0)?) } else { None };
-        for i in from..=to {
-            indices.push((index.to_owned(), Value::int(i)));
-            let term = self.evaluate(body, indices);
-            indices.pop();
-            total = Some(match (&total, fold) {
-                (None, _) => term?,
-                (Some(total), "sum") => self.digits.sum(total, 1, &term?)?,
-                (Some(total), "max") => greater(total, &term?)?,
-                (Some(total), _) => lesser(total, &term?)?,
-            });
-        }
-        total.ok_or_else(|| Stop::Wrong("a maximum or minimum has an empty range".into()))
+        let range = Range { index, ends: [from, to], others: indices, value: Value::int };
+        range.total(
+            (fold == "sum").then(|| self.digits.integer(0)).transpose()?,
+            |indices| self.evaluate(body, indices),
+            |total, term| match fold {
+                "sum" => self.digits.sum(total, 1, term),
+                "max" => greater(total, term),
+                _ => lesser(total, term),
+            },
+        )
     }
 
     fn floor(&self, x: &Known) -> Result<Known, Stop> {

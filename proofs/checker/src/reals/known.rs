@@ -3,12 +3,11 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::size::Size;
+use crate::enclosures::{Interval, Sturm, enclosed};
 use crate::functions::Real;
-use crate::numbers::{Meter, Number, Q, common_multiple, field, roots_between};
-use crate::shipped::{Interval, Sturm};
+use crate::numbers::{Meter, Number, Q, common_multiple, roots_between};
 use crate::text::Stop;
 use num_bigint::BigInt;
-use num_traits::One as _;
 
 /// The longest name of a number.
 const MAX_KEY: usize = 4_096;
@@ -37,18 +36,7 @@ impl Digits<'_> {
     /// A number of a field Q(2cos(2π/n)).
     pub fn exact(self, number: &Number) -> Result<Known, Stop> {
         let (n, coordinates) = number.coordinates();
-        let near = if let Some(value) = number.rational() {
-            Interval::point(value)?
-        } else {
-            let bits = self.bits.saturating_add(64);
-            self.meter.spend(bits.saturating_mul(coordinates.len() as u64) / 16)?;
-            let low = field(n).enclose(bits);
-            let exponent = i64::try_from(bits).unwrap_or(0).saturating_neg();
-            let x = Interval::new(low.clone(), low + BigInt::one(), exponent, bits)?;
-            coordinates.iter().rev().try_fold(Interval::from(0), |sum, c| {
-                sum.times(&x, bits)?.plus(&Interval::point(c.clone())?, bits)
-            })?
-        };
+        let near = enclosed(self.meter, number, self.bits)?;
         let key = format!("{n}:{coordinates:?}");
         Ok(Known { near, number: Some(number.clone()), size: Some(Size::of(number)), key })
     }

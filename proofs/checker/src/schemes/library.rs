@@ -2,13 +2,14 @@
 
 use super::limits::Limits;
 use super::products::Products;
+use super::reference::{arguments_of, parameters_of, split};
 use super::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Ring, Scheme};
 use super::{symbol, typed};
-use crate::formulas::{Definitions, Indices, Reading, Scope, formula, formulas, free};
+use crate::formulas::{Definitions, Indices, Reading, Scope, formula, formulas};
 use crate::numbers::{Meter, Value};
 use crate::text::{Stop, Toml};
 use std::cell::{Cell, RefCell};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The greatest length of a chain of names that stand for names.
@@ -346,35 +347,4 @@ impl<'a> Library<'a> {
         self.schemes.borrow_mut().insert(key, Rc::clone(&scheme));
         Ok(scheme)
     }
-}
-
-/// The names of the factors of a reference.
-pub fn names(reference: &str) -> impl Iterator<Item = &str> {
-    reference.split(" x ").map(|factor| split(factor).0)
-}
-
-/// The name and the parameters of a reference.
-fn split(reference: &str) -> (&str, &str) {
-    reference.trim().split_once(':').unwrap_or((reference.trim(), ""))
-}
-
-/// The names in the formulas of the parameters of a reference.
-fn parameters_of(reference: &str) -> Result<BTreeSet<String>, Stop> {
-    let mut names = BTreeSet::new();
-    for factor in reference.split(" x ") {
-        for (_, value) in arguments_of(split(factor).1).iter().filter_map(|it| it.split_once('=')) {
-            names.extend(free(&formula(value.trim())?));
-        }
-    }
-    Ok(names)
-}
-
-/// The arguments between commas outside of parentheses, without blank ones.
-fn arguments_of(text: &str) -> Vec<&str> {
-    let mut depth = 0_i64;
-    let pieces = text.split(|c| {
-        depth += i64::from(c == '(') - i64::from(c == ')');
-        c == ',' && depth <= 0
-    });
-    pieces.filter(|piece| !piece.trim().is_empty()).collect()
 }

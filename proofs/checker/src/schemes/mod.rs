@@ -8,13 +8,15 @@ mod local_rules;
 mod orbits;
 mod powers;
 mod products;
+mod reference;
 mod scheme;
 mod symbol;
 mod typed;
 
 pub use catalogue::catalogue;
 pub use convolution::{Convolution, MAX_LENGTH, Product, Sequence, Sums};
-pub use library::{Constant, Library, names};
+pub use library::{Constant, Library};
 pub use local_rules::{LocalRules, less};
 pub use powers::{Operator, PLACES};
+pub use reference::names;
 pub use scheme::{Integrals, MAX_OFFSET, Ring, Scheme};

@@ -1,7 +1,6 @@
 //! The functions of formulas on intervals. proofs/format/shipped.md defines them.
 
-use super::interval::Interval;
-use super::roots::Sturm;
+use crate::enclosures::{Interval, Sturm};
 use crate::formulas::MAX_INTEGER;
 use crate::numbers::{Meter, Q};
 use crate::text::Stop;

@@ -1,13 +1,8 @@
 //! Constants that programs ship: certificates about claim files of projects
-//! (`proofs/format/shipped.md`). Nothing here is shared with the checks of papers but texts, formulas, rational numbers, and enclosures of
-//! roots.
+//! (`proofs/format/shipped.md`). Nothing here is shared with the checks of papers but texts, formulas, rational numbers, and enclosures.
 
-// Enclosures of real numbers, and formulas on them.
-mod arithmetic;
-mod cosine;
+// Formulas on enclosures of real numbers.
 mod functions;
-pub mod interval;
-pub mod roots;
 mod value;
 
 // Numbers in programs, and what is said of them.
@@ -26,6 +21,4 @@ mod reading;
 mod rule;
 mod table;
 
-pub use interval::Interval;
-pub use roots::Sturm;
 pub use rule::check;

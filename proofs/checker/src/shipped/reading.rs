@@ -2,9 +2,9 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::interval::Interval;
 use super::rounding::{SINGLE, rounded, ten};
 use super::table::{Exact, Table};
+use crate::enclosures::Interval;
 use crate::formulas::Definitions;
 use crate::numbers::Q;
 use crate::text::{Checked, Reason, Stop};

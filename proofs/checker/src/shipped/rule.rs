@@ -1,12 +1,12 @@
 //! The rule for constants of programs (proofs/format/shipped.md).
 
-use super::interval::Interval;
 use super::literal::{read as read_literal, same};
 use super::reading::Reading;
 use super::table::Table;
 use super::value::{Change, Values};
 use super::verdict::{Verdict, verdict};
 use crate::claims::Counts;
+use crate::enclosures::Interval;
 use crate::formulas::Definitions;
 use crate::numbers::Meter;
 use crate::text::{At, Block, Checked, Outcome, Reason, Stop, Toml, agree, compare, require};

@@ -1,9 +1,8 @@
 //! The values of formulas, enclosed by intervals.
 
-use super::cosine::Circle;
 use super::functions::{Call, is_zero};
-use super::interval::Interval;
-use crate::formulas::{Definitions, Expr, Head, MAX_INTEGER, names as names_in};
+use crate::enclosures::{Circle, Interval};
+use crate::formulas::{Definitions, Expr, Head, MAX_INTEGER, Range, names as names_in, range};
 use crate::numbers::{Meter, Q};
 use crate::text::Stop;
 use std::cell::{Cell, RefCell};
@@ -139,24 +138,19 @@ impl<'a> Values<'a> {
         parts: &[Expr],
         indices: &mut Indices,
     ) -> Result<Interval, Stop> {
-        let [from, to, body] = parts else { return Err(Stop::Wrong("a range is missing".into())) };
+        let [from, to, body] = range(parts)?;
         let hides = indices.iter().any(|(name, _)| name == index);
         if hides || self.definitions.contains_key(index) || index == "pi" {
             return Err(Stop::Wrong(format!("the index `{index}` has another meaning")));
         }
         let from = self.evaluate(from, indices)?.integer(MAX_INTEGER)?;
         let to = self.evaluate(to, indices)?.integer(MAX_INTEGER)?;
-        let mut total = (fold == "sum").then(|| Interval::from(0));
-        for i in from..=to {
-            indices.push((index.to_owned(), i.into()));
-            let term = self.evaluate(body, indices);
-            indices.pop();
-            total = Some(match total {
-                None => term?,
-                Some(total) => self.call.join(fold, &total, &term?)?,
-            });
-        }
-        total.ok_or_else(|| Stop::Wrong("a maximum or minimum has an empty range".into()))
+        let range = Range { index, ends: [from, to], others: indices, value: Interval::from };
+        range.total(
+            (fold == "sum").then(|| Interval::from(0)),
+            |indices| self.evaluate(body, indices),
+            |total, term| self.call.join(fold, total, term),
+        )
     }
 
     /// The cosine of an angle.

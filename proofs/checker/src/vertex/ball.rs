@@ -1,12 +1,17 @@
 //! Real numbers between multiples of 2^−PLACES.
 
-use crate::numbers::{Number, Q, field};
+use crate::enclosures::Interval;
+use crate::numbers::{Number, Q};
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
 /// The binary places of both ends.
 const PLACES: u64 = 320;
+
+/// The binary digits of polynomials whose coefficients are such numbers.
+pub const DIGITS: u64 = 2 * PLACES;
 
 /// A number from low·2^−PLACES to high·2^−PLACES.
 #[derive(Clone, Debug)]
@@ -35,16 +40,15 @@ impl Ball {
     }
 
     /// A number of a field Q(2cos(2π/n)).
-    pub fn of(number: &Number) -> Ball {
-        let (n, coordinates) = number.coordinates();
-        let x = if n < 3 {
-            Ball::from(0)
-        } else {
-            let low = field(n).enclose(PLACES);
-            Ball { high: &low + 1, low }
-        };
-        let terms = coordinates.iter().rev();
-        terms.fold(Ball::from(0), |sum, c| sum.times(&x).plus(&Ball::from(c)))
+    pub fn of(number: &Number) -> Result<Ball, Stop> {
+        let (low, high) = Interval::of(number, PLACES)?.ends();
+        Ok(Ball::between(&low, &high))
+    }
+
+    /// As an interval.
+    pub fn interval(&self) -> Result<Interval, Stop> {
+        let exponent = i64::try_from(PLACES).unwrap_or(i64::MAX).saturating_neg();
+        Interval::new(self.low.clone(), self.high.clone(), exponent, DIGITS)
     }
 
     /// self + other.
@@ -88,12 +92,6 @@ impl Ball {
         } else {
             None
         }
-    }
-
-    /// The greatest absolute value, as a number.
-    pub fn size(&self) -> Ball {
-        let size = self.low.abs().max(self.high.abs());
-        Ball { low: size.clone(), high: size }
     }
 
     /// The least absolute value, as a number.

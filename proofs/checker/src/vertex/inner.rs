@@ -32,7 +32,7 @@ const RING: Reason = Reason::Vertex(
 
 /// cos(2π·turn).
 fn cosine(turn: &Q) -> Result<Ball, Stop> {
-    Ok(Ball::of(&Number::cosine(turn)?))
+    Ball::of(&Number::cosine(turn)?)
 }
 
 impl Inner {
@@ -143,7 +143,7 @@ impl Inner {
                 if !weight.is_zero() {
                     let angle = count(2 * d + self.offset(b)) - count(self.offset(a));
                     let turn = angle * count(k) / count(2 * self.order);
-                    sum = sum.plus(&Ball::of(weight.number()?).times(&cosine(&turn)?));
+                    sum = sum.plus(&Ball::of(weight.number()?)?.times(&cosine(&turn)?));
                 }
             }
             Ok(sum)

@@ -3,9 +3,8 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::logarithm::root;
-use crate::functions::call::number;
-use crate::functions::steps::{add, over, plus, times};
-use crate::numbers::{Meter, Q, Value, gcd, roots_between, steps_of_gcd};
+use crate::functions::steps::{Values, add, times};
+use crate::numbers::{self, Meter, Q, Value, gcd, roots_between, steps_of_gcd};
 use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::{One as _, Zero as _};
@@ -25,38 +24,12 @@ pub enum Eigenvalue {
     Between(Q, Q),
 }
 
-/// The coefficients, from the constant one on, of det(x − M): Faddeev's and LeVerrier's recursion.
+/// The characteristic polynomial of a matrix that is not too large.
 pub fn characteristic(meter: &Meter, matrix: &[Vec<Value>]) -> Result<Vec<Value>, Stop> {
-    let size = matrix.len();
-    if size > MAX_SIZE {
+    if matrix.len() > MAX_SIZE {
         return Err(Stop::Capped("the size of a matrix"));
     }
-    let mut coefficients = vec![Value::int(1)];
-    let mut product: Vec<Vec<Value>> = vec![vec![Value::int(0); size]; size];
-    for k in 1..=size {
-        // M(N + c), with the last coefficient c.
-        for (i, row) in product.iter_mut().enumerate() {
-            if let (Some(entry), Some(c)) = (row.get_mut(i), coefficients.last()) {
-                plus(meter, entry, c)?;
-            }
-        }
-        let mut next = vec![vec![Value::int(0); size]; size];
-        for (row, sums) in matrix.iter().zip(&mut next) {
-            for (entry, other) in row.iter().zip(&product) {
-                for (sum, x) in sums.iter_mut().zip(other) {
-                    add(meter, sum, entry, x)?;
-                }
-            }
-        }
-        let mut trace = Value::int(0);
-        for (i, row) in next.iter().enumerate() {
-            plus(meter, &mut trace, &row[i])?;
-        }
-        coefficients.push(over(meter, &trace, &number(k))?.negated()?);
-        product = next;
-    }
-    coefficients.reverse();
-    Ok(coefficients)
+    numbers::characteristic(&Values(meter), matrix)
 }
 
 /// The coefficients of p(x + y) in y, as far as none of them is negative; and whether all of them are positive. The constant one
@@ -179,8 +152,7 @@ fn is_root(
     other[usize::from(q)] = Q::one();
     meter.spend(steps_of_gcd(&p, &other).saturating_mul(2))?;
     let common = gcd(&p, &other);
-    let off =
-        |x: &Q| !crate::numbers::at(&p, x).is_zero() && !crate::numbers::at(&other, x).is_zero();
+    let off = |x: &Q| !numbers::at(&p, x).is_zero() && !numbers::at(&other, x).is_zero();
     let one = off(low) && off(high) && roots_between(&p, low, high) == 1;
     Ok(one && common.len() > 1 && roots_between(&common, low, high) == 1)
 }

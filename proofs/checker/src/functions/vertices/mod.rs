@@ -7,14 +7,15 @@ mod polynomials;
 mod roots;
 mod sectors;
 
-use super::call::{Call, wrong};
+use super::call::{Call, index, wrong};
 use super::masks::{Mask, signed};
 use super::real::Real;
+use super::steps::Values;
 use crate::formulas::MAX_INTEGER;
-use crate::numbers::{Meter, Value};
+use crate::numbers::{Meter, Value, characteristic};
 use crate::text::Stop;
 use places::{Factor, Place, decide};
-use polynomials::{Cyclic, Polynomial, characteristic};
+use polynomials::Polynomial;
 use roots::{Root, Roots};
 use sectors::{Sectors, of_each, over_square};
 use std::cmp::Ordering;
@@ -75,13 +76,6 @@ pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
     }))
 }
 
-/// An integer from `least` to `most`.
-fn index(value: &Value, least: i64, most: i64) -> Result<usize, Stop> {
-    let integer = value.integer(MAX_INTEGER)?;
-    let index = usize::try_from(integer).ok().filter(|_| (least..=most).contains(&integer));
-    index.ok_or_else(|| Stop::Wrong(format!("an integer from {least} to {most} is needed")))
-}
-
 /// The ring of a call at a valence, and this.
 fn sectors<'c>(call: &mut Call<'c>, valence: &Value) -> Result<(Sectors<'c>, i64), Stop> {
     let count = index(valence, 3, MAX_VALENCE)?;
@@ -107,16 +101,16 @@ fn of_mask(meter: &Meter, mask: &Mask) -> Result<Polynomial, Stop> {
     if most.saturating_sub(least) >= signed(MAX_ROWS)? {
         return Err(size);
     }
-    let mut matrix: Vec<Vec<Cyclic>> = Vec::new();
+    let mut matrix: Vec<Vec<Value>> = Vec::new();
     for k in least..=most {
         let entry = |l: i64| {
             let place = n.checked_mul(k).and_then(|place| place.checked_sub(l));
             let a = place.and_then(|place| mask.at(place)).cloned();
-            vec![a.unwrap_or_else(|| Value::int(0))]
+            a.unwrap_or_else(|| Value::int(0))
         };
         matrix.push((least..=most).map(entry).collect());
     }
-    Ok(characteristic(meter, &matrix, 1)?.into_iter().flatten().collect())
+    characteristic(&Values(meter), &matrix)
 }
 
 /// The roots of M_0 without 1, those of M_1 without λ, and those of the M_k, k ≤ N/2.

@@ -3,10 +3,9 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::polynomials::Polynomial;
+use crate::enclosures::{Interval, Sturm, enclosed, is_within, without};
 use crate::functions::real::Real;
-use crate::numbers::{Meter, Number, Q, Value, field};
-use crate::shipped::interval::Interval;
-use crate::shipped::roots::Sturm;
+use crate::numbers::{Meter, Number, Q, Value};
 use crate::text::Stop;
 use std::cmp::Ordering;
 use std::rc::Rc;
@@ -24,24 +23,6 @@ pub fn decide<T>(decision: impl Fn(u64) -> Result<Option<T>, Stop>) -> Result<T,
         }
     }
     Err(Stop::Capped("the precision to which roots are compared"))
-}
-
-/// An enclosure of a number.
-pub fn enclosed(meter: &Meter, x: &Value, bits: u64) -> Result<Interval, Stop> {
-    let x = x.number()?;
-    if let Some(x) = x.rational() {
-        return Interval::point(x);
-    }
-    let (n, coordinates) = x.coordinates();
-    // Terms may cancel as far as they are long.
-    let places = bits.saturating_add(x.bits());
-    meter.spend(places.saturating_mul(coordinates.len() as u64) / 64)?;
-    let low = field(n).enclose(places);
-    let exponent = i64::try_from(places).unwrap_or(i64::MAX).checked_neg().unwrap_or(0);
-    let cosine = Interval::new(low.clone(), low + 1_u8, exponent, places)?;
-    coordinates.into_iter().rev().try_fold(Interval::from(0), |sum, c| {
-        sum.times(&cosine, places)?.plus(&Interval::point(c)?, places)
-    })
 }
 
 /// A polynomial without multiple roots.
@@ -66,7 +47,7 @@ impl Factor {
     }
 
     fn enclosure(meter: &Meter, p: &[Value], bits: u64) -> Result<Vec<Interval>, Stop> {
-        p.iter().map(|c| enclosed(meter, c, bits)).collect()
+        p.iter().map(|c| enclosed(meter, c.number()?, bits)).collect()
     }
 
     /// An enclosure of a root.
@@ -79,38 +60,11 @@ impl Factor {
         let mut p = Factor::enclosure(meter, &self.p, bits)?;
         for index in 1..=self.real {
             let root = self.root(meter, index, bits)?;
-            let mut quotient: Vec<Interval> = Vec::new();
-            for c in p.iter().skip(1).rev() {
-                let carried = quotient.last().map(|last| last.times(&root, bits));
-                let carried = carried.unwrap_or_else(|| Ok(0.into()))?;
-                quotient.push(c.plus(&carried, bits)?);
-            }
-            quotient.reverse();
-            p = quotient;
+            p = without(&p, &root, bits)?;
         }
-        is_within(meter, p, r, bits)
+        meter.spend((p.len() as u64).saturating_pow(2))?;
+        is_within(p, r, bits)
     }
-}
-
-/// Whether all complex roots are certainly below r in absolute value (Schur and Cohn).
-fn is_within(meter: &Meter, mut p: Vec<Interval>, r: &Q, bits: u64) -> Result<bool, Stop> {
-    let (radius, mut scale) = (Interval::point(r.clone())?, Interval::from(1));
-    for c in &mut p {
-        *c = c.times(&scale, bits)?;
-        scale = scale.times(&radius, bits)?;
-    }
-    while let [first, .., last] = &p[..] {
-        if first.absolute().compare(&last.absolute()) != Some(Ordering::Less) {
-            return Ok(false);
-        }
-        meter.spend(p.len() as u64)?;
-        let pairs = p.iter().skip(1).zip(p.iter().rev().skip(1));
-        let next = pairs
-            .map(|(up, down)| last.times(up, bits)?.minus(&first.times(down, bits)?, bits))
-            .collect::<Result<Vec<_>, Stop>>()?;
-        p = next;
-    }
-    Ok(true)
 }
 
 /// Where a root is.
@@ -137,7 +91,7 @@ impl Place {
     /// An enclosure.
     pub fn enclosed(&self, meter: &Meter, bits: u64) -> Result<Interval, Stop> {
         match self {
-            Place::Exact(value) => enclosed(meter, value, bits),
+            Place::Exact(value) => enclosed(meter, value.number()?, bits),
             Place::Of(factor, index) => factor.root(meter, *index, bits),
         }
     }

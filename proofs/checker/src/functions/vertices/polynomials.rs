@@ -1,11 +1,11 @@
-//! Polynomials with coefficients in fields of cosines: characteristic polynomials, and factors without multiple roots. The constant
+//! Polynomials with coefficients in fields of cosines, and their factors without multiple roots. The constant
 //! coefficient comes first.
 
 #![warn(clippy::arithmetic_side_effects)]
 
 use crate::functions::call::number;
-use crate::functions::steps::{add, over, plus, times};
-use crate::numbers::{Meter, Value};
+use crate::functions::steps::{Values, add, over, plus, times};
+use crate::numbers::{Meter, Ring, Value, characteristic};
 use crate::text::Stop;
 
 /// A polynomial whose leading coefficient is not 0.
@@ -14,70 +14,67 @@ pub type Polynomial = Vec<Value>;
 /// An element c_0 + c_1 x + … of the numbers with an x of x^n = 1.
 pub type Cyclic = Vec<Value>;
 
-/// The coefficients of det(t − M), a matrix of such elements (Faddeev and LeVerrier).
-pub fn characteristic(
-    meter: &Meter,
-    matrix: &[Vec<Cyclic>],
-    n: usize,
-) -> Result<Vec<Cyclic>, Stop> {
-    let size = matrix.len();
-    let mut one = vec![Value::int(0); n];
-    if let Some(first) = one.first_mut() {
-        *first = Value::int(1);
-    }
-    let zero = vec![vec![vec![Value::int(0); n]; size]; size];
-    let (mut coefficients, mut power) = (vec![one], zero.clone());
-    for k in 1..=size {
-        // N ← M(N + c), c ← −tr(N)/k.
-        for (i, row) in power.iter_mut().enumerate() {
-            if let (Some(entry), Some(c)) = (row.get_mut(i), coefficients.last()) {
-                added(meter, entry, c)?;
-            }
+/// Such elements for this n.
+struct Cycles<'m>(&'m Meter, usize);
+
+impl Ring<Cyclic> for Cycles<'_> {
+    fn integer(&self, value: i64) -> Cyclic {
+        let mut element = vec![Value::int(0); self.1];
+        if let Some(first) = element.first_mut() {
+            *first = Value::int(value);
         }
-        let mut next = zero.clone();
-        for (row, sums) in matrix.iter().zip(&mut next) {
-            for (entry, other) in row.iter().zip(&power) {
-                for (sum, x) in sums.iter_mut().zip(other) {
-                    product(meter, sum, entry, x)?;
+        element
+    }
+
+    fn add(&self, sum: &mut Cyclic, other: &Cyclic) -> Result<(), Stop> {
+        sum.iter_mut().zip(other).try_for_each(|(sum, term)| plus(self.0, sum, term))
+    }
+
+    fn add_product(&self, sum: &mut Cyclic, left: &Cyclic, right: &Cyclic) -> Result<(), Stop> {
+        let not_zero = |x: &Cyclic| -> Vec<(usize, Value)> {
+            x.iter().cloned().enumerate().filter(|(_, c)| !c.is_zero()).collect()
+        };
+        let right = not_zero(right);
+        self.0.spend(1)?;
+        for (i, a) in not_zero(left) {
+            for (j, b) in &right {
+                let place = i.saturating_add(*j).checked_rem(sum.len());
+                if let Some(sum) = place.and_then(|place| sum.get_mut(place)) {
+                    add(self.0, sum, &a, b)?;
                 }
             }
         }
-        let mut trace = vec![Value::int(0); n];
-        for (i, row) in next.iter().enumerate() {
-            if let Some(entry) = row.get(i) {
-                added(meter, &mut trace, entry)?;
-            }
-        }
-        let share = number(k);
-        let share = |c: &Value| over(meter, c, &share)?.negated();
-        coefficients.push(trace.iter().map(share).collect::<Result<_, Stop>>()?);
-        power = next;
+        Ok(())
     }
-    coefficients.reverse();
+
+    fn share(&self, x: &Cyclic, k: usize) -> Result<Cyclic, Stop> {
+        x.iter().map(|c| Values(self.0).share(c, k)).collect()
+    }
+}
+
+/// The coefficients of det(t − M). A multiple dM has integers as coordinates, whose sums need no common divisors; those of M are its
+/// coefficients over powers of d.
+pub fn characteristic_of_cycles(
+    meter: &Meter,
+    n: usize,
+    matrix: &[Vec<Cyclic>],
+) -> Result<Vec<Cyclic>, Stop> {
+    let denominator = Value::denominator(matrix.iter().flatten().flatten())?;
+    let scaled = |entry: &Cyclic| multiple(meter, entry, &denominator);
+    let rows = matrix.iter().map(|row| row.iter().map(scaled).collect());
+    let rows = rows.collect::<Result<Vec<Vec<Cyclic>>, Stop>>()?;
+    let mut coefficients = characteristic(&Cycles(meter, n), &rows)?;
+    let (inverse, mut share) = (over(meter, &Value::int(1), &denominator)?, Value::int(1));
+    for c in coefficients.iter_mut().rev() {
+        *c = multiple(meter, c, &share)?;
+        share = times(meter, &share, &inverse)?;
+    }
     Ok(coefficients)
 }
 
-/// Adds an element.
-fn added(meter: &Meter, sum: &mut Cyclic, other: &Cyclic) -> Result<(), Stop> {
-    sum.iter_mut().zip(other).try_for_each(|(sum, term)| plus(meter, sum, term))
-}
-
-/// Adds a product of elements.
-fn product(meter: &Meter, sum: &mut Cyclic, left: &Cyclic, right: &Cyclic) -> Result<(), Stop> {
-    let not_zero = |x: &Cyclic| -> Vec<(usize, Value)> {
-        x.iter().cloned().enumerate().filter(|(_, c)| !c.is_zero()).collect()
-    };
-    let right = not_zero(right);
-    meter.spend(1)?;
-    for (i, a) in not_zero(left) {
-        for (j, b) in &right {
-            let place = i.saturating_add(*j).checked_rem(sum.len());
-            if let Some(sum) = place.and_then(|place| sum.get_mut(place)) {
-                add(meter, sum, &a, b)?;
-            }
-        }
-    }
-    Ok(())
+/// A multiple of an element.
+fn multiple(meter: &Meter, element: &Cyclic, factor: &Value) -> Result<Cyclic, Stop> {
+    element.iter().map(|c| times(meter, c, factor)).collect()
 }
 
 /// Removes leading coefficients that are 0.

@@ -2,12 +2,12 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::polynomials::{Cyclic, Polynomial, at, characteristic};
+use super::polynomials::{Cyclic, Polynomial, at, characteristic_of_cycles};
 use crate::functions::call::{number, wrong};
 use crate::functions::limits::solve;
 use crate::functions::masks::signed;
-use crate::functions::steps::{add, over, plus, times};
-use crate::numbers::{Meter, Number, Q, Value};
+use crate::functions::steps::{Values, add, over, plus, times};
+use crate::numbers::{Meter, Number, Q, Value, characteristic};
 use crate::schemes::LocalRules;
 use crate::text::Stop;
 use num_bigint::BigInt;
@@ -78,12 +78,7 @@ impl<'m> Sectors<'m> {
 
     /// The characteristic polynomial of M_0.
     pub fn still(&self) -> Result<Polynomial, Stop> {
-        let matrix: Vec<Vec<Cyclic>> = self
-            .sums()?
-            .into_iter()
-            .map(|row| row.into_iter().map(|entry| vec![entry]).collect())
-            .collect();
-        Ok(characteristic(self.meter, &matrix, 1)?.into_iter().flatten().collect())
+        characteristic(&Values(self.meter), &self.sums()?)
     }
 
     /// Those of the other blocks.
@@ -99,7 +94,7 @@ impl<'m> Sectors<'m> {
                     .collect()
             })
             .collect();
-        Ok(Turning(self, characteristic(self.meter, &matrix, self.valence)?))
+        Ok(Turning(self, characteristic_of_cycles(self.meter, self.valence, &matrix)?))
     }
 
     /// The sums of the limit weights of the points of each orbit: uM_0 = u, Σu = 1.

@@ -229,6 +229,13 @@ impl Listing {
         Ok(Listing::of(verdict))
     }
 
+    /// The formula of the next line, if it is about this case: `case 3 1/2 = p[0] - p[1]`.
+    pub fn said(block: &mut Block<'_>, name: &str) -> Option<String> {
+        let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case")?.1;
+        let (case, said) = line.split_once('=')?;
+        (case.trim() == name).then(|| said.to_owned())
+    }
+
     /// Checks the line about a case, or that there is none if the case is not false.
     pub fn check(
         &mut self,
@@ -242,15 +249,12 @@ impl Listing {
             block.after("case")?;
             return self.list(name, fails, &said, [difference.clone(), difference.clone()]);
         }
-        // `case 3 1/2 = p[0] - p[1]`, if the next line is about this case.
-        let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case");
-        let line = line.and_then(|(_, said)| said.split_once('='));
-        let Some((_, said)) = line.filter(|(case, _)| case.trim() == name) else {
+        let Some(said) = Listing::said(block, name) else {
             let reason = || Reason::Differ(name.to_owned(), Text(difference.to_string()));
             return if fails { Err(reason().into()) } else { Ok(()) };
         };
         block.after("case")?;
-        let said = value(said, scope)?;
+        let said = value(&said, scope)?;
         require(fails || !said.is_zero(), Reason::NoDifference)?;
         compare(difference.equals(&said)?, &said, difference, Reason::Difference)?;
         require(fails, Reason::NotFalse(name.to_owned()))?;
@@ -267,6 +271,10 @@ impl Listing {
         (fails, [low, high], number): (Option<bool>, &[Q; 2], Option<&Number>),
         scope: &Scope<'_>,
     ) -> Checked<()> {
+        let is_listed = bounds(block, name).is_some() || Listing::said(block, name).is_some();
+        if fails.is_none() && is_listed {
+            return Err(Stop::Undecided("whether a comparison is false in a case").into());
+        }
         if let Some(number) = number
             && bounds(block, name).is_none()
         {

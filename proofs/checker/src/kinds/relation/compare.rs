@@ -1,7 +1,7 @@
 //! Whether a comparison is true of numbers.
 
 use super::states::{Comparison, Rest, Side, Sign};
-use crate::formulas::{Expr, Scope};
+use crate::formulas::{Expr, Head, Scope};
 use crate::numbers::{Decimal, Number, Q, Value, rounding};
 use crate::reals::{Pair, pair};
 use crate::schemes::Library;
@@ -107,6 +107,32 @@ pub fn judged_reals(
             Ok(Judged { fails: Some(is != *one), difference: off.difference, number: off.number })
         }
     }
+}
+
+/// Notes that left − right is this number, if it is. It may be one of a field although a root of a polynomial does not show which.
+pub fn found_as(
+    library: &Library<'_>,
+    comparison: &Comparison,
+    scope: &Scope<'_>,
+    said: &Value,
+    found: &mut Judged,
+) -> Result<(), Stop> {
+    let right = match &comparison.rest {
+        Rest::Sign(_, right) => right.expr.clone(),
+        Rest::Member(members) => match members.first() {
+            Some(first) => first.clone(),
+            None => return Ok(()),
+        },
+        Rest::Is(one) => Expr::Number(Value::int(i64::from(*one))),
+    };
+    let sides = vec![comparison.left.expr.clone(), right];
+    let difference = Expr::Of(Head::Chain(vec!['-']), sides);
+    match pair(library, scope, (&difference, &Expr::Number(said.clone())))?.order {
+        Some(Ordering::Equal) => found.number = Some(said.number()?.clone()),
+        Some(_) => {}
+        None => return Err(Stop::Undecided("whether a difference is a number")),
+    }
+    Ok(())
 }
 
 /// Whether a pair fits a sign that is not ≈. Bounds that meet at one end decide ≤ and ≥.

@@ -8,7 +8,7 @@ mod states;
 
 use super::equation::cases::{Index, Listing, MAX_CASES, cases, name_of, scope};
 use super::kind::{Kind, Proof};
-use crate::claims::Paper;
+use crate::claims::{Paper, value};
 use crate::numbers::{Q, read_rational};
 use crate::text::{Block, Checked, Reason, Stop, Toml, Verdict, require};
 use ranges::{index, printed, ranges};
@@ -77,7 +77,13 @@ fn every_case<'a>(
                     listing.check(block, &name, (fails, &difference), &scope)?;
                 }
                 Err(_) if !open && claim.texts("symbols").next().is_none() => {
-                    let found = compare::judged_reals(paper.library, comparison, &scope)?;
+                    let mut found = compare::judged_reals(paper.library, comparison, &scope)?;
+                    if found.number.is_none()
+                        && let Some(said) = Listing::said(block, &name)
+                    {
+                        let said = value(&said, &scope)?;
+                        compare::found_as(paper.library, comparison, &scope, &said, &mut found)?;
+                    }
                     let known = (found.fails, &found.difference, found.number.as_ref());
                     listing.check_real(block, &name, known, &scope)?;
                 }

@@ -76,7 +76,7 @@ impl<'m> Sturm<'m> {
             let factor = leading.times(&inverse, self.bits)?;
             let shift = p.len() - degree;
             for (i, coefficient) in divisor[..degree].iter().enumerate() {
-                self.spend(coefficient)?;
+                self.spend(coefficient, &factor)?;
                 let product = factor.times(coefficient, self.bits)?;
                 p[shift + i] = p[shift + i].minus(&product, self.bits)?;
             }
@@ -84,15 +84,21 @@ impl<'m> Sturm<'m> {
         Ok(p)
     }
 
-    fn spend(&self, coefficient: &Interval) -> Result<(), Stop> {
-        let words = coefficient.size() / 64 + 1;
-        self.meter.spend(1 + words * words / 256)
+    /// Counts the steps of a product and a sum. Those of two rational numbers need common divisors.
+    fn spend(&self, one: &Interval, other: &Interval) -> Result<(), Stop> {
+        let words = |x: &Interval| x.size() / 64 + 1;
+        let products = match (one, other) {
+            (Interval::Point(_), Interval::Point(_)) => words(one).max(words(other)).pow(2) / 32,
+            _ => words(one) * words(other) / 64,
+        };
+        self.meter.spend(1 + products)
     }
 
     /// p(x).
     fn at(&self, p: &Polynomial, x: &Interval) -> Result<Interval, Stop> {
         p.iter().rev().try_fold(Interval::from(0), |sum, coefficient| {
-            self.spend(coefficient)?;
+            self.spend(&sum, x)?;
+            self.spend(&sum, coefficient)?;
             let sum = sum.times(x, self.bits)?.plus(coefficient, self.bits)?;
             // The exact values of long points would be much longer than what is asked for.
             if sum.size() <= EXACT + 8 * self.bits {
@@ -151,8 +157,13 @@ impl<'m> Sturm<'m> {
         let number = number.ok_or(Stop::Undefined("the polynomial has no such real root"))?;
         let mut alone = all == 1;
         let (mut below, mut above) = (first, last);
+        // 0 is known exactly, and no enclosure of it is as fine as its own size.
+        let zero = self.chain[0][0].sign() == Some(0);
         loop {
             if alone {
+                if zero && low.is_negative() && high.is_positive() {
+                    return Ok(Interval::from(0));
+                }
                 if let Some(root) = self.rational(&low, &high)? {
                     return Ok(Interval::Point(root));
                 }
