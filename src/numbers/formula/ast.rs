@@ -172,7 +172,9 @@ pub enum Fold {
 impl Fold {
     /// The fold with this name, if there is one.
     pub(super) fn named(name: &str) -> Option<Fold> {
-        [Fold::Sum, Fold::Product, Fold::Max, Fold::Min].into_iter().find(|fold| fold.name() == name)
+        [Fold::Sum, Fold::Product, Fold::Max, Fold::Min]
+            .into_iter()
+            .find(|fold| fold.name() == name)
     }
 
     /// Its name in formulas.

@@ -155,7 +155,10 @@ fn name_or_call(input: &mut Input<'_>) -> Parsed<Expr> {
         return Ok(Expr { node: Node::Name(name.to_owned()), span: start..end });
     }
     let node = match Fold::named(name) {
-        Some(fold) if matches!(fold, Fold::Sum | Fold::Product) || peek(opt(index)).parse_next(input)?.is_some() => {
+        Some(fold)
+            if matches!(fold, Fold::Sum | Fold::Product)
+                || peek(opt(index)).parse_next(input)?.is_some() =>
+        {
             nested(|input: &mut Input<'_>| over_range(input, fold)).parse_next(input)?
         }
         _ if name == ROOT => nested(root).parse_next(input)?,

@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const MAX_DEPTH: usize = 200;
 
 /// The functions of the language; all others are of schemes.
-pub(super) const LANGUAGE: [&str; 9] =
+pub(super) const LANGUAGE: [&str; 10] =
     ["abs", "min", "max", "floor", "ceil", "mod", "kronecker", "binomial", "factorial", "cos"];
 
 /// The degrees of formulas in a parameter p > 0: a formula of degree d is c·p^d, where c does not
