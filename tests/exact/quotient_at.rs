@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use std::rc::Rc;
-use subcert::exact::{Place, QuotientAt, Rational, Real as _, RealAlgebraic, Scalar};
+use subcert::exact::{Place, QuotientAt, Rational, RealAlgebraic, Scalar};
 
 /// A formula in x.
 #[derive(Clone, Debug)]

@@ -94,7 +94,7 @@ fn errors_say_what_is_wrong_and_where() {
         ("sum(h = 90..110, cos(2*pi/h))", "cos(2*pi/h)", "at most n = 10000"),
         ("g^65", "g^65", "the power of a symbol or cosine"),
         ("2^g", "2^g", "must be an integer, and is cos(2*pi/5)"),
-        ("cost(1)", "cost(1)", "sum, cos"),
+        ("cost(1)", "cost(1)", "sum, product, cos"),
         ("1/(1 + cos(2*pi/9973))", "(1 + cos(2*pi/9973))", "the number of bits"),
         ("sum(h = 1..300000, cos(2*pi*h/9973))", "", "the work of this formula"),
     ] {
