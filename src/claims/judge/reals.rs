@@ -237,6 +237,6 @@ fn truth(
         Sign::AtMost => order() <= 0,
         Sign::Greater => order() > 0,
         Sign::AtLeast => order() >= 0,
-        Sign::OneOf => rights.iter().any(|right| left == *right),
+        Sign::OneOf => rights.contains(&left),
     })
 }

@@ -61,6 +61,7 @@ pub trait Value: Scalar + std::fmt::Display {
         None
     }
     /// This function of a parameter at a place of it, if the type has it.
+    #[must_use]
     fn of_place(_: QuotientAt) -> Option<Self> {
         None
     }

@@ -181,13 +181,9 @@ impl Reader<'_> {
                 _ => set.intersection(&described),
             };
         }
-        let bounded = |(sign, _): &(Sign, &str)| match sign {
-            Sign::Less | Sign::AtMost => 1,
-            Sign::Greater | Sign::AtLeast => -1,
-            _ => 0,
-        };
+        let is_below = |(sign, _): &(Sign, &str)| matches!(sign, Sign::Less | Sign::AtMost);
         if let [first, second] = signs
-            && bounded(first) * bounded(second) != -1
+            && is_below(first) == is_below(second)
         {
             let message = "both signs have one direction: `0 < v < 1`";
             return Err(self.error(span, message).with_help(FOR));

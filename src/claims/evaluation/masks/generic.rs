@@ -15,12 +15,11 @@ pub(super) trait Asked {
 /// The value over the field of the coefficients, which are numbers or functions of one parameter.
 pub(super) fn answered<V: Value>(asked: &impl Asked, masks: &[&Mask<V>]) -> Result<V, CallError> {
     let located: Option<Vec<Mask<QuotientAt>>> = masks.iter().map(|mask| at_place(mask)).collect();
-    let found = match located {
-        Some(masks) => V::of_place(asked.value(&masks)?),
-        None => {
-            let masks = masks.iter().map(|mask| numbers(mask));
-            V::of_number(&asked.value(&masks.collect::<Result<Vec<_>, CallError>>()?)?)
-        }
+    let found = if let Some(masks) = located {
+        V::of_place(asked.value(&masks)?)
+    } else {
+        let masks = masks.iter().map(|mask| numbers(mask));
+        V::of_number(&asked.value(&masks.collect::<Result<Vec<_>, CallError>>()?)?)
     };
     found.ok_or(CallError::Inner(FormulaErrorKind::Unsupported(IRRATIONAL)))
 }

@@ -133,13 +133,13 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
             Ok(mask) => is_independent(&Symbol::of(&mask)),
             Err(_) => is_independent(&Symbol::of(&over_field(mask)?)),
         }),
-        ("same", []) => match options.take("with") {
-            Some(name) => truth(Symbol::of(mask) == Symbol::of(&other(&name)?)),
-            None => {
+        ("same", []) => {
+            let Some(name) = options.take("with") else {
                 let message = "name the other scheme: `same(with = NAME)`";
                 return Err(CallError::Misuse(message.to_owned()));
-            }
-        },
+            };
+            truth(Symbol::of(mask) == Symbol::of(&other(&name)?))
+        }
         _ => return Ok(None),
     };
     Ok(Some(value))

@@ -121,12 +121,11 @@ impl<'a> Degrees<'a> {
                 _ => None,
             },
             // A product of several values has another degree.
-            Node::Fold { fold: Fold::Product, .. } => None,
-            Node::Fold { index, from, to, body, .. } => {
+            Node::Fold { fold, index, from, to, body } if *fold != Fold::Product => {
                 let free = index != self.name && self.is_free(from) && self.is_free(to);
                 if free { of(body) } else { None }
             }
-            Node::Number(_) | Node::Indexed { .. } => None,
+            Node::Number(_) | Node::Indexed { .. } | Node::Fold { .. } => None,
         }
     }
 
