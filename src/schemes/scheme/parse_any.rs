@@ -32,7 +32,7 @@ impl From<LocalRules> for AnyScheme {
 /// The scheme or the ring that SCHEME names.
 ///
 /// # Errors
-/// As [`parse_scheme`] and [`parse_local_rules`].
+/// As [`parse_scheme`](crate::scheme::parse_scheme) and [`parse_local_rules`](crate::scheme::parse_local_rules).
 ///
 /// ```
 /// use subcert::scheme::{AnyScheme, parse_any_scheme};
@@ -54,7 +54,7 @@ pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
 /// parameters, `sqrt` and `root` are numbers.
 ///
 /// # Errors
-/// As [`parse_scheme`], when this is a tensor product, and when the coefficients are in no field within the caps.
+/// As [`parse_scheme`](crate::scheme::parse_scheme), when this is a tensor product, and when the coefficients are in no field within the caps.
 ///
 /// ```
 /// use subcert::exact::format::fixed;
