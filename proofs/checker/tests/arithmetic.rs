@@ -153,6 +153,37 @@ fn integers_beyond_a_cap_are_left_open() {
     assert!(matches!(wrong, Outcome::Invalid(..)), "{wrong:?}");
 }
 
+#[test]
+fn products_and_factorials() {
+    for (left, right) in [
+        ("product(i = 1..5, i)", "120"),
+        ("product(i = 3..2, i)", "1"),
+        ("product(i = 2..10, 1 - 1/i^2)", "11/20"),
+        ("product(i = 1..6, 2*sin(i))", ""),
+        ("product(i = 1..6, 2*cos(pi/2 - i*pi/7))", "7"),
+        ("product(i = 1..2, sum(j = 1..i, product(k = j..i, k + j)))", "2*(6 + 4)"),
+        ("factorial(0)", "1"),
+        ("factorial(1)", "1"),
+        ("factorial(20)/factorial(18)", "380"),
+        ("factorial(1000)", "1000*factorial(999)"),
+        ("factorial(30)", "product(n = 1..30, n)"),
+        ("factorial(7)/(factorial(3)*factorial(4))", "binomial(7, 3)"),
+    ] {
+        let valid = outcome(left, right, "holds 1") == Outcome::Valid;
+        assert_eq!(valid, !right.is_empty(), "{left}");
+        assert_ne!(outcome(left, &format!("1 + {right}"), "holds 1"), Outcome::Valid, "{left}");
+    }
+    for left in ["factorial(1001)", "product(i = 1..10^7, 1)", "product(i = 1..10^6, i)"] {
+        let said = outcome(left, "1", "holds 1");
+        assert!(matches!(said, Outcome::Incomplete(Some(_))), "{left}: {said:?}");
+    }
+    let wrong = ["factorial(-1)", "factorial(1/2)", "factorial(1, 2)", "product(2)", "product(i)"];
+    for left in wrong {
+        let said = outcome(left, "1", "holds 1");
+        assert!(matches!(said, Outcome::Invalid(..)), "{left}: {said:?}");
+    }
+}
+
 // With the offset −2^63 the program asked for 13 GB.
 #[test]
 fn offsets_beyond_a_cap_are_left_open() {
@@ -211,6 +242,26 @@ fn integers_of_programs_have_a_cap() {
             of_block(&claims, "shipped t\n  bits 64\n  cell \"0.0\" nearest\n  outcome nearest");
         let open = matches!(said, Outcome::Incomplete(Some(_)));
         assert!(open == (power != "-10000"), "{power}: {said:?}");
+    }
+}
+
+#[test]
+fn products_and_factorials_of_programs() {
+    for (formula, cell, valid) in [
+        ("factorial(5)/product(i = 1..3, i)", "20.0", true),
+        ("product(i = 1..0, i)*factorial(0)", "1.0", true),
+        ("product(i = 1..2, sqrt(2)) + factorial(3)", "8.0", true),
+        ("factorial(5)/product(i = 1..3, i)", "21.0", false),
+        ("factorial(-1)", "1.0", false),
+        ("factorial(1001)", "1.0", false),
+    ] {
+        let claims = format!(
+            "key = 'k'\n[project]\nname = 'p'\n[[shipped]]\nid = 't'\nlocus = 'l'\ntitle = 't'\ntype = 'f64'\n\
+             language = 'c'\nequals = '{formula}'\ncells = ['{cell}']"
+        );
+        let block = format!("shipped t\n  bits 64\n  cell \"{cell}\" nearest\n  outcome nearest");
+        let said = of_block(&claims, &block);
+        assert_eq!(said == Outcome::Valid, valid, "{formula}: {said:?}");
     }
 }
 

@@ -54,6 +54,12 @@ symbol = '(1 + z)^2*(1 + z - z^2 + z^3 + z^4)/6'
 name = "mirrored"
 symbol = 'z^-9*(1 + z)^2*(3 - z - z^2 + 3*z^3)/8'
 [[scheme]]
+name = "rough"
+symbol = '(1 + z)*(2 - z)'
+[[scheme]]
+name = "rougher"
+symbol = '(1 + z)*(3 - z - z^2)'
+[[scheme]]
 name = "averaged"
 symbol = '(1 + z)*(1 + z^2)/2'
 [[scheme]]
@@ -301,6 +307,20 @@ fn integrals() {
 }
 
 /// Chaikin's scheme and B-splines keep all shapes, interpolation none. `late` is decided after some levels.
+/// The limit of a symbol that is not in L² has no such integrals, whatever has been asked for before.
+#[test]
+fn no_integrals_without_limits() {
+    for one in ["hat", "cubic", "two", "haar", "averaged"] {
+        for other in ["rough", "rougher"] {
+            let states = format!(
+                "inner_product({one}, 0) + inner_product({one}, 1) + 0*inner_product({other}, 0) > 0"
+            );
+            let found = outcome(&states, "holds 1");
+            assert!(matches!(found, Outcome::Incomplete(Some(_))), "{states}: {found:?}");
+        }
+    }
+}
+
 #[test]
 fn shapes() {
     values(&[

@@ -17,6 +17,9 @@ parameters.w = { about = 'tension' }
 name = 'hat'
 symbol = '(1 + z)^2/(2*z)'
 [[scheme]]
+name = 'box'
+symbol = '1 + z'
+[[scheme]]
 name = 'bent'
 symbol = '(1 + z)^2/2 + (w^2 - 2)*(z^5 - z)'
 parameters.w = {}
@@ -24,12 +27,23 @@ parameters.w = {}
 name = 'daubechies'
 symbol = '(1 + z)^2/2*((1 + w) + (1 - w)*z)/2'
 parameters.w = {}
+[[scheme]]
+name = 'raised'
+symbol = '(w/z + 1 + (1 - w)*z)*(1 + z)/2'
+parameters.w = {}
+[[scheme]]
+name = 'leaning'
+symbol = '(1 + z)^2/2*(w + (1 - w)*z)'
+parameters.w = {}
 ";
 
 /// A claim: the scheme, the entries of `for`, `only`, what is stated, and the lines that say what is so.
 type Claim = (&'static str, &'static str, bool, &'static str, &'static str);
 
 const FP: &str = "fp:w=v";
+const LEBESGUE: &str = "lebesgue-singular:a=v";
+const SMALL: &str = "'-1/4 < v < 1/4'";
+const BETWEEN: &str = "'0 < v < 1'";
 const ROOT: &str = "root:-2,0,1:1:2";
 const FALSE_AT_ROOT: &str = "fails reals\n false root:-2,0,1:1:2";
 
@@ -102,6 +116,53 @@ const CLAIMS: &[Claim] = &[
     ("", "'real given'", false, "given = 5", "fails reals\n false 4"),
     ("daubechies:w=v", "'real v'", false, "not orthogonal()", "fails reals\n false root:-3,0,1:1:2"),
     ("daubechies:w=v", "'v > 0'", false, "orthogonal()", "fails reals\n false 2"),
+    ("", SMALL, false, "limit_value(fp, 1/2, w = v) = 1/2 + v", "holds reals"),
+    ("", SMALL, false, "limit_value(fp, 1/2, w = v) = 1/2 - v", "fails reals\n false 1/8"),
+    (FP, SMALL, false, "limit_value(1/4) = 3/4 + 3*v/2", "holds reals"),
+    (FP, SMALL, false, "limit_value(1/4) >= 3/4", "fails reals\n false -1/8"),
+    (FP, "'0 <= v < 1/4'", false, "limit_value(1/4) >= 3/4", "holds reals"),
+    (FP, SMALL, false, "limit_value(3) = 0", "holds reals"),
+    (FP, "'-1/8 < v < 1/8'", false, "limit_value(1/2)^2 != 2/3", "holds reals"),
+    (FP, "'-1/8 < v < 1/8'", false, "8*limit_value(1/2)^2 != 3", "fails reals\n false root:-1,8,8:0:1/8"),
+    ("", "'-1/8 < v < 1/8'", false, "integral(fp, -3, 3, w = v) = 1", "holds reals"),
+    ("", "'-1/8 < v < 1/8'", false, "integral(fp, -3, 3, w = v) > 1", "fails reals\n false 1/16"),
+    ("", "'1/100 < v < 1/8'", false, "not positive(fp, w = v)", "holds reals"),
+    ("", "'1/100 < v < 1/8'", false, "positive(fp, w = v)", "fails reals\n false 1/16"),
+    (FP, "'0 <= v < 1/8'", false, "not positive()", "fails reals\n false 0"),
+    (FP, "'0 < v < 1/8'", false, "not monotone()", "holds reals"),
+    (FP, "'-1/8 < v < 1/8'", false, "convex() <= (1 - v^2)^2", "holds reals"),
+    (FP, "'-1/8 < v < 1/8'", false, "not convex()", "fails reals\n false 0"),
+    ("", "'0 < v < 1/2'", false, "positive(corner-cutting, w = v)", "holds reals"),
+    ("", "'0 < v < 1/2'", false, "not positive(corner-cutting, w = v)", "fails reals\n false 1/4"),
+    ("corner-cutting:w=v", "'0 < v < 1/2'", false, "limit_value(0) = 1/2", "holds reals"),
+    ("corner-cutting:w=v", "'0 < v < 1/2'", false, "limit_value(0) = 2*v", "fails reals\n false 1/3"),
+    ("corner-cutting:w=v", "'1/4 < v < 1/2'", false, "not convex()", "holds reals"),
+    (LEBESGUE, BETWEEN, false, "limit_value(-1/2) = v", "holds reals"),
+    (LEBESGUE, BETWEEN, false, "limit_value(-1/2) = 1/2", "fails reals\n false 1/3"),
+    (LEBESGUE, BETWEEN, false, "limit_value(-3/4) = v^2", "holds reals"),
+    (LEBESGUE, BETWEEN, false, "limit_value(-1/4) = v + (1 - v)*v", "holds reals"),
+    (LEBESGUE, BETWEEN, false, "2*limit_value(-3/4) != 1", "fails reals\n false root:-1,0,2:0:1"),
+    (LEBESGUE, BETWEEN, false, "(2*limit_value(-3/4) - 1)^2 >= 0", "holds reals"),
+    (LEBESGUE, BETWEEN, false, "integral(-1, 0) = v", "holds reals"),
+    (LEBESGUE, BETWEEN, false, "integral(-1, 0) = 1 - v", "fails reals\n false 1/3"),
+    (LEBESGUE, BETWEEN, false, "integral(-7, -1/2) = v^2/2", "holds reals"),
+    (LEBESGUE, BETWEEN, false, "2*integral(-1, 0)^2 != 1", "fails reals\n false root:-1,0,2:0:1"),
+    (LEBESGUE, BETWEEN, false, "(2*integral(-1, 0)^2 - 1)^2 >= 0", "holds reals"),
+    (LEBESGUE, BETWEEN, false, "monotone()", "holds reals"),
+    (LEBESGUE, BETWEEN, false, "not monotone()", "fails reals\n false 1/3"),
+    (LEBESGUE, BETWEEN, false, "not convex()", "fails reals\n false 1/2"),
+    (LEBESGUE, "'0 < v < 1/2'", false, "not convex()", "holds reals"),
+    ("raised:w=v", BETWEEN, false, "limit_value(1/2, derivative = 1) = 1 - 2*v", "holds reals"),
+    ("raised:w=v", BETWEEN, false, "limit_value(1/2, derivative = 1) > 0", "fails reals\n false 1/2"),
+    ("raised:w=v", BETWEEN, false, "limit_value(0) = v", "holds reals"),
+    ("leaning:w=v", BETWEEN, false, "convex()", "holds reals"),
+    ("leaning:w=v", BETWEEN, false, "not convex()", "fails reals\n false 1/2"),
+    ("leaning:w=v", "'-1/4 < v < 0'", false, "not convex()", "holds reals"),
+    ("leaning:w=v", "'-1/4 < v < 0'", false, "convex()", "fails reals\n false -1/8"),
+    ("leaning:w=v", "'-1/2 < v < 3/2'", false, "limit_value(1) = v", "holds reals"),
+    ("leaning:w=v", "'-1/2 < v < 3/2'", false, "limit_value(1) = 1 - v", "fails reals\n false 0"),
+    (LEBESGUE, BETWEEN, false, "inner_product(-1, with = box) = v", "holds reals"),
+    (LEBESGUE, BETWEEN, false, "inner_product(-1, with = box) = 1/2", "fails reals\n false 1/3"),
 ];
 
 fn fields((scheme, of, only, states, _): &Claim) -> String {
@@ -314,7 +375,14 @@ fn no_constants() {
 fn what_has_no_value_is_left_open() {
     for (scheme, of, states) in [
         (FP, "'real v'", "hoelder() >= -1"),
-        (FP, "'0 < v < 1/16'", "positive()"),
+        (FP, "'0 < v < 1/16'", "overshoot() >= 1"),
+        (FP, "'0 < v < 1/16'", "limit_value(1/3) > 0"),
+        (FP, "'0 < v < 1/16'", "limit_value(v) > 0"),
+        (FP, "'0 < v < 1/16'", "limit_value(1, derivative = 2) < 0"),
+        (LEBESGUE, "'0 < v < 1'", "inner_product(0) > 0"),
+        (LEBESGUE, "'0 < v < 1'", "riesz_upper() = 1"),
+        (LEBESGUE, "'0 < v <= 1'", "limit_value(-1/2) = v"),
+        ("bent:w=v", "'1 < v < 2'", "limit_value(0) = 1"),
         (FP, "'real v'", "limit_value(0) = 1"),
         (FP, "'real v'", "independent()"),
         (FP, "'real v'", "eigenvalue(1) >= 0"),

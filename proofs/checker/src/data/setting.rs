@@ -1,7 +1,7 @@
 //! The setting of a witness: the masks or the ring that refine control data.
 
 use super::functional::Rules;
-use crate::numbers::Value;
+use crate::numbers::Piece;
 use crate::schemes::{Library, LocalRules, Scheme, Sequence};
 use crate::text::{Checked, Reason, Stop, require};
 use std::rc::Rc;
@@ -36,16 +36,36 @@ impl<'a> Setting<'a> {
     }
 }
 
+/// The most of them for a mask with the symbol of a piece.
+const MAX_CLASSES_ON_PIECE: usize = 1 << 8;
+
 /// Whether T_c < 1 for some n^c ≤ 4096, or by a line `constant`.
 pub fn converges(library: &Library<'_>, scheme: &Scheme) -> Result<bool, Stop> {
     let rules = &scheme.difference[..];
-    if library.products.contract(Sequence { rules, forward: false }) {
-        return Ok(true);
-    }
+    let of = Sequence { rules, forward: false };
+    Ok(library.products.contract(of) || contracts(library, of, MAX_CLASSES, None)?)
+}
+
+/// Whether T_c < 1 on a piece for some n^c ≤ 256.
+pub fn converges_on(
+    library: &Library<'_>,
+    scheme: &Scheme,
+    piece: &Piece<'_>,
+) -> Result<bool, Stop> {
+    let of = Sequence { rules: &scheme.difference, forward: false };
+    contracts(library, of, MAX_CLASSES_ON_PIECE, Some(piece))
+}
+
+/// Whether T_c < 1 for some c with so many residue classes.
+fn contracts(
+    library: &Library<'_>,
+    of: Sequence<'_>,
+    most: usize,
+    piece: Option<&Piece<'_>>,
+) -> Result<bool, Stop> {
     let mut c = 1;
-    while scheme.arity().saturating_pow(c) <= MAX_CLASSES {
-        let greatest = library.products.greatest(rules, &Value::int(c.into()))?;
-        if greatest.compare(&Value::int(1))?.is_lt() {
+    while of.rules.len().saturating_pow(c) <= most {
+        if library.products.are_below_one(of, c, piece)? {
             return Ok(true);
         }
         c += 1;

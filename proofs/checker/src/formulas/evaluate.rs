@@ -2,7 +2,7 @@
 
 use super::definitions::{Definitions, names as names_in};
 use super::formula::{Expr, Head, differences};
-use super::range::{Range, range};
+use super::range::{Range, of_nothing, range};
 use super::reading::Reading;
 use crate::numbers::{Meter, Piece, Value};
 use crate::schemes::{Ring, Scheme};
@@ -286,7 +286,7 @@ impl<'a> Scope<'a> {
         let to = self.evaluate(to, indices)?.integer(MAX_INTEGER)?;
         let range = Range { index, ends: [from, to], others: indices, value: Value::int };
         range.total(
-            (fold == "sum").then(|| Value::int(0)),
+            of_nothing(fold).map(Value::int),
             |indices| self.evaluate(body, indices),
             |total, term| self.join(fold, total, term),
         )
@@ -304,12 +304,17 @@ impl<'a> Scope<'a> {
         Ok(())
     }
 
-    /// The `sum`, `max` or `min` of two values.
+    /// The `sum`, `product`, `max` or `min` of two values.
     pub fn join(&self, fold: &str, a: &Value, b: &Value) -> Result<Value, Stop> {
         match fold {
             "sum" => {
                 self.spend(a.cost_of_sum(b))?;
                 a.plus(1, b)
+            }
+            "product" => {
+                // Fractions need their common divisors, and irrational numbers their coordinates.
+                self.spend(a.steps(b).saturating_add(a.cost_of_sum(b)))?;
+                a.times(b)
             }
             "max" => a.max(b, self.piece.as_ref()),
             _ => a.negated()?.max(&b.negated()?, self.piece.as_ref())?.negated(),

@@ -33,7 +33,7 @@ pub enum Head {
     Power,
     /// A function, with its options.
     Call(String, Vec<(String, String)>),
-    /// `sum`, `max` or `min` over an index. The values are the first and last index and the body.
+    /// `sum`, `product`, `max` or `min` over an index. The values are the first and last index and the body.
     Over(String, String),
 }
 
@@ -217,11 +217,12 @@ impl Parser {
         if !self.text.token("(") {
             return Ok(Expr::Name(if name == "π" { "pi".to_owned() } else { name }));
         }
-        let fold = ["sum", "max", "min"].contains(&name.as_str());
+        let fold = ["sum", "product", "max", "min"].contains(&name.as_str());
         let index = if fold { self.assigned() } else { None };
         let expr = match index {
             Some(index) => self.nested(|parser| parser.over(&name, &index))?,
             None if name == "sum" => return Err("an index, as in sum(h = 1..m, …)"),
+            None if name == "product" => return Err("an index, as in product(h = 1..m, …)"),
             None if name == "root" => self.nested(Self::root)?,
             None => self.nested(|parser| parser.call(&name))?,
         };

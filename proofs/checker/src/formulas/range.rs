@@ -1,4 +1,4 @@
-//! The terms of `sum`, `max` and `min` over an index.
+//! The terms of `sum`, `product`, `max` and `min` over an index.
 
 #![warn(clippy::arithmetic_side_effects)]
 
@@ -8,6 +8,15 @@ use crate::text::Stop;
 /// The first and the last value of an index, and the formula of its terms.
 pub fn range(parts: &[Expr]) -> Result<&[Expr; 3], Stop> {
     parts.try_into().map_err(|_| Stop::Wrong("a range is missing".into()))
+}
+
+/// What a fold over an empty range gives, if it has a value there.
+pub fn of_nothing(fold: &str) -> Option<i64> {
+    match fold {
+        "sum" => Some(0),
+        "product" => Some(1),
+        _ => None,
+    }
 }
 
 /// The values of an index, with those of other indices.

@@ -159,7 +159,7 @@ impl Mask {
     }
 
     /// The same, which have to be numbers but on a piece.
-    fn on(meter: &Meter, scheme: &Scheme, piece: Option<&Piece<'_>>) -> Result<Mask, Stop> {
+    pub fn on(meter: &Meter, scheme: &Scheme, piece: Option<&Piece<'_>>) -> Result<Mask, Stop> {
         if piece.is_none() {
             scheme.numeric()?;
         }

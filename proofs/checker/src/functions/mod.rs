@@ -12,6 +12,7 @@ mod real;
 mod reproduction;
 mod roots;
 mod shape;
+mod shape_on;
 mod steps;
 pub mod sums;
 mod vertices;

@@ -15,6 +15,9 @@ use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive as _;
 
+/// The greatest integer whose factorial is taken.
+const MAX_FACTORIAL: i64 = 1_000;
+
 impl Functions for Library<'_> {
     fn call(&self, scope: &Scope<'_>, of: Asked<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         let mut call = Call::new(self, scope, of);
@@ -66,6 +69,7 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
             let difference = a.minus(b)?;
             Ok(Value::int(difference.number()?.is_zero().into()))
         }
+        ("factorial", [n]) => factorial(scope, within(n, 0, MAX_FACTORIAL)?),
         ("binomial", [top, bottom]) => binomial(scope, top, bottom.integer(10_000)?),
         ("levels", [ratio, x, block @ ..]) if block.len() < 2 => {
             let rounding = call.choose("rounded", &["up", "nearest", "down"])?;
@@ -133,6 +137,11 @@ fn coefficient(product: &Product, l: &Value, f: i64) -> Result<Value, Stop> {
     // The sums of E begin at l = 0.
     let l = within(l, 0, MAX_INTEGER)?;
     usize::try_from(f).map_or(Ok(Value::int(0)), |f| product.at(l, f))
+}
+
+/// n!.
+fn factorial(scope: &Scope<'_>, n: usize) -> Result<Value, Stop> {
+    (1..=n).try_fold(Value::int(1), |product, i| scope.join("product", &product, &number(i)))
 }
 
 /// top(top − 1)…(top − bottom + 1)/bottom!, and 0 for bottom < 0.

@@ -7,24 +7,24 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::call::Call;
-use super::limits::{exists, values};
+use super::limits::{exists, piece_of, values};
 use super::masks::{Mask, quotient};
+use super::shape_on::{LENGTH, MAX_COEFFICIENTS, keeps_on};
 use crate::numbers::{Meter, Q, Value, common_multiple};
 use crate::schemes::{Library, Scheme};
 use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::{One as _, Signed as _, Zero as _};
 
-/// The most coefficients of c_j.
-const MAX_COEFFICIENTS: usize = 16_384;
-
-const LENGTH: Stop = Stop::Capped("the coefficients of differences after some levels");
-
 /// The value of `positive`, `monotone` or `convex`.
 pub fn of(call: &mut Call<'_>) -> Result<Value, Stop> {
     let m = ["positive", "monotone", "convex"].iter().position(|name| *name == call.function);
-    let scheme = call.scheme()?;
-    Ok(Value::int(keeps(call.library, &scheme, m.unwrap_or(0))?.into()))
+    let (scheme, m) = (call.scheme()?, m.unwrap_or(0));
+    let keeps = match piece_of(&scheme, call.piece()) {
+        None => keeps(call.library, &scheme, m)?,
+        Some(piece) => keeps_on(call.library, &scheme, m, piece)?,
+    };
+    Ok(Value::int(keeps.into()))
 }
 
 /// Whether φ ≥ 0 is known.
@@ -41,8 +41,8 @@ fn keeps(library: &Library<'_>, scheme: &Scheme, m: usize) -> Result<bool, Stop>
     let meter = library.meter;
     let mask = Mask::of_numbers(meter, scheme)?;
     let a = integers(meter, &mask.values)?;
-    exists(library, scheme)?;
-    let limit = || integers(meter, &values(library, scheme)?);
+    exists(library, scheme, None)?;
+    let limit = || integers(meter, &values(library, scheme, None)?);
     let Some(b) = divided(meter, &a, mask.arity, m)? else {
         return bends(meter, (&a, mask.arity), &limit()?, m);
     };

@@ -43,6 +43,12 @@ impl<'m> Piece<'m> {
         self.of_masks
     }
 
+    /// Whether it is one number.
+    pub fn is_one(&self) -> bool {
+        let [low, high] = &*self.ends.borrow();
+        low.is_some() && low == high
+    }
+
     /// The cuts, from below.
     pub fn cuts(&self) -> Vec<Root> {
         self.cuts.borrow().clone()
@@ -87,6 +93,14 @@ impl Value {
         match (self.number(), piece) {
             (Err(_), Some(_)) => Ok(self.sign(piece)? == 0),
             _ => Ok(self.is_zero()),
+        }
+    }
+
+    /// Whether it is known to be 0 without a cut: on an interval only the polynomial 0 is.
+    pub fn is_known_zero(&self, piece: Option<&Piece<'_>>) -> Result<bool, Stop> {
+        match piece.filter(|piece| piece.is_one()) {
+            None => Ok(self.is_zero()),
+            one => self.is_zero_on(one),
         }
     }
 

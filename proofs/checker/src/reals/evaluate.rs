@@ -3,7 +3,7 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::known::{Digits, Known};
-use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Range, Scope, range};
+use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Range, Scope, of_nothing, range};
 use crate::functions::real;
 use crate::numbers::{Q, Value};
 use crate::schemes::Library;
@@ -133,7 +133,7 @@ impl<'r> Reals<'r> {
         match name {
             // What it is asked of is an angle.
             "cos" => return Ok(None),
-            "kronecker" | "mod" | "binomial" => {
+            "kronecker" | "mod" | "binomial" | "factorial" => {
                 return Err(Stop::Capped("such a function of real numbers"));
             }
             _ => {}
@@ -158,10 +158,11 @@ impl<'r> Reals<'r> {
         let to = self.scope.evaluate(to, indices)?.integer(MAX_INTEGER)?;
         let range = Range { index, ends: [from, to], others: indices, value: Value::int };
         range.total(
-            (fold == "sum").then(|| self.digits.integer(0)).transpose()?,
+            of_nothing(fold).map(|value| self.digits.integer(value)).transpose()?,
             |indices| self.evaluate(body, indices),
             |total, term| match fold {
                 "sum" => self.digits.sum(total, 1, term),
+                "product" => self.digits.product(total, term),
                 "max" => greater(total, term),
                 _ => lesser(total, term),
             },

@@ -2,6 +2,7 @@
 
 mod catalogue;
 mod convolution;
+mod laurent;
 mod library;
 mod limits;
 mod local_rules;

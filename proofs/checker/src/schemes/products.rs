@@ -92,6 +92,29 @@ impl<'m> Products<'m> {
         self.of_mask(how, of)?.classes(self.meter, piece)
     }
 
+    /// Whether all class sums of a mask at level c are less than 1. No library needs to keep this mask.
+    pub fn are_below_one(
+        &self,
+        of: Sequence<'_>,
+        c: u32,
+        piece: Option<&Piece<'_>>,
+    ) -> Result<bool, Stop> {
+        let (how, values) = (Convolution { c, arity: of.rules.len(), printed: false }, of.values());
+        self.meter.spend(values.len() as u64)?;
+        let product = self.of(how, &values, MAX_LENGTH + 1)?;
+        if product.is_long() {
+            return Err(Stop::Capped("the length of a product of sequences"));
+        }
+        let sums = product.classes(self.meter, piece)?;
+        for unit in &*sums.units {
+            let sum = unit.times(&sums.scale)?;
+            if !sum.compare_on(&Value::int(1), piece)?.is_lt() {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
     /// The greatest class sum of a mask that is not read forwards, at level c.
     pub fn greatest(&self, rules: &[Vec<Value>], c: &Value) -> Result<Value, Stop> {
         self.classes(Sequence { rules, forward: false }, c, None)?.greatest(None)

@@ -50,6 +50,15 @@ pub struct Scheme {
 impl Scheme {
     /// The scheme of a mask.
     pub fn new(mask: Vec<Vec<Value>>, offset: i64) -> Result<Scheme, Stop> {
+        Scheme::on(mask, offset, None)
+    }
+
+    /// The scheme of a mask on a piece, where the rules have to sum to 1.
+    pub fn on(
+        mask: Vec<Vec<Value>>,
+        offset: i64,
+        piece: Option<&Piece<'_>>,
+    ) -> Result<Scheme, Stop> {
         let width = mask.first().map_or(0, Vec::len);
         let even = mask.iter().all(|row| row.len() == width);
         if mask.len() > MAX_ARITY.into() || width > MAX_WIDTH.into() {
@@ -59,14 +68,14 @@ impl Scheme {
             return Err(wrong("the number or the lengths of its rules are wrong"));
         }
         for row in &mask {
-            if Value::total(row)? != Value::int(1) {
+            if !Value::total(row)?.minus(&Value::int(1))?.is_zero_on(piece)? {
                 return Err(wrong("a rule does not sum to 1"));
             }
         }
         Scheme::of(mask, offset)
     }
 
-    /// As [`new`](Self::new), for a mask of which this has been checked.
+    /// As [`new`](Self::new) for a mask of which this has been checked.
     fn of(mask: Vec<Vec<Value>>, offset: i64) -> Result<Scheme, Stop> {
         // b_{n−1,j} = a_{0,j} − Σ_{β<n−1} b_{β,j}
         let (mut difference, mut last) = (Vec::new(), mask[0].clone());

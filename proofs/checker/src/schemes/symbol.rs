@@ -1,11 +1,14 @@
 //! A mask by its symbol Σ_k a_k z^k: the formula is multiplied out.
 
+use super::laurent::{Laurent, POWER, add, constant, negated, sum};
 use super::scheme::{MAX_ARITY, Scheme};
-use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Scope, formula, is_name, names};
+use crate::formulas::{
+    Expr, Head, Indices, MAX_INTEGER, Scope, formula, is_name, names, of_nothing, range,
+};
 use crate::numbers::Value;
 use crate::text::Stop;
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 /// The variable.
@@ -14,25 +17,17 @@ const Z: &str = "z";
 /// The function that gives the symbol of another scheme.
 const OTHER: &str = "symbol";
 
-/// The greatest |k| of a power z^k.
-const MAX_POWER: u64 = 16_384;
-
 /// The greatest |exponent| of what has z in it.
 const MAX_EXPONENT: u64 = 64;
 
 /// How deep the formulas in z may be nested, with those that they name.
 const MAX_DEPTH: usize = 200;
 
-/// The coefficients by the powers of z; none is 0.
-type Laurent = BTreeMap<i64, Value>;
-
 /// What gives the other schemes whose symbols a symbol may name, with values of their parameters.
 pub(super) type Others<'o> = dyn Fn(&str, Indices) -> Result<Rc<Scheme>, Stop> + 'o;
 
 /// What `symbol` takes besides a scheme.
 const MONOMIAL: &str = "`symbol` takes cz^m, c ≠ 0 ≠ m";
-
-const POWER: Stop = Stop::Capped("the powers of z in a symbol");
 
 /// The offset and the rules of a symbol: a_k is in the rule α = k mod n, of the point (α − k)/n. The arity n is stated, or
 /// else the value at z = 1.
@@ -114,25 +109,43 @@ impl Expansion<'_> {
             Expr::Of(head @ Head::Call(function, _), parts) if function == OTHER => {
                 self.other((head, parts), indices, depth)
             }
-            Expr::Of(Head::Over(fold, index), parts) if fold == "sum" && parts.len() == 3 => {
-                if index == Z {
-                    return Err(wrong("`z` is an index"));
-                }
-                self.scope.index(index)?;
-                let [from, to] = [0, 1].map(|end| self.scope.evaluate(&parts[end], indices));
-                let mut total = Laurent::new();
-                for i in from?.integer(MAX_INTEGER)?..=to?.integer(MAX_INTEGER)? {
-                    indices.push((index.clone(), Value::int(i)));
-                    let term = self.of(&parts[2], indices, depth + 1);
-                    indices.pop();
-                    let term = term?;
-                    self.scope.spend((total.len() + term.len()) as u64)?;
-                    total = sum(total.into_iter().chain(term))?;
-                }
-                Ok(total)
+            Expr::Of(Head::Over(fold, index), parts)
+                if of_nothing(fold).is_some() && parts.len() == 3 =>
+            {
+                self.over_index((fold, index), parts, indices, depth)
             }
             _ => Err(wrong("`z` stands where it has no meaning")),
         }
+    }
+
+    /// A sum or a product over an index.
+    fn over_index(
+        &self,
+        (fold, index): (&str, &str),
+        parts: &[Expr],
+        indices: &mut Indices,
+        depth: usize,
+    ) -> Result<Laurent, Stop> {
+        let [from, to, term] = range(parts)?;
+        if index == Z {
+            return Err(wrong("`z` is an index"));
+        }
+        self.scope.index(index)?;
+        let [from, to] = [from, to].map(|end| self.scope.evaluate(end, indices));
+        let mut total = sum([(0, Value::int(of_nothing(fold).unwrap_or(0)))])?;
+        for i in from?.integer(MAX_INTEGER)?..=to?.integer(MAX_INTEGER)? {
+            indices.push((index.to_owned(), Value::int(i)));
+            let term = self.of(term, indices, depth + 1);
+            indices.pop();
+            let term = term?;
+            self.scope.spend((total.len() + term.len()) as u64)?;
+            total = if fold == "product" {
+                self.times(&total, &term)?
+            } else {
+                sum(total.into_iter().chain(term))?
+            };
+        }
+        Ok(total)
     }
 
     /// Whether z or the symbol of another scheme is in a formula, or in what these names in it stand for.
@@ -284,19 +297,6 @@ impl Expansion<'_> {
     }
 }
 
-/// The number, or the polynomial in parameters, that this is without z.
-fn constant(symbol: &Laurent) -> Option<Value> {
-    match (symbol.len(), symbol.get(&0)) {
-        (0, _) => Some(Value::int(0)),
-        (1, found) => found.cloned(),
-        _ => None,
-    }
-}
-
-fn negated(symbol: Laurent) -> Result<Laurent, Stop> {
-    symbol.into_iter().map(|(k, c)| Ok((k, c.negated()?))).collect()
-}
-
 /// Whether a symbol of another scheme is in a formula, without those that names in it stand for.
 fn names_other(expr: &Expr) -> bool {
     let is = |node: &&Expr| matches!(node, Expr::Of(Head::Call(name, _), _) if name == OTHER);
@@ -315,24 +315,4 @@ fn coefficients(scheme: &Scheme) -> Vec<(i64, Value)> {
     all.retain(|(_, value)| !value.is_zero());
     all.sort_by_key(|(k, _)| *k);
     all
-}
-
-/// Adds a term.
-fn add(sum: &mut Laurent, power: i64, c: &Value) -> Result<(), Stop> {
-    if power.unsigned_abs() > MAX_POWER {
-        return Err(POWER);
-    }
-    let known = sum.remove(&power);
-    let value = known.map_or(Ok(c.clone()), |known| known.plus(1, c))?;
-    if !value.is_zero() {
-        sum.insert(power, value);
-    }
-    Ok(())
-}
-
-/// The sum of these terms.
-fn sum(terms: impl IntoIterator<Item = (i64, Value)>) -> Result<Laurent, Stop> {
-    let mut sum = Laurent::new();
-    terms.into_iter().try_for_each(|(power, c)| add(&mut sum, power, &c))?;
-    Ok(sum)
 }

@@ -10,6 +10,9 @@ use std::cmp::Ordering;
 /// The greatest lower index of a binomial coefficient.
 const MAX_BINOMIAL: i64 = 10_000;
 
+/// The greatest integer whose factorial is taken.
+const MAX_FACTORIAL: i64 = 1_000;
+
 /// What functions need beside their arguments.
 #[derive(Clone, Copy)]
 pub struct Call<'m> {
@@ -39,6 +42,7 @@ impl Call<'_> {
                 None => Err(Stop::Undecided("whether two numbers are equal")),
             },
             ("binomial", [top, bottom]) => self.binomial(top, bottom.integer(MAX_BINOMIAL)?),
+            ("factorial", [n]) => self.factorial(n.integer(MAX_FACTORIAL)?),
             ("sqrt", [x]) => x.root(bits),
             ("root", [coefficients @ .., number]) => {
                 let number = number.integer(MAX_INTEGER)?;
@@ -51,13 +55,26 @@ impl Call<'_> {
         }
     }
 
-    /// The `sum`, `max` or `min` of two values.
+    /// The `sum`, `product`, `max` or `min` of two values.
     pub fn join(self, fold: &str, a: &Interval, b: &Interval) -> Result<Interval, Stop> {
         match fold {
             "sum" => a.plus(b, self.bits),
+            "product" => {
+                let steps = (a.size() / 64).saturating_mul(b.size() / 64) / 256;
+                self.meter.spend(steps.saturating_add(1))?;
+                a.times(b, self.bits)
+            }
             "max" => a.max(b, self.bits),
             _ => Ok(a.negated().max(&b.negated(), self.bits)?.negated()),
         }
+    }
+
+    /// n!.
+    fn factorial(self, n: i64) -> Result<Interval, Stop> {
+        if n < 0 {
+            return Err(Stop::Wrong("`factorial` of a negative number".to_owned()));
+        }
+        (1..=n).try_fold(Interval::from(1), |product, i| self.join("product", &product, &i.into()))
     }
 
     /// top(top − 1)…(top − bottom + 1)/bottom!, and 0 for bottom < 0.

@@ -2,7 +2,9 @@
 
 use super::functions::{Call, is_zero};
 use crate::enclosures::{Circle, Interval};
-use crate::formulas::{Definitions, Expr, Head, MAX_INTEGER, Range, names as names_in, range};
+use crate::formulas::{
+    Definitions, Expr, Head, MAX_INTEGER, Range, names as names_in, of_nothing, range,
+};
 use crate::numbers::{Meter, Q};
 use crate::text::Stop;
 use std::cell::{Cell, RefCell};
@@ -147,7 +149,7 @@ impl<'a> Values<'a> {
         let to = self.evaluate(to, indices)?.integer(MAX_INTEGER)?;
         let range = Range { index, ends: [from, to], others: indices, value: Interval::from };
         range.total(
-            (fold == "sum").then(|| Interval::from(0)),
+            of_nothing(fold).map(Interval::from),
             |indices| self.evaluate(body, indices),
             |total, term| self.call.join(fold, total, term),
         )

@@ -2,9 +2,10 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
+use super::polynomials::solve_on;
 use crate::functions::masks::{Mask, signed};
 use crate::functions::steps::{add, over};
-use crate::numbers::{Meter, Value};
+use crate::numbers::{Meter, Piece, Value};
 use crate::text::Stop;
 
 /// The most integers of a support.
@@ -22,7 +23,13 @@ pub fn window(mask: &Mask) -> Result<(i64, i64), Stop> {
 }
 
 /// The values f(i) at the integers of the support, where f(x) = Σ_k a_k f(nx − k) and Σ_i f(i) = 1.
-pub fn at_integers(meter: &Meter, mask: &Mask) -> Result<Vec<Value>, Stop> {
+///
+/// Where the mask has the symbol of a piece, the limit has to be shown to exist: then there is only one solution.
+pub fn at_integers(
+    meter: &Meter,
+    mask: &Mask,
+    piece: Option<&Piece<'_>>,
+) -> Result<Vec<Value>, Stop> {
     let (first, last) = window(mask)?;
     let size = last.checked_sub(first).and_then(|size| usize::try_from(size).ok());
     let size = size.and_then(|size| size.checked_add(1)).ok_or(PLACE)?;
@@ -30,6 +37,11 @@ pub fn at_integers(meter: &Meter, mask: &Mask) -> Result<Vec<Value>, Stop> {
         return Err(Stop::Capped("the unknowns of a limit function"));
     }
     let n = signed(mask.arity)?;
+    if let Some(piece) = piece
+        && let Some(point) = kept_point(mask, piece)?
+    {
+        return (first..=last).map(|i| Ok(Value::int(i64::from(i == point)))).collect();
+    }
     let mut rows = Vec::new();
     for i in first..=last {
         meter.spend(size as u64)?;
@@ -44,8 +56,32 @@ pub fn at_integers(meter: &Meter, mask: &Mask) -> Result<Vec<Value>, Stop> {
     }
     // The coefficients of one class mod n sum to 1, so that all these equations sum to 0, and one of them follows from the
     // others.
-    rows[0] = vec![Value::int(1); size.saturating_add(1)];
+    let sum = vec![Value::int(1); size.saturating_add(1)];
+    if let Some(piece) = piece {
+        rows.push(sum);
+        return solve_on(meter, rows, piece);
+    }
+    rows[0] = sum;
     solve(meter, rows)
+}
+
+/// The integer p for which f(p) = 1 and f = 0 at all others is a solution: a_k = 1 for k = (n − 1)p, and 0 for all other k = ni − p.
+fn kept_point(mask: &Mask, piece: &Piece<'_>) -> Result<Option<i64>, Stop> {
+    let (n, (first, last)) = (signed(mask.arity)?, window(mask)?);
+    for p in first..=last {
+        let kept = n.checked_sub(1).and_then(|below| below.checked_mul(p)).ok_or(PLACE)?;
+        let mut is = mask.at(kept).is_some();
+        for (k, a) in (mask.first..).zip(&mask.values) {
+            let of_class = k.checked_add(p).is_some_and(|at| at.checked_rem_euclid(n) == Some(0));
+            if is && of_class {
+                is = a.minus(&Value::int(i64::from(k == kept)))?.is_known_zero(Some(piece))?;
+            }
+        }
+        if is {
+            return Ok(Some(p));
+        }
+    }
+    Ok(None)
 }
 
 /// The solution of linear equations, if it is the only one. The right side of each comes last.

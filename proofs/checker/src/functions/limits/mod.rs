@@ -6,6 +6,7 @@ mod existing;
 mod integers;
 mod moments;
 mod points;
+mod polynomials;
 mod products;
 mod related;
 mod riesz;
@@ -18,7 +19,7 @@ use crate::numbers::Value;
 use crate::text::Stop;
 use std::rc::Rc;
 
-pub use existing::{exists, values};
+pub use existing::{exists, piece_of, values};
 pub use integers::{solve, window};
 
 /// The greatest degree of a moment.
@@ -38,18 +39,22 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
         }
         ("limit_value", [x]) => {
             let (scheme, order) = (call.scheme()?, call.word("derivative", "0"));
+            let piece = piece_of(&scheme, call.piece());
             let wrong = || Stop::Wrong(format!("`{order}` is no order of a derivative"));
             let order: usize = order.parse().map_err(|_| wrong())?;
             if order > MAX_ORDER {
                 return Err(Stop::Capped("the order of a derivative"));
             }
-            points::derivative(library, &scheme, x, order)?
+            points::derivative(library, (&scheme, piece), x, order)?
         }
-        ("integral", [x, y]) => points::integral(library, &*call.scheme()?, x, y)?,
+        ("integral", [x, y]) => {
+            let scheme = call.scheme()?;
+            points::integral(library, (&scheme, piece_of(&scheme, call.piece())), [x, y])?
+        }
         ("inner_product", [k]) => {
             let (scheme, k) = (call.scheme()?, k.integer(MAX_INTEGER)?);
             let other = call.named("with")?.unwrap_or_else(|| Rc::clone(&scheme));
-            products::inner_product(library, &scheme, &other, k)?
+            products::inner_product(library, (&scheme, &other), k, call.piece())?
         }
         _ => return real(call)?.map(Real::value).transpose(),
     }))

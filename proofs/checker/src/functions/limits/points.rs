@@ -3,12 +3,12 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::existing::{exists, values};
-use super::integers::{PLACE, window};
+use super::integers::{PLACE, at_integers, window};
 use super::related::{antiderivative, derived};
 use crate::functions::call::number;
 use crate::functions::masks::{Mask, signed};
 use crate::functions::steps::{add, plus};
-use crate::numbers::{Meter, Q, Value};
+use crate::numbers::{Meter, Piece, Q, Value, int};
 use crate::schemes::{Library, Scheme};
 use crate::text::Stop;
 use num_bigint::BigInt;
@@ -30,13 +30,18 @@ type Row = (i64, Vec<Value>);
 /// φ^{(m)}(x) = Σ_{i≤m} (−1)^i binomial(m, i) ψ(x − i), where xn^k is an integer for some k up to a cap.
 pub fn derivative(
     library: &Library<'_>,
-    scheme: &Rc<Scheme>,
+    (scheme, piece): (&Rc<Scheme>, Option<&Piece<'_>>),
     x: &Value,
     order: usize,
 ) -> Result<Value, Stop> {
-    exists(library, scheme)?;
-    let scheme = if order == 0 { Rc::clone(scheme) } else { derived(library, scheme, order)? };
-    let (whole, row) = at(library, &scheme, x)?;
+    exists(library, scheme, piece)?;
+    let scheme = match order {
+        0 => Rc::clone(scheme),
+        _ => derived(library, (scheme, piece), order)?,
+    };
+    let known = values(library, &scheme, piece)?;
+    let mask = Mask::on(library.meter, &scheme, piece)?;
+    let (whole, row) = at(library.meter, &mask, &known, x)?;
     let (mut sum, mut place, mut factor) = (Value::int(0), whole, Value::int(1));
     for i in 0..=order {
         add(library.meter, &mut sum, &factor, &of(&row, &place))?;
@@ -51,14 +56,23 @@ pub fn derivative(
 /// ∫_x^y φ(t) dt = Σ_{j≥0} (χ(y − j) − χ(x − j)).
 pub fn integral(
     library: &Library<'_>,
-    scheme: &Scheme,
-    x: &Value,
-    y: &Value,
+    (scheme, piece): (&Scheme, Option<&Piece<'_>>),
+    [x, y]: [&Value; 2],
 ) -> Result<Value, Stop> {
-    exists(library, scheme)?;
-    let scheme = antiderivative(library, scheme)?;
+    exists(library, scheme, piece)?;
+    let (meter, own) = (library.meter, Mask::on(library.meter, scheme, piece)?);
+    let scheme = antiderivative(library, scheme, piece)?;
+    let mask = Mask::on(meter, &scheme, piece)?;
     let below = |x: &Value| {
-        let (whole, (first, values)) = at(library, &scheme, x)?;
+        if let Some(side) = beyond(meter, &own, x)?.filter(|_| piece.is_some()) {
+            return Ok(side);
+        }
+        let known = match piece {
+            None => values(library, &scheme, None)?,
+            // As for numbers, its existence needs no levels of its own.
+            Some(_) => at_integers(meter, &mask, piece)?.into(),
+        };
+        let (whole, (first, values)) = at(meter, &mask, &known, x)?;
         let count = whole - first + 1_i64;
         let count = if count < BigInt::zero() { 0 } else { count.to_usize().unwrap_or(usize::MAX) };
         let mut sum = Value::int(0);
@@ -70,6 +84,15 @@ pub fn integral(
     below(y)?.minus(&below(x)?)
 }
 
+/// The integral over all numbers below x, if x is not between the ends of the support. It is 0 or 1, and needs no values at the integers.
+fn beyond(meter: &Meter, mask: &Mask, x: &Value) -> Result<Option<Value>, Stop> {
+    point(meter, x, mask.arity)?;
+    let place = x.number()?.rational().ok_or(PLACE)? * int(signed(mask.arity)?.saturating_sub(1));
+    let is_below = place <= int(mask.first);
+    let is_above = place >= int(mask.last()?);
+    Ok((is_below || is_above).then(|| Value::int(i64::from(!is_below))))
+}
+
 /// The value of a row at a place.
 fn of((first, values): &Row, place: &BigInt) -> Value {
     let place = (place - first).to_usize();
@@ -77,15 +100,13 @@ fn of((first, values): &Row, place: &BigInt) -> Value {
 }
 
 /// The integer w below x, and the values at x − w + m.
-fn at(library: &Library<'_>, scheme: &Scheme, x: &Value) -> Result<(BigInt, Row), Stop> {
-    let (meter, known) = (library.meter, values(library, scheme)?);
-    let mask = Mask::of_numbers(meter, scheme)?;
+fn at(meter: &Meter, mask: &Mask, known: &[Value], x: &Value) -> Result<(BigInt, Row), Stop> {
     let (whole, digits) = point(meter, x, mask.arity)?;
     // From the integer before the support on, where f = 0 at first.
-    let first = window(&mask)?.0.checked_sub(1).ok_or(PLACE)?;
-    let mut level = [&[Value::int(0)], &known[..]].concat();
+    let first = window(mask)?.0.checked_sub(1).ok_or(PLACE)?;
+    let mut level = [&[Value::int(0)], known].concat();
     for digit in digits.into_iter().rev() {
-        level = coarser(meter, &mask, (first, &level), digit)?;
+        level = coarser(meter, mask, (first, &level), digit)?;
     }
     Ok((whole, (first, level)))
 }

@@ -2,25 +2,25 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::existing::exists;
+use super::existing::{exists, piece_of};
 use super::integers::{PLACE, at_integers, window};
 use super::related::scheme_of;
-use crate::data::converges;
+use crate::data::{converges, converges_on};
 use crate::functions::call::{number, wrong};
 use crate::functions::masks::Mask;
 use crate::functions::steps::{add, over};
-use crate::numbers::{Meter, Value};
+use crate::numbers::{Meter, Piece, Value};
 use crate::schemes::{Integrals, Library, Scheme};
 use crate::text::Stop;
 
 /// ∫ φ(x)ψ(x − k) dx.
 pub fn inner_product(
     library: &Library<'_>,
-    scheme: &Scheme,
-    other: &Scheme,
+    (scheme, other): (&Scheme, &Scheme),
     k: i64,
+    piece: Option<&Piece<'_>>,
 ) -> Result<Value, Stop> {
-    let (first, known) = inner_products(library, scheme, other)?;
+    let (first, known) = inner_products(library, scheme, other, piece)?;
     let place = k.checked_sub(first).and_then(|place| usize::try_from(place).ok());
     Ok(place.and_then(|place| known.get(place)).cloned().unwrap_or_else(|| Value::int(0)))
 }
@@ -30,33 +30,43 @@ pub fn inner_products(
     library: &Library<'_>,
     scheme: &Scheme,
     other: &Scheme,
+    piece: Option<&Piece<'_>>,
 ) -> Result<Integrals, Stop> {
-    let meter = library.meter;
-    let (a, b) = (Mask::of_numbers(meter, scheme)?, Mask::of_numbers(meter, other)?);
+    let (meter, piece_of_other) = (library.meter, piece_of(other, piece));
+    let piece = piece_of(scheme, piece);
+    let (a, b) = (Mask::on(meter, scheme, piece)?, Mask::on(meter, other, piece_of_other)?);
+    let both = piece.or(piece_of_other);
     if a.arity != b.arity {
         return wrong("the two schemes are of two arities");
     }
     let known = scheme.integrals.borrow().get(&std::ptr::from_ref(other)).cloned();
-    if let Some(known) = known {
+    if let (None, Some(known)) = (both, known) {
         return Ok(known);
     }
     let mask = correlation(meter, &a, &b)?;
-    exists(library, &scheme_of(&mask)?)?;
+    exists(library, &scheme_of(&mask, both)?, both)?;
     if !std::ptr::eq(scheme, other) {
-        for (scheme, mask) in [(scheme, &a), (other, &b)] {
-            if !shown(library, scheme)? {
-                exists(library, &scheme_of(&correlation(meter, mask, mask)?)?)?;
+        for (scheme, mask, piece) in [(scheme, &a, piece), (other, &b, piece_of_other)] {
+            if !shown(library, scheme, piece)? {
+                let own = correlation(meter, mask, mask)?;
+                exists(library, &scheme_of(&own, piece)?, piece)?;
             }
         }
     }
-    let found = (window(&mask)?.0, at_integers(meter, &mask)?.into());
-    scheme.integrals.borrow_mut().insert(other, Integrals::clone(&found));
+    let found = (window(&mask)?.0, at_integers(meter, &mask, both)?.into());
+    if both.is_none() {
+        scheme.integrals.borrow_mut().insert(other, Integrals::clone(&found));
+    }
     Ok(found)
 }
 
 /// Whether a scheme is shown to converge; not if that is beyond a cap.
-fn shown(library: &Library<'_>, scheme: &Scheme) -> Result<bool, Stop> {
-    match converges(library, scheme) {
+fn shown(library: &Library<'_>, scheme: &Scheme, piece: Option<&Piece<'_>>) -> Result<bool, Stop> {
+    let found = match piece {
+        None => converges(library, scheme),
+        Some(piece) => converges_on(library, scheme, piece),
+    };
+    match found {
         Err(Stop::Capped(_)) => library.meter.spend(0).map(|()| false),
         found => found,
     }

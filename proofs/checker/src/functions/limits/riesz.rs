@@ -28,7 +28,7 @@ type Bounds = [Q; 2];
 /// The least value, or the greatest one.
 pub fn bound(library: &Library<'_>, scheme: &Scheme, upper: bool) -> Result<Real, Stop> {
     let meter = library.meter;
-    let (first, known) = inner_products(library, scheme, scheme)?;
+    let (first, known) = inner_products(library, scheme, scheme, None)?;
     let polynomial = polynomial(meter, first, &known)?;
     if let [constant] = &polynomial[..] {
         return Ok(Real::Exact(constant.clone()));

@@ -35,13 +35,13 @@ pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
 
 /// The supremum of such a sum. It is 1 if φ ≥ 0, since Σ_k φ(x − k) = 1.
 fn greatest(library: &Library<'_>, scheme: &Scheme, sum: Sum) -> Result<Real, Stop> {
-    exists(library, scheme)?;
+    exists(library, scheme, None)?;
     let meter = library.meter;
     let mask = Mask::of_numbers(meter, scheme)?;
     if is_nonnegative(&mask)? || is_positive(library, scheme)? {
         return Ok(Real::Exact(Value::int(1)));
     }
-    let fixed = Fixed::new(meter, &mask, &values(library, scheme)?)?;
+    let fixed = Fixed::new(meter, &mask, &values(library, scheme, None)?)?;
     let [low, high] = search::greatest(meter, &fixed, sum)?;
     Real::between(low.max(Q::from_integer(1.into())), high)
 }

@@ -11,8 +11,8 @@ use std::collections::{BTreeMap, BTreeSet};
 const MAX_DEPTH: usize = 200;
 
 /// The functions that are not about schemes.
-pub const OF_NUMBERS: [&str; 9] =
-    ["abs", "ceil", "cos", "binomial", "floor", "kronecker", "max", "min", "mod"];
+pub const OF_NUMBERS: [&str; 10] =
+    ["abs", "binomial", "ceil", "cos", "factorial", "floor", "kronecker", "max", "min", "mod"];
 
 /// Whether the value of a table has the degree 1 in a parameter under a reading.
 pub fn is_linear(table: &Table<'_>, name: &str, read: &Read) -> bool {
@@ -128,6 +128,8 @@ impl Form<'_> {
                 "surface_displacement" if !self.schemes => common(parts),
                 _ => None,
             },
+            // A product has as many factors as its range has numbers.
+            Head::Over(fold, _) if fold == "product" => None,
             Head::Over(_, index) => {
                 let free = index != self.name && parts[..2].iter().all(|end| !self.meets(end));
                 if free { of(&parts[2]) } else { None }
