@@ -38,6 +38,7 @@ fn what_holds_holds_and_its_contrary_fails() {
             "contraction(fp, 2, w = v) <= contraction(fp, w = v)^2",
             "contraction(fp, 2, w = v) > contraction(fp, w = v)",
         ),
+        ("-1/8 < v < 1/8", "tensor(fp, w = v) < 9/8", "tensor(fp, w = v) > 1"),
         ("real v", "orthogonal(haar)", "same(fp, w = v, with = haar)"),
     ] {
         for (text, word) in [(text, Word::Holds), (contrary, Word::Fails)] {

@@ -118,6 +118,8 @@ const MAX_SUMMED_CLASSES: usize = 4_096;
 enum BySums {
     Contraction(u32, Order, Terms),
     Norm(u32, Order),
+    /// The product of both.
+    Tensor(u32, Order),
     Displacement(Terms, i64),
 }
 
@@ -136,9 +138,14 @@ pub(crate) fn constant_by_sums<V: Value>(
             let terms = options.terms()?;
             BySums::Displacement(terms, options.offset(mask.offset(), || None)?)
         }
-        (name @ ("tensor" | "surface_displacement"), _) => {
-            return Err(CallError::Misuse(format!("`{name}` is computed for rational masks only")));
+        ("tensor", c @ ([] | [_])) => {
+            let (c, order) = (levels(c)?, options.order()?);
+            if options.suprema()? == Suprema::Joint {
+                return Err(of_rational_masks("tensor` with `suprema = joint"));
+            }
+            BySums::Tensor(c, order)
         }
+        ("surface_displacement", _) => return Err(of_rational_masks("surface_displacement")),
         _ => return Ok(None),
     };
     answered(&asked, &[mask]).map(Some)
@@ -152,11 +159,18 @@ impl Asked for BySums {
             BySums::Contraction(1, _, Terms::Total) => Ok(total_contraction(&mask.difference())),
             BySums::Contraction(_, _, Terms::Total) => Err(total_of_one_level()),
             BySums::Norm(c, order) => norm(mask.rules(), c, order),
+            BySums::Tensor(c, order) => {
+                Ok(norm(&mask.difference(), c, order)?.times(&norm(mask.rules(), c, order)?))
+            }
             BySums::Displacement(terms, offset) => {
                 Ok(displacement(&mask.with_offset(offset), terms))
             }
         }
     }
+}
+
+fn of_rational_masks(what: &str) -> CallError {
+    CallError::Misuse(format!("`{what}` is computed for masks of rational numbers only"))
 }
 
 fn norm<F: Real>(rules: &Rules<F>, c: u32, order: Order) -> Result<F, CallError> {
