@@ -14,7 +14,7 @@ use crate::exact::{
     Scalar as _,
 };
 use crate::finding::{Counterexample, EquationVerdict, OnReals, RealCase};
-use crate::formula::{LocatedFormula, Scope, evaluate};
+use crate::formula::{FormulaErrorKind, LocatedFormula, Scope, evaluate};
 use crate::judge::cases::{Case, Unbounded, beyond, cases};
 use crate::judge::relation::states_nothing;
 use std::collections::BTreeMap;
@@ -167,7 +167,11 @@ impl Line<'_> {
         let scope = self.scope(&functions, &place);
         let value = |formula: &LocatedFormula| {
             evaluate(&formula.expr, &scope).map_err(|error| {
+                let of_number = matches!(error.kind, FormulaErrorKind::DivisionByZero);
                 let error = formula.diagnostic(&error);
+                if !of_number {
+                    return error;
+                }
                 let message = format!("{} for {} = {}", error.message, self.name, place.number());
                 Diagnostic { message, ..error }
             })
