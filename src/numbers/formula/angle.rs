@@ -3,7 +3,7 @@
 use super::ast::Operator;
 use super::builtin::apply;
 use super::error::FormulaErrorKind;
-use super::value::Value;
+use super::values::value::Value;
 use crate::exact::Rational;
 
 /// The name of π, which formulas may use only inside `cos`.

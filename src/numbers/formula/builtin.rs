@@ -3,7 +3,7 @@
 use super::ast::{Operator, OptionWord};
 use super::error::FormulaErrorKind;
 use super::root::{ROOT, SQUARE_ROOT, root, square_root};
-use super::value::Value;
+use super::values::value::Value;
 use crate::exact::{Integer, Rational};
 
 /// The names of the functions.

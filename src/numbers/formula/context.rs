@@ -3,7 +3,7 @@
 
 use super::ast::OptionWord;
 use super::error::CallError;
-use super::value::Value;
+use super::values::value::Value;
 use crate::exact::Rational;
 use std::cell::Cell;
 use std::collections::BTreeMap;

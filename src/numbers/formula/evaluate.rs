@@ -6,7 +6,7 @@ use super::builtin;
 use super::context::{Call, Context, Lookup, Work};
 use super::error::{CallError, FormulaError, FormulaErrorKind};
 use super::hyphens::differences;
-use super::value::Value;
+use super::values::value::Value;
 use crate::exact::Rational;
 
 /// The cap on the work of one evaluation, as counted by [`Work::spent`].

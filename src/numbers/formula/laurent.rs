@@ -4,7 +4,7 @@ use super::ast::Operator;
 use super::builtin::{MAX_BITS, apply};
 use super::error::FormulaErrorKind;
 use super::root_error::RootError;
-use super::value::Value;
+use super::values::value::Value;
 use crate::exact::{CosineError, Integer, Rational, Scalar};
 use std::collections::BTreeMap;
 use std::fmt;

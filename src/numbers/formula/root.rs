@@ -2,7 +2,7 @@
 
 use super::error::FormulaErrorKind;
 use super::root_error::RootError;
-use super::value::Value;
+use super::values::value::Value;
 use crate::exact::{FieldError, Rational};
 
 /// The function whose arguments are a list of coefficients and a number. The list stands first, and its members are

@@ -4,7 +4,7 @@ use super::context::{Call, Context, Lookup, Work};
 use super::error::CallError;
 use super::evaluate::evaluate_with;
 use super::located::LocatedFormula;
-use super::value::Value;
+use super::values::value::Value;
 use std::borrow::Cow;
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};

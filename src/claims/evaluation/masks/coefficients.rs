@@ -1,10 +1,10 @@
 //! Functions of masks that read only coefficients, and compare them.
 
-use super::common::check_size;
+use super::common::check_pair;
 use super::generic::{Asked, answered};
 use crate::evaluation::arguments::{narrow, within};
 use crate::evaluation::options::{Data, Options, Parameters};
-use crate::exact::{Rational, Real, Scalar};
+use crate::exact::{Rational, Real};
 use crate::facts::{centre, is_interpolating};
 use crate::formula::{Call, CallError, Value};
 use crate::scheme::Mask;
@@ -96,20 +96,11 @@ impl Asked for Coefficients {
                 count(degree(Parameters::Natural) + 1)
             }
             Coefficients::Moment(m) => moments(&symbol, *m).pop().unwrap_or_else(F::zero),
-            Coefficients::Dual => truth(are_dual(&symbol, mask, masks.last().unwrap_or(mask))?),
+            Coefficients::Dual => {
+                let second = masks.last().unwrap_or(mask);
+                check_pair(mask, second)?;
+                truth(symbol.is_dual_to(&Symbol::of(second)))
+            }
         })
     }
-}
-
-fn are_dual<F: Scalar + PartialEq>(
-    symbol: &Symbol<F>,
-    first: &Mask<F>,
-    second: &Mask<F>,
-) -> Result<bool, CallError> {
-    if first.arity() != second.arity() {
-        let message = format!("the arities differ: {} and {}", first.arity(), second.arity());
-        return Err(CallError::Misuse(message));
-    }
-    check_size(first, second)?;
-    Ok(symbol.is_dual_to(&Symbol::of(second)))
 }

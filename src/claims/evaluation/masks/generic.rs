@@ -1,7 +1,7 @@
 //! Functions of masks over any ordered field: of numbers, or of functions of a parameter at a place of it.
 
-use super::common::{IRRATIONAL, numbers};
-use crate::exact::{QuotientAt, Real, Scalar as _};
+use super::common::{IRRATIONAL, converted, numbers};
+use crate::exact::{QuotientAt, Real};
 use crate::formula::{CallError, FormulaErrorKind, Value};
 use crate::scheme::Mask;
 use std::fmt::Display;
@@ -14,7 +14,8 @@ pub(super) trait Asked {
 
 /// The value over the field of the coefficients, which are numbers or functions of one parameter.
 pub(super) fn answered<V: Value>(asked: &impl Asked, masks: &[&Mask<V>]) -> Result<V, CallError> {
-    let located: Option<Vec<Mask<QuotientAt>>> = masks.iter().map(|mask| at_place(mask)).collect();
+    let located: Option<Vec<Mask<QuotientAt>>> =
+        masks.iter().map(|mask| converted(mask, V::at_place)).collect();
     let found = if let Some(masks) = located {
         V::of_place(asked.value(&masks)?)
     } else {
@@ -22,11 +23,4 @@ pub(super) fn answered<V: Value>(asked: &impl Asked, masks: &[&Mask<V>]) -> Resu
         V::of_number(&asked.value(&masks.collect::<Result<Vec<_>, CallError>>()?)?)
     };
     found.ok_or(CallError::Inner(FormulaErrorKind::Unsupported(IRRATIONAL)))
-}
-
-/// The mask with functions of a parameter for coefficients, at a place of it, if the values are such functions.
-fn at_place<V: Value>(mask: &Mask<V>) -> Option<Mask<QuotientAt>> {
-    let mut all = mask.rules().rows().iter().flatten();
-    let located = all.all(|entry| entry.at_place().is_some());
-    located.then(|| mask.map(|entry| entry.at_place().unwrap_or_else(QuotientAt::zero)))
 }

@@ -22,7 +22,7 @@ use crate::smoothness::{
     integral_symbol, is_independent, shape_kept,
 };
 use coefficients::of_coefficients;
-use common::{MAX_CLASSES, MAX_PLACES, as_rational, check_size};
+use common::{MAX_PLACES, as_rational, check_size, not_shown};
 use generic::answered;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -271,10 +271,7 @@ pub(crate) fn unlimited(error: &LimitError) -> CallError {
             let what = "there is no continuous limit: the multiplicity of the eigenvalue 1";
             CallError::BeyondCap(Cap::new(what, 1))
         }
-        LimitError::NotShown { .. } => {
-            let what = "no contraction constant below 1 is found: the number of residue classes";
-            CallError::BeyondCap(Cap::new(what, MAX_CLASSES))
-        }
+        LimitError::NotShown { .. } => not_shown(),
         LimitError::Window(_) => {
             let what = "the number of points that determine a limit";
             CallError::BeyondCap(Cap::new(what, crate::limit::MAX_WINDOW as u64))

@@ -1,6 +1,6 @@
 //! Values, integrals and inner products of limits of masks that are not rational.
 
-use super::common::{MAX_CLASSES, MAX_PLACES, check_size};
+use super::common::{MAX_PLACES, check_pair, not_shown};
 use super::generic::Asked;
 use crate::cap::Cap;
 use crate::exact::{Rational, Real};
@@ -95,11 +95,7 @@ pub(super) struct InnerProduct {
 impl Asked for InnerProduct {
     fn value<F: Real + PartialEq + Display>(&self, masks: &[Mask<F>]) -> Result<F, CallError> {
         let (first, second) = (&masks[0], masks.last().unwrap_or(&masks[0]));
-        if first.arity() != second.arity() {
-            let message = format!("the arities differ: {} and {}", first.arity(), second.arity());
-            return Err(CallError::Misuse(message));
-        }
-        check_size(first, second)?;
+        check_pair(first, second)?;
         let symbols = [first, second].map(Symbol::of);
         for own in &symbols {
             // φ is in L² if the function of its inner products is continuous.
@@ -119,11 +115,6 @@ fn is_continuous<F: Real + PartialEq + Display>(symbol: &Symbol<F>) -> Result<()
 
 fn converging<F: Real + PartialEq>(mask: &Mask<F>) -> Result<&Mask<F>, CallError> {
     if is_contractive(mask) { Ok(mask) } else { Err(not_shown()) }
-}
-
-fn not_shown() -> CallError {
-    let what = "no contraction constant below 1 is found: the number of residue classes";
-    CallError::BeyondCap(Cap::new(what, MAX_CLASSES))
 }
 
 fn values<F: Real + PartialEq>(symbol: &Symbol<F>) -> Result<LimitValues<F>, CallError> {

@@ -1,11 +1,11 @@
 //! Expressions with square roots and roots of polynomials as values of formulas.
 
-use super::root_error::RootError;
 use super::value::Value;
 use crate::exact::{
     self, CosineError, FieldError, Integer, Rational, Real as _, RealCyclotomic, RealExpression,
     Scalar as _,
 };
+use crate::formula::root_error::RootError;
 
 /// How many binary digits are computed to find a sign. Where they do not decide, a formula has no value.
 const SIGN_BITS: u64 = 10_000;

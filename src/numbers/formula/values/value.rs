@@ -1,11 +1,11 @@
 //! The types of values of formulas.
 
-use super::error::FormulaErrorKind;
-use super::root_error::{RootError, rational_root};
 use crate::exact::{
     CosineError, Integer, Parametric, Polynomial, QuotientAt, Rational, Real, RealCyclotomic,
     Scalar, common_conductor,
 };
+use crate::formula::error::FormulaErrorKind;
+use crate::formula::root_error::{RootError, rational_root};
 
 /// A type of values of formulas. An operation that the type does not have returns `None`.
 pub trait Value: Scalar + std::fmt::Display {

@@ -1,10 +1,10 @@
 //! Real numbers of any kind as values of formulas: known exactly, or enclosed.
 
-use super::root_error::RootError;
 use super::value::Value;
 use crate::exact::{
     CosineError, Enclosure, Integer, Rational, RealCyclotomic, RealExpression, Scalar,
 };
+use crate::formula::root_error::RootError;
 use std::cmp::Ordering;
 use std::fmt;
 

@@ -1,9 +1,9 @@
 //! Real algebraic numbers as values of formulas.
 
-use super::error::FormulaErrorKind;
-use super::root_error::RootError;
 use super::value::Value;
 use crate::exact::{AlgebraicNumber, Enclosed as _, Integer, Rational, Real as _};
+use crate::formula::error::FormulaErrorKind;
+use crate::formula::root_error::RootError;
 
 impl Value for AlgebraicNumber {
     fn as_rational(&self) -> Option<Rational> {
