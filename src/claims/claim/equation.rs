@@ -62,7 +62,7 @@ pub struct Identity {
     /// What is compared: of an equation one pair of sides, of `a < b <= c` two.
     pub comparisons: Vec<Comparison>,
     /// The text of a relation.
-    pub states: Option<String>,
+    pub states: Option<Vec<String>>,
     /// Whether it is claimed to be false for all other real numbers than the values of its only index.
     pub only: bool,
 }

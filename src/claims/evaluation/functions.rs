@@ -3,7 +3,7 @@
 use crate::formula::CallError;
 
 /// The calls of all functions, each with its meaning, for help texts.
-pub const QUANTITIES: [(&str, &str); 47] = [
+pub const QUANTITIES: [(&str, &str); 53] = [
     ("contraction(c, order = adjoint|forward)", "T_c; with `terms = total` and c = 1, max |Σ b|"),
     ("norm(c, order = adjoint|forward)", "Λ_c, the norm of the scheme"),
     ("tensor(c, order = …, suprema = independent|joint)", "T_c·Λ_c of the tensor product"),
@@ -82,6 +82,12 @@ pub const QUANTITIES: [(&str, &str); 47] = [
     ("positive()", "1 if the limits of all non-negative data are not negative, else 0"),
     ("monotone()", "1 if the limits of all increasing data increase, else 0"),
     ("convex()", "1 if the limits of all convex data are convex, else 0"),
+    ("keeps_ratios(m, r)", "1 if ratios of m-th differences stay between 1/r and r, else 0"),
+    ("vanishing_moments()", "the number of factors 1 - z of the symbol"),
+    ("hurwitz()", "1 if all zeros of the symbol have negative real parts, else 0"),
+    ("modulus(t)", "|a(z)| at z = e^(2πit)"),
+    ("modulus_lower()", "the least value of |a(z)| on the unit circle"),
+    ("modulus_upper()", "the greatest one"),
     ("orthogonal()", "1 if Σ a_k a_(k+nm) is n for m = 0 and else 0, else 0"),
     ("biorthogonal(with = NAME)", "the same of a_k and the b_k of another scheme"),
 ];
@@ -92,6 +98,27 @@ pub(crate) fn name_of(usage: &str) -> &str {
 
 /// The functions that are about no scheme.
 const WITHOUT_SCHEME: [&str; 3] = ["levels", "convolved", "convolution_norm"];
+
+/// The functions of filters, which read coefficients and do not need that rules sum to 1.
+const OF_FILTERS: [&str; 12] = [
+    "arity",
+    "biorthogonal",
+    "coefficient",
+    "hurwitz",
+    "modulus",
+    "modulus_lower",
+    "modulus_upper",
+    "orthogonal",
+    "same",
+    "symbol_at",
+    "symmetric",
+    "vanishing_moments",
+];
+
+/// Whether the function with this name may be about a filter.
+pub(crate) fn takes_filters(function: &str) -> bool {
+    OF_FILTERS.contains(&function)
+}
 
 /// Whether the function with this name may be about a scheme.
 pub(crate) fn is_about_scheme(function: &str) -> bool {

@@ -160,6 +160,18 @@ impl<'a> Library<'a> {
         masks.map(Scheme::of).map_err(Unresolved::Scheme)
     }
 
+    /// The filter that this names, if it is one.
+    pub(crate) fn filter<V: Value + PartialEq>(
+        &self,
+        scheme: &[Instance<V>],
+    ) -> Result<Option<Mask<V>>, SchemeError> {
+        let [instance] = scheme else { return Ok(None) };
+        let definition = self.define(&instance.name)?;
+        let filter =
+            definition.is_filter().then(|| definition.mask_or_filter(&instance.parameters));
+        filter.transpose()
+    }
+
     /// The schemes behind the names of `reference`, their parameters evaluated in
     /// `context`.
     pub(crate) fn instances<V: Value>(

@@ -204,7 +204,7 @@ impl Functions<Parametric> for Constants<'_> {
                 return Err(CallError::Misuse(message));
             }
             _ => {
-                let other = |name: &str| self.coefficients.named(name, context);
+                let other = |name: &str| self.coefficients.named(call.function, name, context);
                 let known = &self.coefficients.shapes.library().limits;
                 shape(mask, || found.difference(), call, &mut options, (other, known))?
             }

@@ -4,7 +4,7 @@ use crate::bound::{Constants, Recursion, convolution_coefficient, sequence};
 use crate::claim::LocatedReference;
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::arguments::{index, narrow, place, within};
-use crate::evaluation::functions::{QUANTITIES, check_name, name_of};
+use crate::evaluation::functions::{QUANTITIES, check_name, name_of, takes_filters};
 use crate::evaluation::library::Library;
 use crate::evaluation::masks::constants::{constant, constant_by_sums, no_level};
 use crate::evaluation::masks::{KnownLimits, of_mask, rational};
@@ -15,7 +15,7 @@ use crate::evaluation::series;
 use crate::evaluation::series::Norms;
 use crate::exact::Rational;
 use crate::formula::{Call, CallError, Context, Functions, RealValue, Value};
-use crate::scheme::{Instance, Mask, Reference, Rules, Scheme};
+use crate::scheme::{Instance, Mask, Reference, Rules};
 use std::borrow::Borrow;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
@@ -41,6 +41,8 @@ pub(crate) enum Own<V> {
 /// A mask over numbers of any kind; its difference mask is computed when it is first used.
 pub(crate) struct Shape<V> {
     pub(crate) mask: Mask<V>,
+    /// Whether its rules may have any sums.
+    is_filter: bool,
     /// The scheme as certificates name it, if its parameters are rational.
     name: Option<String>,
     difference: OnceCell<Rules<V>>,
@@ -49,17 +51,18 @@ pub(crate) struct Shape<V> {
 }
 
 impl<V: Value> Shape<V> {
-    fn new(scheme: &Scheme<V>, instances: &[Instance<V>]) -> Rc<Shape<V>> {
+    fn new(mask: Mask<V>, is_filter: bool, instances: &[Instance<V>]) -> Rc<Shape<V>> {
         let (difference, constants) = Default::default();
         let rational =
             |one: &&Instance<V>| one.parameters.values().all(|value| value.as_rational().is_some());
         let name = instances.first().filter(rational).map(ToString::to_string);
-        Rc::new(Shape { mask: scheme.first().clone(), name, difference, constants })
+        Rc::new(Shape { mask, is_filter, name, difference, constants })
     }
 
     /// The constants of the mask, if it is rational.
     fn constants(&self, library: &Library<'_>) -> Option<&Rc<Constants>> {
-        let constants = || rational(&self.mask).ok().map(|mask| library.constants_of(mask));
+        let mask = || rational(&self.mask).ok().filter(|_| !self.is_filter);
+        let constants = || mask().map(|mask| library.constants_of(mask));
         self.constants.get_or_init(constants).as_ref()
     }
 
@@ -84,6 +87,8 @@ type Known<V> = (Vec<Instance<V>>, Own<V>);
 /// and of the schemes that formulas name.
 pub(crate) struct Shapes<'a, V> {
     library: &'a Library<'a>,
+    /// Whether filters may stand where schemes do.
+    filters: bool,
     own: RefCell<Option<Known<V>>>,
     named: RefCell<Vec<Known<V>>>,
     pub(crate) norms: Norms<V>,
@@ -94,7 +99,12 @@ pub(crate) struct Shapes<'a, V> {
 impl<'a, V: Value + PartialEq> Shapes<'a, V> {
     pub(crate) fn new(library: &'a Library<'a>) -> Shapes<'a, V> {
         let (own, named, norms, used) = Default::default();
-        Shapes { library, own, named, norms, used }
+        Shapes { library, filters: false, own, named, norms, used }
+    }
+
+    /// Those of a relation or an equation, which may name filters.
+    pub(crate) fn with_filters(library: &'a Library<'a>) -> Shapes<'a, V> {
+        Shapes { filters: true, ..Shapes::new(library) }
     }
 
     /// The schemes.
@@ -123,7 +133,13 @@ impl<'a, V: Value + PartialEq> Shapes<'a, V> {
         if self.library.is_ring(instances).map_err(Unresolved::Scheme)? {
             return Ok(Own::Ring(instances.into()));
         }
-        Ok(Own::Mask(Shape::new(&self.library.masks(instances)?, instances)))
+        if self.filters
+            && let Some(filter) = self.library.filter(instances).map_err(Unresolved::Scheme)?
+        {
+            return Ok(Own::Mask(Shape::new(filter, true, instances)));
+        }
+        let mask = self.library.masks(instances)?.first().clone();
+        Ok(Own::Mask(Shape::new(mask, false, instances)))
     }
 
     /// The scheme that a reference in a formula means.
@@ -165,7 +181,7 @@ impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
             return options.finished(as_value(call.function, &value)?);
         }
         let found = self.shape(call, &mut options, context)?;
-        let other = |name: &str| self.named(name, context);
+        let other = |name: &str| self.named(call.function, name, context);
         let value = match found.constants(self.shapes.library) {
             Some(constants) => constant(call, &mut options, constants)?,
             None => constant_by_sums(call, &mut options, &found.mask)?,
@@ -199,8 +215,13 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
     }
 
     /// The mask of the scheme that a name stands for.
-    pub(crate) fn named(&self, name: &str, context: &dyn Context<V>) -> Result<Mask<V>, CallError> {
-        Ok(of_mask_only(name, self.shapes.named(name, context)?)?.mask.clone())
+    pub(crate) fn named(
+        &self,
+        function: &str,
+        name: &str,
+        context: &dyn Context<V>,
+    ) -> Result<Mask<V>, CallError> {
+        Ok(of_mask_only(function, self.shapes.named(name, context)?)?.mask.clone())
     }
 
     /// The scheme that a call is about.
@@ -237,6 +258,7 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
         let library = self.shapes.library;
         match (about(call.function), self.scheme(options, context)?) {
             (Some(About::Ring), Own::Mask(shape)) if is_of_mask_too(call) => {
+                let shape = of_mask_only(call.function, Own::Mask(shape))?;
                 library.reals.eigenvalue(&shape.mask, &call.arguments[0])
             }
             (Some(About::Ring), Own::Ring(ring)) => {
@@ -259,6 +281,11 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
 /// The scheme if it is a mask.
 fn of_mask_only<V>(what: &str, own: Own<V>) -> Result<Rc<Shape<V>>, CallError> {
     match own {
+        Own::Mask(shape) if shape.is_filter && !takes_filters(what) => {
+            Err(CallError::Misuse(format!(
+                "`{what}` is about schemes, and this is a filter, whose rules may have any sums"
+            )))
+        }
         Own::Mask(shape) => Ok(shape),
         Own::Ring(_) => Err(CallError::Misuse(format!(
             "`{what}` is about a mask, and these are rules around a vertex or on a face; their functions are `eigenvalue`, \

@@ -31,7 +31,7 @@ impl<'a> JudgeAlone<'a> for Equation {
         library: &Library<'_>,
     ) -> Result<EquationFinding<'a>, Diagnostic> {
         let id = format!("{}:{}", paper.key, self.id);
-        let shapes = Shapes::new(library);
+        let shapes = Shapes::with_filters(library);
         let verdict = match &self.body {
             EquationBody::NotCheckable(_) => EquationVerdict::NotCheckable,
             EquationBody::Identity(identity) => {

@@ -157,7 +157,7 @@ impl Line<'_> {
     /// The truth of each comparison at a number.
     fn truths(&self, at: RealAlgebraic) -> Result<Truths, Diagnostic> {
         let place = Rc::new(Place::new(at));
-        let shapes = Shapes::new(self.library);
+        let shapes = Shapes::with_filters(self.library);
         let none = Coefficients { shapes: &shapes, own: None };
         let own = match &self.identity.scheme {
             None => None,

@@ -59,7 +59,7 @@ fn on_reals(block: &mut Block, found: &OnReals, body: &EquationBody) {
 
 fn restate(block: &mut Block, identity: &Identity) {
     if let Some(states) = &identity.states {
-        return block.restate("states", states);
+        return states.iter().for_each(|text| block.restate("states", text));
     }
     let equation = identity.first();
     for left in equation.left.formulas() {

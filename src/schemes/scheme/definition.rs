@@ -5,7 +5,7 @@ use super::error::{SchemeError, at_values};
 use super::local::formulas::LocalFormulas;
 use super::mask::{Mask, MaskError};
 use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
-use super::typed::symbol::SymbolFormula;
+use super::typed::symbol::{Arity, SymbolFormula};
 use crate::cap::Cap;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::common_conductor;
@@ -63,6 +63,8 @@ pub struct SchemeDefinition {
     pub facts: CatalogueFacts,
     pub(super) definitions: BTreeMap<String, LocatedFormula>,
     pub(super) offset: Option<LocatedFormula>,
+    /// Whether its rules may have any sums.
+    pub(super) is_filter: bool,
     pub(super) coefficients: Coefficients,
     /// The schemes of whose symbols its own is made.
     pub(super) others: BTreeMap<String, Arc<SchemeDefinition>>,
@@ -121,7 +123,27 @@ impl SchemeDefinition {
         &self,
         values: &BTreeMap<String, V>,
     ) -> Result<Mask<V>, SchemeError> {
+        if self.is_filter {
+            return Err(SchemeError::Filter { scheme: self.name.clone() });
+        }
+        self.mask_or_filter(values)
+    }
+
+    /// The mask, or the coefficients of a filter as rules that may have any sums.
+    ///
+    /// # Errors
+    /// As [`SchemeDefinition::mask`], for all but filters.
+    pub fn mask_or_filter<V: Value + PartialEq>(
+        &self,
+        values: &BTreeMap<String, V>,
+    ) -> Result<Mask<V>, SchemeError> {
         self.mask_within(values, &Cell::new(MAX_OTHERS))
+    }
+
+    /// Whether this is a filter, whose rules may have any sums.
+    #[must_use]
+    pub fn is_filter(&self) -> bool {
+        self.is_filter
     }
 
     /// The mask of a scheme whose symbol that of this one uses, of which so many are `left`.
@@ -173,11 +195,15 @@ impl SchemeDefinition {
             Coefficients::Symbol(symbol) => {
                 let size = |it| self.integer(it, &parameters, &[], "the arity", 2..cap(MAX_ARITY));
                 let stated = symbol.arity.as_ref().map(size).transpose()?;
+                let arity = match (self.is_filter, stated) {
+                    (false, stated) => Arity::OfSum(stated.and_then(|n| usize::try_from(n).ok())),
+                    (true, stated) => Arity::OfFilter(stated.map_or(2, |n| n.unsigned_abs() as usize)),
+                };
                 let composed = Composed {
                     names: self.others.keys().map(String::as_str).collect(),
                     mask: |name: &str, values: &BTreeMap<String, V>| self.other(name, values, left),
                 };
-                let rules = symbol.rules(&self.definitions, &parameters, stated, &composed);
+                let rules = symbol.rules(&self.definitions, &parameters, arity, &composed);
                 let rows;
                 (rows, offset) = rules.map_err(|error| SchemeError::File(Box::new(error)))?;
                 rows
@@ -187,7 +213,9 @@ impl SchemeDefinition {
             }
         };
         let rows = self.in_one_field(rows)?;
-        Mask::new(rows, offset).map_err(|error| {
+        let mask =
+            if self.is_filter { Mask::filter(rows, offset) } else { Mask::new(rows, offset) };
+        mask.map_err(|error| {
             let refusal = self.refusal(&error);
             SchemeError::File(Box::new(at_values(refusal, &parameters)))
         })

@@ -157,6 +157,15 @@ pub enum SchemeError {
         /// The scheme.
         scheme: String,
     },
+    /// A filter, where a scheme is needed.
+    #[error(
+        "`{scheme}` is a filter, whose rules may have any sums, and this needs a scheme; a filter stands in the functions of relations \
+         and equations, and in `symbol(NAME)`"
+    )]
+    Filter {
+        /// Its name.
+        scheme: String,
+    },
     /// A name that stands for a name, and so on, beyond a cap.
     #[error(
         "`{name}` stands at the end of {cap} names of schemes, of which each stands for the next; at most {cap} are followed"

@@ -49,6 +49,8 @@ pub struct SchemeTable {
     pub(super) mask: Option<Spanned<MaskTable>>,
     /// The symbol of the mask, a Laurent polynomial in z: `'z^-1*(1 + z)^3/4'`.
     pub(super) symbol: Option<Spanned<String>>,
+    /// Whether this is a filter: rules with any sums. It has a `symbol`, and the arity 2 if there is no other.
+    pub(super) filter: Option<Spanned<bool>>,
     /// Of a ring: the number of points of each orbit.
     pub(super) orbits: Option<OrbitTable>,
     /// Of a ring: for each orbit of new points, the weights of the orbits of old points.
@@ -178,6 +180,7 @@ impl SchemeTable {
             || self.entry.is_some()
             || self.mask.is_some()
             || self.symbol.is_some()
+            || self.filter.is_some()
             || self.is_ring()
             || !self.parameters.is_empty()
             || !self.definitions.is_empty();
@@ -213,6 +216,7 @@ impl SchemeTable {
             facts: CatalogueFacts::default(),
             definitions,
             offset: own.or(stated),
+            is_filter: self.filter.as_ref().is_some_and(|filter| *filter.get_ref()),
             coefficients,
             others,
         })

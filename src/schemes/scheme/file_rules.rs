@@ -30,6 +30,11 @@ impl SchemeTable {
             )
             .with_help("write `name` and `use` only, or the scheme's own mask"));
         }
+        if let (Some(filter), None) = (&self.filter, &self.symbol) {
+            let message = "a filter is given by its `symbol`";
+            return Err(Diagnostic::new(source, filter.span(), message)
+                .with_help("write filter = true with symbol = '(1 - z)^2/4'"));
+        }
         if self.is_ring() {
             let formulas = self.ring(source)?;
             return Ok((None, Coefficients::LocalRules(Box::new(formulas))));

@@ -73,6 +73,11 @@ impl<S: Scalar + PartialEq + Display> Mask<S> {
 }
 
 impl<S: Scalar> Mask<S> {
+    /// The rules of a filter, which may have any sums. Limits and differences of this have no meaning.
+    pub(super) fn filter(rows: Vec<Vec<S>>, offset: i64) -> Result<Mask<S>, MaskError> {
+        Ok(Mask { rules: Rules::new(rows, offset)? })
+    }
+
     /// The mask as rules.
     #[must_use]
     pub fn rules(&self) -> &Rules<S> {

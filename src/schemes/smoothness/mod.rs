@@ -43,8 +43,8 @@ pub use exponent::{Hoelder, Smoothness, SmoothnessError};
 pub use formula::ExponentFormula;
 pub use functions::{
     BasicError, BasicValues, InnerProductError, InnerProducts, LimitValues, basic,
-    derivative_symbol, integral_symbol, is_contractive, is_shape_kept, moments, riesz_bounds,
-    sobolev_exponent,
+    derivative_symbol, integral_symbol, is_contractive, is_hurwitz, is_shape_kept, keeps_ratios,
+    modulus, modulus_extremes, moments, riesz_bounds, sobolev_exponent, vanishing_moments,
 };
 pub use independence::is_independent;
 pub use map::{MAX_BOXES, MapBox, SmoothMap, smooth_map};

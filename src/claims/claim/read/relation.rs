@@ -24,8 +24,9 @@ claim_table!(RelationTable {
     /// What the paper presupposes, as linear equations.
     #[serde(default)]
     hypotheses: Vec<Spanned<String>>,
-    /// What is claimed: `'0 < contraction(2) <= 1/2'`, `'symmetric()'`, `'sum_rules() in {3, 4}'`.
-    states: Option<Spanned<String>>,
+    /// What is claimed: `'0 < contraction(2) <= 1/2'`, `'symmetric()'`, `'sum_rules() in {3, 4}'`; or a list of such
+    /// texts, which are all claimed.
+    states: Option<Spanned<StatesField>>,
     /// The indices: `'n = 2..8'`, `'n = 2, 4, 8'`, `'(n, v) = (3, 0.41), (4, 0.5)'`, `'all n >= 2'`, `'real v'` or
     /// `'0 < v < 1/4'`, or a list of these.
     r#for: Option<Spanned<ForField>>,
@@ -35,6 +36,12 @@ claim_table!(RelationTable {
     /// In place of `states`: what the paper lacks that the relation would need.
     absent: Option<String>,
 });
+
+one_or_each!(
+    /// A statement, or a list of them.
+    StatesField,
+    "a statement such as 'sum_rules() = 2', or a list of statements that are all claimed"
+);
 
 one_or_each!(
     /// One index, or a list of them.
@@ -103,17 +110,27 @@ impl Reader<'_> {
         &self,
         table: &RelationTable,
         scheme: Option<LocatedReference>,
-        states: &Spanned<String>,
+        states: &Spanned<StatesField>,
     ) -> Result<Identity, Diagnostic> {
         let indices = table.indices().into_iter().map(|(text, span)| self.index_of(text, span));
         let indices = indices.collect::<Result<Vec<Index>, Diagnostic>>()?;
         let (symbols, hypotheses) = self.presupposed(&table.symbols, &table.hypotheses)?;
-        let comparisons = self.comparisons(states)?;
+        let texts = match states.get_ref() {
+            StatesField::One(text) => vec![Spanned::new(states.span(), text.clone())],
+            StatesField::Each(texts) => texts.clone(),
+        };
+        if texts.is_empty() {
+            return Err(self.error(states.span(), "nothing is claimed").with_help(
+                "states = 'sum_rules() = 2', or a list of such texts, which are all claimed",
+            ));
+        }
+        let comparisons = texts.iter().map(|text| self.comparisons(text));
+        let comparisons = comparisons.collect::<Result<Vec<_>, Diagnostic>>()?.concat();
         let only = table.only.as_ref().is_some_and(|only| *only.get_ref());
-        let stated = Some(states.get_ref().clone());
+        let stated = Some(texts.into_iter().map(Spanned::into_inner).collect());
         let identity =
             Identity { scheme, symbols, hypotheses, indices, comparisons, states: stated, only };
-        self.check_reals(table, &identity, states)?;
+        self.check_reals(table, &identity, states.span())?;
         Ok(identity)
     }
 
@@ -122,9 +139,9 @@ impl Reader<'_> {
         &self,
         table: &RelationTable,
         identity: &Identity,
-        states: &Spanned<String>,
+        states: std::ops::Range<usize>,
     ) -> Result<(), Diagnostic> {
-        let place = |span: Option<std::ops::Range<usize>>| span.unwrap_or_else(|| states.span());
+        let place = |span: Option<std::ops::Range<usize>>| span.unwrap_or_else(|| states.clone());
         let reals = identity.indices.iter().filter(|index| matches!(index, Index::Real { .. }));
         let reals = reals.count();
         if identity.only
@@ -153,7 +170,7 @@ impl Reader<'_> {
         if identity.comparisons.iter().any(|comparison| comparison.sign == Sign::Near) {
             let message = "`~` compares a printed number with one value, and there are many here";
             return Err(self
-                .error(states.span(), message)
+                .error(states, message)
                 .with_help("write an interval: `x in [a, b]`"));
         }
         Ok(())

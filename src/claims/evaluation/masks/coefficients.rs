@@ -8,11 +8,17 @@ use crate::exact::{Rational, Real};
 use crate::facts::{centre, is_interpolating};
 use crate::formula::{Call, CallError, Value};
 use crate::scheme::Mask;
-use crate::smoothness::{Symbol, moments, reproduction_degree, reproduction_degree_at};
+use crate::smoothness::{
+    Symbol, is_hurwitz, keeps_ratios, moments, reproduction_degree, reproduction_degree_at,
+    vanishing_moments,
+};
 use std::fmt::Display;
 
 /// The greatest m of a moment.
 const MAX_MOMENT: i64 = 64;
+
+/// The greatest order of differences whose ratios are bounded.
+const MAX_DIFFERENCES: i64 = 8;
 
 /// What is asked of a mask.
 enum Coefficients {
@@ -26,6 +32,10 @@ enum Coefficients {
     Reproduction(Parameters),
     ApproximationOrder(Data),
     Moment(u32),
+    VanishingMoments,
+    Hurwitz,
+    /// Whether a bound of the ratios of neighbouring differences of this order is kept.
+    KeepsRatios(usize),
     /// Whether it is dual to the last mask: another one, or itself.
     Dual,
 }
@@ -37,7 +47,7 @@ pub(super) fn of_coefficients<V: Value + PartialEq>(
     options: &mut Options<'_>,
     other: impl FnOnce(&str) -> Result<Mask<V>, CallError>,
 ) -> Result<Option<V>, CallError> {
-    let mut second = None;
+    let (mut second, mut others) = (None, Vec::new());
     let asked = match (call.function, call.arguments) {
         ("support", []) => Coefficients::Support,
         ("support_start", []) => Coefficients::SupportStart,
@@ -51,6 +61,13 @@ pub(super) fn of_coefficients<V: Value + PartialEq>(
         ("moment", [m]) => {
             Coefficients::Moment(narrow(within("the order of a moment", m, 0..=MAX_MOMENT)?))
         }
+        ("vanishing_moments", []) => Coefficients::VanishingMoments,
+        ("hurwitz", []) => Coefficients::Hurwitz,
+        ("keeps_ratios", [m, ratio]) => {
+            others.push(ratio);
+            let order = within("the order of differences", m, 0..=MAX_DIFFERENCES)?;
+            Coefficients::KeepsRatios(order)
+        }
         ("orthogonal", []) => Coefficients::Dual,
         ("biorthogonal", []) => {
             let Some(name) = options.take("with") else {
@@ -63,11 +80,15 @@ pub(super) fn of_coefficients<V: Value + PartialEq>(
         _ => return Ok(None),
     };
     let masks: Vec<&Mask<V>> = [mask].into_iter().chain(&second).collect();
-    answered(&asked, &masks).map(Some)
+    answered(&asked, &masks, &others).map(Some)
 }
 
 impl Asked for Coefficients {
-    fn value<F: Real + PartialEq + Display>(&self, masks: &[Mask<F>]) -> Result<F, CallError> {
+    fn value<F: Real + PartialEq + Display>(
+        &self,
+        masks: &[Mask<F>],
+        others: &[F],
+    ) -> Result<F, CallError> {
         let mask = &masks[0];
         let number = |value: Rational| F::from_rational(&value);
         let truth = |holds: bool| number(Rational::from(i64::from(holds)));
@@ -96,6 +117,21 @@ impl Asked for Coefficients {
                 count(degree(Parameters::Natural) + 1)
             }
             Coefficients::Moment(m) => moments(&symbol, *m).pop().unwrap_or_else(F::zero),
+            Coefficients::VanishingMoments => count(vanishing_moments(symbol.coefficients())),
+            Coefficients::Hurwitz => truth(is_hurwitz(&symbol)),
+            Coefficients::KeepsRatios(order) => {
+                let ratio = &others[0];
+                let one = number(Rational::one());
+                if one.greater(ratio) != *ratio {
+                    let message = "a bound r of ratios is 1 or more: they are between 1/r and r";
+                    return Err(CallError::Misuse(message.to_owned()));
+                }
+                truth(keeps_ratios(&symbol, *order, ratio).ok_or_else(|| {
+                    CallError::Undefined(format!(
+                        "the differences of order {order} are refined by no scheme, as there are fewer sum rules"
+                    ))
+                })?)
+            }
             Coefficients::Dual => {
                 let second = masks.last().unwrap_or(mask);
                 check_pair(mask, second)?;

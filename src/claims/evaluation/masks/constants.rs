@@ -148,11 +148,15 @@ pub(crate) fn constant_by_sums<V: Value>(
         ("surface_displacement", _) => return Err(of_rational_masks("surface_displacement")),
         _ => return Ok(None),
     };
-    answered(&asked, &[mask]).map(Some)
+    answered(&asked, &[mask], &[]).map(Some)
 }
 
 impl Asked for BySums {
-    fn value<F: Real + PartialEq + Display>(&self, masks: &[Mask<F>]) -> Result<F, CallError> {
+    fn value<F: Real + PartialEq + Display>(
+        &self,
+        masks: &[Mask<F>],
+        _: &[F],
+    ) -> Result<F, CallError> {
         let mask = &masks[0];
         match *self {
             BySums::Contraction(c, order, Terms::Each) => norm(&mask.difference(), c, order),

@@ -118,7 +118,7 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
     let truth = |holds: bool| V::from_rational(&Rational::from(i64::from(holds)));
     let keeps = |shape| match as_rational(mask) {
         Some(mask) => known.keeps(mask, shape).map(truth),
-        None => answered(&Keeps { shape }, &[mask]),
+        None => answered(&Keeps { shape }, &[mask], &[]),
     };
     let value = match (call.function, call.arguments) {
         ("coefficient", [k]) => Symbol::of(mask).coefficient(index("a place in the mask", k)?),
@@ -182,7 +182,7 @@ fn limit_value<V: Value>(
 ) -> Result<V, CallError> {
     let x = parameter(x)?;
     let Some(mask) = as_rational(mask) else {
-        return answered(&ValueAt { x: &x, order }, &[mask]);
+        return answered(&ValueAt { x: &x, order }, &[mask], &[]);
     };
     known.limit(mask.clone())?;
     let derived = if order == 0 {
@@ -219,7 +219,7 @@ fn basic_value(mask: &Mask, x: &Rational, known: &KnownLimits) -> Result<Rationa
 fn integral<V: Value>(mask: &Mask<V>, ends: [&V; 2], known: &KnownLimits) -> Result<V, CallError> {
     let ends = [parameter(ends[0])?, parameter(ends[1])?];
     let Some(mask) = as_rational(mask) else {
-        return answered(&Integral { ends: ends.each_ref() }, &[mask]);
+        return answered(&Integral { ends: ends.each_ref() }, &[mask], &[]);
     };
     known.limit(mask.clone())?;
     let symbol = integral_symbol(&Symbol::of(&mask));
@@ -258,7 +258,7 @@ fn inner_product<V: Value>(
     let second = options.take("with").map(|name| other(&name)).transpose()?;
     let second = second.as_ref().unwrap_or(mask);
     let (Some(first), Some(second)) = (as_rational(mask), as_rational(second)) else {
-        return answered(&InnerProduct { k }, &[mask, second]);
+        return answered(&InnerProduct { k }, &[mask, second], &[]);
     };
     let products = known.inner_products((first, second))?;
     products.at(&k).map(|value| V::from_rational(&value)).map_err(|error| unlimited(&error))

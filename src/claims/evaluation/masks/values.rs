@@ -18,7 +18,11 @@ pub(super) struct ValueAt<'x> {
 }
 
 impl Asked for ValueAt<'_> {
-    fn value<F: Real + PartialEq + Display>(&self, masks: &[Mask<F>]) -> Result<F, CallError> {
+    fn value<F: Real + PartialEq + Display>(
+        &self,
+        masks: &[Mask<F>],
+        _: &[F],
+    ) -> Result<F, CallError> {
         let symbol = Symbol::of(converging(&masks[0])?);
         let derived = match self.order {
             0 => symbol,
@@ -50,7 +54,11 @@ pub(super) struct Keeps {
 }
 
 impl Asked for Keeps {
-    fn value<F: Real + PartialEq + Display>(&self, masks: &[Mask<F>]) -> Result<F, CallError> {
+    fn value<F: Real + PartialEq + Display>(
+        &self,
+        masks: &[Mask<F>],
+        _: &[F],
+    ) -> Result<F, CallError> {
         let symbol = Symbol::of(converging(&masks[0])?);
         let kept = is_shape_kept(&symbol, &values(&symbol)?, self.shape);
         kept.map(|kept| F::from_rational(&Rational::from(i64::from(kept)))).ok_or_else(|| {
@@ -66,7 +74,11 @@ pub(super) struct Integral<'x> {
 }
 
 impl Asked for Integral<'_> {
-    fn value<F: Real + PartialEq + Display>(&self, masks: &[Mask<F>]) -> Result<F, CallError> {
+    fn value<F: Real + PartialEq + Display>(
+        &self,
+        masks: &[Mask<F>],
+        _: &[F],
+    ) -> Result<F, CallError> {
         let symbol = integral_symbol(&Symbol::of(converging(&masks[0])?));
         let (first, last) = symbol.support();
         let values = values(&symbol)?;
@@ -93,7 +105,11 @@ pub(super) struct InnerProduct {
 }
 
 impl Asked for InnerProduct {
-    fn value<F: Real + PartialEq + Display>(&self, masks: &[Mask<F>]) -> Result<F, CallError> {
+    fn value<F: Real + PartialEq + Display>(
+        &self,
+        masks: &[Mask<F>],
+        _: &[F],
+    ) -> Result<F, CallError> {
         let (first, second) = (&masks[0], masks.last().unwrap_or(&masks[0]));
         check_pair(first, second)?;
         let symbols = [first, second].map(Symbol::of);

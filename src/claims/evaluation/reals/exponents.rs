@@ -12,7 +12,9 @@ use crate::exact::{
 use crate::formula::{Call, CallError, RealValue, Value};
 use crate::limit::{greatest_of_bounded, greatest_of_step};
 use crate::scheme::{Instance, Mask};
-use crate::smoothness::{ExponentFormula, Smoothness, Symbol, riesz_bounds, sobolev_exponent};
+use crate::smoothness::{
+    ExponentFormula, Smoothness, Symbol, modulus, modulus_extremes, riesz_bounds, sobolev_exponent,
+};
 use crate::spectrum::Spectrum;
 use std::cell::RefCell;
 use std::cmp::Ordering;
@@ -56,12 +58,28 @@ impl KnownReals {
         known: &KnownLimits,
         (name, used): (&Option<String>, &Used),
     ) -> Result<RealValue, CallError> {
+        if let ("modulus", [t]) = (call.function, call.arguments) {
+            let symbol = Symbol::of(&numbers(mask)?);
+            let turn = t.as_rational().ok_or_else(|| {
+                CallError::Misuse(format!("the t of e^(2πit) is a rational number, and not {t}"))
+            })?;
+            let found = modulus(&symbol, &turn).map_err(|error| CallError::Inner(error.into()))?;
+            return Ok(found.into());
+        }
+        if call.function == "modulus" {
+            return Err(CallError::Misuse("write `modulus(t)`: |a(z)| at z = e^(2πit)".to_owned()));
+        }
         if !call.arguments.is_empty() {
             let message = format!("`{}` has no arguments but a scheme", call.function);
             return Err(CallError::Misuse(message));
         }
         if call.function == "sobolev" {
             return sobolev(mask);
+        }
+        if let "modulus_lower" | "modulus_upper" = call.function {
+            let found = modulus_extremes(&Symbol::of(&numbers(mask)?));
+            let [lower, upper] = found.ok_or_else(|| beyond("the degree of a symbol", 48))?;
+            return Ok(if call.function == "modulus_lower" { lower } else { upper }.into());
         }
         let mask = rational(mask)?;
         match call.function {

@@ -10,8 +10,18 @@ pub(crate) use vertices::of_ring;
 use crate::formula::{Call, CallError, FormulaErrorKind, RealValue, Value};
 
 /// The functions of masks among them.
-const OF_MASKS: [&str; 7] =
-    ["smoothness", "hoelder", "sobolev", "riesz_lower", "riesz_upper", "overshoot", "gibbs"];
+const OF_MASKS: [&str; 10] = [
+    "smoothness",
+    "hoelder",
+    "sobolev",
+    "riesz_lower",
+    "riesz_upper",
+    "overshoot",
+    "gibbs",
+    "modulus",
+    "modulus_lower",
+    "modulus_upper",
+];
 
 /// The functions of rings.
 const OF_RINGS: [&str; 4] = ["eigenvalue", "subdominant", "curvature", "limit_weight"];

@@ -158,7 +158,7 @@ pub(crate) fn sides(identity: &Identity) -> Vec<(String, String)> {
         facts.push(("symbols".to_owned(), identity.symbols.join(", ")));
     }
     if let Some(states) = &identity.states {
-        facts.push(("states".to_owned(), states.clone()));
+        facts.extend(states.iter().map(|text| ("states".to_owned(), text.clone())));
         return facts;
     }
     let equation = identity.first();

@@ -61,6 +61,7 @@ pub(super) fn typed(
         facts: CatalogueFacts::default(),
         definitions,
         offset,
+        is_filter: false,
         coefficients,
         others: composed,
     })

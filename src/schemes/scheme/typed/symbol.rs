@@ -28,6 +28,15 @@ pub(in crate::scheme) struct SymbolFormula {
     pub(in crate::scheme) arity: Option<LocatedFormula>,
 }
 
+/// How the arity of a symbol is found.
+#[derive(Clone, Copy)]
+pub(in crate::scheme) enum Arity {
+    /// The coefficients of a scheme add up to it, and it may be stated too.
+    OfSum(Option<usize>),
+    /// That of a filter.
+    OfFilter(usize),
+}
+
 impl SymbolFormula {
     /// The symbol of a text that stands at this place, without an arity.
     ///
@@ -97,7 +106,7 @@ impl SymbolFormula {
         Err(self.error(no_arity(found)).with_help(help))
     }
 
-    /// The rules at these values of the parameters, and the offset; with an arity n that is stated, or else a(1).
+    /// The rules at these values of the parameters, and the offset.
     ///
     /// # Errors
     /// When the formula has no value, or the sum of the coefficients is no arity.
@@ -105,7 +114,7 @@ impl SymbolFormula {
         &self,
         definitions: &BTreeMap<String, LocatedFormula>,
         parameters: &BTreeMap<String, V>,
-        stated: Option<i64>,
+        arity: Arity,
         functions: &dyn Functions<Laurent<V>>,
     ) -> Result<(Vec<Vec<V>>, i64), Diagnostic> {
         let constant =
@@ -127,7 +136,10 @@ impl SymbolFormula {
             return Err(self.error("this symbol is 0").with_help(MASK));
         };
         let coefficients = (low..=high).map(|power| value.coefficient(power)).collect();
-        let arity = self.arity(coefficients, stated.and_then(|n| usize::try_from(n).ok()))?;
+        let arity = match arity {
+            Arity::OfSum(stated) => self.arity(coefficients, stated)?,
+            Arity::OfFilter(arity) => arity,
+        };
         let n = i64::try_from(arity).expect("a small arity");
         Ok(Rules::rows_of_symbol(n, (low, high), |power| value.coefficient(power)))
     }

@@ -1,17 +1,12 @@
 //! Riesz bounds of the shifts of a basic limit function.
 
+use super::extremes::{MAX_DEGREE, extremes};
 use super::integrals::InnerProducts;
-use crate::exact::{Rational, RealCyclotomic, RealExpression, Scalar as _, value_at};
+use crate::exact::{Rational, RealCyclotomic, RealExpression};
 use crate::limit::LimitError;
-
-/// The greatest degree of the cosine polynomial.
-const MAX_DEGREE: usize = 48;
 
 /// The least and the greatest value of Σ_k cos(kξ) ∫ φ(x) φ(x − k) dx for real ξ: the squares of the best constants A and B with
 /// A‖c‖ ≤ ‖Σ c_k φ(· − k)‖ ≤ B‖c‖. `None` beyond the cap of the degree.
-///
-/// With t = cos ξ, this is a polynomial in t on [−1, 1], since cos(kξ) = T_k(t); its extremes are at the ends, or where the
-/// derivative is 0.
 ///
 /// # Errors
 /// As [`InnerProducts::at`].
@@ -34,47 +29,6 @@ pub fn riesz_bounds(
     if last > MAX_DEGREE {
         return Ok(None);
     }
-    let mut polynomial = vec![Rational::zero(); last + 1];
-    let (mut before, mut chebyshev) = (Vec::new(), vec![Rational::one()]);
-    for k in 0..=last {
-        let twice = Rational::from(if k == 0 { 1 } else { 2 });
-        let value = products.at(&Rational::from(k))? * twice;
-        for (sum, c) in polynomial.iter_mut().zip(&chebyshev) {
-            *sum += &(&value * c);
-        }
-        (before, chebyshev) = (chebyshev.clone(), next(&chebyshev, &before));
-    }
-    let one = Rational::one();
-    let ends = [-&one, one.clone()].map(|t| RealExpression::from(value_at(&polynomial, &t)));
-    let [mut least, mut greatest] = ends.clone();
-    if greatest < least {
-        std::mem::swap(&mut least, &mut greatest);
-    }
-    let slope: Vec<RealCyclotomic> =
-        (1..=last).map(|k| RealCyclotomic::from(&polynomial[k] * Rational::from(k))).collect();
-    let ends = [-&one, one].map(RealExpression::from);
-    // A constant has no roots that count.
-    let roots = (1..=last).map_while(|i| RealExpression::root(&slope, i).ok());
-    for root in roots.filter(|root| ends[0] < *root && *root < ends[1]) {
-        let value = polynomial.iter().rev().fold(RealExpression::zero(), |sum, c| {
-            sum.times(&root).plus(&RealExpression::from(c.clone()))
-        });
-        if value < least {
-            least = value;
-        } else if greatest < value {
-            greatest = value;
-        }
-    }
-    Ok(Some([least, greatest]))
-}
-
-/// T_{k+1} = 2t·T_k − T_{k−1}; T_1 = t.
-fn next(now: &[Rational], before: &[Rational]) -> Vec<Rational> {
-    let factor = Rational::from(if before.is_empty() { 1 } else { 2 });
-    let mut next: Vec<Rational> =
-        std::iter::once(Rational::zero()).chain(now.iter().map(|c| c * &factor)).collect();
-    for (sum, c) in next.iter_mut().zip(before) {
-        *sum -= c;
-    }
-    next
+    let product = |k: usize| products.at(&Rational::from(k)).map(RealCyclotomic::from);
+    Ok(extremes(&(0..=last).map(product).collect::<Result<Vec<_>, LimitError>>()?))
 }
