@@ -152,6 +152,12 @@ pub enum Sign {
 }
 
 impl Sign {
+    /// Whether this is one of <, ≤, > and ≥.
+    #[must_use]
+    pub fn is_order(self) -> bool {
+        matches!(self, Sign::Less | Sign::AtMost | Sign::Greater | Sign::AtLeast)
+    }
+
     /// The sign in print.
     #[must_use]
     pub fn mark(self) -> &'static str {

@@ -34,8 +34,8 @@ pub use read::paper_schema;
 pub use read::{MAX_CLAIM_FILE_BYTES, is_id, read_paper, read_paper_file, read_whole_paper};
 pub use regularity::{RegularityCell, RegularityTable};
 pub use smoothness::{
-    ExponentStatement, PrintedExponent, PrintedValences, SmoothRangeStatement, SmoothnessBody,
-    SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
+    ExponentStatement, PrintedExponent, PrintedValences, SmoothRangeStatement,
+    SmoothRegionStatement, SmoothnessBody, SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
 };
 pub use table::{
     Axis, AxisEntry, Cell, Figure, Headers, LocatedReference, Printed, Promise, Table,

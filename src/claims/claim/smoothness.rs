@@ -1,6 +1,7 @@
 //! Claims about the smoothness of the limits of a scheme.
 
 use super::domain::Domain;
+use super::equation::Comparison;
 use super::regularity::RegularityCell;
 use super::table::LocatedReference;
 use crate::exact::{Decimal, LogSum};
@@ -41,6 +42,18 @@ impl SmoothnessClaim {
         match &self.body {
             SmoothnessBody::NotCheckable(absent) => Some(absent),
             SmoothnessBody::Statement(..) => None,
+        }
+    }
+
+    /// The region that it states, if it is about one.
+    #[must_use]
+    pub fn region(&self) -> Option<&SmoothRegionStatement> {
+        match &self.body {
+            SmoothnessBody::Statement(_, statement) => match &**statement {
+                SmoothnessStatement::Region(region) => Some(region),
+                _ => None,
+            },
+            SmoothnessBody::NotCheckable(_) => None,
         }
     }
 
@@ -111,6 +124,8 @@ pub enum SmoothnessStatement {
     },
     /// The values of a parameter for which the limits are C^m.
     Range(Box<SmoothRangeStatement>),
+    /// The values of two parameters for which the limits are C^m.
+    Region(Box<SmoothRegionStatement>),
 }
 
 /// The valences that a claim is about: `5`, `3..50`, or `all` from 3 on.
@@ -152,6 +167,21 @@ pub struct PrintedExponent {
     pub text: String,
     /// Its value.
     pub value: LogSum,
+}
+
+/// All limits are C^m for the values of two parameters that satisfy inequalities.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SmoothRegionStatement {
+    /// The names of the parameters in formulas.
+    pub variables: [String; 2],
+    /// m.
+    pub m: usize,
+    /// The texts of the inequalities.
+    pub texts: Vec<String>,
+    /// The comparisons that they state.
+    pub inequalities: Vec<Comparison>,
+    /// Whether the paper says that the limits are C^m for no other values.
+    pub only: bool,
 }
 
 /// All limits are C^m for the values of a parameter in an interval.

@@ -5,7 +5,9 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::{Library, values};
 use crate::evaluation::parametric::polynomial;
 use crate::evaluation::reference::{Unresolved, located, scheme_error};
-use crate::exact::{Parametric, Rational, RationalPolynomial, RealCyclotomic};
+use crate::exact::{
+    BivariatePolynomial, Parametric, Polynomial, Rational, RationalPolynomial, RealCyclotomic,
+};
 use crate::formula::{Context, LocatedFormula, Scope, Value};
 use crate::scheme::{Instance, LocalRules, Mask, Rules, SchemeError};
 use std::collections::BTreeMap;
@@ -21,10 +23,10 @@ pub(crate) struct LimitScheme<'a> {
 }
 
 impl LimitScheme<'_> {
-    /// The mask, where the variable of a range, if there is one, has this value.
-    pub(crate) fn mask(&self, variable: Option<(&str, &Rational)>) -> Result<Mask, Diagnostic> {
+    /// The mask, where the variables of a range, if there are any, have these values.
+    pub(crate) fn mask(&self, variables: &[(&str, &Rational)]) -> Result<Mask, Diagnostic> {
         let mut scope: Scope<'_, RealCyclotomic> = self.scope()?;
-        if let Some((name, value)) = variable {
+        for (name, value) in variables.iter().copied() {
             scope = scope.with(name, RealCyclotomic::from(value.clone()));
         }
         self.check_one(&scope)?;
@@ -78,8 +80,38 @@ impl LimitScheme<'_> {
     /// The rules, with polynomials in the variable as coefficients.
     pub(crate) fn rules(&self, variable: &str) -> Result<Rules<RationalPolynomial>, Diagnostic> {
         let scope = self.scope()?.with(variable, Parametric::variable());
-        self.check_one(&scope)?;
-        let masks = self.library.instances(&self.located.reference, &scope);
+        let mask = self.open_mask(&scope, variable)?;
+        polynomial(mask.rules()).ok_or_else(|| self.not_polynomial(variable))
+    }
+
+    /// The rules, with polynomials in two variables as coefficients.
+    pub(crate) fn rules_in_plane(
+        &self,
+        variables: [&str; 2],
+    ) -> Result<Rules<BivariatePolynomial>, Diagnostic> {
+        let mut scope = self.scope()?;
+        for name in variables {
+            scope = scope.with(name, Polynomial::variable(name));
+        }
+        let names = variables.join("` and `");
+        let mask = self.open_mask(&scope, &names)?;
+        let rows =
+            mask.rules().rows().iter().map(|row| {
+                row.iter().map(|c| c.in_variables(variables)).collect::<Option<Vec<_>>>()
+            });
+        let rows: Option<Vec<Vec<BivariatePolynomial>>> = rows.collect();
+        let rules = rows.and_then(|rows| Rules::new(rows, mask.offset()).ok());
+        rules.ok_or_else(|| self.not_polynomial(&names))
+    }
+
+    /// The one mask, whose coefficients depend on the open variables.
+    fn open_mask<V: Value + PartialEq>(
+        &self,
+        scope: &Scope<'_, V>,
+        variable: &str,
+    ) -> Result<Mask<V>, Diagnostic> {
+        self.check_one(scope)?;
+        let masks = self.library.instances(&self.located.reference, scope);
         let masks = masks.and_then(|instances| self.library.masks(&instances));
         let masks = masks.map_err(|error| match error {
             // The rules of a scheme of the catalogue sum to 1, unless they are no polynomials.
@@ -90,7 +122,7 @@ impl LimitScheme<'_> {
             }
             other => self.unresolved(&other),
         })?;
-        polynomial(masks.first().rules()).ok_or_else(|| self.not_polynomial(variable))
+        Ok(masks.first().clone())
     }
 
     fn not_polynomial(&self, variable: &str) -> Diagnostic {
@@ -100,7 +132,7 @@ impl LimitScheme<'_> {
         )
     }
 
-    fn scope<V: Value>(&self) -> Result<Scope<'_, V>, Diagnostic> {
+    pub(crate) fn scope<V: Value>(&self) -> Result<Scope<'_, V>, Diagnostic> {
         let mut scope = Scope::new(&self.paper.definitions, &());
         scope = scope.with_formulas(&self.paper.given).with_formulas(self.given);
         let given = values(&self.paper.given)?.into_iter();

@@ -8,7 +8,7 @@ use crate::evaluation::Limits;
 use crate::exact::{IntervalSet, Rational};
 use crate::finding::cell::Direction;
 use crate::finding::reason::Reason;
-use crate::smoothness::SmoothRange;
+use crate::smoothness::{RegionProof, SmoothRange};
 use crate::verdict::Word;
 
 /// The finding about a claim of smoothness.
@@ -82,6 +82,8 @@ pub enum KnownLimits {
     Limits(Box<Limits>),
     /// The limits for all values of a parameter.
     Range(Box<RangeOfLimits>),
+    /// The limits for values of two parameters.
+    Region(Box<RegionOfLimits>),
     /// The surfaces at a vertex or on a face.
     Vertices(Box<Vertices>),
     /// The surfaces there for all values of a parameter, at each valence.
@@ -120,6 +122,19 @@ pub struct RangeOfLimits {
     pub contraction: Option<Contraction>,
 }
 
+/// What is proved of the limits for the values of two parameters.
+#[derive(Clone, Debug)]
+pub struct RegionOfLimits {
+    /// What proves that all limits are C^m in the whole region.
+    pub proof: Option<RegionProof>,
+    /// The corners of the polygon, counterclockwise.
+    pub corners: Vec<[Rational; 2]>,
+    /// A point that refutes the claim.
+    pub witness: Option<Witness<[Rational; 2]>>,
+    /// The points that were tried.
+    pub tried: usize,
+}
+
 /// What is proved of surfaces at a vertex or on a face for the values of a parameter.
 #[derive(Clone, Debug)]
 pub struct RangeAtValence {
@@ -155,11 +170,11 @@ pub struct Contraction {
     pub above: IntervalSet,
 }
 
-/// A value of the parameter that refutes a printed range.
+/// A value of the parameter, or of two, that refutes a printed range.
 #[derive(Clone, Debug)]
-pub struct Witness {
+pub struct Witness<P = Rational> {
     /// The value.
-    pub at: Rational,
+    pub at: P,
     /// Whether it is in the printed range; then the limits are not all C^m there. Otherwise they are, and
     /// the paper says that they are not.
     pub inside: bool,

@@ -81,5 +81,6 @@ pub use parse::parse;
 pub use root_error::RootError;
 pub use scope::{Functions, Scope};
 pub use token::{continues_name, is_identifier, starts_name};
+pub use values::half_planes::{HalfPlanes, Linear, NoPolygon, Pieces};
 pub use values::real::RealValue;
 pub use values::value::Value;

@@ -1,10 +1,11 @@
-//! Ranges of a parameter for which limits are C^m: a contraction, or a value that refutes the range.
+//! Ranges of one parameter or two for which limits are C^m: a contraction, or values that refute the range.
 
 use super::block::Block;
 use super::limits::radius;
 use super::parametric::pieces;
-use crate::audit::{RangeOfLimits, SmoothnessVerdict, Word};
-use crate::claim::SmoothRangeStatement;
+use crate::audit::{RangeOfLimits, RegionOfLimits, SmoothnessVerdict, Witness, Word};
+use crate::claim::{SmoothRangeStatement, SmoothRegionStatement};
+use crate::exact::Rational;
 
 pub(super) fn lines(
     block: &mut Block,
@@ -19,10 +20,7 @@ pub(super) fn lines(
     match (verdict, &known.contraction, &known.witness) {
         (SmoothnessVerdict::Confirmed, Some(contraction), _) if !said.only => {
             block.line(format!("contraction {}", contraction.levels));
-            for g in &contraction.reduction {
-                let g: Vec<String> = g.iter().map(ToString::to_string).collect();
-                block.line(format!("shifts {}", g.join(" ")));
-            }
+            shifts(block, &contraction.reduction);
             pieces(block, &contraction.below, &contraction.above);
             block.line(Word::Confirmed);
         }
@@ -34,23 +32,63 @@ pub(super) fn lines(
         }
         (SmoothnessVerdict::Refuted, _, Some(witness)) => {
             block.line(format!("at {}", witness.at));
-            if let Some(shown) = radius(block, &witness.limits) {
-                let refutes = if witness.inside {
-                    shown.not_continuous.is_some_and(|fails| fails <= said.m)
-                } else {
-                    shown.continuous.is_some_and(|holds| said.m <= holds)
-                };
-                if !refutes {
-                    block.give_up(
-                        "the rational bounds of the joint spectral radius do not show this",
-                    );
-                }
-            }
-            block.line(Word::Refuted);
+            refuting(block, witness, said.m);
         }
         (SmoothnessVerdict::RoundedEnds, ..) => {
             block.give_up("that a range is right up to rounding is not certified");
         }
         _ => block.give_up("there is no rational value that refutes it"),
     }
+}
+
+/// A region of two parameters.
+pub(super) fn region_lines(
+    block: &mut Block,
+    said: &SmoothRegionStatement,
+    scheme: &str,
+    known: &RegionOfLimits,
+    verdict: SmoothnessVerdict,
+) {
+    block.line(format!("variables {}", said.variables.join(" ")));
+    block.restate("scheme", scheme);
+    block.line(format!("smoothness {}", said.m));
+    for text in &said.texts {
+        block.restate("where", text);
+    }
+    match (verdict, &known.proof, &known.witness) {
+        (SmoothnessVerdict::Refuted, _, Some(witness)) => {
+            let [x, y] = &witness.at;
+            block.line(format!("at {x} {y}"));
+            refuting(block, witness, said.m);
+        }
+        (SmoothnessVerdict::Confirmed, Some(proof), _) => {
+            block.line(format!("contraction {}", proof.levels));
+            shifts(block, &proof.reduction);
+            block.line(Word::Confirmed);
+        }
+        _ => block.give_up("there is neither a proof nor a point that refutes it"),
+    }
+}
+
+/// The polynomials by which the symbol is reduced.
+fn shifts(block: &mut Block, reduction: &[Vec<Rational>]) {
+    for g in reduction {
+        let g: Vec<String> = g.iter().map(ToString::to_string).collect();
+        block.line(format!("shifts {}", g.join(" ")));
+    }
+}
+
+/// What is known of the limits at a value that refutes a range.
+fn refuting<P>(block: &mut Block, witness: &Witness<P>, m: usize) {
+    if let Some(shown) = radius(block, &witness.limits) {
+        let refutes = if witness.inside {
+            shown.not_continuous.is_some_and(|fails| fails <= m)
+        } else {
+            shown.continuous.is_some_and(|holds| m <= holds)
+        };
+        if !refutes {
+            block.give_up("the rational bounds of the joint spectral radius do not show this");
+        }
+    }
+    block.line(Word::Refuted);
 }

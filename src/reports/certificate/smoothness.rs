@@ -36,6 +36,9 @@ impl Certified for SmoothnessFinding<'_> {
             (SmoothnessStatement::Range(range), KnownLimits::Range(known)) => {
                 smooth_range::lines(&mut block, range, &scheme, known, self.verdict);
             }
+            (SmoothnessStatement::Region(region), KnownLimits::Region(known)) => {
+                smooth_range::region_lines(&mut block, region, &scheme, known, self.verdict);
+            }
             (SmoothnessStatement::Range(range), KnownLimits::VertexRanges(known)) => {
                 vertex::range_lines(&mut block, range, &scheme, known, self.verdict);
             }
@@ -84,7 +87,7 @@ fn restate(block: &mut Block, statement: &SmoothnessStatement) {
                 }
             }
         },
-        SmoothnessStatement::Range(_) => {}
+        SmoothnessStatement::Range(_) | SmoothnessStatement::Region(_) => {}
     }
 }
 
@@ -114,7 +117,7 @@ fn of_limits(
             let found = if diverges { Some(SmoothnessVerdict::Refuted) } else { found };
             found.filter(|found| attained.is_none() || *found == SmoothnessVerdict::Refuted)
         }
-        SmoothnessStatement::Range(_) => None,
+        SmoothnessStatement::Range(_) | SmoothnessStatement::Region(_) => None,
     };
     if let SmoothnessStatement::Exponent { exponent, .. } = statement
         && bases(exponent).any(|base| base != known.mask.arity())

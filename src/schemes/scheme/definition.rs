@@ -197,7 +197,9 @@ impl SchemeDefinition {
                 let stated = symbol.arity.as_ref().map(size).transpose()?;
                 let arity = match (self.is_filter, stated) {
                     (false, stated) => Arity::OfSum(stated.and_then(|n| usize::try_from(n).ok())),
-                    (true, stated) => Arity::OfFilter(stated.map_or(2, |n| n.unsigned_abs() as usize)),
+                    (true, stated) => {
+                        Arity::OfFilter(stated.map_or(2, |n| n.unsigned_abs() as usize))
+                    }
                 };
                 let composed = Composed {
                     names: self.others.keys().map(String::as_str).collect(),

@@ -49,7 +49,7 @@ pub(super) fn excluded(product: &PolynomialMatrix, degree: usize) -> IntervalSet
 /// Polynomials of which one is at most 0 only where a matrix has an eigenvalue of 1 or more in absolute value:
 /// det(I ∓ P), and C(d, k) ∓ c_k for the coefficients c_k of the characteristic polynomial, which are sums of
 /// C(d, k) products of eigenvalues. `coefficients` are c_d, …, c_1, 1.
-pub(super) fn excluding<P: Scalar + PartialEq>(coefficients: &[P]) -> Vec<P> {
+pub(in crate::smoothness) fn excluding<P: Scalar + PartialEq>(coefficients: &[P]) -> Vec<P> {
     let size = coefficients.len() - 1;
     let small = |x| u32::try_from(x).expect("a small matrix");
     let mut found = at_units(coefficients).to_vec();

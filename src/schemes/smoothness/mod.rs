@@ -25,11 +25,10 @@ mod exponent;
 mod formula;
 mod functions;
 mod independence;
-mod map;
 mod parametric;
+mod plane;
 mod range;
 mod range_error;
-mod region;
 mod reproduction;
 mod search;
 mod shape;
@@ -47,10 +46,11 @@ pub use functions::{
     modulus, modulus_extremes, moments, riesz_bounds, sobolev_exponent, vanishing_moments,
 };
 pub use independence::is_independent;
-pub use map::{MAX_BOXES, MapBox, SmoothMap, smooth_map};
+pub use plane::{
+    Certain, MAX_BOXES, MapBox, RegionProof, Sides, SmoothMap, polygon_contraction, smooth_map,
+};
 pub use range::{SmoothRange, smooth_range};
 pub use range_error::SmoothRangeError;
-pub use region::{Certain, Sides};
 pub use reproduction::{reproduction_degree, reproduction_degree_at};
 pub use shape::{Kept, Shape, shape_kept};
 pub use special::{SpecialValue, SpecialValues};

@@ -8,17 +8,17 @@ use crate::exact::{BivariatePolynomial, Integer, Rational, RationalPolynomial, S
 use crate::scheme::Rules;
 
 /// A square matrix of polynomials, row by row.
-pub(super) type PolynomialMatrix = Vec<Vec<RationalPolynomial>>;
+pub(in crate::smoothness) type PolynomialMatrix = Vec<Vec<RationalPolynomial>>;
 
 /// The symbol of a mask in parameters, up to a power of z: with polynomials in one or in several.
 #[derive(Clone, Debug)]
-pub(super) struct ParametricSymbol<P = RationalPolynomial> {
+pub(in crate::smoothness) struct ParametricSymbol<P = RationalPolynomial> {
     arity: usize,
     coefficients: Vec<P>,
 }
 
 /// Polynomials in parameters over the rationals.
-pub(super) trait InParameters: Scalar + PartialEq {
+pub(in crate::smoothness) trait InParameters: Scalar + PartialEq {
     /// The coordinates of each of these in one basis: those of the first, those of the second, and so on.
     fn coordinates(all: &[Self]) -> Vec<Vec<Rational>>;
 }
@@ -45,13 +45,13 @@ impl InParameters for BivariatePolynomial {
 }
 
 /// A symbol that polynomials g without parameters do not reduce further.
-pub(super) struct Reduced<P> {
-    pub(super) symbol: ParametricSymbol<P>,
+pub(in crate::smoothness) struct Reduced<P> {
+    pub(in crate::smoothness) symbol: ParametricSymbol<P>,
     /// The polynomials, in the order of the steps.
-    pub(super) steps: Vec<Vec<Rational>>,
+    pub(in crate::smoothness) steps: Vec<Vec<Rational>>,
     /// Whether the roots of one are elements of cycles of z ↦ z^n, so that the convergence of the first symbol does not
     /// follow from that of the reduced one.
-    pub(super) cycles: bool,
+    pub(in crate::smoothness) cycles: bool,
 }
 
 impl<P: InParameters> ParametricSymbol<P> {
@@ -59,7 +59,7 @@ impl<P: InParameters> ParametricSymbol<P> {
     /// values of the parameters, and for m = 0 by those for which it divides A. Then, for m > 0, the shifts are linearly
     /// independent, or as good as that, for all values but the zeros of a polynomial that is not 0:
     /// `proofs/THEOREMS.md`, 112 (c) and (d).
-    pub(super) fn reduced(&self, m: usize) -> Reduced<P> {
+    pub(in crate::smoothness) fn reduced(&self, m: usize) -> Reduced<P> {
         let (n, mut symbol) = (self.arity, self.clone());
         let (mut steps, mut cycles) = (Vec::new(), false);
         if self.over_sigma().is_none() {
@@ -85,7 +85,7 @@ impl<P: InParameters> ParametricSymbol<P> {
     }
 
     /// n^mA/σ^k for k = 0, 1, … up to the order of the sum rules, which is m + 1 at least.
-    pub(super) fn scaled_differences(
+    pub(in crate::smoothness) fn scaled_differences(
         &self,
         m: usize,
         reduced: bool,
@@ -104,14 +104,14 @@ impl<P: InParameters> ParametricSymbol<P> {
 
 impl<P: Scalar + PartialEq> ParametricSymbol<P> {
     /// The symbol of these rules.
-    pub(super) fn of(rules: &Rules<P>) -> ParametricSymbol<P> {
+    pub(in crate::smoothness) fn of(rules: &Rules<P>) -> ParametricSymbol<P> {
         let places = (0..rules.width()).rev();
         let coefficients = places.flat_map(|j| rules.rows().iter().map(move |row| row[j].clone()));
         ParametricSymbol { arity: rules.arity(), coefficients: coefficients.collect() }.trimmed()
     }
 
     /// From the constant term upwards.
-    pub(super) fn coefficients(&self) -> &[P] {
+    pub(in crate::smoothness) fn coefficients(&self) -> &[P] {
         &self.coefficients
     }
 
@@ -126,20 +126,20 @@ impl<P: Scalar + PartialEq> ParametricSymbol<P> {
     }
 
     /// The symbol over σ(z) = 1 + z + … + z^{n−1}, if σ divides it for every value of the parameter.
-    pub(super) fn over_sigma(&self) -> Option<ParametricSymbol<P>> {
+    pub(in crate::smoothness) fn over_sigma(&self) -> Option<ParametricSymbol<P>> {
         let coefficients = over_sigma(&self.coefficients, self.arity)?;
         Some(ParametricSymbol { arity: self.arity, coefficients }.trimmed())
     }
 
     /// This times a number.
-    pub(super) fn scaled(&self, factor: &Rational) -> ParametricSymbol<P> {
+    pub(in crate::smoothness) fn scaled(&self, factor: &Rational) -> ParametricSymbol<P> {
         let factor = P::from_rational(factor);
         let coefficients = self.coefficients.iter().map(|c| c.times(&factor)).collect();
         ParametricSymbol { arity: self.arity, coefficients }
     }
 
     /// Whether one of the n parts is a single coefficient 1: the scheme keeps the points of its data.
-    pub(super) fn is_interpolating(&self) -> bool {
+    pub(in crate::smoothness) fn is_interpolating(&self) -> bool {
         let (zero, one) = (P::zero(), P::from_rational(&Rational::one()));
         (0..self.arity).any(|e| {
             let part = self.coefficients.iter().skip(e).step_by(self.arity);
@@ -151,7 +151,7 @@ impl<P: Scalar + PartialEq> ParametricSymbol<P> {
     ///
     /// # Panics
     /// Never: a mask has no longer rules.
-    pub(super) fn rules(&self) -> Rules<P> {
+    pub(in crate::smoothness) fn rules(&self) -> Rules<P> {
         let width = self.coefficients.len().div_ceil(self.arity).max(1);
         let zero = P::zero();
         let entry = |alpha: usize, j: usize| {
@@ -162,14 +162,14 @@ impl<P: Scalar + PartialEq> ParametricSymbol<P> {
     }
 
     /// The matrices on windows, in the parameters.
-    pub(super) fn matrices(&self) -> Vec<Vec<Vec<P>>> {
+    pub(in crate::smoothness) fn matrices(&self) -> Vec<Vec<Vec<P>>> {
         windows(&self.coefficients, self.arity, &P::zero())
     }
 }
 
 /// The matrices C_0, …, C_D of which a matrix of polynomials is the combination Σ_i C_i·b_i(t), with the
 /// Bernstein polynomials b_i ≥ 0, Σ b_i = 1, where w = a + (b − a)t goes from a to b, and D is the degree.
-pub(super) fn bernstein(
+pub(in crate::smoothness) fn bernstein(
     matrix: &PolynomialMatrix,
     degree: usize,
     (a, b): (&Rational, &Rational),
@@ -198,7 +198,10 @@ fn choose(top: usize, bottom: usize) -> Integer {
 }
 
 /// AB.
-pub(super) fn multiplied<P: Scalar + PartialEq>(a: &[Vec<P>], b: &[Vec<P>]) -> Vec<Vec<P>> {
+pub(in crate::smoothness) fn multiplied<P: Scalar + PartialEq>(
+    a: &[Vec<P>],
+    b: &[Vec<P>],
+) -> Vec<Vec<P>> {
     let zero = P::zero();
     let entry = |row: &Vec<P>, j: usize| {
         let terms = row.iter().zip(b).filter(|(x, _)| **x != zero);

@@ -1,16 +1,17 @@
 //! Reading the claims about a free parameter.
 
-use super::fields::{NumberField, claim_table};
+use super::fields::{NumberField, claim_table, one_or_each};
 use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
 use crate::claim::{
     Domain, FunctionClaim, Limit, Paper, RangeClaim, RangeEnd, SmoothRangeStatement,
-    SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
+    SmoothRegionStatement, SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
 };
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Decimal, RealAlgebraic, RealCyclotomic, parse_decimal};
 use crate::formula::{LocatedFormula, Parameters, evaluate};
 use crate::scheme::{Spanned, formula, identifier};
+use serde::Deserialize;
 use std::ops::Range;
 
 claim_table!(FunctionTable {
@@ -28,9 +29,19 @@ claim_table!(FunctionTable {
     closed: Option<Spanned<bool>>,
 });
 
+one_or_each!(
+    /// An inequality, or a list of them.
+    WhereField,
+    "an inequality such as 'abs(a) + abs(b) < 1/2', or a list of them"
+);
+
 claim_table!(RangeTable {
     /// The free parameter.
-    variable: Spanned<String>,
+    variable: Option<Spanned<String>>,
+    /// In place of `variable`: the names of two parameters, with `where`.
+    variables: Option<Spanned<Vec<Spanned<String>>>>,
+    /// The values of two parameters: `'a + b < 1/2'`, or a list of such inequalities, which all hold.
+    r#where: Option<Spanned<WhereField>>,
     /// The value that is limited.
     value: Option<Spanned<String>>,
     /// In place of `value`: m, where the limits are C^m.
@@ -51,6 +62,10 @@ claim_table!(RangeTable {
     valences: Option<Spanned<String>>,
 });
 
+/// How a region of two parameters is written.
+const VARIABLES: &str = "write variable = \"w\" with from = '0', to = '1/8'; or variables = [\"a\", \"b\"] with smoothness = '1' and \
+                         where = ['abs(a) + abs(b) < 1/2', 'a > 0']";
+
 impl ClaimTable for FunctionTable {
     fn names(&self) -> Vec<(&str, Named)> {
         named([&self.variable], Role::Variable).collect()
@@ -64,10 +79,15 @@ impl ClaimTable for FunctionTable {
 
 impl ClaimTable for RangeTable {
     fn names(&self) -> Vec<(&str, Named)> {
-        named([&self.variable], Role::Variable).collect()
+        let both = self.variables.as_ref().map_or(&[][..], |both| both.get_ref());
+        named(self.variable.iter().chain(both), Role::Variable).collect()
     }
 
     fn read(&self, reader: &Reader<'_>, paper: &mut Paper) -> Result<(), Diagnostic> {
+        if let Some(variables) = &self.variables {
+            paper.smoothness.push(reader.smooth_region(self, variables)?);
+            return Ok(());
+        }
         match (&self.value, &self.smoothness) {
             (Some(value), None) => paper.ranges.push(reader.value_range(self, value)?),
             (None, Some(m)) => paper.smoothness.push(reader.smooth_range(self, m)?),
@@ -125,13 +145,73 @@ impl Reader<'_> {
             return Err(self.no_ends(table));
         }
         let statement = SmoothRangeStatement {
-            variable: identifier(self.source, &table.variable)?,
+            variable: self.variable(table)?,
             m: self.order(m)?,
             domain: self.domain([&table.from, &table.to], table.closed.as_ref())?,
             only: table.only.as_ref().is_some_and(|only| *only.get_ref()),
             valences: table.valences.as_ref().map(|text| self.valences(text)).transpose()?,
         };
         let statement = Ok(SmoothnessStatement::Range(Box::new(statement)));
+        self.about_limits(table.common(), SmoothnessKind::Range, statement)
+    }
+
+    /// The one parameter of a range.
+    fn variable(&self, table: &RangeTable) -> Result<String, Diagnostic> {
+        let needs =
+            |span: Range<usize>, message: &str| self.error(span, message).with_help(VARIABLES);
+        if let Some(inequalities) = &table.r#where {
+            return Err(needs(inequalities.span(), "`where` is about two parameters"));
+        }
+        let variable = table.variable.as_ref();
+        let variable =
+            variable.ok_or_else(|| needs(table.id.span(), "a range needs its `variable`"))?;
+        identifier(self.source, variable)
+    }
+
+    /// The region of two parameters for which the limits are C^m.
+    fn smooth_region(
+        &self,
+        table: &RangeTable,
+        variables: &Spanned<Vec<Spanned<String>>>,
+    ) -> Result<SmoothnessClaim, Diagnostic> {
+        let refused =
+            |span: Range<usize>, message: &str| Err(self.error(span, message).with_help(VARIABLES));
+        let [first, second] = &variables.get_ref()[..] else {
+            return refused(variables.span(), "a region has two parameters");
+        };
+        if first.get_ref() == second.get_ref() {
+            return refused(second.span(), "the two parameters have one name");
+        }
+        let others = [&table.value, &table.below, &table.at_most, &table.valences, &table.variable];
+        let others = others.into_iter().flatten().map(Spanned::span);
+        let ends = [&table.from, &table.to].into_iter().flatten().map(Spanned::span);
+        if let Some(span) =
+            others.chain(ends).chain(table.closed.as_ref().map(Spanned::span)).next()
+        {
+            return refused(span, "this field has no place beside `variables`");
+        }
+        let (Some(m), Some(inequalities)) = (&table.smoothness, &table.r#where) else {
+            return refused(table.id.span(), "a region needs `smoothness` and `where`");
+        };
+        let texts = match inequalities.get_ref() {
+            WhereField::One(text) => vec![Spanned::new(inequalities.span(), text.clone())],
+            WhereField::Each(texts) => texts.clone(),
+        };
+        let mut comparisons = Vec::new();
+        for text in &texts {
+            comparisons.extend(self.inequalities(text)?);
+        }
+        if comparisons.is_empty() {
+            return refused(inequalities.span(), "no inequality bounds the region");
+        }
+        let statement = SmoothRegionStatement {
+            variables: [identifier(self.source, first)?, identifier(self.source, second)?],
+            m: self.order(m)?,
+            texts: texts.into_iter().map(Spanned::into_inner).collect(),
+            inequalities: comparisons,
+            only: table.only.as_ref().is_some_and(|only| *only.get_ref()),
+        };
+        let statement = Ok(SmoothnessStatement::Region(Box::new(statement)));
         self.about_limits(table.common(), SmoothnessKind::Range, statement)
     }
 
@@ -235,7 +315,7 @@ impl Reader<'_> {
             _ => {}
         }
         let Head { id, locus, title, scheme, note } = self.head(table.common())?;
-        let variable = identifier(self.source, &table.variable)?;
+        let variable = self.variable(table)?;
         let value = formula(self.source, value)?;
         let closed = table.closed.as_ref().map(|closed| *closed.get_ref());
         Ok(RangeClaim { id, locus, title, variable, scheme, value, limit, from, to, closed, note })

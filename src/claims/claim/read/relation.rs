@@ -169,9 +169,7 @@ impl Reader<'_> {
         }
         if identity.comparisons.iter().any(|comparison| comparison.sign == Sign::Near) {
             let message = "`~` compares a printed number with one value, and there are many here";
-            return Err(self
-                .error(states, message)
-                .with_help("write an interval: `x in [a, b]`"));
+            return Err(self.error(states, message).with_help("write an interval: `x in [a, b]`"));
         }
         Ok(())
     }
@@ -237,6 +235,21 @@ impl Reader<'_> {
                 Ok(all)
             }
         }
+    }
+
+    /// The comparisons of an inequality `a < b <= c`.
+    pub(super) fn inequalities(
+        &self,
+        text: &Spanned<String>,
+    ) -> Result<Vec<Comparison>, Diagnostic> {
+        let is_chain = matches!(statement(text.get_ref()), Ok(Statement::Chain(..)));
+        let comparisons = self.comparisons(text)?;
+        if is_chain && comparisons.iter().all(|comparison| comparison.sign.is_order()) {
+            return Ok(comparisons);
+        }
+        Err(self
+            .error(text.span(), "this is no inequality")
+            .with_help("write '0 < a + b <= 1', with the signs <, <=, > and >="))
     }
 
     fn no_statement(&self, states: &Spanned<String>, error: NoStatement) -> Diagnostic {

@@ -3,6 +3,7 @@
 mod exponent;
 mod mask;
 mod range;
+mod region;
 mod trial;
 mod vertex_range;
 mod vertices;
@@ -55,10 +56,13 @@ fn of(
     if let SmoothnessStatement::Range(range) = statement {
         return range::judge(scheme, range);
     }
+    if let SmoothnessStatement::Region(region) = statement {
+        return region::judge(scheme, region);
+    }
     if let Some(instances) = scheme.ring_instances::<RealCyclotomic>(None)? {
         return vertices::judge(scheme, &instances, statement);
     }
-    let limits = match limits(scheme.mask(None)?) {
+    let limits = match limits(scheme.mask(&[])?) {
         Ok(limits) => limits,
         Err(capped) => return Ok((SmoothnessVerdict::NotCheckable, KnownLimits::Capped(capped))),
     };
@@ -78,7 +82,9 @@ fn of(
         SmoothnessStatement::Exponent { exponent, attained } => {
             exponent::judge(smoothness, exponent, *attained)
         }
-        SmoothnessStatement::Range(_) => unreachable!("ranges are judged above"),
+        SmoothnessStatement::Range(_) | SmoothnessStatement::Region(_) => {
+            unreachable!("ranges are judged above")
+        }
     };
     Ok((verdict, KnownLimits::Limits(Box::new(limits))))
 }

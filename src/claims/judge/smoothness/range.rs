@@ -37,7 +37,7 @@ pub(super) fn judge(
         Err(capped) => return Ok((SmoothnessVerdict::NotCheckable, KnownLimits::Capped(capped))),
     };
     let at = |at: &Rational| {
-        let Ok(limits) = limits(scheme.mask(Some((variable, at)))?) else { return Ok(None) };
+        let Ok(limits) = limits(scheme.mask(&[(variable, at)])?) else { return Ok(None) };
         Ok(is_continuous(&limits.smoothness, statement.m).map(|smooth| (smooth, limits)))
     };
     let sides = |sets: &SmoothRange| Sides {

@@ -67,6 +67,60 @@ impl BivariatePolynomial {
         let columns: Vec<Vec<Rational>> = (0..=e).map(|l| bernstein(&column(l), x, d)).collect();
         (0..=d).map(|k| columns.iter().map(|column| column[k].clone()).collect()).collect()
     }
+
+    /// The greatest i + j with c_{i,j} ≠ 0; 0 for 0.
+    #[must_use]
+    pub fn total_degree(&self) -> usize {
+        let last = |(i, row): (usize, &Vec<Rational>)| {
+            row.iter().rposition(|c| !c.is_zero()).map(|j| i + j)
+        };
+        self.rows.iter().enumerate().filter_map(last).max().unwrap_or(0)
+    }
+
+    /// The coefficients C_{k,l}, k + l ≤ d, row by row, with which this is Σ C_{k,l} d!/(k! l! (d−k−l)!) s^k t^l (1−s−t)^{d−k−l} at the point
+    /// A + s(B − A) + t(C − A) of a triangle with the corners A, B, C. These Bernstein polynomials are not negative there, and sum to 1.
+    ///
+    /// # Panics
+    /// When d is less than the total degree.
+    ///
+    /// ```
+    /// use subcert::exact::{Polynomial, Rational};
+    ///
+    /// let p = Polynomial::variable("v").in_variables(["v", "w"]).expect("a polynomial");
+    /// let corners = [[2, 0], [3, 1], [5, 0]].map(|corner| corner.map(Rational::from));
+    /// assert_eq!(p.on_triangle(&corners, 1), [2, 5, 3].map(Rational::from));
+    /// ```
+    #[must_use]
+    pub fn on_triangle(&self, corners: &[[Rational; 2]; 3], degree: usize) -> Vec<Rational> {
+        assert!(self.total_degree() <= degree, "a degree of at least that of the polynomial");
+        let [a, b, c] = corners;
+        let line = |i: usize| {
+            BivariatePolynomial::new(vec![vec![a[i].clone(), &c[i] - &a[i]], vec![&b[i] - &a[i]]])
+        };
+        let [x, y] = [line(0), line(1)];
+        let value = |row: &Vec<Rational>| {
+            row.iter()
+                .rev()
+                .fold(Self::zero(), |sum, c| sum.times(&y).plus(&Self::from_rational(c)))
+        };
+        let rows = self.rows.iter().rev();
+        let moved = rows.fold(Self::zero(), |sum, row| sum.times(&x).plus(&value(row)));
+        // s^i t^j = Σ (k)_i (l)_j/(d)_{i+j} B_{k,l}, with the falling factorials (k)_i = k(k−1)…(k−i+1).
+        let falling = |top: usize, count: usize| {
+            (0..count).fold(Rational::one(), |product, i| product * Rational::from(top - i))
+        };
+        let coefficient = |(k, l): (usize, usize)| {
+            let mut sum = Rational::zero();
+            for (i, row) in moved.rows.iter().enumerate().take(k + 1) {
+                for (j, c) in row.iter().enumerate().take(l + 1) {
+                    sum += &(c * falling(k, i) * falling(l, j) / falling(degree, i + j));
+                }
+            }
+            sum
+        };
+        let places = (0..=degree).flat_map(|k| (0..=degree - k).map(move |l| (k, l)));
+        places.map(coefficient).collect()
+    }
 }
 
 fn horner(c: &[Rational], x: &Rational) -> Rational {

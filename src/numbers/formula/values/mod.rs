@@ -2,6 +2,7 @@
 
 mod algebraic;
 mod expression;
+pub(super) mod half_planes;
 mod quotient;
 pub(super) mod real;
 pub(super) mod value;

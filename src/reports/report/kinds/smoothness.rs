@@ -48,6 +48,7 @@ impl<'a> Told<'a> for SmoothnessFinding<'a> {
             KnownLimits::BeyondCap(cap) => Some(cap.to_string()),
             KnownLimits::Limits(_)
             | KnownLimits::Range(_)
+            | KnownLimits::Region(_)
             | KnownLimits::Vertices(_)
             | KnownLimits::VertexRanges(_) => None,
         };

@@ -3,8 +3,8 @@
 use super::regularity;
 use super::vertex::{SCOPE, verdict_name, verdict_reason, vertex_facts, vertices_outcome};
 use crate::audit::{
-    KnownLimits, Limits, PaperAudit, RangeAtValence, RangeOfLimits, SmoothnessFinding,
-    SmoothnessVerdict, VertexWitness,
+    KnownLimits, Limits, PaperAudit, RangeAtValence, RangeOfLimits, RegionOfLimits,
+    SmoothnessFinding, SmoothnessVerdict, VertexWitness,
 };
 use crate::claim::{
     ExponentStatement, PrintedValences, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim,
@@ -80,6 +80,12 @@ pub(crate) fn statement(claim: &SmoothnessClaim) -> Option<String> {
             };
             format!("the Hölder exponent is {said}{attained}")
         }
+        SmoothnessStatement::Region(region) => {
+            let [x, y] = &region.variables;
+            let only =
+                if region.only { format!(", and for no other {x}, {y}") } else { String::new() };
+            format!("{} for {}{only}", smooth(region.m), region.texts.join(", "))
+        }
         SmoothnessStatement::Range(range) => {
             let only = if range.only {
                 format!(", and for no other {}", range.variable)
@@ -151,6 +157,7 @@ pub(crate) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
         KnownLimits::BeyondCap(cap) => vec![beyond(cap)],
         KnownLimits::Limits(limits) => vec![of_limits(limits)],
         KnownLimits::Range(range) => of_range(finding, range),
+        KnownLimits::Region(region) => of_region(finding, region),
         KnownLimits::Vertices(found) => {
             let mut lines = vertices_outcome(found);
             lines.push(format!("{SCOPE}."));
@@ -284,11 +291,46 @@ fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<Strin
     lines
 }
 
+/// The contraction in a region of two parameters, or the point that refutes it.
+fn of_region(finding: &SmoothnessFinding<'_>, region: &RegionOfLimits) -> Vec<String> {
+    let Some(said) = finding.claim.region() else { return Vec::new() };
+    let [x, y] = &said.variables;
+    let point = |[a, b]: &[Rational; 2]| format!("({a}, {b})");
+    let corners: Vec<String> = region.corners.iter().map(point).collect();
+    let mut lines =
+        vec![format!("The corners of the region are ({x}, {y}) = {}.", corners.join(", "))];
+    if let Some(proof) = &region.proof {
+        let levels = proof.levels;
+        let within = if levels == 1 { "one level".to_owned() } else { format!("{levels} levels") };
+        lines.push(format!(
+            "{} in the whole region: the differences contract within {within}.",
+            smooth(said.m)
+        ));
+    }
+    match &region.witness {
+        Some(witness) => {
+            let place = if witness.inside { "in the region" } else { "outside of it" };
+            let limits = of_limits(&witness.limits);
+            lines.push(format!("At ({x}, {y}) = {}, {place}, {limits}.", point(&witness.at)));
+        }
+        None if finding.verdict == SmoothnessVerdict::Open => {
+            let tried = region.tried;
+            lines.push(format!("None of {tried} points that were tried refutes it."));
+        }
+        None => {}
+    }
+    lines
+}
+
 /// What else is known of the limits.
 pub(crate) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
     let limits = match &finding.known {
         KnownLimits::Limits(limits) => limits,
         KnownLimits::Range(range) => match &range.witness {
+            Some(witness) => &witness.limits,
+            None => return Vec::new(),
+        },
+        KnownLimits::Region(region) => match &region.witness {
             Some(witness) => &witness.limits,
             None => return Vec::new(),
         },

@@ -1,7 +1,8 @@
 //! What is known of limits, as JSON.
 
 use super::vertex::{VertexForm, VerticesForm};
-use crate::audit::{KnownLimits, Limits, RangeAtValence, RangeOfLimits};
+use crate::audit::{KnownLimits, Limits, RangeAtValence, RangeOfLimits, RegionOfLimits};
+use crate::exact::Rational;
 use crate::report::json::exact::decimal;
 use crate::report::smooth::smoothness::decimals;
 use crate::smoothness::Hoelder;
@@ -21,6 +22,9 @@ pub struct SmoothnessDetails {
     /// What is proved of rules there for all values of a parameter, at each valence; only of a range of rules.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub valences: Option<Vec<RangeAtValenceForm>>,
+    /// What is proved for the values of two parameters; only of a claim about two.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub region: Option<RegionForm>,
 }
 
 /// What is proved of the limits of a mask.
@@ -85,6 +89,32 @@ pub struct RangeForm {
     pub refuted_at_decimal: Option<String>,
 }
 
+/// What is proved for the values of two parameters.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct RegionForm {
+    /// The number of levels in which differences contract in the whole region.
+    pub levels: Option<u32>,
+    /// The corners of the polygon, counterclockwise.
+    pub corners: Vec<[String; 2]>,
+    /// A point that refutes the claim.
+    pub refuted_at: Option<[String; 2]>,
+    /// How many points were tried.
+    pub tried: usize,
+}
+
+impl RegionForm {
+    fn of(found: &RegionOfLimits) -> RegionForm {
+        let texts = |point: &[Rational; 2]| point.each_ref().map(ToString::to_string);
+        RegionForm {
+            levels: found.proof.as_ref().map(|proof| proof.levels),
+            corners: found.corners.iter().map(texts).collect(),
+            refuted_at: found.witness.as_ref().map(|witness| texts(&witness.at)),
+            tried: found.tried,
+        }
+    }
+}
+
 impl SmoothnessDetails {
     pub(crate) fn of(known: &KnownLimits) -> SmoothnessDetails {
         match known {
@@ -95,6 +125,11 @@ impl SmoothnessDetails {
                 let limits = range.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
                 let parameter = Some(RangeForm::of(range));
                 SmoothnessDetails { limits, parameter, ..Default::default() }
+            }
+            KnownLimits::Region(found) => {
+                let limits = found.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
+                let region = Some(RegionForm::of(found));
+                SmoothnessDetails { limits, region, ..Default::default() }
             }
             KnownLimits::Vertices(found) => {
                 SmoothnessDetails { vertices: Some(VerticesForm::of(found)), ..Default::default() }

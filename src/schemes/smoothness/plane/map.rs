@@ -1,10 +1,10 @@
 //! Where, in a plane of two parameters, the limits are C^m: boxes inside, boxes outside, and open boxes.
 
-use super::parametric::{ParametricSymbol, Reduced};
-use super::range_error::SmoothRangeError;
 use super::region::{Certain, Search, Sides};
 use crate::exact::{BivariatePolynomial, Rational};
 use crate::scheme::Rules;
+use crate::smoothness::parametric::{ParametricSymbol, Reduced};
+use crate::smoothness::range_error::SmoothRangeError;
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

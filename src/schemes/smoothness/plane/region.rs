@@ -1,9 +1,9 @@
 //! What is certain in whole boxes of two parameters.
 
-use super::excluded::excluding;
-use super::parametric::multiplied;
 use crate::exact::{BivariatePolynomial, Rational, characteristic_coefficients};
 use crate::joint::{Closing, MatrixSet, MatrixSetError, contracts, expanding_product};
+use crate::smoothness::excluded::excluding;
+use crate::smoothness::parametric::multiplied;
 
 /// A box of parameters: \[low, high\] of the first and of the second.
 pub type Sides = [[Rational; 2]; 2];
