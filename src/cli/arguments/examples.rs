@@ -56,7 +56,8 @@ pub(super) const RANGE: &str = "\
 Examples:
   subcert range six-point --param w -c 5
   subcert range four-point --param w -c 2 --function
-  subcert range four-point --param w --smoothness 1";
+  subcert range four-point --param w --smoothness 1
+  subcert range four-point --param w --best exponent --bounds w=0..1/8";
 
 pub(super) const SMOOTHNESS: &str = "\
 For rules around a vertex or on a face it says whether the surface is C¹ there in Reif's sense,

@@ -26,9 +26,9 @@ pub(super) use papers::{
     NewArguments, ProveArguments, is_of_papers,
 };
 pub(super) use schemes::{
-    AnyBoundary, AtlasArguments, BOXES, BoundaryArgument, CertifyArguments, ConstantsArguments,
-    DepthArguments, DistanceArgument, FacesArgument, PlotArguments, RangeArguments,
-    SchemeArguments, SchemesArguments,
+    AnyBoundary, AtlasArguments, BOXES, BestArgument, BoundaryArgument, CertifyArguments,
+    ConstantsArguments, DepthArguments, DistanceArgument, FacesArgument, PlotArguments,
+    RangeArguments, SchemeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};
 pub(super) use spectrum::{SpectrumArguments, TableArguments};

@@ -147,11 +147,14 @@ pub(in crate::cli) struct RangeArguments {
     /// Rules around a vertex or on a face, with `--smoothness 1`: the valences [default: as in SCHEME]
     #[arg(long, alias = "valence", value_name = "FIRST..LAST", value_parser = super::smoothness::valences, requires = "smoothness")]
     pub(in crate::cli) valences: Option<Valences>,
-    /// The region of a map of two parameters, such as a=-1..1,b=0..1/2 [default: from -1 to 1]
-    #[arg(long, aliases = ["box", "region"], value_name = "BOX", requires = "smoothness", allow_hyphen_values = true)]
+    /// The values for which the Hölder exponent is greatest, or T_c is least, of one parameter or two
+    #[arg(long, value_enum, value_name = "WHAT", conflicts_with_all = ["smoothness", "function", "valences"])]
+    pub(in crate::cli) best: Option<BestArgument>,
+    /// The region of `--best`, or of a map of two parameters, such as a=-1..1,b=0..1/2 [default: from -1 to 1]
+    #[arg(long, aliases = ["box", "region"], value_name = "BOX", allow_hyphen_values = true)]
     pub(in crate::cli) bounds: Option<String>,
-    #[arg(long, value_name = "N", requires = "smoothness",
-          help = format!("The number of boxes to examine for a map, up to {MAX_BOXES} [default: {BOXES}]"))]
+    #[arg(long, value_name = "N",
+          help = format!("The number of boxes to examine for a map, or for the best exponent, up to {MAX_BOXES} [default: {BOXES}]"))]
     pub(in crate::cli) boxes: Option<usize>,
     /// Show T_c itself, a piecewise polynomial function of the parameter
     #[arg(long)]
@@ -176,6 +179,14 @@ pub(in crate::cli) struct CertifyArguments {
     pub(in crate::cli) spread: Option<String>,
     #[command(flatten)]
     pub(in crate::cli) output: Output,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum BestArgument {
+    /// The Hölder exponent
+    Exponent,
+    /// T_c, with the c of `--levels`
+    Contraction,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -8,7 +8,9 @@ use crate::cli::console::save::save_in;
 use crate::cli::constants::{Certification, Constants, RingConstants};
 use crate::cli::depth::{Depth, LocalReport, ParametricDepth, SetDepth};
 use crate::cli::papers::{Audit, Coverage, Errata, Explanation, Listing, Projects, Shipped};
-use crate::cli::ranges::{Range, SmoothMap, SmoothRange, VertexRange};
+use crate::cli::ranges::{
+    BestContraction, BestExponentAnswer, Range, SmoothMap, SmoothRange, VertexRange,
+};
 use crate::cli::schemes::{Atlas, Catalogue, Comparison, Scheme};
 use crate::cli::smoothness::{JointRadius, Smoothness, Vertices};
 use crate::cli::spectrum::{Sector, Spectrum};
@@ -42,6 +44,8 @@ fn all() -> Vec<(&'static str, Schema)> {
         Range<'_>,
         SmoothRange<'_>,
         SmoothMap<'_>,
+        BestContraction<'_>,
+        BestExponentAnswer<'_>,
         VertexRange<'_>,
         Smoothness<'_>,
         Vertices<'_>,

@@ -1,5 +1,6 @@
 //! `subcert range`.
 
+mod best;
 mod level;
 mod range;
 pub(super) mod sets;
@@ -11,5 +12,9 @@ mod vertex_range;
 pub(super) use range::range;
 #[cfg(feature = "schema")]
 pub(super) use {
-    range::Range, smooth_map::SmoothMap, smooth_range::SmoothRange, vertex_range::VertexRange,
+    best::{BestContraction, BestExponentAnswer},
+    range::Range,
+    smooth_map::SmoothMap,
+    smooth_range::SmoothRange,
+    vertex_range::VertexRange,
 };

@@ -1,5 +1,6 @@
 //! `subcert range`.
 
+use super::best::best;
 use super::level::{Function, Level};
 use super::sets::{Set, write_irrational};
 use super::smooth_map::smooth_map;
@@ -20,6 +21,10 @@ use subcert::suggestion::known;
 
 pub(crate) fn range(arguments: &RangeArguments) -> Outcome {
     let named = [&arguments.names[..], &arguments.param[..]].concat();
+    if let Some(what) = arguments.best {
+        let named = if named.is_empty() { vec![the_parameter(&arguments.scheme)?] } else { named };
+        return best(arguments, &named, what);
+    }
     let parameter = match &named[..] {
         [] => &the_parameter(&arguments.scheme)?,
         [parameter] => parameter,

@@ -47,7 +47,8 @@ pub use functions::{
 };
 pub use independence::is_independent;
 pub use plane::{
-    Certain, MAX_BOXES, MapBox, RegionProof, Sides, SmoothMap, polygon_contraction, smooth_map,
+    BestExponent, Certain, MAX_BOXES, MapBox, RegionProof, Sides, SmoothMap, best_exponent,
+    polygon_contraction, smooth_map,
 };
 pub use range::{SmoothRange, smooth_range};
 pub use range_error::SmoothRangeError;

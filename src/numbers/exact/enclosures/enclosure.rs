@@ -51,6 +51,31 @@ impl Enclosure {
         &self.upper
     }
 
+    /// The fraction with the least denominator in it, by continued fractions.
+    ///
+    /// ```
+    /// use subcert::exact::{Enclosure, Rational};
+    ///
+    /// let near = Enclosure::new(Rational::new(62_499, 1_000_000), Rational::new(62_501, 1_000_000));
+    /// assert_eq!(near.simplest(), Rational::new(1, 16));
+    /// ```
+    #[must_use]
+    pub fn simplest(&self) -> Rational {
+        let (mut lower, mut upper) = (self.lower().clone(), self.upper().clone());
+        let mut quotients = Vec::new();
+        let last = loop {
+            let whole = lower.ceil();
+            if Rational::from(whole.clone()) <= upper {
+                break Rational::from(whole);
+            }
+            // Both ends lie strictly between two neighbouring integers.
+            let floor = Rational::from(lower.floor());
+            (lower, upper) = ((upper - &floor).recip(), (lower - &floor).recip());
+            quotients.push(floor);
+        };
+        quotients.into_iter().rev().fold(last, |value, quotient| quotient + value.recip())
+    }
+
     /// (lower + upper)/2.
     #[must_use]
     pub fn middle(&self) -> Rational {

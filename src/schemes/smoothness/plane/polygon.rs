@@ -44,12 +44,12 @@ pub struct RegionProof {
 /// use subcert::scheme::parse_in_parameters;
 /// use subcert::smoothness::polygon_contraction;
 ///
-/// // Corner cutting with ratios a and b, 0 < a, b < 1: for a = b it is de Rham's.
+/// // Corner cutting with ratios a > 0 and b > 0, a + b < 1.
 /// let mask = parse_in_parameters("[a, 1 - b, 1 - a, b]", &["a", "b"])?;
 /// let rules = mask.rules().map(|c| c.in_variables(["a", "b"]).expect("polynomials"));
-/// let square = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|corner| corner.map(Rational::from));
-/// let inside = |[x, y]: [&Rational; 2]| [x, y].iter().all(|c| c.sign() > 0 && **c < Rational::one());
-/// let proof = polygon_contraction(&rules, 0, &square, &inside, 2)?;
+/// let corners = [[0, 0], [1, 0], [0, 1]].map(|corner| corner.map(Rational::from));
+/// let inside = |[x, y]: [&Rational; 2]| x.sign() > 0 && y.sign() > 0 && x + y < Rational::one();
+/// let proof = polygon_contraction(&rules, 0, &corners, &inside, 2)?;
 /// assert_eq!(proof.expect("C^0").levels, 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

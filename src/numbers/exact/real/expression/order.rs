@@ -2,7 +2,7 @@
 
 use super::node::{Operation, RealExpression};
 use super::rounded::power_of_half;
-use crate::exact::{Enclosure, Rational, Scalar};
+use crate::exact::{Rational, Scalar};
 use std::cmp::Ordering;
 use std::sync::Arc;
 
@@ -51,29 +51,12 @@ impl RealExpression {
             let width = power_of_half(bits.saturating_mul(2).saturating_add(1));
             let mut near = (0..).map(|level| self.approximation(level));
             let near = near.find(|near| near.width() < width).expect("they shrink to a point");
-            let candidate = simplest(&near);
+            let candidate = near.simplest();
             let difference = self.minus(&RealExpression::from(candidate.clone()));
             (difference.sign() == 0).then_some(candidate)
         };
         self.0.rational.get_or_init(find).as_ref()
     }
-}
-
-/// The fraction with the least denominator in an interval, by continued fractions.
-fn simplest(interval: &Enclosure) -> Rational {
-    let (mut lower, mut upper) = (interval.lower().clone(), interval.upper().clone());
-    let mut quotients = Vec::new();
-    let last = loop {
-        let whole = lower.ceil();
-        if Rational::from(whole.clone()) <= upper {
-            break Rational::from(whole);
-        }
-        // Both ends lie strictly between two neighbouring integers.
-        let floor = Rational::from(lower.floor());
-        (lower, upper) = ((upper - &floor).recip(), (lower - &floor).recip());
-        quotients.push(floor);
-    };
-    quotients.into_iter().rev().fold(last, |value, quotient| quotient + value.recip())
 }
 
 impl Ord for RealExpression {
