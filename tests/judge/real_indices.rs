@@ -10,6 +10,8 @@ use subcert::exact::Rational;
 const SCHEMES: &str = "[[scheme]]\nname = 'fp'\nparameters.w = { about = 'tension' }\n\
     symbol = '(1+z)^2/(2*z)*(1 - 2*w*(1-z)^2*(1+z^2)/z^2)'\n\
     [[scheme]]\nname = 'short'\nparameters.w = { about = 'weight' }\nsymbol = '(1+z)*(1 + (w^2-2)*(1-z) + w*z*(1-z))'\n\
+    [[scheme]]\nname = 'kept'\nsymbol = '(1+z)^2*(-1+4*z+10*z^2+4*z^3-z^4)/32'\n\
+    [[scheme]]\nname = 'high'\nparameters.w = { about = 'weight' }\nfilter = true\nsymbol = '(1-z)*(1-w*z)'\n\
     [[scheme]]\nname = 'dual'\nparameters.w = { about = 'weight' }\nsymbol = '(1+z)^2*(w + (1-2*w)*z + w*z^2)/2'\n";
 
 #[test]
@@ -39,6 +41,12 @@ fn what_holds_holds_and_its_contrary_fails() {
             "contraction(fp, 2, w = v) > contraction(fp, w = v)",
         ),
         ("-1/8 < v < 1/8", "tensor(fp, w = v) < 9/8", "tensor(fp, w = v) > 1"),
+        ("1 <= v <= 2", "keeps_ratios(kept, 2, v)", "not keeps_ratios(kept, 2, v)"),
+        ("v > 2", "not keeps_ratios(kept, 2, v)", "keeps_ratios(kept, 2, v)"),
+        ("0 <= v <= 1/2", "keeps_ratios(dual, 2, 3, w = v)", "keeps_ratios(dual, 2, 3, w = -v)"),
+        ("v > 1/4", "hurwitz(dual, w = v)", "not hurwitz(dual, w = v)"),
+        ("v < 0", "not hurwitz(dual, w = v)", "hurwitz(dual, w = v)"),
+        ("real v", "vanishing_moments(high, w = v) >= 1", "vanishing_moments(high, w = v) = 1"),
         ("real v", "orthogonal(haar)", "same(fp, w = v, with = haar)"),
     ] {
         for (text, word) in [(text, Word::Holds), (contrary, Word::Fails)] {

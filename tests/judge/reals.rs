@@ -12,6 +12,9 @@ use subcert::smoothness::{Symbol, is_independent, sobolev_exponent};
 
 const MORE: &str = "[[scheme]]\nname = 'hat'\nsymbol = 'z^-1*(1+z)^2/2'\n\
     [[scheme]]\nname = 'third'\nsymbol = '1 + z^3'\n\
+    [[scheme]]\nname = 'kept'\nsymbol = '(1+z)^2*(-1+4*z+10*z^2+4*z^3-z^4)/32'\n\
+    [[scheme]]\nname = 'high'\nfilter = true\nsymbol = '(1-z)^2/4'\n\
+    [[scheme]]\nname = 'both'\nfilter = true\nsymbol = '1 + z/2 + z^2'\n\
     [[scheme]]\nname = 'smoothed'\nsymbol = 'symbol(fp-mask)*(1 + z)/2'\n";
 
 /// The schemes of these tests; `fp-mask` stands first, as others use its symbol.
@@ -57,6 +60,21 @@ fn what_holds_holds_and_its_contrary_fails() {
         ("not independent(third)", "independent(third)"),
         ("same(cubic, with = b-spline-3)", "same(cubic, with = fp)"),
         ("eigenvalue(fp, 1) = 1", "eigenvalue(fp, 2) = 1"),
+        // Zeros and absolute values of symbols.
+        ("modulus(fp, 1/2) = 0", "modulus(fp, 0) = 1"),
+        ("modulus(chaikin, 1/4) = sqrt(2)/2", "modulus(chaikin, 3/4) > sqrt(2)/2"),
+        ("modulus(chaikin, 1/6) ~ 1.299", "modulus(chaikin, 1/6) = 13/10"),
+        ("modulus_upper(d4) = 2", "modulus_upper(d4) < 2"),
+        ("modulus_lower(high) = 0", "modulus_lower(third) != 0"),
+        ("modulus_upper(high) = 1", "modulus_upper(fp) = 3"),
+        ("modulus_lower(both) = 0", "modulus_upper(both) = 2"),
+        ("hurwitz(cubic)", "hurwitz(fp)"),
+        ("not hurwitz(third)", "hurwitz(high)"),
+        ("vanishing_moments(high) = 2", "vanishing_moments(cubic) > 0"),
+        ("biorthogonal(high, with = fp) = 0", "orthogonal(high)"),
+        ("keeps_ratios(cubic, 2, 5)", "keeps_ratios(fp, 2, 3/2)"),
+        ("keeps_ratios(kept, 2, 2)", "keeps_ratios(kept, 2, 2001/1000)"),
+        ("keeps_ratios(kept, 2, sqrt(3))", "keeps_ratios(kept, 2, sqrt(5))"),
         ("eigenvalue(fp, 5) = 1/8", "eigenvalue(fp, 4) = 1/2"),
         // Around a vertex or on a face.
         ("subdominant(loop, 5) = 3/8 + cos(2*pi/5)/4", "subdominant(loop, 5) > 1/2"),

@@ -29,7 +29,7 @@ fn largest_difference(mask: &Mask, k: usize, levels: u32) -> Rational {
 }
 
 /// ‖S_B^l‖ of the differences of order k, by the coefficients of B(z)⋯B(z^{n^{l−1}}).
-fn power_norm(symbol: &Symbol, k: usize, levels: u32) -> Rational {
+pub(super) fn power_norm(symbol: &Symbol, k: usize, levels: u32) -> Rational {
     let n = symbol.arity();
     let b = symbol.difference(k, &Rational::one()).expect("sum rules");
     let b = b.coefficients();

@@ -3,5 +3,6 @@ mod basic;
 mod known;
 mod laws;
 mod map;
+mod plane;
 mod range;
 mod values;

@@ -2,6 +2,7 @@
 
 use super::sets::Set;
 use super::smooth_map::region;
+use super::special::write_special;
 use crate::cli::arguments::{BOXES, BestArgument, RangeArguments};
 use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::output::{Failure, Outcome};
@@ -16,9 +17,10 @@ use subcert::exact::{
     Enclosed as _, Interval, IntervalSet, LogSum, LogTerm, PiecewisePolynomial, Polynomial,
     Rational, format::short,
 };
+use subcert::report::json::SpecialForm;
 use subcert::report::{Sheet, down, up};
 use subcert::scheme::parse_in_parameters;
-use subcert::smoothness::{BestExponent, MAX_BOXES, best_exponent};
+use subcert::smoothness::{BestExponent, MAX_BOXES, SpecialValues, best_exponent};
 
 /// How often the interval of a least constant is halved.
 const HALVINGS: u32 = 48;
@@ -81,6 +83,14 @@ pub(crate) fn best(arguments: &RangeArguments, names: &[String], what: BestArgum
     drop(progress);
     let found = found.map_err(|error| Failure::Input(error.to_string()))?;
     let [low, high] = exponents(&found);
+    let special = match names[..] {
+        [parameter] => {
+            let rules = polynomial_rules(mask.rules(), parameter);
+            let rules = rules.map_err(|error| Failure::Input(error.to_string()))?;
+            SpecialForm::all(&SpecialValues::of(&rules), parameter)
+        }
+        _ => Vec::new(),
+    };
     let with_names = |at: [Rational; 2]| names.iter().copied().zip(at);
     let [at, from, to] = [
         found.at.clone(),
@@ -101,7 +111,9 @@ pub(crate) fn best(arguments: &RangeArguments, names: &[String], what: BestArgum
         at_least: low,
         at_most: high,
         parameters: parameters.collect(),
+        sum_rules: found.order,
         but_exceptions: found.but_exceptions,
+        special,
     };
     show(&arguments.output, &answer)
 }
@@ -210,12 +222,16 @@ pub(crate) struct BestExponentAnswer<'a> {
     bounds: Vec<[Text<Rational>; 2]>,
     /// A decimal that is not above the greatest exponent.
     at_least: String,
-    /// A decimal that is not below it.
+    /// A decimal that is not below it, but where more sum rules hold than `sum_rules`.
     at_most: String,
+    /// The order of the sum rules that hold for all values.
+    sum_rules: usize,
     /// The parameters.
     parameters: Vec<BestParameter<'a>>,
     /// Whether single values may have a greater exponent: zeros of a polynomial.
     but_exceptions: bool,
+    /// Of one parameter, the values at which the sum rules are of a higher order, or the support is shorter.
+    special: Vec<SpecialForm>,
 }
 
 /// A parameter for which the exponent is greatest.
@@ -252,11 +268,15 @@ impl Answer for BestExponentAnswer<'_> {
             ));
         }
         sheet.facts(facts);
-        sheet.text(
-            "The lower bound holds at the values that are named: differences have a smaller spectral radius there. In \
-             no other part of the box the radius is smaller, as products of matrices show. The exponent is at most the \
-             order of the sum rules that hold for all values.",
-        );
+        if let [parameter] = &self.parameters[..] {
+            write_special(&mut sheet, &self.special, parameter.name);
+        }
+        sheet.text(format!(
+            "The lower bound is that of the values that are named: differences have a small spectral radius there. In \
+             no other part of the box the radius is smaller, as products of matrices show. Where more sum rules hold \
+             than {}, those of all values, the exponent may be greater.",
+            self.sum_rules
+        ));
         if self.but_exceptions {
             sheet.text(
                 "Single values may have a greater exponent: those where the shifts of the basic limit function are \

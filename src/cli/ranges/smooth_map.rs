@@ -71,14 +71,13 @@ pub(crate) fn region(text: Option<&str>, parameters: [&String; 2]) -> Result<Sid
     for part in text.unwrap_or_default().split(',').filter(|part| !part.trim().is_empty()) {
         let wrong = |reason: &str| {
             let part = part.trim();
-            format!(
-                "`{part}` in `--bounds`: {reason}; write {}=-1..1,{}=0..1/2",
-                parameters[0], parameters[1]
-            )
+            let names = parameters.iter().filter(|name| !name.is_empty());
+            let form: Vec<String> = names.map(|name| format!("{name}=-1..1/2")).collect();
+            format!("`{part}` in `--bounds`: {reason}; write {}", form.join(","))
         };
         let (name, ends) = part.split_once('=').ok_or_else(|| wrong("there is no `=`"))?;
         let which = parameters.iter().position(|parameter| *parameter == name.trim());
-        let which = which.ok_or_else(|| wrong("this is none of the two parameters"))?;
+        let which = which.ok_or_else(|| wrong("this is no parameter of these"))?;
         let (low, high) = ends.split_once("..").ok_or_else(|| wrong("there is no `..`"))?;
         let number = |text: &str| parse_rational(text.trim()).map_err(|e| wrong(&e.to_string()));
         let (low, high) = (number(low)?, number(high)?);

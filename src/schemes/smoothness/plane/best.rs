@@ -12,13 +12,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// How near the bounds of the radius are to each other at the end, as a part of the greater one.
 const NEAR: (i64, i64) = (1, 1 << 16);
 
-/// The boxes of the last search, for the places, as a part of all.
-const LAST: usize = 4;
+/// The most numbers that are tried as bounds of the radius.
+const TRIES: usize = 40;
 
 /// The least joint spectral radius of the differences of the order K, for the parameters in a box.
 ///
-/// The Hölder exponent is −log_n of the radius where the shifts of the basic limit function are linearly independent; where they are
-/// not, it may be greater. It is at most K.
+/// With the Hölder exponent s, min(s, K) = −log_n of the radius, if the shifts of the basic limit function are linearly independent;
+/// where they are not, s may be greater. It is greater than K only where more sum rules hold than K.
 #[derive(Clone, Debug)]
 pub struct BestExponent {
     /// K.
@@ -67,17 +67,23 @@ pub fn best_exponent(
     while !search.is_less(&middle, &greatest)? {
         greatest = greatest * Rational::from(2);
     }
-    let mut found =
-        Known { least: Rational::zero(), greatest, at: middle, leaves: vec![region.clone()] };
+    // The mean of the matrices has the eigenvalue B(1)/n = n^−K.
+    let order = scaled.len() - 1;
+    let n = Rational::from(rules.arity());
+    let least = (0..order).fold(Rational::one(), |power, _| power / &n);
+    let leaves = vec![region.clone()];
+    let mut found = Known { least, greatest, at: middle, leaves };
+    // What one try does not decide is left out: the numbers from `low` to `high`.
+    let mut undecided: Option<[Rational; 2]> = None;
     let half = Rational::new(1, 2);
-    let own = most - most / LAST;
-    while &found.greatest - &found.least > &found.greatest * Rational::new(NEAR.0, NEAR.1)
-        && search.looked_at < own
-    {
-        let between = (&found.least + &found.greatest) * &half;
-        if !search.halve(&mut found, &between, own)? {
-            break;
+    for tried in 1..TRIES {
+        let Some([a, b]) = found.gap(undecided.as_ref()) else { break };
+        let between = (a + b) * &half;
+        if !search.halve(&mut found, &between, most * tried / TRIES)? {
+            let [low, high] = undecided.unwrap_or_else(|| [between.clone(), between.clone()]);
+            undecided = Some([low.min(between.clone()), high.max(between)]);
         }
+        undecided = undecided.filter(|[low, high]| found.least < *low && *high < found.greatest);
     }
     let places = search.places(&found)?;
     // A simple point near the one that was found, if it is as good.
@@ -87,7 +93,7 @@ pub fn best_exponent(
         found.at = simple;
     }
     Ok(BestExponent {
-        order: scaled.len() - 1,
+        order,
         arity: rules.arity(),
         least: found.least,
         greatest: found.greatest,
@@ -105,6 +111,19 @@ struct Known {
     at: [Rational; 2],
     /// Boxes that fill the region.
     leaves: Vec<Sides>,
+}
+
+impl Known {
+    /// The numbers above what is undecided, or else those below, if there are many.
+    fn gap(&self, undecided: Option<&[Rational; 2]>) -> Option<[Rational; 2]> {
+        let (least, greatest) = (self.least.clone(), self.greatest.clone());
+        let gaps = match undecided {
+            None => vec![[least, greatest]],
+            Some([low, high]) => vec![[high.clone(), greatest], [least, low.clone()]],
+        };
+        let near = Rational::new(NEAR.0, NEAR.1);
+        gaps.into_iter().find(|[low, high]| high - low > high * &near)
+    }
 }
 
 struct Best<'a> {
