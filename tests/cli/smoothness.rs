@@ -205,7 +205,7 @@ fn maps_of_two_parameters() {
         (&[][..], "add `--smoothness M`"),
         (&["--smoothness", "2"], "sum rules of order 3"),
         (&["--smoothness", "1", "--boxes", "0"], "from 1 to 20000 boxes"),
-        (&["--smoothness", "1", "--bounds", "c=0..1"], "none of the two parameters"),
+        (&["--smoothness", "1", "--bounds", "c=0..1"], "none of the parameters"),
         (&["--smoothness", "1", "--bounds", "a=1..0"], "is not below"),
         (&["--smoothness", "1", "--bounds", "a=0..1,a=0..1"], "has bounds already"),
         (&["--smoothness", "1", "--bounds", "a=0-1"], "there is no `..`"),

@@ -48,12 +48,12 @@ macro_rules! parts {
 
 with_kinds!(parts);
 
-/// Judges the chosen claims of these papers, on all cores; calls `after_claim` after each.
+/// Judges the chosen claims of these papers, on all cores; calls `after_claim` after each. Claims with errors are left out.
 pub(super) fn judge<'a>(
     papers: &'a [Paper],
     chosen: &dyn Fn(&Paper) -> Chosen,
     after_claim: &(dyn Fn() + Sync),
-) -> Result<Vec<PaperAudit<'a>>, Errors> {
+) -> Vec<(PaperAudit<'a>, Result<(), Errors>)> {
     let chosen: Vec<Chosen> = papers.iter().map(chosen).collect();
     let mut jobs: Vec<(usize, Part<'a>)> = Vec::new();
     for (at, paper) in papers.iter().enumerate() {
@@ -67,31 +67,31 @@ pub(super) fn judge<'a>(
         parts[at].push(found);
     }
     let parts: Vec<_> = papers.iter().zip(parts.into_iter().map(Mutex::new)).collect();
-    let audits = parallel::map(&parts, |(paper, parts)| {
+    parallel::map(&parts, |(paper, parts)| {
         let parts = std::mem::take(&mut *parts.lock().unwrap_or_else(PoisonError::into_inner));
         together(paper, parts)
-    });
-    audits.into_iter().collect()
+    })
 }
 
 /// The findings of a part, or its error: of a group of tables or of the theorems the first one.
 type Judged<'a> = Result<PaperAudit<'a>, Diagnostic>;
 
-/// Joins the findings of a paper's parts, and computes what follows from all of them. Fails with
-/// the errors of the paper, if there are any.
-fn together<'a>(paper: &'a Paper, parts: Vec<Judged<'a>>) -> Result<PaperAudit<'a>, Errors> {
+/// Joins the findings of a paper's parts, and computes what follows from all of them. The errors are those of the other
+/// parts.
+fn together<'a>(paper: &'a Paper, parts: Vec<Judged<'a>>) -> (PaperAudit<'a>, Result<(), Errors>) {
     let (mut audit, mut errors) = (PaperAudit::new(paper), Collected::default());
     for part in parts {
         if let Some(part) = errors.take(part) {
             audit.append(part);
         }
     }
-    errors.none()?;
     audit.sort();
-    related::borrow(paper, &mut audit.tables)?;
-    audit.contradictions = consistency::judge(paper, &audit.tables, &Library::new(paper))?;
-    audit.unstated_offsets = offset::unstated(paper, &audit.tables)?;
+    errors.take(related::borrow(paper, &mut audit.tables));
+    let found = consistency::judge(paper, &audit.tables, &Library::new(paper));
+    audit.contradictions = errors.take(found).unwrap_or_default();
+    audit.unstated_offsets =
+        errors.take(offset::unstated(paper, &audit.tables)).unwrap_or_default();
     premises::premises(&mut audit);
     kernel::kernel(&mut audit);
-    Ok(audit)
+    (audit, errors.none())
 }

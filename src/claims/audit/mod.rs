@@ -69,6 +69,31 @@ pub fn audit_whole<'a>(
     papers: &'a [Paper],
     after_claim: &(dyn Fn() + Sync),
 ) -> Result<Vec<PaperAudit<'a>>, Errors> {
+    let found = jobs::judge(papers, &|_| Chosen::all(), after_claim);
+    found.into_iter().map(|(audit, errors)| errors.map(|()| audit)).collect()
+}
+
+/// As [`audit_whole`], but judges what has no errors, and gives the errors of each paper beside. A table with an error is left out
+/// with the tables about the same schemes, since numbers of one may determine a parameter of another.
+///
+/// ```
+/// use subcert::audit::audit_partly;
+/// use subcert::claim::read_paper;
+/// use subcert::diagnostic::SourceText;
+///
+/// let claim = |id: &str, states: &str| format!("[[relation]]\nid = '{id}'\nlocus = '1'\nstates = '{states}'\n");
+/// let head = "key = 'k'\n[paper]\ntitle = 'T'\nyear = 2026\n";
+/// let text = format!("{head}{}{}", claim("a", "1 < 2"), claim("b", "wrong(2) = 1"));
+/// let paper = read_paper(&SourceText::new("k.toml", text))?;
+/// let found = audit_partly(std::slice::from_ref(&paper), &|| {});
+/// let (audit, errors) = &found[0];
+/// assert_eq!((audit.equations.len(), errors.is_err()), (1, true));
+/// # Ok::<(), subcert::diagnostic::Errors>(())
+/// ```
+pub fn audit_partly<'a>(
+    papers: &'a [Paper],
+    after_claim: &(dyn Fn() + Sync),
+) -> Vec<(PaperAudit<'a>, Result<(), Errors>)> {
     jobs::judge(papers, &|_| Chosen::all(), after_claim)
 }
 
@@ -87,9 +112,10 @@ pub fn audit_claim<'a>(
     id: &str,
     after_claim: &(dyn Fn() + Sync),
 ) -> Result<PaperAudit<'a>, Errors> {
-    let mut audits =
-        jobs::judge(std::slice::from_ref(paper), &|paper| Chosen::claim(paper, id), after_claim)?;
-    Ok(audits.pop().expect("an audit for the paper"))
+    let paper = std::slice::from_ref(paper);
+    let mut audits = jobs::judge(paper, &|paper| Chosen::claim(paper, id), after_claim);
+    let (audit, errors) = audits.pop().expect("an audit for the paper");
+    errors.map(|()| audit)
 }
 
 /// The number of claims that [`audit_claim`] judges.

@@ -3,7 +3,7 @@
 use super::audit_output::Destination;
 use super::certified::Certified;
 use super::claim_files::{Claims, claims};
-use super::judged::{files_of, judge_all, select};
+use super::judged::{files_of, judge_partly, select};
 use super::pages;
 use super::projects;
 use crate::cli::arguments::{AuditArguments, FindingFormat, Format, Output, is_of_papers};
@@ -30,12 +30,28 @@ pub(crate) fn audit(arguments: &AuditArguments) -> Outcome {
         let message = format!("--deny {word}: this is said only of constants that programs ship");
         return Err(Failure::Input(message));
     }
-    let audits = judge_all(&papers, arguments.format != FindingFormat::Json)?;
+    let (audits, errors) = judge_partly(&papers, arguments.format != FindingFormat::Json);
+    // Nothing is written of a file with errors, but what can be judged is shown on the screen.
+    if errors.is_err() {
+        if let Destination::Output(to) = &to
+            && to.format == Format::Text
+            && to.file.is_none()
+            && audits.iter().any(|audit| !audit.claims().is_empty())
+        {
+            let shown = Shown::of(arguments, to);
+            let files = &arguments.files;
+            let partly = true;
+            show(to, &Audit { audits: &audits, files, shown, certified: None, partly })?;
+        }
+        return errors;
+    }
     let certified = if arguments.certified { Some(Certified::of(&audits)?) } else { None };
     match to {
         Destination::Output(to) => {
             let shown = Shown::of(arguments, &to);
-            show(&to, &Audit { audits: &audits, files: &arguments.files, shown, certified })?;
+            let files = &arguments.files;
+            let partly = false;
+            show(&to, &Audit { audits: &audits, files, shown, certified, partly })?;
         }
         Destination::Pages(folder) => {
             pages::pages(&audits, certified.as_ref(), arguments.files.is_empty(), folder)?;
@@ -55,6 +71,8 @@ pub(crate) struct Audit<'a> {
     files: &'a [PathBuf],
     shown: Shown,
     certified: Option<Certified>,
+    /// Whether claims with errors are left out.
+    partly: bool,
 }
 
 /// How much of an audit is shown.
@@ -113,6 +131,9 @@ impl Answer for Audit<'_> {
             ),
         };
         sheet.text(format!("{}. {more}", legend()));
+        if self.partly {
+            sheet.text("Claims with errors are left out here; the errors follow.");
+        }
         if let Some(certified) = &self.certified {
             certified.section(&mut sheet);
         }

@@ -4,8 +4,9 @@ use super::claim_files::{Claims, claims};
 use crate::cli::console::output::Failure;
 use crate::cli::console::progress::Progress;
 use std::path::PathBuf;
-use subcert::audit::{PaperAudit, audit_claim, audit_whole, claims_needed};
+use subcert::audit::{PaperAudit, audit_claim, audit_partly, audit_whole, claims_needed};
 use subcert::claim::Paper;
+use subcert::diagnostic::Errors;
 use subcert::report::html::shell_word;
 use subcert::suggestion::known as names;
 
@@ -61,6 +62,18 @@ pub(crate) fn judge_claim<'a>(
 ) -> Result<PaperAudit<'a>, Failure> {
     let progress = Progress::of_claims(claims_needed(paper, id), bar);
     Ok(audit_claim(paper, id, &|| progress.step())?)
+}
+
+/// As [`judge_all`], but judges what has no errors; the first errors stand beside.
+pub(crate) fn judge_partly(
+    papers: &[Paper],
+    bar: bool,
+) -> (Vec<PaperAudit<'_>>, Result<(), Failure>) {
+    let claims = papers.iter().map(|paper| paper.claims().count()).sum();
+    let progress = Progress::of_claims(claims, bar);
+    let found = audit_partly(papers, &|| progress.step());
+    let (audits, errors): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+    (audits, errors.into_iter().collect::<Result<(), Errors>>().map_err(Failure::from))
 }
 
 /// Judges every claim of the papers, on all cores. With `bar`, a bar shows the progress.

@@ -77,7 +77,7 @@ pub(crate) fn region(text: Option<&str>, parameters: [&String; 2]) -> Result<Sid
         };
         let (name, ends) = part.split_once('=').ok_or_else(|| wrong("there is no `=`"))?;
         let which = parameters.iter().position(|parameter| *parameter == name.trim());
-        let which = which.ok_or_else(|| wrong("this is no parameter of these"))?;
+        let which = which.ok_or_else(|| wrong("this is none of the parameters"))?;
         let (low, high) = ends.split_once("..").ok_or_else(|| wrong("there is no `..`"))?;
         let number = |text: &str| parse_rational(text.trim()).map_err(|e| wrong(&e.to_string()));
         let (low, high) = (number(low)?, number(high)?);
