@@ -3,26 +3,28 @@
 use crate::evaluation::options::Options;
 use crate::evaluation::reals::about;
 use crate::evaluation::shape::Coefficients;
-use crate::exact::Polynomial;
-use crate::formula::{Call, CallError, Context, Functions, Lookup, RealValue, Value as _};
+use crate::exact::{
+    AlgebraicNumber, FieldElement, Polynomial, Rational, RealAlgebraic, RealCyclotomic,
+    RealExpression, Scalar as _,
+};
+use crate::formula::{Call, CallError, Context, Functions, Lookup, RealValue, Value};
 
 /// The functions of formulas of real numbers: those of formulas of polynomials, and those that these have no value of.
 pub(crate) struct Reals<'a> {
-    pub(crate) coefficients: &'a Coefficients<'a, Polynomial>,
+    /// Those of masks of numbers of a field Q(2cos(2π/n)); none if the scheme of the claim has no such mask.
+    pub(crate) coefficients: Option<&'a Coefficients<'a, Polynomial>>,
+    /// Those of masks over any real field.
+    pub(crate) in_fields: &'a dyn Fn() -> Result<Coefficients<'a, AlgebraicNumber>, CallError>,
 }
 
-/// The numbers of a field Q(2cos(2π/n)) among the values of names.
+/// The numbers among the values of names that another type of values has.
 struct Numbers<'a>(&'a dyn Context<RealValue>);
 
-impl Context<Polynomial> for Numbers<'_> {
-    fn name(
-        &self,
-        name: &str,
-        _: &[(String, Polynomial)],
-    ) -> Result<Lookup<Polynomial>, CallError> {
+impl<V: Value> Context<V> for Numbers<'_> {
+    fn name(&self, name: &str, _: &[(String, V)]) -> Result<Lookup<V>, CallError> {
         Ok(match self.0.name(name, &[])? {
-            Lookup::Found(value) => match value.number() {
-                Some(number) => Lookup::Found(Polynomial::constant(number)),
+            Lookup::Found(value) => match value.number().and_then(|number| V::of_number(&number)) {
+                Some(number) => Lookup::Found(number),
                 None => Lookup::Unstated,
             },
             Lookup::Unstated => Lookup::Unstated,
@@ -41,37 +43,88 @@ impl Functions<RealValue> for Reals<'_> {
         call: &Call<'_, RealValue>,
         context: &dyn Context<RealValue>,
     ) -> Result<RealValue, CallError> {
-        let number = |value: &RealValue| {
-            value.number().map(Polynomial::constant).ok_or_else(|| {
-                let function = call.function;
-                let message =
-                    format!("`{function}` is computed of numbers of a field Q(2cos(2π/n))");
-                CallError::Misuse(format!("{message}, and not of {value}"))
-            })
-        };
-        let arguments = call.arguments.iter().map(number);
-        let arguments = arguments.collect::<Result<Vec<Polynomial>, CallError>>()?;
-        let indices = call.indices.iter().map(|(name, value)| Ok((name.clone(), number(value)?)));
-        let indices = indices.collect::<Result<Vec<(String, Polynomial)>, CallError>>()?;
-        let call = Call {
-            function: call.function,
-            arguments: &arguments,
-            options: call.options,
-            indices: &indices,
-        };
-        if about(call.function).is_some() {
-            let mut options = Options::new(&call);
-            let value = self.coefficients.real(&call, &mut options, &Numbers(context))?;
-            return options.finished(value);
+        let found = self.coefficients.map(|coefficients| {
+            let number = |value: Polynomial| {
+                let number = value.number();
+                let number = number.and_then(|number| RealValue::of_number(&number));
+                number.ok_or_else(|| CallError::Misuse(format!("this is {value}, and no number")))
+            };
+            called(coefficients, call, context, number)
+        });
+        match found {
+            Some(Ok(value)) => Ok(value),
+            Some(Err(error @ CallError::BeyondCap(_))) => Err(error),
+            Some(Err(error)) => self.called_in_field(call, context).map_err(|other| match other {
+                CallError::BeyondCap(_) => other,
+                _ => error,
+            }),
+            None => self.called_in_field(call, context),
         }
-        let value = self.coefficients.call(&call, &Numbers(context))?;
-        let number = value.number();
-        number
-            .and_then(|number| RealValue::of_number(&number))
-            .ok_or_else(|| CallError::Misuse(format!("this is {value}, and no number")))
     }
 
     fn is_scheme(&self, function: &str, name: &str) -> bool {
-        self.coefficients.is_scheme(function, name)
+        match self.coefficients {
+            Some(coefficients) => coefficients.is_scheme(function, name),
+            None => (self.in_fields)().is_ok_and(|found| found.is_scheme(function, name)),
+        }
     }
+}
+
+impl Reals<'_> {
+    fn called_in_field(
+        &self,
+        call: &Call<'_, RealValue>,
+        context: &dyn Context<RealValue>,
+    ) -> Result<RealValue, CallError> {
+        let coefficients = (self.in_fields)()?;
+        called(&coefficients, call, context, |value| Ok(of_field(value.element()).into()))
+    }
+}
+
+/// The value of a call, whose arguments are numbers of another type.
+fn called<V: Value + PartialEq>(
+    coefficients: &Coefficients<'_, V>,
+    call: &Call<'_, RealValue>,
+    context: &dyn Context<RealValue>,
+    number: impl Fn(V) -> Result<RealValue, CallError>,
+) -> Result<RealValue, CallError> {
+    let argument = |value: &RealValue| {
+        value.number().and_then(|number| V::of_number(&number)).ok_or_else(|| {
+            let function = call.function;
+            let message = format!("`{function}` is computed of numbers of a field Q(2cos(2π/n))");
+            CallError::Misuse(format!("{message}, and not of {value}"))
+        })
+    };
+    let arguments = call.arguments.iter().map(argument);
+    let arguments = arguments.collect::<Result<Vec<V>, CallError>>()?;
+    let indices = call.indices.iter().map(|(name, value)| Ok((name.clone(), argument(value)?)));
+    let indices = indices.collect::<Result<Vec<(String, V)>, CallError>>()?;
+    let call = Call {
+        function: call.function,
+        arguments: &arguments,
+        options: call.options,
+        indices: &indices,
+    };
+    if about(call.function).is_some() {
+        let mut options = Options::new(&call);
+        let value = coefficients.real(&call, &mut options, &Numbers(context))?;
+        return options.finished(value);
+    }
+    number(coefficients.call(&call, &Numbers(context))?)
+}
+
+/// A number of a real field as a real number of any kind.
+fn of_field(element: &FieldElement) -> RealExpression {
+    let Some((root, minimal)) = element.field() else {
+        return RealExpression::from(element.as_rational().unwrap_or_else(Rational::zero));
+    };
+    let below = RealAlgebraic::roots_of(minimal).iter().filter(|other| *other < root).count();
+    let coefficients = minimal.coefficients().iter().map(|c| RealCyclotomic::from(c.clone()));
+    let coefficients: Vec<RealCyclotomic> = coefficients.collect();
+    let generator =
+        RealExpression::root(&coefficients, below + 1).expect("a root of the minimal polynomial");
+    let terms = element.coordinates().coefficients();
+    terms.iter().rev().fold(RealExpression::zero(), |sum, c| {
+        sum.times(&generator).plus(&RealExpression::from(c.clone()))
+    })
 }

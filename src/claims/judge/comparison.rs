@@ -5,10 +5,11 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::real_formulas::Reals;
 use crate::evaluation::reference;
 use crate::evaluation::shape::{Coefficients, Own, Shapes, own_shape};
-use crate::exact::{Polynomial, Rational, Scalar as _};
+use crate::exact::{AlgebraicNumber, Polynomial, Rational, Scalar as _};
 use crate::finding::SideValue;
 use crate::formula::{
-    Context as _, Expr, FormulaError, LocatedFormula, RealValue, Scope, Value as _, Work, evaluate,
+    CallError, Context as _, Expr, FormulaError, LocatedFormula, RealValue, Scope, Value as _,
+    Work, evaluate,
 };
 use crate::judge::cases::Case;
 use crate::judge::hypotheses;
@@ -20,6 +21,8 @@ pub(crate) struct Sides<'a> {
     pub(crate) paper: &'a Paper,
     pub(crate) identity: &'a Identity,
     pub(crate) shapes: &'a Shapes<'a, Polynomial>,
+    /// The schemes whose masks are over other real fields.
+    pub(crate) in_fields: &'a Shapes<'a, AlgebraicNumber>,
     /// The values that the paper states, for a relation, without those that its own names hide.
     pub(crate) given: BTreeMap<String, Rational>,
     /// The steps of all evaluations so far.
@@ -44,13 +47,21 @@ impl Sides<'_> {
         formula: &LocatedFormula,
         case: &Case,
     ) -> Result<SideValue, Diagnostic> {
-        match self.evaluated(&formula.expr, case)? {
-            Ok(value) => Ok(SideValue::Polynomial(value)),
-            Err(error) if error.kind.is_other_real() && self.is_of_numbers() => {
-                self.real(formula, case).map(SideValue::Real)
+        let found = self.evaluated(&formula.expr, case);
+        let error = match found {
+            Ok(Ok(value)) => return Ok(SideValue::Polynomial(value)),
+            Ok(Err(error)) if error.kind.is_other_real() && self.is_of_numbers() => {
+                return self.real(formula, case).map(SideValue::Real);
             }
-            Err(error) => Err(formula.diagnostic(&error)),
+            Ok(Err(error)) => formula.diagnostic(&error),
+            Err(error) => error,
+        };
+        // The mask may have coefficients in another real field.
+        if error.cap.is_some() || !self.is_of_numbers() {
+            return Err(error);
         }
+        let found = self.real(formula, case).map(SideValue::Real);
+        found.map_err(|other| if other.cap.is_some() { other } else { error })
     }
 
     /// Whether the sides have neither symbols nor hypotheses about them.
@@ -62,8 +73,14 @@ impl Sides<'_> {
 
     /// The value of a side as a real number.
     fn real(&self, formula: &LocatedFormula, case: &Case) -> Result<RealValue, Diagnostic> {
-        let coefficients = Coefficients { shapes: self.shapes, own: self.own(case)? };
-        let functions = Reals { coefficients: &coefficients };
+        let own = self.own(case).ok();
+        let coefficients = own.map(|own| Coefficients { shapes: self.shapes, own });
+        let in_fields = || {
+            let own = self.own_in_field(case);
+            let own = own.map_err(|error| CallError::Misuse(error.message.clone()))?;
+            Ok(Coefficients { shapes: self.in_fields, own })
+        };
+        let functions = Reals { coefficients: coefficients.as_ref(), in_fields: &in_fields };
         let mut scope = Scope::new(&self.paper.definitions, &functions);
         for (name, value) in &self.given {
             scope = scope.with(name, RealValue::from_rational(value));
@@ -88,6 +105,18 @@ impl Sides<'_> {
         let Some(located) = &self.identity.scheme else { return Ok(None) };
         let scope = self.scope(case, &none, &member)?;
         own_shape(self.shapes, located, &scope).map(Some)
+    }
+
+    /// The scheme of the claim, with a mask over any real field.
+    fn own_in_field(&self, case: &Case) -> Result<Option<Own<AlgebraicNumber>>, Diagnostic> {
+        let none = Coefficients { shapes: self.in_fields, own: None };
+        let Some(located) = &self.identity.scheme else { return Ok(None) };
+        let mut scope = Scope::new(&self.paper.definitions, &none);
+        let values = case.values.iter().map(|(name, value)| (name, value));
+        for (name, value) in self.given.iter().chain(values) {
+            scope = scope.with(name, AlgebraicNumber::from_rational(value));
+        }
+        own_shape(self.in_fields, located, &scope).map(Some)
     }
 
     fn evaluated(

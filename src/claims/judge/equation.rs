@@ -58,7 +58,9 @@ fn compare(
     if identity.only || identity.real_index().is_some() {
         return reals::judge(paper, identity, library, &given);
     }
-    let sides = Sides { paper, identity, shapes, given, spent: Cell::new(0) };
+    let in_fields = Shapes::with_filters(library);
+    let in_fields = &in_fields;
+    let sides = Sides { paper, identity, shapes, in_fields, given, spent: Cell::new(0) };
     if identity.is_for_all() {
         return for_all(&sides);
     }

@@ -36,7 +36,9 @@ pub(crate) fn rational<V: Value>(mask: &Mask<V>) -> Result<Mask, CallError> {
     if let Some(mask) = as_rational(mask) {
         return Ok(mask);
     }
-    numbers(mask)?;
+    if converted(mask, V::element).is_none() {
+        numbers(mask)?;
+    }
     let what = "the degree of the coefficients of a mask whose limits are computed";
     Err(CallError::BeyondCap(Cap::new(what, 1)))
 }

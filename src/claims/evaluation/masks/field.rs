@@ -1,6 +1,6 @@
 //! Masks over the number field of their coefficients.
 
-use super::common::numbers;
+use super::common::{converted, numbers};
 use crate::exact::{
     AlgebraicNumber, FieldElement, Rational, RealCyclotomic, Scalar as _, common_conductor,
     cosine_polynomial,
@@ -8,8 +8,11 @@ use crate::exact::{
 use crate::formula::{CallError, Value};
 use crate::scheme::Mask;
 
-/// A mask over one field Q(2cos(2π/n)) as one over the field that this number generates.
+/// A mask over one real field; of one over Q(2cos(2π/n)) it is the field that this number generates.
 pub(crate) fn over_field<V: Value>(mask: &Mask<V>) -> Result<Mask<FieldElement>, CallError> {
+    if let Some(mask) = converted(mask, V::element) {
+        return Ok(mask);
+    }
     let mask = numbers(mask)?;
     let all: Vec<RealCyclotomic> = mask.rules().rows().iter().flatten().cloned().collect();
     let conductors = all.iter().map(RealCyclotomic::conductor);

@@ -1,7 +1,7 @@
 //! Functions of masks over any ordered field: of numbers, or of functions of a parameter at a place of it.
 
 use super::common::{IRRATIONAL, converted, numbers};
-use crate::exact::{QuotientAt, Real};
+use crate::exact::{FieldElement, QuotientAt, Real};
 use crate::formula::{CallError, FormulaErrorKind, Value};
 use crate::scheme::Mask;
 use std::fmt::Display;
@@ -25,8 +25,13 @@ pub(super) fn answered<V: Value>(
     let located: Option<Vec<Mask<QuotientAt>>> =
         masks.iter().map(|mask| converted(mask, V::at_place)).collect();
     let at_place: Option<Vec<QuotientAt>> = others.iter().map(|value| value.at_place()).collect();
+    let in_field: Option<Vec<Mask<FieldElement>>> =
+        masks.iter().map(|mask| converted(mask, V::element)).collect();
+    let elements: Option<Vec<FieldElement>> = others.iter().map(|value| value.element()).collect();
     let found = if let (Some(masks), Some(others)) = (located, at_place) {
         V::of_place(asked.value(&masks, &others)?)
+    } else if let (Some(masks), Some(others)) = (in_field, elements) {
+        V::of_element(&asked.value(&masks, &others)?)
     } else {
         let masks = masks.iter().map(|mask| numbers(mask));
         let others = others.iter().map(|value| {

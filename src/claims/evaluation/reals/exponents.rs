@@ -13,7 +13,8 @@ use crate::formula::{Call, CallError, RealValue, Value};
 use crate::limit::{greatest_of_bounded, greatest_of_step};
 use crate::scheme::{Instance, Mask};
 use crate::smoothness::{
-    ExponentFormula, Smoothness, Symbol, modulus, modulus_extremes, riesz_bounds, sobolev_exponent,
+    Coefficient, ExponentFormula, Smoothness, Symbol, modulus, modulus_extremes, riesz_bounds,
+    sobolev_exponent,
 };
 use crate::spectrum::Spectrum;
 use std::cell::RefCell;
@@ -81,6 +82,11 @@ impl KnownReals {
             let [lower, upper] = found.ok_or_else(|| beyond("the degree of a symbol", 48))?;
             return Ok(if call.function == "modulus_lower" { lower } else { upper }.into());
         }
+        if let ("smoothness" | "hoelder", Err(_)) = (call.function, rational(mask)) {
+            // What is known of these is in no certificate.
+            let smoothness = smoothness(&over_field(mask)?)?;
+            return exponent(call.function, &smoothness);
+        }
         let mask = rational(mask)?;
         match call.function {
             "smoothness" | "hoelder" => {
@@ -88,11 +94,7 @@ impl KnownReals {
                 if used.borrow().iter().all(|(_, one)| one.mask != limits.mask) {
                     used.borrow_mut().push((name.clone(), Arc::clone(&limits)));
                 }
-                if call.function == "smoothness" {
-                    continuity(&limits.smoothness)
-                } else {
-                    hoelder(&limits.smoothness)
-                }
+                exponent(call.function, &limits.smoothness)
             }
             "overshoot" | "gibbs" => {
                 let step = call.function == "gibbs";
@@ -152,11 +154,20 @@ impl KnownReals {
 
     fn limits(&self, mask: Mask) -> Result<Arc<Limits>, CallError> {
         once(&self.limits, mask, |mask| {
-            let smoothness = Smoothness::of(mask)
-                .map_err(|_| beyond("the number of rows of the matrices of differences", 64))?;
+            let smoothness = smoothness(mask)?;
             Ok(Arc::new(Limits { mask: mask.clone(), smoothness }))
         })
     }
+}
+
+fn smoothness<F: Coefficient>(mask: &Mask<F>) -> Result<Smoothness<F>, CallError> {
+    Smoothness::of(mask)
+        .map_err(|_| beyond("the number of rows of the matrices of differences", 64))
+}
+
+/// The value of `smoothness` or `hoelder`.
+fn exponent<F: Coefficient>(function: &str, known: &Smoothness<F>) -> Result<RealValue, CallError> {
+    if function == "smoothness" { continuity(known) } else { hoelder(known) }
 }
 
 fn beyond(what: &'static str, most: u64) -> CallError {
@@ -164,7 +175,7 @@ fn beyond(what: &'static str, most: u64) -> CallError {
 }
 
 /// The greatest m for which all limits are C^m; −1 without continuous limits.
-fn continuity(known: &Smoothness) -> Result<RealValue, CallError> {
+fn continuity<F: Coefficient>(known: &Smoothness<F>) -> Result<RealValue, CallError> {
     let whole = |m: usize| Rational::from(m);
     match (known.continuity, known.continuity_fails) {
         (_, Some(0)) => Ok(RealValue::from_rational(&Rational::from(-1))),
@@ -176,7 +187,7 @@ fn continuity(known: &Smoothness) -> Result<RealValue, CallError> {
     }
 }
 
-fn hoelder(known: &Smoothness) -> Result<RealValue, CallError> {
+fn hoelder<F: Coefficient>(known: &Smoothness<F>) -> Result<RealValue, CallError> {
     let exponent = known.hoelder.as_ref().ok_or_else(|| match known.continuity_fails {
         Some(0) => {
             CallError::Undefined("there is no exponent, as limits are not continuous".to_owned())
@@ -193,7 +204,7 @@ fn hoelder(known: &Smoothness) -> Result<RealValue, CallError> {
 }
 
 /// What the bounds of the joint spectral radius in certificates show of the exponent; `None` where they show nothing on one side.
-fn shown(known: &Smoothness) -> Option<RealValue> {
+fn shown<F: Coefficient>(known: &Smoothness<F>) -> Option<RealValue> {
     let differences = &known.differences;
     if known.reduced.is_some() || known.continuity.is_none() {
         return None;

@@ -1,19 +1,26 @@
 //! Real algebraic numbers as values of formulas.
 
 use super::value::Value;
-use crate::exact::{AlgebraicNumber, Enclosed as _, Integer, Rational, Real as _};
+use crate::exact::{AlgebraicNumber, Enclosed as _, FieldElement, Integer, Rational, Real as _};
 use crate::formula::error::FormulaErrorKind;
 use crate::formula::root_error::RootError;
 
 impl Value for AlgebraicNumber {
     fn as_rational(&self) -> Option<Rational> {
-        self.element().as_rational()
+        AlgebraicNumber::element(self).as_rational()
+    }
+    fn element(&self) -> Option<FieldElement> {
+        Some(AlgebraicNumber::element(self).clone())
+    }
+    fn of_element(element: &FieldElement) -> Option<Self> {
+        Some(element.clone().into())
     }
     fn size(&self) -> u64 {
         // A product takes the square of the degree many products of coefficients.
-        let degree =
-            self.element().field().map_or(1, |(_, minimal)| minimal.coefficients().len() as u64);
-        self.element().coordinates().bits().saturating_mul(degree)
+        let degree = AlgebraicNumber::element(self)
+            .field()
+            .map_or(1, |(_, minimal)| minimal.coefficients().len() as u64);
+        AlgebraicNumber::element(self).coordinates().bits().saturating_mul(degree)
     }
     fn quotient(&self, divisor: &Self) -> Option<Self> {
         Some(self.over(divisor))

@@ -1,8 +1,8 @@
 //! The types of values of formulas.
 
 use crate::exact::{
-    CosineError, Integer, Parametric, Polynomial, QuotientAt, Rational, Real, RealCyclotomic,
-    Scalar, common_conductor,
+    CosineError, FieldElement, Integer, Parametric, Polynomial, QuotientAt, Rational, Real,
+    RealCyclotomic, Scalar, common_conductor,
 };
 use crate::formula::error::FormulaErrorKind;
 use crate::formula::root_error::{RootError, rational_root};
@@ -63,6 +63,16 @@ pub trait Value: Scalar + std::fmt::Display {
     /// This function of a parameter at a place of it, if the type has it.
     #[must_use]
     fn of_place(_: QuotientAt) -> Option<Self> {
+        None
+    }
+
+    /// This as a number of some real field, if the type is about these.
+    fn element(&self) -> Option<FieldElement> {
+        None
+    }
+    /// This number of a real field, if the type has it.
+    #[must_use]
+    fn of_element(_: &FieldElement) -> Option<Self> {
         None
     }
 
