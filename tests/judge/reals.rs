@@ -82,6 +82,23 @@ fn what_holds_holds_and_its_contrary_fails() {
         ("eigenvalue(doo-sabin, 4, 2, 1) = 1/4", "eigenvalue(doo-sabin, 4, 1, 1) = 1/4"),
         ("curvature(loop, 6) = 1", "curvature(loop, 7) <= 1"),
         ("curvature(loop, 7, part = elliptic) = 1", "curvature(loop, 7, part = hyperbolic) <= 1"),
+        (
+            "tangent_weight(loop, 5, 1, orbit = edge) = cos(2*pi/5)",
+            "tangent_weight(loop, 5, 1) = 1",
+        ),
+        (
+            "tangent_weight(loop, 4, 1, orbit = edge, tangent = second) = 1",
+            "tangent_weight(loop, 4, 2, orbit = edge, tangent = second) > 0",
+        ),
+        (
+            "tangent_weight(catmull-clark, 4, 0, orbit = face) = 1/4",
+            "tangent_weight(catmull-clark, 4, 1, orbit = face) > 0",
+        ),
+        ("sum_rules(daubechies-6) = 3", "orthogonal(daubechies-6) = 0"),
+        ("hoelder(daubechies-6) ~ 1.0878", "hoelder(daubechies-4) > 0.5501"),
+        ("biorthogonal(wavelet-9-7, with = wavelet-9-7-synthesis)", "symmetric(daubechies-8)"),
+        ("limit_value(daubechies-6, 1) ~ 1.2863", "limit_value(daubechies-6, 2) > 0"),
+        ("sobolev(daubechies-6) ~ 1.4150", "smoothness(daubechies-6) = 0"),
         ("limit_weight(catmull-clark, 4) = 4/9", "limit_weight(catmull-clark, 4) = 16/37"),
         (
             "limit_weight(catmull-clark, 3, orbit = face) = 1/24",

@@ -3,7 +3,7 @@
 use crate::formula::CallError;
 
 /// The calls of all functions, each with its meaning, for help texts.
-pub const QUANTITIES: [(&str, &str); 53] = [
+pub const QUANTITIES: [(&str, &str); 54] = [
     ("contraction(c, order = adjoint|forward)", "T_c; with `terms = total` and c = 1, max |Σ b|"),
     ("norm(c, order = adjoint|forward)", "Λ_c, the norm of the scheme"),
     ("tensor(c, order = …, suprema = independent|joint)", "T_c·Λ_c of the tensor product"),
@@ -78,6 +78,10 @@ pub const QUANTITIES: [(&str, &str); 53] = [
     (
         "limit_weight(N, orbit = NAME)",
         "the weight of each point of an orbit in the limit of the vertex",
+    ),
+    (
+        "tangent_weight(N, j, orbit = NAME, tangent = first|second)",
+        "the weight of point j of an orbit in a tangent at the vertex",
     ),
     ("positive()", "1 if the limits of all non-negative data are not negative, else 0"),
     ("monotone()", "1 if the limits of all increasing data increase, else 0"),

@@ -39,7 +39,7 @@ pub(crate) enum Part {
 const MAX_DERIVATIVE: i64 = 16;
 
 /// The options of functions. All others are parameters of the scheme that is named.
-const OWN: [&str; 15] = [
+const OWN: [&str; 16] = [
     "data",
     "derivative",
     "exponent",
@@ -53,6 +53,7 @@ const OWN: [&str; 15] = [
     "rounded",
     "sequence",
     "suprema",
+    "tangent",
     "terms",
     "with",
 ];
@@ -121,6 +122,11 @@ impl<'a> Options<'a> {
 
     pub(crate) fn data(&mut self) -> Result<Data, CallError> {
         self.choose("data", &[("sampled", Data::Sampled), ("adapted", Data::Adapted)])
+    }
+
+    /// Whether the second of two tangents is meant, and not the first.
+    pub(crate) fn is_second_tangent(&mut self) -> Result<bool, CallError> {
+        self.choose("tangent", &[("first", false), ("second", true)])
     }
 
     pub(crate) fn part(&mut self) -> Result<Part, CallError> {

@@ -289,7 +289,7 @@ fn of_mask_only<V>(what: &str, own: Own<V>) -> Result<Rc<Shape<V>>, CallError> {
         Own::Mask(shape) => Ok(shape),
         Own::Ring(_) => Err(CallError::Misuse(format!(
             "`{what}` is about a mask, and these are rules around a vertex or on a face; their functions are `eigenvalue`, \
-             `subdominant`, `curvature` and `limit_weight`"
+             `subdominant`, `curvature`, `limit_weight` and `tangent_weight`"
         ))),
     }
 }

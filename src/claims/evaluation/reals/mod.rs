@@ -24,7 +24,8 @@ const OF_MASKS: [&str; 10] = [
 ];
 
 /// The functions of rings.
-const OF_RINGS: [&str; 4] = ["eigenvalue", "subdominant", "curvature", "limit_weight"];
+const OF_RINGS: [&str; 5] =
+    ["eigenvalue", "subdominant", "curvature", "limit_weight", "tangent_weight"];
 
 /// What such a function is about.
 #[derive(Clone, Copy, PartialEq, Eq)]

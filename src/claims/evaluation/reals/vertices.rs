@@ -49,7 +49,23 @@ pub(crate) fn of_ring<V: Value>(
         }
         ("subdominant", []) => subdominant(&spectrum).map(|value| value.clone().into()),
         ("curvature", []) => curvature(&spectrum, options.part()?),
-        ("limit_weight", []) => limit_weight(&rules, &spectrum, options.take("orbit")),
+        ("limit_weight", []) => {
+            let (first, _) = orbit(&rules, options.take("orbit"))?;
+            let weights = spectrum.limit.as_ref().ok_or_else(|| {
+                CallError::Undefined("the points of this ring have no limit, or not one".to_owned())
+            })?;
+            Ok(RealExpression::from(weights[first].clone()).into())
+        }
+        ("tangent_weight", [point]) => {
+            let second = options.is_second_tangent()?;
+            let (first, count) = orbit(&rules, options.take("orbit"))?;
+            let point = within("the number of a point", point, 0..=100)?;
+            subdominant(&spectrum)?;
+            let tangents = spectrum.tangents.as_ref().ok_or_else(|| {
+                CallError::Undefined("the eigenvalue of the tangents is not simple".to_owned())
+            })?;
+            Ok(tangents[usize::from(second)][first + point % count].clone().into())
+        }
         _ => Err(usage(call.function)),
     }
 }
@@ -148,24 +164,17 @@ fn curvature(spectrum: &Spectrum, part: Part) -> Result<RealValue, CallError> {
     })
 }
 
-/// The weight of each point of an orbit in the limit.
-fn limit_weight(
-    rules: &LocalRules,
-    spectrum: &Spectrum,
-    orbit: Option<String>,
-) -> Result<RealValue, CallError> {
+/// The first point of an orbit, and how many it has; of the first orbit without a name.
+fn orbit(rules: &LocalRules, asked: Option<String>) -> Result<(usize, usize), CallError> {
     let mut first = 0;
     for known in rules.orbits() {
-        if orbit.as_ref().is_none_or(|name| *name == known.name) {
-            let weights = spectrum.limit.as_ref().ok_or_else(|| {
-                CallError::Undefined("the points of this ring have no limit, or not one".to_owned())
-            })?;
-            return Ok(RealExpression::from(weights[first].clone()).into());
+        if asked.as_ref().is_none_or(|name| *name == known.name) {
+            return Ok((first, known.count));
         }
         first += known.count;
     }
     let names: Vec<&str> = rules.orbits().iter().map(|orbit| &orbit.name[..]).collect();
-    let asked = orbit.unwrap_or_default();
+    let asked = asked.unwrap_or_default();
     let message = format!("the ring has no orbit `{asked}`; its orbits are {}", names.join(", "));
     Err(CallError::Misuse(message))
 }
