@@ -201,3 +201,28 @@ proptest! {
         prop_assert!(near(enclosure.lower()) && near(enclosure.upper()));
     }
 }
+
+#[test]
+fn regular_vertices_are_twice_differentiable() {
+    for (scheme, valence, m, expected) in [
+        ("catmull-clark", 4, 2, CONFIRMED),
+        ("loop", 6, 2, CONFIRMED),
+        ("loop-warren", 6, 2, CONFIRMED),
+        // Third derivatives of a cubic spline jump, which is not decided here.
+        ("catmull-clark", 4, 3, OPEN),
+        ("catmull-clark", 5, 2, REFUTED),
+        ("loop", 5, 2, OPEN),
+        ("doo-sabin", 4, 2, OPEN),
+        // Another weight than that of the box spline.
+        ("loop-weight:beta=1/15", 6, 2, OPEN),
+    ] {
+        let fields = format!("scheme = '{scheme}'\nvalences = '{valence}'\ncontinuous = '{m}'");
+        assert_eq!(verdict("smoothness", &fields), expected, "{fields}");
+    }
+    // The rules of the models are those of the splines.
+    for (scheme, weights) in [("catmull-clark:N=4", [9, 16]), ("loop:N=6", [5, 8])] {
+        let ring = subcert::scheme::parse_local_rules(scheme).expect("a ring");
+        let own = ring.weights().entry(0, 0).as_rational().cloned();
+        assert_eq!(own, Some(Rational::new(weights[0], weights[1])));
+    }
+}

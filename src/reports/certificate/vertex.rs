@@ -38,6 +38,14 @@ pub(super) fn lines(
     };
     for vertex in shown {
         let smooth = matches!(vertex.verdict, Verdict::Proved { .. });
+        if let (true, true, Some(2), None, Some(family)) =
+            (smooth, vertex.regular, continuous, not_continuous, vertex.family)
+        {
+            block.line(format!("vertex {}", vertex.spectrum.order));
+            block.line(format!("part {}", family.name()));
+            block.line("regular");
+            continue;
+        }
         let beyond = |m: &Option<usize>| m.is_some_and(|m| m > 1);
         if smooth && (beyond(&continuous) || beyond(&not_continuous)) {
             block.give_up("what follows from the curvature is not certified");

@@ -55,6 +55,16 @@ impl Family {
         &model.expect("a model in the catalogue").name
     }
 
+    /// The valence at which the surfaces are those of the regular part, if these are C²: bicubic splines, and quartic box splines.
+    #[must_use]
+    pub fn smooth_valence(self) -> Option<usize> {
+        match self {
+            Family::Bicubic => Some(4),
+            Family::BoxSpline => Some(6),
+            Family::Biquadratic => None,
+        }
+    }
+
     /// The pieces of the ring, in words.
     #[must_use]
     pub fn pieces(self) -> &'static str {

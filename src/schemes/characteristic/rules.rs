@@ -31,6 +31,8 @@ pub(super) struct Rules {
     pub(super) reason: Option<Reason>,
     /// Whether the points next to the vertex have rules of their own, as the vertex has.
     pub(super) own: bool,
+    /// Whether the rules are those of the regular part at its regular valence, and its surfaces are C².
+    pub(super) regular: bool,
     pub(super) ring: LocalRules,
     pub(super) wider: Option<LocalRules>,
 }
@@ -59,16 +61,23 @@ pub(super) fn rules(ring: LocalRules) -> Result<Rules, SpectrumError> {
     }
     let Some(family) = Family::of_orbits(&names).filter(|_| fits) else {
         let reason = Some(Reason::RegularPart);
-        return Ok(Rules { family: None, reason, own: false, ring, wider: None });
+        return Ok(Rules { family: None, reason, own: false, regular: false, ring, wider: None });
     };
     let model = surroundings(family.scheme(), Some(n))?;
     let reason = difference(&ring, &model.ring);
+    let regular = is_regular(family, &ring, &model.ring);
     let wider = match reason {
         None => model.wider.and_then(|wider| replaced(&ring, &wider)),
         Some(_) => None,
     };
     let reason = reason.or(wider.is_none().then_some(Reason::RegularPart));
-    Ok(Rules { family: Some(family), reason, own: false, ring, wider })
+    Ok(Rules { family: Some(family), reason, own: false, regular, ring, wider })
+}
+
+/// Whether the rules are those of the regular part: at its regular valence the model of the catalogue has these.
+fn is_regular(family: Family, own: &LocalRules, model: &LocalRules) -> bool {
+    let n = own.orbits().last().map_or(0, |orbit| orbit.count);
+    family.smooth_valence() == Some(n) && own.weights() == model.weights()
 }
 
 /// Rules with those of the points around: these have to be those of the regular part.
@@ -87,11 +96,19 @@ fn with_surroundings(family: Family, wider: LocalRules, n: usize) -> Result<Rule
         .all(|a| all.clone().skip(count).all(|b| wider.weights().entry(a, b).sign() == 0));
     let Some(inner) = inner.filter(|_| regular && closed) else {
         let reason = Some(Reason::OuterRules);
-        return Ok(Rules { family: None, reason, own: false, ring: wider, wider: None });
+        return Ok(Rules {
+            family: None,
+            reason,
+            own: false,
+            regular: false,
+            ring: wider,
+            wider: None,
+        });
     };
     let reason = (!is_mirrored(&inner, family)).then_some(Reason::Mirror);
     let own = difference(&inner, &model.ring) == Some(Reason::InnerRules);
-    Ok(Rules { family: Some(family), reason, own, ring: inner, wider: Some(wider) })
+    let regular = is_regular(family, &inner, &model.ring);
+    Ok(Rules { family: Some(family), reason, own, regular, ring: inner, wider: Some(wider) })
 }
 
 /// Whether rules are their own mirror image: edge points i go to −i, and face points at a vertex to −1 − i, on a face to −i.

@@ -34,6 +34,8 @@ pub struct Vertex {
     pub family: Option<Family>,
     /// Whether the points next to the vertex have rules of their own: then the ring has twelve pieces in each sector.
     pub own: bool,
+    /// Whether the rules are those of the regular part at its regular valence, so that the surface is C².
+    pub regular: bool,
     /// The spectrum, of the wider ring where the regular part is known.
     pub spectrum: Spectrum,
     /// The eigenvalue whose eigenvectors decide.
@@ -83,7 +85,7 @@ impl Vertex {
     }
 
     fn judged(rules: Rules) -> Result<Vertex, SpectrumError> {
-        let Rules { family, reason, own, ring, wider } = rules;
+        let Rules { family, reason, own, regular, ring, wider } = rules;
         let spectrum = Spectrum::known(&ring, wider.as_ref())?;
         let (found, mut net) = (second(&spectrum), None);
         let verdict = match (family, reason, &found) {
@@ -120,17 +122,28 @@ impl Vertex {
         };
         let proved = matches!(verdict, Verdict::Proved { .. });
         let exponent = if proved { exponent(&spectrum) } else { None };
-        Ok(Vertex { family, own, spectrum, second: found.ok(), hypothesis, verdict, exponent, net })
+        Ok(Vertex {
+            family,
+            own,
+            regular,
+            spectrum,
+            second: found.ok(),
+            hypothesis,
+            verdict,
+            exponent,
+            net,
+        })
     }
 
     /// Whether the surface of generic data is C^m there; `None` where that is not decided. C² fails where it is not C¹,
-    /// or the curvature is unbounded.
+    /// or the curvature is unbounded; it holds where the rules are regular (`proofs/THEOREMS.md`, 143).
     #[must_use]
     pub fn is_continuous(&self, m: usize) -> Option<bool> {
         let unbounded =
             || self.exponent.as_ref().is_some_and(|found| found.curvature.is_unbounded());
         match (&self.verdict, m) {
             (Verdict::Proved { .. }, 0 | 1) => Some(true),
+            (Verdict::Proved { .. }, 2) if self.regular => Some(true),
             (Verdict::Proved { .. }, _) if unbounded() => Some(false),
             (Verdict::Refuted(_), 1..) => Some(false),
             _ => None,

@@ -134,6 +134,9 @@ fn failing(hypothesis: Hypothesis) -> &'static str {
     }
 }
 
+/// Why surfaces are C².
+const REGULAR: &str = "the rules are those of the regular part";
+
 fn place(point: &RingPoint) -> String {
     format!("({}, {})", point.at[0], point.at[1])
 }
@@ -144,6 +147,9 @@ pub fn vertex_facts(vertex: &Vertex) -> Vec<(String, String)> {
     let Vertex { family, spectrum, second, verdict, exponent, .. } = vertex;
     let mut facts =
         vec![("C^1", format!("{}: {}", verdict_name(verdict), verdict_reason(verdict)))];
+    if vertex.regular {
+        facts.push(("C^2", format!("proved: {REGULAR}")));
+    }
     facts.push(("valence", spectrum.order.to_string()));
     let subdominant = spectrum.conditions.subdominant.as_ref().map(|value| (value, 1));
     let lambda = second.as_ref().map(|second| (&second.value, second.block)).or(subdominant);
@@ -291,7 +297,13 @@ pub(crate) fn vertices_outcome(found: &Vertices) -> Vec<String> {
                 down(found.value.lower())
             )
         });
-        format!("N = {}: C^1 is {said}{}", ranges(&numbers), smooth.unwrap_or_default())
+        let regular = if group.iter().all(|vertex| vertex.regular) {
+            format!("; C^2 is proved: {REGULAR}")
+        } else {
+            String::new()
+        };
+        let smooth = smooth.unwrap_or_default();
+        format!("N = {}: C^1 is {said}{smooth}{regular}", ranges(&numbers))
     };
     groups.into_iter().map(line).collect()
 }

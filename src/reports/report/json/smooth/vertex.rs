@@ -32,6 +32,8 @@ pub struct VertexForm {
     pub block: Option<usize>,
     /// Whether the eigenvalues are in order for C¹, as far as the points show it.
     pub in_order: bool,
+    /// Whether the rules are those of the regular part at its regular valence, so that the surface is C².
+    pub regular: bool,
     /// The most bisections of a piece; of a proof only.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bisections: Option<usize>,
@@ -98,6 +100,7 @@ impl VertexForm {
             subdominant: vertex.second.as_ref().map(|second| Exact::of(&second.value)),
             block: vertex.second.as_ref().map(|second| second.block),
             in_order: vertex.hypothesis.is_none(),
+            regular: vertex.regular,
             bisections,
             least_jacobian: least(vertex),
             points,
