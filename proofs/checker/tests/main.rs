@@ -16,6 +16,7 @@ mod family;
 mod format;
 mod kernel;
 mod limits;
+mod lists;
 mod masks;
 mod mutation;
 mod names;
