@@ -8,8 +8,8 @@ fn outcome(texts: &[&str], of: &str, lines: &str) -> Outcome {
     let listed: Vec<String> = texts.iter().map(|text| format!("'{text}'")).collect();
     let indices = if of.is_empty() { String::new() } else { format!("for = {of}\n") };
     let fields = format!("states = [{}]\n{indices}", listed.join(", "));
-    let said: String = texts.iter().map(|text| format!("states {text}\n ")).collect();
-    relation(&fields, &format!("{said}{lines}"))
+    let said = texts.iter().map(|text| format!("states {text}\n "));
+    relation(&fields, &said.chain([lines.to_owned()]).collect::<Vec<String>>().concat())
 }
 
 fn valid(texts: &[&str], of: &str, lines: &str) -> bool {
