@@ -143,6 +143,9 @@ impl Mask {
         {
             values.pop();
         }
+        if values.is_empty() {
+            return wrong("the symbol is 0");
+        }
         let mut zeros = 0_usize;
         while let Some(first) = values.get(zeros)
             && first.is_zero_on(piece)?

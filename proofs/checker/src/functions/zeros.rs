@@ -58,7 +58,7 @@ fn is_hurwitz(meter: &Meter, p: &[Value], piece: Option<&Piece<'_>>) -> Result<b
     for _ in rest {
         let zero = Value::int(0);
         let [start, pivot] = [&above, &row].map(|row| row.first().unwrap_or(&zero));
-        // A zero that is the pivot of a row leaves zeros that are not in the left half.
+        // One that is 0 or negative shows a zero that is not in the left half.
         if pivot.sign(piece)? <= 0 {
             return Ok(false);
         }
