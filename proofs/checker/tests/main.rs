@@ -28,6 +28,8 @@ mod radius;
 mod random_reals;
 mod ratios;
 mod reals_of_index;
+mod region_lines;
+mod regions;
 mod relations;
 mod rules;
 mod shape;

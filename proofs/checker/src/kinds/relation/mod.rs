@@ -4,7 +4,7 @@ mod all;
 mod compare;
 mod ranges;
 mod reals;
-mod states;
+pub mod states;
 
 use super::equation::cases::{Index, Listing, MAX_CASES, cases, name_of, scope};
 use super::kind::{Kind, Proof};
