@@ -65,6 +65,8 @@ pub struct Scope<'a> {
     pub families: BTreeSet<String>,
     /// The scheme that functions are about.
     pub scheme: Option<Rc<Scheme>>,
+    /// Whether filters may stand in functions: in relations and equations.
+    pub filters: bool,
     /// The ring that functions are about, if it is none of a mask.
     pub ring: Option<Rc<Ring>>,
     /// Names without a value that no index may have either.
@@ -103,6 +105,7 @@ impl<'a> Scope<'a> {
             beyond,
             families,
             scheme,
+            filters: false,
             ring,
             reserved,
             hidden,

@@ -30,6 +30,22 @@ const WORDS: [&str; 15] = [
     "with",
 ];
 
+/// The functions in which filters stand.
+const OF_FILTERS: [&str; 12] = [
+    "arity",
+    "biorthogonal",
+    "coefficient",
+    "hurwitz",
+    "modulus",
+    "modulus_lower",
+    "modulus_upper",
+    "orthogonal",
+    "same",
+    "symbol_at",
+    "symmetric",
+    "vanishing_moments",
+];
+
 const ORDER: [&str; 2] = ["adjoint", "forward"];
 const RECURSION: [&str; 2] = ["derived", "printed"];
 
@@ -128,12 +144,22 @@ impl<'c> Call<'c> {
     pub fn scheme(&mut self) -> Result<Rc<Scheme>, Stop> {
         let scheme = match self.reference()? {
             None => self.scope.scheme.clone(),
-            Some(reference) => self.library.resolve(&reference, self.scope)?.first().cloned(),
+            Some(reference) => self.library.resolve_any(&reference, self.scope)?.first().cloned(),
         };
         let what = if self.scope.ring.is_some() { "mask" } else { "scheme" };
         let scheme =
             scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a {what}", self.function)))?;
+        self.admits(&scheme)?;
         self.piece().map_or(Ok(Rc::clone(&scheme)), |piece| scheme.shortened(piece))
+    }
+
+    /// Checks that a scheme is no filter, or the function one of filters.
+    fn admits(&self, scheme: &Scheme) -> Result<(), Stop> {
+        let filters = self.scope.filters && OF_FILTERS.contains(&self.function);
+        if !scheme.is_filter() || filters {
+            return Ok(());
+        }
+        wrong(format!("a filter does not stand in `{}` here", self.function))
     }
 
     /// The ring that the call is about, at a valence.
@@ -160,7 +186,9 @@ impl<'c> Call<'c> {
         let Some(name) = self.option(option) else { return Ok(None) };
         let mut closed = self.library.closed();
         closed.reading = self.scope.reading;
-        Ok(self.library.resolve(name, &closed)?.first().cloned())
+        let scheme = self.library.resolve_any(name, &closed)?.first().cloned();
+        scheme.iter().try_for_each(|scheme| self.admits(scheme))?;
+        Ok(scheme)
     }
 
     /// Whether masks are read forwards, by the order that the call chooses.

@@ -4,7 +4,7 @@
 
 use super::call::Call;
 use super::real::Real;
-use super::{exponent, limits, peaks, vertices};
+use super::{exponent, limits, modulus, peaks, vertices};
 use crate::formulas::{Asked, Scope};
 use crate::schemes::Library;
 use crate::text::Stop;
@@ -12,7 +12,7 @@ use crate::text::Stop;
 /// The value of such a function; `None` if the function is none of these.
 pub fn real(library: &Library<'_>, scope: &Scope<'_>, of: Asked<'_>) -> Result<Option<Real>, Stop> {
     let mut call = Call::new(library, scope, of);
-    for group in [exponent::real, peaks::real, limits::real, vertices::real] {
+    for group in [exponent::real, peaks::real, limits::real, modulus::real, vertices::real] {
         if let Some(found) = group(&mut call)? {
             call.finished()?;
             return Ok(Some(found));

@@ -143,6 +143,9 @@ impl Mask {
         {
             values.pop();
         }
+        if values.is_empty() {
+            return wrong("the symbol is 0");
+        }
         let mut zeros = 0_usize;
         while let Some(first) = values.get(zeros)
             && first.is_zero_on(piece)?
@@ -269,6 +272,33 @@ impl Mask {
         }
         Ok(true)
     }
+}
+
+/// p/(1 + z + … + z^{n−1})^m, if that is a polynomial.
+pub fn divided(
+    meter: &Meter,
+    p: &[Value],
+    (n, m): (usize, usize),
+    piece: Option<&Piece<'_>>,
+) -> Result<Option<Vec<Value>>, Stop> {
+    let mut rest = p.to_vec();
+    for _ in 0..m {
+        let Some(next) = quotient(meter, &rest, n, piece)? else { return Ok(None) };
+        rest = next;
+    }
+    Ok(Some(rest))
+}
+
+/// Σ_i p_{i+k}p_i for k from 0 on.
+pub fn correlations(meter: &Meter, p: &[Value]) -> Result<Vec<Value>, Stop> {
+    let sum = |k: usize| {
+        let mut sum = Value::int(0);
+        for (a, b) in p.iter().skip(k).zip(p) {
+            add(meter, &mut sum, a, b)?;
+        }
+        Ok(sum)
+    };
+    (0..p.len()).map(sum).collect()
 }
 
 /// p/(1 + z + … + z^{n−1}), if that is a polynomial. It is (1 − z)p/(1 − z^n), a power series whose coefficients behind

@@ -3,11 +3,14 @@
 pub mod call;
 pub mod depth;
 pub mod exponent;
+mod extremes;
 mod found;
 mod limits;
 mod masks;
+mod modulus;
 mod named;
 mod peaks;
+mod ratios;
 mod real;
 mod reproduction;
 mod roots;
@@ -16,6 +19,7 @@ mod shape_on;
 mod steps;
 pub mod sums;
 mod vertices;
+mod zeros;
 
 pub use found::real;
 pub use real::Real;

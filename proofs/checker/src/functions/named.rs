@@ -6,7 +6,7 @@ use super::call::{Call, TERMS, entry, number, within, wrong};
 use super::depth::depth;
 use super::roots::{root, square_root};
 use super::sums::greatest;
-use super::{exponent, limits, masks, peaks, shape, vertices};
+use super::{exponent, limits, masks, modulus, peaks, ratios, shape, vertices, zeros};
 use crate::data::{best_offset, moved, surface};
 use crate::formulas::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::numbers::{Meter, Number, Q, Value, capped};
@@ -117,7 +117,9 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         }
         ("positive" | "monotone" | "convex", []) => shape::of(call),
         (_, arguments) => {
-            for group in [masks::of, limits::of, exponent::of, peaks::of, vertices::of] {
+            let of_masks = [masks::of, zeros::of, ratios::of, modulus::of];
+            let others = [limits::of, exponent::of, peaks::of, vertices::of];
+            for group in of_masks.into_iter().chain(others) {
                 if let Some(value) = group(call)? {
                     return Ok(value);
                 }

@@ -18,6 +18,8 @@ pub enum Real {
     RootOf(Vec<Number>, i64),
     /// A quotient.
     Ratio(Box<Real>, Box<Real>),
+    /// A square root.
+    SquareRoot(Box<Real>),
 }
 
 impl Real {

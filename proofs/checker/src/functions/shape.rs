@@ -8,7 +8,7 @@
 
 use super::call::Call;
 use super::limits::{exists, piece_of, values};
-use super::masks::{Mask, quotient};
+use super::masks::{self, Mask};
 use super::shape_on::{LENGTH, MAX_COEFFICIENTS, keeps_on};
 use crate::numbers::{Meter, Q, Value, common_multiple};
 use crate::schemes::{Library, Scheme};
@@ -99,12 +99,9 @@ fn integers(meter: &Meter, values: &[Value]) -> Result<Vec<BigInt>, Stop> {
 
 /// p/(1 + z + … + z^{n−1})^m, if that is a polynomial.
 fn divided(meter: &Meter, p: &[BigInt], n: usize, m: usize) -> Result<Option<Vec<BigInt>>, Stop> {
-    let mut rest: Vec<Value> = p.iter().map(|c| Q::from_integer(c.clone()).into()).collect();
-    for _ in 0..m {
-        let Some(next) = quotient(meter, &rest, n, None)? else { return Ok(None) };
-        rest = next;
-    }
-    integers(meter, &rest).map(Some)
+    let p: Vec<Value> = p.iter().map(|c| Q::from_integer(c.clone()).into()).collect();
+    let found = masks::divided(meter, &p, (n, m), None)?;
+    found.map(|quotient| integers(meter, &quotient)).transpose()
 }
 
 /// p(z^s)q(z).

@@ -3,7 +3,7 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::limits::{exists, values};
-use super::masks::{Mask, quotient};
+use super::masks::{Mask, divided};
 use super::steps::add;
 use crate::numbers::{Meter, Piece, Value};
 use crate::schemes::{Library, Scheme};
@@ -25,11 +25,11 @@ pub fn keeps_on(
     let meter = library.meter;
     let Mask { arity: n, values: a, .. } = Mask::on(meter, scheme, Some(piece))?;
     exists(library, scheme, Some(piece))?;
-    let Some(b) = divided(meter, &a, (n, m), piece)? else {
+    let Some(b) = divided(meter, &a, (n, m), Some(piece))? else {
         // As for numbers: some second differences are not 0, and so some are negative.
         let limit = values(library, scheme, Some(piece))?;
         let (mut refined, mut classes) = (a.clone(), n);
-        while divided(meter, &product(meter, (&refined, 1), &limit)?, (classes, m), piece)?
+        while divided(meter, &product(meter, (&refined, 1), &limit)?, (classes, m), Some(piece))?
             .is_some()
         {
             refined = product(meter, (&refined, n), &a)?;
@@ -60,21 +60,6 @@ fn is_negative(p: &[Value], piece: &Piece<'_>) -> Result<bool, Stop> {
         }
     }
     Ok(false)
-}
-
-/// p/(1 + z + … + z^{n−1})^m, if that is a polynomial.
-fn divided(
-    meter: &Meter,
-    p: &[Value],
-    (n, m): (usize, usize),
-    piece: &Piece<'_>,
-) -> Result<Option<Vec<Value>>, Stop> {
-    let mut rest = p.to_vec();
-    for _ in 0..m {
-        let Some(next) = quotient(meter, &rest, n, Some(piece))? else { return Ok(None) };
-        rest = next;
-    }
-    Ok(Some(rest))
 }
 
 /// p(z^s)q(z).

@@ -2,9 +2,11 @@
 
 use super::decimal::Q;
 use super::meter::Meter;
+use super::polynomial::{divide, steps_of_gcd, trimmed};
 use super::root::{Root, sign_between};
 use super::value::Value;
 use crate::text::Stop;
+use num_traits::Zero as _;
 use std::cell::RefCell;
 use std::cmp::Ordering;
 
@@ -102,6 +104,28 @@ impl Value {
             None => Ok(self.is_zero()),
             one => self.is_zero_on(one),
         }
+    }
+
+    /// self/divisor, for a number that is not 0, or a polynomial in the symbol of the piece that divides this one.
+    pub fn share_of(
+        &self,
+        divisor: &Value,
+        piece: Option<&Piece<'_>>,
+        meter: &Meter,
+    ) -> Result<Value, Stop> {
+        let (Err(_), Some(piece)) = (divisor.number(), piece) else {
+            meter.spend(self.steps(divisor).saturating_add(self.cost_of_quotient(divisor)))?;
+            return self.over(divisor);
+        };
+        let no_share = || Stop::Wrong("a polynomial does not divide another".into());
+        let of = |value: &Value| value.univariate(&piece.symbol).ok_or_else(no_share);
+        let (divisor, whole) = (of(divisor)?, of(self)?);
+        meter.spend(steps_of_gcd(&whole, &divisor))?;
+        let (share, rest) = divide(whole, &trimmed(divisor));
+        if rest.iter().any(|c| !c.is_zero()) {
+            return Err(no_share());
+        }
+        Ok(Value::polynomial(&piece.symbol, share))
     }
 
     /// |self|.

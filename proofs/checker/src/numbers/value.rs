@@ -52,6 +52,19 @@ impl Value {
         Value { constant: Number::Small(0, 1), terms }
     }
 
+    /// The polynomial in a symbol with these coefficients, the constant one first.
+    pub fn polynomial(name: &str, coefficients: Vec<Q>) -> Value {
+        let (mut constant, mut terms) = (Number::Small(0, 1), BTreeMap::new());
+        let named = (0..).zip(coefficients).filter(|(_, c)| !c.is_zero());
+        for (power, c) in named {
+            match power {
+                0 => constant = c.into(),
+                _ => drop(terms.insert(vec![(Rc::from(name), power)], Number::from(c))),
+            }
+        }
+        Value { constant, terms }
+    }
+
     /// The number that this is; an error for a polynomial.
     pub fn number(&self) -> Result<&Number, Stop> {
         if self.terms.is_empty() {

@@ -61,6 +61,7 @@ impl Digits<'_> {
                 self.root(&coefficients, number)
             }
             Real::RootOf(coefficients, number) => self.root(coefficients, *number),
+            Real::SquareRoot(of) => self.square_root(&self.found(of)?),
             Real::Ratio(top, bottom) => self.quotient(&self.found(top)?, &self.found(bottom)?),
         }
     }

@@ -122,6 +122,16 @@ impl Product {
         self.coefficients.len() > MAX_LENGTH || self.classes > MAX_LENGTH
     }
 
+    /// n^c.
+    pub fn number_of_classes(&self) -> usize {
+        self.classes
+    }
+
+    /// All coefficients, in units of the second value.
+    pub fn coefficients(&self) -> (&[Value], &Value) {
+        (&self.coefficients, &self.scale)
+    }
+
     fn coefficient(&self, l: usize, f: usize) -> Option<&Value> {
         self.coefficients.get(f.checked_sub(l.checked_mul(self.stride)?)?)
     }

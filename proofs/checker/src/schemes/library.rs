@@ -3,9 +3,9 @@
 use super::limits::Limits;
 use super::products::Products;
 use super::reference::{arguments_of, parameters_of, split};
-use super::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Ring, Scheme};
-use super::{symbol, typed};
-use crate::formulas::{Definitions, Indices, Reading, Scope, formula, formulas};
+use super::scheme::{Ring, Scheme};
+use super::tables::is_filter;
+use crate::formulas::{Definitions, Indices, Reading, Scope, formula};
 use crate::numbers::{Meter, Value};
 use crate::text::{Stop, Toml};
 use std::cell::{Cell, RefCell};
@@ -13,18 +13,18 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The greatest length of a chain of names that stand for names.
-const MAX_ALIASES: usize = 8;
+pub(super) const MAX_ALIASES: usize = 8;
 
 /// The schemes of a claim file and of the catalogue.
 pub struct Library<'a> {
     /// The names of the schemes of the file, which hide those of the catalogue, and their places.
-    own: BTreeMap<&'a str, usize>,
+    pub(super) own: BTreeMap<&'a str, usize>,
     tables: BTreeMap<&'a str, &'a Toml>,
-    schemes: RefCell<BTreeMap<String, Rc<Scheme>>>,
+    pub(super) schemes: RefCell<BTreeMap<String, Rc<Scheme>>>,
     /// How many symbols of other schemes are being multiplied out.
-    composing: Cell<usize>,
+    pub(super) composing: Cell<usize>,
     /// The lengths of the chains of schemes in whose symbols others stand.
-    composed: RefCell<BTreeMap<*const Scheme, usize>>,
+    pub(super) composed: RefCell<BTreeMap<*const Scheme, usize>>,
     /// The steps of the claim at hand.
     pub meter: &'a Meter,
     /// The products of sequences and the constants that are known.
@@ -53,7 +53,7 @@ pub struct Constant {
 /// The name of a scheme, its table, and its parameters.
 pub type Entry<'a> = (&'a str, &'a Toml, BTreeMap<String, Value>);
 
-fn wrong<T>(of: &str, what: &str) -> Result<T, Stop> {
+pub(super) fn wrong<T>(of: &str, what: &str) -> Result<T, Stop> {
     Err(Stop::Wrong(format!("`{of}`: {what}")))
 }
 
@@ -118,8 +118,22 @@ impl<'a> Library<'a> {
     /// The schemes of a reference such as `six-point:w=w`, one for each factor of a tensor
     /// product. The parameters are evaluated in the scope.
     pub fn resolve(&self, reference: &str, scope: &Scope<'_>) -> Result<Vec<Rc<Scheme>>, Stop> {
+        let schemes = self.resolve_any(reference, scope)?;
+        if schemes.iter().any(|scheme| scheme.is_filter()) {
+            return wrong(reference, "a filter has no place here");
+        }
+        Ok(schemes)
+    }
+
+    /// The same, which may be one filter.
+    pub fn resolve_any(&self, reference: &str, scope: &Scope<'_>) -> Result<Vec<Rc<Scheme>>, Stop> {
         let entries = self.follow(reference, (scope, &mut Indices::new()), 0)?.into_iter();
-        entries.map(|(name, table, parameters)| self.scheme(name, table, parameters)).collect()
+        let schemes = entries.map(|(name, table, with)| self.scheme(name, table, with));
+        let schemes = schemes.collect::<Result<Vec<Rc<Scheme>>, Stop>>()?;
+        if schemes.len() > 1 && schemes.iter().any(|scheme| scheme.is_filter()) {
+            return wrong(reference, "a filter is no factor of a tensor product");
+        }
+        Ok(schemes)
     }
 
     /// The name and the table of the one scheme that a reference names, with its parameters.
@@ -222,7 +236,10 @@ impl<'a> Library<'a> {
             }
         }
         match self.named(name).and_then(|table| Some((table.text("name")?, table))) {
-            Some((name, table)) => Ok((name, table, parameters)),
+            Some((name, table)) => {
+                is_filter(name, table)?;
+                Ok((name, table, parameters))
+            }
             None => wrong(reference, "there is no such scheme"),
         }
     }
@@ -249,102 +266,5 @@ impl<'a> Library<'a> {
             }
         }
         Ok(parameters)
-    }
-
-    /// The scheme, with these parameters, whose symbol stands in that of the scheme `of`. Chains of such schemes are as short as those of names,
-    /// whatever schemes are known already.
-    fn other(
-        &self,
-        (of, name): (&str, &str),
-        parameters: Indices,
-        longest: &Cell<usize>,
-    ) -> Result<Rc<Scheme>, Stop> {
-        let place = |name: &str| self.own.get(name);
-        if place(name).is_some_and(|other| place(of).is_none_or(|own| own <= other)) {
-            return wrong(of, "a scheme in its symbol does not stand before it");
-        }
-        let chain = Stop::Capped("the schemes in whose symbols others stand");
-        let depth = self.composing.get();
-        if depth == MAX_ALIASES {
-            return Err(chain);
-        }
-        self.composing.set(depth + 1);
-        let mut scope = self.closed();
-        let given = parameters.iter().map(|(name, _)| format!("{name}={name}"));
-        let given = given.collect::<Vec<String>>().join(",");
-        scope.values.extend(parameters);
-        let found = self.resolve(&format!("{name}:{given}"), &scope);
-        self.composing.set(depth);
-        let Some(scheme) = found?.into_iter().next() else {
-            return wrong(name, "there is no such scheme");
-        };
-        let length = 1 + self.composed.borrow().get(&Rc::as_ptr(&scheme)).copied().unwrap_or(0);
-        if length > MAX_ALIASES {
-            return Err(chain);
-        }
-        longest.set(longest.get().max(length));
-        Ok(scheme)
-    }
-
-    fn scheme(
-        &self,
-        name: &str,
-        table: &Toml,
-        parameters: BTreeMap<String, Value>,
-    ) -> Result<Rc<Scheme>, Stop> {
-        let parameters = self.complete(name, table, parameters)?;
-        let key = format!("{name} {parameters:?}");
-        if let Some(known) = self.schemes.borrow().get(&key) {
-            return Ok(Rc::clone(known));
-        }
-        let longest = Cell::new(0);
-        let definitions = formulas(table.entries("let"))?;
-        let mut scope = self.scope(&definitions);
-        scope.values = parameters;
-        let integer = |key: &str, most: i64| match table.text(key) {
-            Some(text) => scope.value(&formula(text)?)?.integer(most),
-            None => wrong(name, "`mask` or `entry` is missing"),
-        };
-        let offset = if table.get("offset").is_some() { integer("offset", MAX_OFFSET)? } else { 0 };
-        let whole = match (table.text("mask"), table.text("symbol")) {
-            (None, None) => None,
-            _ if table.get("offset").is_some() => {
-                return wrong(name, "a mask in one text has its offset");
-            }
-            (Some(text), None) => Some(typed::mask(text, &scope)?),
-            (None, Some(text))
-                if ["mask", "width", "entry"].iter().all(|key| table.get(key).is_none()) =>
-            {
-                let other = |other: &str, with: Indices| self.other((name, other), with, &longest);
-                Some(symbol::mask(text, table.text("arity"), &scope, &other)?)
-            }
-            _ => return wrong(name, "its mask is given twice"),
-        };
-        if let Some((offset, mask)) = whole {
-            let scheme = Scheme::new(mask, offset)?;
-            let of_symbol = table.get("symbol").is_some();
-            let scheme = Rc::new(if of_symbol { scheme.of_symbol() } else { scheme });
-            self.composed.borrow_mut().insert(Rc::as_ptr(&scheme), longest.get());
-            self.schemes.borrow_mut().insert(key, Rc::clone(&scheme));
-            return Ok(scheme);
-        }
-        let mask: Result<Vec<Vec<Value>>, Stop> = if table.get("mask").is_some() {
-            let entry = |entry: &Toml| scope.value(&formula(entry.as_text().unwrap_or(""))?);
-            let rows = table.list("mask").iter();
-            rows.map(|row| row.as_list().iter().map(entry).collect()).collect()
-        } else {
-            let (arity, width) =
-                (integer("arity", MAX_ARITY.into())?, integer("width", MAX_WIDTH.into())?);
-            let entry = formula(table.text("entry").unwrap_or(""))?;
-            let at = |alpha, r| {
-                let indices = [("alpha", alpha), ("r", r)];
-                let indices = indices.map(|(name, i)| (name.to_owned(), Value::int(i)));
-                scope.evaluate(&entry, &mut indices.to_vec())
-            };
-            (0..arity).map(|alpha| (0..width).map(|r| at(alpha, r)).collect()).collect()
-        };
-        let scheme = Rc::new(Scheme::new(mask?, offset)?);
-        self.schemes.borrow_mut().insert(key, Rc::clone(&scheme));
-        Ok(scheme)
     }
 }

@@ -12,6 +12,7 @@ mod products;
 mod reference;
 mod scheme;
 mod symbol;
+mod tables;
 mod typed;
 
 pub use catalogue::catalogue;

@@ -43,6 +43,8 @@ pub struct Scheme {
     numbered: RefCell<BTreeMap<usize, Rc<Scheme>>>,
     /// Whether a symbol gives the mask, so that its first and its last column are not 0.
     of_symbol: bool,
+    /// Whether it is a filter, and no scheme with limits.
+    filter: bool,
     /// The same scheme without columns at both ends, by the number of the first one and that behind the last one.
     shortened: RefCell<BTreeMap<(usize, usize), Rc<Scheme>>>,
 }
@@ -59,20 +61,19 @@ impl Scheme {
         offset: i64,
         piece: Option<&Piece<'_>>,
     ) -> Result<Scheme, Stop> {
-        let width = mask.first().map_or(0, Vec::len);
-        let even = mask.iter().all(|row| row.len() == width);
-        if mask.len() > MAX_ARITY.into() || width > MAX_WIDTH.into() {
-            return Err(Stop::Capped("the number or the lengths of the rules of a mask"));
-        }
-        if mask.len() < 2 || width < 1 || !even {
-            return Err(wrong("the number or the lengths of its rules are wrong"));
-        }
+        check_size(&mask)?;
         for row in &mask {
             if !Value::total(row)?.minus(&Value::int(1))?.is_zero_on(piece)? {
                 return Err(wrong("a rule does not sum to 1"));
             }
         }
         Scheme::of(mask, offset)
+    }
+
+    /// A filter, whose rules may have any sums.
+    pub fn filter(mask: Vec<Vec<Value>>, offset: i64) -> Result<Scheme, Stop> {
+        check_size(&mask)?;
+        Ok(Scheme { filter: true, ..Scheme::of(mask, offset)? })
     }
 
     /// As [`new`](Self::new) for a mask of which this has been checked.
@@ -91,7 +92,7 @@ impl Scheme {
         }
         difference.push(last);
         let (limit, integrals, derived) = Default::default();
-        let (antiderivative, numbered, of_symbol, shortened) = Default::default();
+        let (antiderivative, numbered, of_symbol, shortened, filter) = Default::default();
         Ok(Scheme {
             mask,
             difference,
@@ -102,6 +103,7 @@ impl Scheme {
             antiderivative,
             numbered,
             of_symbol,
+            filter,
             shortened,
         })
     }
@@ -120,6 +122,9 @@ impl Scheme {
         while self.of_symbol && first + 1 < end && self.is_zero_in(end - 1, piece)? {
             end -= 1;
         }
+        if self.filter && end - first == 1 && self.is_zero_in(first, piece)? {
+            return Err(Stop::Wrong("the symbol of a filter is 0".into()));
+        }
         if end - first == self.width() {
             return Ok(Rc::clone(self));
         }
@@ -129,7 +134,7 @@ impl Scheme {
         let mask = self.mask.iter().map(|row| row[first..end].to_vec()).collect();
         let offset = i64::try_from(first).ok().and_then(|by| self.offset.checked_add(by));
         let offset = offset.ok_or(Stop::Capped("the size of an offset"))?;
-        let scheme = Rc::new(Scheme::of(mask, offset)?);
+        let scheme = Rc::new(Scheme { filter: self.filter, ..Scheme::of(mask, offset)? });
         self.shortened.borrow_mut().insert((first, end), Rc::clone(&scheme));
         Ok(scheme)
     }
@@ -177,6 +182,11 @@ impl Scheme {
         self.mask.iter().flatten().try_for_each(|a| a.number().map(|_| ()))
     }
 
+    /// Whether it is a filter: it stands in few functions.
+    pub fn is_filter(&self) -> bool {
+        self.filter
+    }
+
     /// The arity n.
     pub fn arity(&self) -> usize {
         self.mask.len()
@@ -186,6 +196,19 @@ impl Scheme {
     pub fn width(&self) -> usize {
         self.mask[0].len()
     }
+}
+
+/// Checks the number and the lengths of rules.
+fn check_size(mask: &[Vec<Value>]) -> Result<(), Stop> {
+    let width = mask.first().map_or(0, Vec::len);
+    let even = mask.iter().all(|row| row.len() == width);
+    if mask.len() > MAX_ARITY.into() || width > MAX_WIDTH.into() {
+        return Err(Stop::Capped("the number or the lengths of the rules of a mask"));
+    }
+    if mask.len() < 2 || width < 1 || !even {
+        return Err(wrong("the number or the lengths of its rules are wrong"));
+    }
+    Ok(())
 }
 
 fn wrong(what: &str) -> Stop {

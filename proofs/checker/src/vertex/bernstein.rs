@@ -29,6 +29,44 @@ pub fn on_triangle(d: usize, (i, j): (usize, usize), u: &Q, v: &Q) -> Q {
     choose(d, i) * choose(d - i, j) * Pow::pow(u, i) * Pow::pow(v, j) * rest
 }
 
+/// The columns of rows, which may be shorter one after the other.
+fn columns<T: Clone>(rows: &[Vec<T>]) -> Vec<Vec<T>> {
+    let count = rows.first().map_or(0, Vec::len);
+    let column = |j: usize| rows.iter().filter_map(|row| row.get(j).cloned()).collect();
+    (0..count).map(column).collect()
+}
+
+/// The coefficients on a half. A square is cut at u = 1/2, and u and v are exchanged then. A triangle with the corners A, B, C at
+/// (0, 0), (1, 0), (0, 1) is cut from C to the middle M of AB; the halves have the corners C, A, M and C, B, M. The coefficient m
+/// of a row comes from m means.
+pub fn halved<T: Clone>(
+    rows: &[Vec<T>],
+    triangle: bool,
+    second: bool,
+    mean: impl Fn(&T, &T) -> T,
+) -> Vec<Vec<T>> {
+    // The columns: polynomials in u of degree d − j, or d.
+    let columns = columns(rows).into_iter().map(|mut line| {
+        let mut kept = Vec::new();
+        while let (Some(first), Some(last)) = (line.first(), line.last()) {
+            kept.push(if second { last.clone() } else { first.clone() });
+            line = line.windows(2).map(|pair| mean(&pair[0], &pair[1])).collect();
+        }
+        if second && !triangle {
+            kept.reverse();
+        }
+        kept
+    });
+    let columns: Vec<Vec<T>> = columns.collect();
+    if !triangle {
+        return columns;
+    }
+    // In column j, the entry m has the powers j at C, m at M and d − j − m at the other end.
+    let d = rows.len() - 1;
+    let row = |end: usize| (0..=d - end).map(|m| columns[d - end - m][m].clone()).collect();
+    (0..=d).map(row).collect()
+}
+
 impl Form {
     /// The degree in u and in v; that of v where both differ comes last.
     fn degrees(&self) -> (usize, usize) {
@@ -58,9 +96,7 @@ impl Form {
 
     /// u and v exchanged.
     pub fn exchanged(&self) -> Form {
-        let columns = self.rows.first().map_or(0, Vec::len);
-        let column = |j: usize| self.rows.iter().filter_map(|row| row.get(j).cloned()).collect();
-        Form { triangle: self.triangle, rows: (0..columns).map(column).collect() }
+        Form { triangle: self.triangle, rows: columns(&self.rows) }
     }
 
     /// The product.
@@ -94,30 +130,11 @@ impl Form {
         self.map(|i, j| self.rows[i][j].times(factor))
     }
 
-    /// A half. A square is cut at u = 1/2, and u and v are exchanged then. A triangle with the corners A, B, C at (0, 0),
-    /// (1, 0), (0, 1) is cut from C to the middle M of AB; the halves have the corners C, A, M and C, B, M.
+    /// A half.
     pub fn half(&self, second: bool) -> Form {
         let half = Ball::from(&(int(1) / int(2)));
-        // The columns: polynomials in u of degree d − j, or d.
-        let columns = self.exchanged().rows.into_iter().map(|mut line| {
-            let mut kept = Vec::new();
-            while let (Some(first), Some(last)) = (line.first(), line.last()) {
-                kept.push(if second { last.clone() } else { first.clone() });
-                line = line.windows(2).map(|pair| pair[0].plus(&pair[1]).times(&half)).collect();
-            }
-            if second && !self.triangle {
-                kept.reverse();
-            }
-            kept
-        });
-        let columns: Vec<Vec<Ball>> = columns.collect();
-        if !self.triangle {
-            return Form { triangle: false, rows: columns };
-        }
-        // In column j, the entry m has the powers j at C, m at M and d − j − m at the other end.
-        let d = self.rows.len() - 1;
-        let row = |end: usize| (0..=d - end).map(|m| columns[d - end - m][m].clone()).collect();
-        Form { triangle: true, rows: (0..=d).map(row).collect() }
+        let mean = |a: &Ball, b: &Ball| a.plus(b).times(&half);
+        Form { triangle: self.triangle, rows: halved(&self.rows, self.triangle, second, mean) }
     }
 
     /// The value at a place.

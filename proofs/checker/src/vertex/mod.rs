@@ -14,4 +14,5 @@ mod spectrum;
 
 mod check;
 
+pub use bernstein::halved;
 pub use check::{Found, check_vertex};

@@ -6,9 +6,9 @@ use super::characteristic::{Eigenvalue, greatest};
 use super::independent::has_independent_shifts;
 use super::logarithm::logarithm;
 use crate::functions::call::number;
-use crate::functions::masks::{Mask, quotient, signed};
+use crate::functions::masks::{Mask, correlations, quotient, signed};
 use crate::functions::real::Real;
-use crate::functions::steps::{add, plus, times};
+use crate::functions::steps::{plus, times};
 use crate::numbers::{Meter, Q, Value, count, int};
 use crate::schemes::{Library, Scheme};
 use crate::text::Stop;
@@ -40,14 +40,9 @@ fn matrix(meter: &Meter, b: &[Value], (n, order): (usize, usize)) -> Result<Vec<
     // nc_k = n^{2K−1}Σ_i B_{i+k}B_i
     let exponent = signed(order)?.saturating_mul(2).saturating_sub(1);
     let factor = number(n).power(exponent)?;
-    let mut products = Vec::new();
-    for k in 0..b.len() {
-        let mut sum = Value::int(0);
-        for (x, y) in b.iter().skip(k).zip(b) {
-            add(meter, &mut sum, x, y)?;
-        }
-        products.push(times(meter, &sum, &factor)?);
-    }
+    let products = correlations(meter, b)?;
+    let products = products.iter().map(|sum| times(meter, sum, &factor));
+    let products = products.collect::<Result<Vec<Value>, Stop>>()?;
     let at = |k: i64| {
         let place = usize::try_from(k.unsigned_abs()).ok();
         place.and_then(|place| products.get(place)).cloned().unwrap_or_else(|| Value::int(0))

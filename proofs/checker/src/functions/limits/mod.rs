@@ -9,9 +9,9 @@ mod points;
 mod polynomials;
 mod products;
 mod related;
-mod riesz;
 
 use super::call::{Call, within};
+use super::extremes::extreme;
 use super::masks::Mask;
 use super::real::Real;
 use crate::formulas::MAX_INTEGER;
@@ -67,5 +67,7 @@ pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
         ("riesz_upper", []) => true,
         _ => return Ok(None),
     };
-    riesz::bound(call.library, &*call.scheme()?, upper).map(Some)
+    let scheme = call.scheme()?;
+    let (first, known) = products::inner_products(call.library, &scheme, &scheme, None)?;
+    extreme(call.library.meter, (first, &known), upper).map(Some)
 }

@@ -41,6 +41,7 @@ pub enum Values<'a> {
 /// The bounds of the values of an index, where those before it have these values.
 fn integers(paper: &Paper<'_>, case: &Case<'_>, bounds: &[Expr; 2]) -> Result<[i64; 2], Stop> {
     let mut scope = paper.library.closed();
+    scope.filters = true;
     let values = case.iter().map(|(name, value)| ((*name).into(), value.clone().into()));
     scope.values.extend(values);
     let bound = |bound| scope.value(bound)?.integer(MAX_INTEGER);
@@ -173,6 +174,7 @@ fn names<'a>(
         scope.families.insert(symbol.to_owned());
     }
     scope.memory = Rc::clone(memory);
+    scope.filters = true;
     let symbols = symbols.iter().map(|name| (*name, Value::symbol(name)));
     let values = case.iter().map(|(name, value)| (*name, Value::from(value.clone())));
     for (name, value) in values.chain(symbols) {
@@ -189,7 +191,7 @@ fn resolve(paper: &Paper<'_>, claim: &Toml, scope: &mut Scope<'_>) -> Result<(),
         if paper.library.is_ring(reference) {
             scope.ring = Some(Rc::new(paper.library.ring(reference, scope)?));
         } else {
-            scope.scheme = paper.library.resolve(reference, scope)?.first().cloned();
+            scope.scheme = paper.library.resolve_any(reference, scope)?.first().cloned();
         }
     }
     Ok(())

@@ -1,6 +1,10 @@
 //! The rule `range`: the set on which a value keeps a limit, and its printed ends.
 
+mod convex;
+mod polygon;
+mod region;
 pub mod smooth;
+mod triangles;
 
 use super::kind::{Kind, Proof};
 use crate::claims::{Paper, printed};
@@ -13,8 +17,8 @@ use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, agree, comp
 pub const KIND: Kind = Kind {
     name: "range",
     fields: "range: claim variable=text value=text below=text at_most=text smoothness=text from=number \
- to=number closed=flag only=flag valences=text",
-    names: |claim| claim.text("variable").into_iter().collect(),
+ to=number closed=flag only=flag valences=text variables=*text where=*text",
+    names: |claim| claim.text("variable").into_iter().chain(claim.texts("variables")).collect(),
     check: |paper, claim, block| check(paper, claim, block).map(|()| Proof::Other),
 };
 
@@ -23,6 +27,9 @@ type End = (Option<Root>, bool);
 
 /// Checks a range.
 fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+    if ["variables", "where"].iter().any(|key| claim.get(key).is_some()) {
+        return region::check(paper, claim, block);
+    }
     if claim.get("smoothness").is_some() {
         return smooth::check(paper, claim, block);
     }

@@ -7,9 +7,10 @@ use crate::lines::domain::{Domain, Ends};
 use crate::lines::limits::{LimitProof, mask};
 use crate::lines::pieces::Free;
 use crate::numbers::{Meter, Q, Root, Value, int, read_rational};
-use crate::schemes::{Convolution, MAX_LENGTH, Sequence};
+use crate::schemes::{Convolution, MAX_LENGTH, Product, Sequence};
 use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, require};
 use crate::vertex::Found;
+use std::rc::Rc;
 
 /// The most levels of a contraction.
 const MAX_LEVELS: u32 = 16;
@@ -37,17 +38,11 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     if !rules && let Some(said) = block.maybe("contraction") {
         // For other values nothing is shown.
         require(!only, Reason::NotShown)?;
-        let levels = said.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c));
-        let levels = levels.ok_or(Reason::Malformed("a number of levels"))?;
-        let mut reduction = Vec::new();
-        while let Some(said) = block.maybe("shifts") {
-            let read = said.split_whitespace().map(read_rational).collect::<Option<Vec<Q>>>();
-            let g = read.filter(|g| (2..=MAX_COEFFICIENTS).contains(&g.len()));
-            let g = g.filter(|g| g.last().is_some_and(|last| *last != int(0)));
-            reduction.push(g.ok_or(Reason::Malformed("the coefficients of a polynomial"))?);
-        }
+        let (levels, reduction) = contraction(said, block)?;
         let above = |scope: &Scope<'_>| {
-            norm(paper, (scope, reference), (m, levels), &reduction)?.minus(&Value::int(1))
+            let product = product(paper, (scope, reference), (m, levels), &reduction)?;
+            let sums = product.classes(paper.library.meter, scope.piece.as_ref())?;
+            sums.greatest(scope.piece.as_ref())?.minus(&Value::int(1))
         };
         let pieces = free.pieces(block, &above)?;
         let within = domain.all(Ends::Printed, &pieces, |sign| sign < 0, paper.library.meter)?;
@@ -77,13 +72,28 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     block.verdict(Verdict::Refuted)
 }
 
-/// ‖(n^m S_{m+1})^c‖ for the symbol n^m A/σ^{m+1} of the differences of order m + 1, after the reduction of A.
-fn norm(
+/// The number of levels that a line `contraction` says, and the lines `shifts` after it.
+pub fn contraction(said: &str, block: &mut Block<'_>) -> Checked<(u32, Vec<Vec<Q>>)> {
+    let levels = said.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c));
+    let levels = levels.ok_or(Reason::Malformed("a number of levels"))?;
+    let mut reduction = Vec::new();
+    while let Some(said) = block.maybe("shifts") {
+        let read = said.split_whitespace().map(read_rational).collect::<Option<Vec<Q>>>();
+        let g = read.filter(|g| (2..=MAX_COEFFICIENTS).contains(&g.len()));
+        let g = g.filter(|g| g.last().is_some_and(|last| *last != int(0)));
+        reduction.push(g.ok_or(Reason::Malformed("the coefficients of a polynomial"))?);
+    }
+    Ok((levels, reduction))
+}
+
+/// The product of c factors n^m A/σ^{m+1}, the symbol of the differences of order m + 1, after the reduction of A. The norm of
+/// (n^m S_{m+1})^c is its greatest class sum.
+pub fn product(
     paper: &Paper<'_>,
     (scope, reference): (&Scope<'_>, &str),
     (m, c): (usize, u32),
     reduction: &[Vec<Q>],
-) -> Result<Value, Stop> {
+) -> Result<Rc<Product>, Stop> {
     let schemes = paper.library.resolve(reference, scope)?;
     let [scheme] = &schemes[..] else {
         return Err(Stop::Wrong("smoothness is that of one scheme alone".into()));
@@ -114,7 +124,7 @@ fn norm(
     if product.is_long() {
         return Err(Stop::Capped("the length of a product of sequences"));
     }
-    product.classes(library.meter, scope.piece.as_ref())?.greatest(scope.piece.as_ref())
+    Ok(product)
 }
 
 /// A(z)·g(z)/g(z^n), where g(z^n) divides A for all values. THEOREMS.md, 112 (d).

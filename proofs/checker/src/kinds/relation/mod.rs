@@ -4,7 +4,7 @@ mod all;
 mod compare;
 mod ranges;
 mod reals;
-mod states;
+pub mod states;
 
 use super::equation::cases::{Index, Listing, MAX_CASES, cases, name_of, scope};
 use super::kind::{Kind, Proof};
@@ -18,7 +18,7 @@ use std::rc::Rc;
 /// Claims of this kind.
 pub const KIND: Kind = Kind {
     name: "relation",
-    fields: "relation: claim symbols=*text hypotheses=*text states=text for=text|*text only=flag absent=text",
+    fields: "relation: claim symbols=*text hypotheses=*text states=text|*text for=text|*text only=flag absent=text",
     names,
     check: |paper, claim, block| check(paper, claim, block).map(|()| Proof::Other),
 };
@@ -30,8 +30,13 @@ fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Ch
         require(states.is_none(), Reason::Malformed("a statement, or what is absent"))?;
         return block.restates("absent", claim.text("absent"));
     }
-    block.restates("states", claim.text("states"))?;
-    let stated = comparisons(claim.text("states").unwrap_or_default())?;
+    let mut stated = Vec::new();
+    for text in claim.one_or_more("states") {
+        block.restates("states", Some(text))?;
+        stated.extend(comparisons(text)?);
+    }
+    // What states nothing would hold.
+    require(!stated.is_empty(), Reason::Malformed("a statement"))?;
     if reals::concern(claim) {
         return reals::check(paper, claim, &stated, block);
     }

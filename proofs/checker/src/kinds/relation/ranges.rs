@@ -10,7 +10,7 @@ use crate::text::{Stop, Toml};
 
 /// The texts of `for`.
 pub fn ranges(claim: &Toml) -> impl Iterator<Item = &str> {
-    claim.text("for").into_iter().chain(claim.texts("for"))
+    claim.one_or_more("for")
 }
 
 /// What follows a word such as `all`, if it is not the name of an index.

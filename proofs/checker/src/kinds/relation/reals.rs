@@ -217,7 +217,9 @@ impl Line {
         let meter = paper.library.meter;
         let (mut lower, mut upper) = (None, None);
         for (sign, end) in &real.ends {
-            let value = paper.library.closed().value(&formula(end)?)?;
+            let mut closed = paper.library.closed();
+            closed.filters = true;
+            let value = closed.value(&formula(end)?)?;
             let end = Root::of(value.number()?, meter)?;
             let side = match sign {
                 Sign::Greater | Sign::AtLeast => &mut lower,

@@ -57,6 +57,11 @@ impl Toml {
         self.list(key).iter().filter_map(Toml::as_text)
     }
 
+    /// The text of a key, or the texts of its list.
+    pub fn one_or_more(&self, key: &str) -> impl Iterator<Item = &str> {
+        self.text(key).into_iter().chain(self.texts(key))
+    }
+
     /// Whether a key is `true`.
     pub fn is_set(&self, key: &str) -> bool {
         self.get(key) == Some(&Toml::Flag(true))

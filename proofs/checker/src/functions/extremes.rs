@@ -1,18 +1,17 @@
-//! The extremes of Σ_k cos(kξ)∫ φ(x)φ(x − k) dx, a polynomial P(t) in t = cos ξ, on the interval from −1 to 1: at the ends, or at the roots
+//! The extremes of Σ_k g_k cos(kξ), a polynomial P(t) in t = cos ξ, on the interval from −1 to 1: at the ends, or at the roots
 //! of P′.
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::products::inner_products;
-use crate::functions::call::number;
-use crate::functions::exponent::characteristic;
-use crate::functions::real::Real;
-use crate::functions::steps::add;
+use super::call::number;
+use super::exponent::characteristic;
+use super::masks::signed;
+use super::real::Real;
+use super::steps::add;
 use crate::numbers::{
     Meter, Q, Value, at, bits, divide, gcd, int, multiplied, roots_between, signum, steps_of_gcd,
     trimmed,
 };
-use crate::schemes::{Library, Scheme};
 use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::{One as _, Zero as _};
@@ -25,11 +24,9 @@ const HALVINGS: Stop = Stop::Capped("the halvings of an interval");
 /// Two bounds of a number; they are equal if it is known.
 type Bounds = [Q; 2];
 
-/// The least value, or the greatest one.
-pub fn bound(library: &Library<'_>, scheme: &Scheme, upper: bool) -> Result<Real, Stop> {
-    let meter = library.meter;
-    let (first, known) = inner_products(library, scheme, scheme, None)?;
-    let polynomial = polynomial(meter, first, &known)?;
+/// The least value, or the greatest one, of Σ_k g_k cos(kξ); the known g_k are those from the first k on.
+pub fn extreme(meter: &Meter, (first, known): (i64, &[Value]), upper: bool) -> Result<Real, Stop> {
+    let polynomial = polynomial(meter, first, known)?;
     if let [constant] = &polynomial[..] {
         return Ok(Real::Exact(constant.clone()));
     }
@@ -63,7 +60,7 @@ pub fn bound(library: &Library<'_>, scheme: &Scheme, upper: bool) -> Result<Real
             let f = (0..).zip(f).map(|(k, c)| c * sign(k)).collect();
             Real::Root(f, Box::new(opposite(&ends)))
         }
-        Real::RootOf(..) | Real::Ratio(..) => return Err(HALVINGS),
+        Real::RootOf(..) | Real::Ratio(..) | Real::SquareRoot(_) => return Err(HALVINGS),
     })
 }
 
@@ -75,7 +72,8 @@ fn opposite([low, high]: &Bounds) -> Bounds {
 fn polynomial(meter: &Meter, first: i64, known: &[Value]) -> Result<Vec<Value>, Stop> {
     let mut sum: Vec<Value> = vec![Value::int(0); known.len().saturating_add(1)];
     let (mut before, mut cosine) = (vec![BigInt::zero(), BigInt::one()], vec![BigInt::one()]);
-    for k in 0..=first.unsigned_abs() {
+    let last = signed(known.len())?.saturating_sub(1).saturating_add(first);
+    for k in 0..=first.unsigned_abs().max(last.unsigned_abs()) {
         let of = |k: i64| k.checked_sub(first).and_then(|place| usize::try_from(place).ok());
         let of = |k: i64| of(k).and_then(|place| known.get(place));
         let k = i64::try_from(k).unwrap_or(i64::MAX);
