@@ -1,6 +1,7 @@
 //! The fields and lines of ranges of smoothness in two parameters, and points that refute them.
 
 use crate::regions::{ONE, about, of, outcome};
+use crate::zeros::{Numbers, float};
 use subcert_check::Outcome;
 
 /// One level is too few, and more are enough; and what a factor takes away.
@@ -205,4 +206,39 @@ fn fields() {
         let found = of(scheme, &["abs(x) + abs(y) < 1/2"], ONE);
         assert!(matches!(found, Outcome::Invalid(..)), "{scheme}: {found:?}");
     }
+}
+
+/// Random polynomials of degree 3 on a square, against their values at many points.
+#[test]
+fn random_polynomials() {
+    let (mut numbers, mut seen) = (Numbers(9), [0; 2]);
+    for round in 0..40 {
+        let powers = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (2, 1), (0, 3)];
+        let terms: Vec<i64> = powers.iter().map(|_| numbers.around(6)).collect();
+        let grid = (0..=40)
+            .flat_map(|i| (0..=40).map(move |j| (float(i) / 20.0 - 1.0, float(j) / 20.0 - 1.0)));
+        let value = |(x, y): (f64, f64)| -> f64 {
+            let each = powers.iter().zip(&terms);
+            each.map(|((p, q), c)| float(*c) * x.powi(*p) * y.powi(*q)).sum::<f64>() / 32.0
+        };
+        let most = grid.map(|at| value(at).abs()).fold(0.0, f64::max);
+        let each = powers.iter().zip(&terms);
+        let text: Vec<String> = each.map(|((p, q), c)| format!("({c})*x^{p}*y^{q}")).collect();
+        let scheme = format!("line:w=({})/32", text.join("+"));
+        let level = 1 + round % 2;
+        let found = of(
+            &scheme,
+            &["abs(x) <= 1", "abs(y) < 1"],
+            &format!("contraction {level}\n confirmed"),
+        );
+        if most > 0.5 {
+            assert!(matches!(found, Outcome::Invalid(..)), "{scheme}: {found:?}");
+        } else if most < 0.48 {
+            assert_eq!(found, Outcome::Valid, "{scheme}");
+        } else {
+            continue;
+        }
+        seen[usize::from(most < 0.5)] += 1;
+    }
+    assert!(seen[0] > 5 && seen[1] > 5, "{seen:?}");
 }
