@@ -4,7 +4,6 @@ use super::limits::Limits;
 use super::products::Products;
 use super::reference::{arguments_of, parameters_of, split};
 use super::scheme::{Ring, Scheme};
-use super::tables::is_filter;
 use crate::formulas::{Definitions, Indices, Reading, Scope, formula};
 use crate::numbers::{Meter, Value};
 use crate::text::{Stop, Toml};
@@ -267,4 +266,17 @@ impl<'a> Library<'a> {
         }
         Ok(parameters)
     }
+}
+
+/// What no filter has.
+const NOT_OF_FILTERS: [&str; 4] = ["mask", "entry", "orbits", "use"];
+
+/// Whether a table gives a filter.
+pub fn is_filter(name: &str, table: &Toml) -> Result<bool, Stop> {
+    let filter = table.is_set("filter");
+    let has = |key: &&str| table.get(key).is_some();
+    if filter && (!has(&"symbol") || NOT_OF_FILTERS.iter().any(has)) {
+        return wrong(name, "a filter has a symbol, and is given by nothing else");
+    }
+    Ok(filter)
 }

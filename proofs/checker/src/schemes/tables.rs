@@ -1,6 +1,6 @@
 //! Schemes of the tables that give their masks, also by symbols in which other schemes stand.
 
-use super::library::{Library, MAX_ALIASES, wrong};
+use super::library::{Library, MAX_ALIASES, is_filter, wrong};
 use super::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Scheme};
 use super::{symbol, typed};
 use crate::formulas::{Indices, formula, formulas};
@@ -9,19 +9,6 @@ use crate::text::{Stop, Toml};
 use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
-
-/// What no filter has.
-const NOT_OF_FILTERS: [&str; 4] = ["mask", "entry", "orbits", "use"];
-
-/// Whether a table gives a filter.
-pub fn is_filter(name: &str, table: &Toml) -> Result<bool, Stop> {
-    let filter = table.is_set("filter");
-    let has = |key: &&str| table.get(key).is_some();
-    if filter && (!has(&"symbol") || NOT_OF_FILTERS.iter().any(has)) {
-        return wrong(name, "a filter has a symbol, and is given by nothing else");
-    }
-    Ok(filter)
-}
 
 impl Library<'_> {
     /// The scheme, with these parameters, whose symbol stands in that of the scheme `of`. Chains of such schemes are as short as those of names,

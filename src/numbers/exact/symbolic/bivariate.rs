@@ -77,6 +77,16 @@ impl BivariatePolynomial {
         self.rows.iter().enumerate().filter_map(last).max().unwrap_or(0)
     }
 
+    /// \[a, b, c\] if this is ax + by + c and not constant.
+    #[must_use]
+    pub fn line(&self) -> Option<[Rational; 3]> {
+        let coefficient = |i: usize, j: usize| {
+            self.rows.get(i).and_then(|row| row.get(j)).cloned().unwrap_or_else(Rational::zero)
+        };
+        (self.total_degree() == 1)
+            .then(|| [coefficient(1, 0), coefficient(0, 1), coefficient(0, 0)])
+    }
+
     /// The coefficients C_{k,l}, k + l ≤ d, row by row, with which this is Σ C_{k,l} d!/(k! l! (d−k−l)!) s^k t^l (1−s−t)^{d−k−l} at the point
     /// A + s(B − A) + t(C − A) of a triangle with the corners A, B, C. These Bernstein polynomials are not negative there, and sum to 1.
     ///

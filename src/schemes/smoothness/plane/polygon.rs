@@ -11,6 +11,9 @@ pub type Point = [Rational; 2];
 /// The most triangles that are looked at for one number of levels.
 const MAX_TRIANGLES: usize = 2_000;
 
+/// The most lines on which coefficients vanish.
+const MAX_LINES: usize = 32;
+
 /// The most cuts on the way to one triangle.
 const MAX_CUTS: usize = 24;
 
@@ -85,10 +88,12 @@ fn contracts(
     contains: &dyn Fn([&Rational; 2]) -> bool,
 ) -> Option<Result<(), Point>> {
     let product = Product::of(symbol, levels)?;
-    let [first, rest @ ..] = corners else { return None };
-    let mut waiting: Vec<(usize, [Point; 3])> =
-        rest.windows(2).map(|two| (0, [first.clone(), two[0].clone(), two[1].clone()])).collect();
-    waiting.reverse();
+    let mut waiting: Vec<(usize, [Point; 3])> = Vec::new();
+    for corners in cells(symbol, corners)? {
+        let [first, rest @ ..] = &corners[..] else { return None };
+        let fan = rest.windows(2).map(|two| [first.clone(), two[0].clone(), two[1].clone()]);
+        waiting.extend(fan.map(|triangle| (0, triangle)));
+    }
     let mut looked_at = 0;
     while let Some((cuts, triangle)) = waiting.pop() {
         looked_at += 1;
@@ -107,6 +112,58 @@ fn contracts(
         }
     }
     Some(Ok(()))
+}
+
+/// The parts of a convex polygon between the lines on which coefficients vanish, each with its corners counterclockwise and the
+/// least first; `None` if there are too many lines.
+fn cells(
+    symbol: &ParametricSymbol<BivariatePolynomial>,
+    corners: &[Point],
+) -> Option<Vec<Vec<Point>>> {
+    let mut lines: Vec<[Rational; 3]> = Vec::new();
+    for line in symbol.coefficients().iter().filter_map(BivariatePolynomial::line) {
+        if !lines.iter().any(|known| are_one(known, &line)) {
+            lines.push(line);
+        }
+    }
+    if lines.len() > MAX_LINES {
+        return None;
+    }
+    let mut cells = vec![corners.to_vec()];
+    for line in &lines {
+        let halves = cells.iter().flat_map(|cell| [1, -1].map(|side| half(cell, line, side)));
+        cells = halves.filter(|cell| cell.len() > 2).collect();
+    }
+    for cell in &mut cells {
+        let least = (0..cell.len()).min_by_key(|&i| &cell[i]).unwrap_or(0);
+        cell.rotate_left(least);
+    }
+    Some(cells)
+}
+
+/// Whether two lines are one.
+fn are_one(first: &[Rational; 3], second: &[Rational; 3]) -> bool {
+    let same = |i: usize, j: usize| &first[i] * &second[j] == &first[j] * &second[i];
+    same(0, 1) && same(0, 2) && same(1, 2)
+}
+
+/// The part of a convex polygon on one side of a line; fewer than three corners if it has no inner points.
+fn half(corners: &[Point], [a, b, c]: &[Rational; 3], side: i64) -> Vec<Point> {
+    let side = Rational::from(side);
+    let height = |[x, y]: &Point| (a * x + b * y + c) * &side;
+    let next = corners.iter().cycle().skip(1);
+    let mut part = Vec::new();
+    for (here, there) in corners.iter().zip(next) {
+        let [h, k] = [height(here), height(there)];
+        if h.sign() >= 0 {
+            part.push(here.clone());
+        }
+        if h.sign() * k.sign() < 0 {
+            let t = &h / (&h - &k);
+            part.push([0, 1].map(|i| &here[i] + (&there[i] - &here[i]) * &t));
+        }
+    }
+    if part.iter().all(|point| height(point).is_zero()) { Vec::new() } else { part }
 }
 
 /// The mean of points.
