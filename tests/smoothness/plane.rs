@@ -132,3 +132,23 @@ fn of_two_parameters_the_best_are_those_of_a_spline() {
     let at = |i: usize| best.places[i][0] <= best.at[i] && best.at[i] <= best.places[i][1];
     assert!(at(0) && at(1));
 }
+
+/// The norm is max(|a| + |b|, |1 − a − b|), 1 on both sides of the corners (1, 0) and (0, 1). Without cuts along a = 0 and b = 0 no
+/// triangle there shows it.
+#[test]
+fn a_whole_region_is_shown_where_coefficients_change_their_sign_at_corners() {
+    let rules = rules(FAMILIES[0].0);
+    let half = Rational::new(1, 2);
+    let (one, zero) = (Rational::one(), Rational::zero());
+    let corners = [
+        [-&half, half.clone()],
+        [half.clone(), -&half],
+        [one.clone(), zero.clone()],
+        [zero.clone(), one.clone()],
+    ];
+    let inside = |[x, y]: [&Rational; 2]| x.abs() + y.abs() < one && (x + y).sign() > 0;
+    let found = polygon_contraction(&rules, 0, &corners, &inside, 1).expect("sum rules");
+    assert_eq!(found.expect("a proof").levels, 1);
+    let wider = |[x, y]: [&Rational; 2]| x.abs() + y.abs() <= one && (x + y).sign() > 0;
+    assert!(polygon_contraction(&rules, 0, &corners, &wider, 1).expect("sum rules").is_err());
+}
