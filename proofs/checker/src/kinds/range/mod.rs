@@ -17,7 +17,7 @@ use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, agree, comp
 pub const KIND: Kind = Kind {
     name: "range",
     fields: "range: claim variable=text value=text below=text at_most=text smoothness=text from=number \
- to=number closed=flag only=flag valences=text variables=*text where=*text",
+ to=number closed=flag only=flag valences=text variables=*text where=text|*text",
     names: |claim| claim.text("variable").into_iter().chain(claim.texts("variables")).collect(),
     check: |paper, claim, block| check(paper, claim, block).map(|()| Proof::Other),
 };

@@ -31,7 +31,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let m = order(claim.text("smoothness").unwrap_or_default())?;
     let (mut planes, scope) =
         (Vec::new(), scope(paper, names.map(|name| (name, Value::symbol(name)))));
-    for text in claim.texts("where") {
+    for text in claim.one_or_more("where") {
         block.restates("where", Some(text))?;
         planes.extend(inequalities(text, &Shapes { scope: &scope, names })?);
     }
