@@ -195,11 +195,11 @@ impl SchemeDefinition {
             Coefficients::Symbol(symbol) => {
                 let size = |it| self.integer(it, &parameters, &[], "the arity", 2..cap(MAX_ARITY));
                 let stated = symbol.arity.as_ref().map(size).transpose()?;
-                let arity = match (self.is_filter, stated) {
-                    (false, stated) => Arity::OfSum(stated.and_then(|n| usize::try_from(n).ok())),
-                    (true, stated) => {
-                        Arity::OfFilter(stated.map_or(2, |n| n.unsigned_abs() as usize))
-                    }
+                let stated = stated.and_then(|n| usize::try_from(n).ok());
+                let arity = if self.is_filter {
+                    Arity::OfFilter(stated.unwrap_or(2))
+                } else {
+                    Arity::OfSum(stated)
                 };
                 let composed = Composed {
                     names: self.others.keys().map(String::as_str).collect(),

@@ -65,7 +65,7 @@ pub fn best_exponent(
     let middle = centre(region);
     let mut greatest = Rational::one();
     while !search.is_less(&middle, &greatest)? {
-        greatest = greatest * Rational::from(2);
+        greatest *= Rational::from(2);
     }
     // The mean of the matrices has the eigenvalue B(1)/n = n^−K.
     let order = scaled.len() - 1;
