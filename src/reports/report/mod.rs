@@ -22,7 +22,7 @@ pub use papers::coverage::coverage_sheet;
 pub use papers::explain::{explain_sheet, table_of};
 pub use papers::overview::overview_sheet;
 pub use shipped::{finding_sheet, headline as shipped_headline, issue_sheet, projects_sheet};
-pub use smooth::smoothness::reduction;
+pub use smooth::range::reduction;
 pub use smooth::vertex::{
     SCOPE, VERTEX_HEADER, verdict_name, verdict_reason, vertex_facts, vertex_row,
 };

@@ -7,7 +7,7 @@ use crate::audit::{
 };
 use crate::claim::{ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
 use crate::exact::{Enclosed as _, format::fixed};
-use crate::report::smooth::smoothness;
+use crate::report::smooth::{limits, smoothness};
 use crate::report::told::told;
 use crate::report::words::sheet::{Grid, Sheet};
 use crate::smoothness::Hoelder;
@@ -181,7 +181,7 @@ fn place(locus: &str, title: &str) -> String {
 
 /// An exponent: its formula where that is short, and its decimals where it is irrational.
 fn exponent(hoelder: &Hoelder) -> String {
-    let [low, high] = smoothness::decimals(hoelder);
+    let [low, high] = limits::decimals(hoelder);
     let decimals = if low == high { low } else { format!("{low} to {high}") };
     match &hoelder.formula {
         Some(formula) if formula.as_rational().is_some() => formula.to_string(),

@@ -1,24 +1,20 @@
 //! Findings about the smoothness of limits.
 
+use super::limits::{not_smooth, of_limits, smooth};
+use super::range::{of_range, of_region};
 use super::regularity;
 use super::vertex::{SCOPE, verdict_name, verdict_reason, vertex_facts, vertices_outcome};
 use crate::audit::{
-    KnownLimits, Limits, PaperAudit, RangeAtValence, RangeOfLimits, RegionOfLimits,
-    SmoothnessFinding, SmoothnessVerdict, VertexWitness,
+    KnownLimits, PaperAudit, RangeAtValence, SmoothnessFinding, SmoothnessVerdict, VertexWitness,
 };
 use crate::claim::{
     ExponentStatement, PrintedValences, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim,
     SmoothnessStatement, Target,
 };
-use crate::exact::{Enclosed as _, IntervalSet, Rational, RationalPolynomial};
+use crate::exact::IntervalSet;
 use crate::report::formulas::function::{beyond, domain};
-use crate::report::words::numbers::{down, up};
-use crate::report::words::set::{proved_text, roots, set_text};
+use crate::report::words::set::{proved_text, set_text};
 use crate::report::words::sheet::Sheet;
-use crate::smoothness::{Hoelder, SmoothRange};
-
-/// The longest formula of an exponent that stands beside its decimals.
-const LONGEST: usize = 100;
 
 /// A table of smoothness in full, with each cell.
 pub(crate) fn explain_table(audit: &PaperAudit<'_>, id: Target<'_>) -> Option<Sheet> {
@@ -130,18 +126,6 @@ fn range_at_valence(found: &RangeAtValence, variable: &str) -> Vec<String> {
     [line].into_iter().chain(witness).collect()
 }
 
-fn smooth(m: usize) -> String {
-    format!("the limits are C^{m}")
-}
-
-fn not_smooth(m: usize) -> String {
-    if m == 0 {
-        "the scheme diverges for some data".to_owned()
-    } else {
-        format!("not all limits are C^{m}")
-    }
-}
-
 /// The range as printed.
 pub(crate) fn printed(range: &SmoothRangeStatement) -> String {
     domain(&range.variable, &range.domain)
@@ -179,145 +163,6 @@ pub(crate) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
             lines.push("The printed range is right up to the rounding of its ends.".to_owned());
         }
         _ => {}
-    }
-    lines
-}
-
-/// `the limits are C^1, and not all limits are C^2; Hölder exponent 2, not attained`.
-fn of_limits(limits: &Limits) -> String {
-    let smoothness = &limits.smoothness;
-    let known = [smoothness.continuity.map(smooth), smoothness.continuity_fails.map(not_smooth)];
-    let known: Vec<String> = known.into_iter().flatten().collect();
-    let known = if known.is_empty() {
-        "it is open whether the scheme converges".to_owned()
-    } else {
-        known.join(", and ")
-    };
-    let exponent = smoothness.hoelder.as_ref();
-    format!(
-        "{known}{}",
-        exponent.map(|e| format!("; Hölder exponent {}", of_exponent(e))).unwrap_or_default()
-    )
-}
-
-/// `6 - log_2(9), 2.830074998557 to 2.830074998558, attained`.
-pub(crate) fn of_exponent(hoelder: &Hoelder) -> String {
-    let between = between(hoelder);
-    let value = match &hoelder.formula {
-        Some(formula) if formula.as_rational().is_some() => formula.to_string(),
-        Some(formula) => {
-            let formula = formula.to_string();
-            let short = formula.chars().count() <= LONGEST;
-            if short { format!("{formula}, {between}") } else { between }
-        }
-        None => between,
-    };
-    let attained = match hoelder.attained {
-        None => "",
-        Some(true) => ", attained",
-        Some(false) => ", not attained",
-    };
-    format!("{value}{attained}")
-}
-
-/// Decimals around the exponent.
-fn between(hoelder: &Hoelder) -> String {
-    let [low, high] = decimals(hoelder);
-    if low == high { low } else { format!("{low} to {high}") }
-}
-
-/// A decimal that is not above the exponent, and one that is not below it.
-pub(crate) fn decimals(hoelder: &Hoelder) -> [String; 2] {
-    let (low, high) = match &hoelder.formula {
-        Some(formula) => {
-            let enclosure = formula.enclosure(1);
-            (enclosure.lower().clone(), enclosure.upper().clone())
-        }
-        None => (hoelder.lower.clone(), hoelder.upper.clone()),
-    };
-    [down(&low), up(&high)]
-}
-
-/// Why, and by what, another symbol decides.
-#[must_use]
-pub fn reduction(range: &SmoothRange, parameter: &str) -> String {
-    let describe = |g: &Vec<Rational>| RationalPolynomial::new(g).describe("z");
-    let by: Vec<String> = range.reduction.iter().map(describe).collect();
-    let convergence =
-        if range.converges.is_some() { ", wherever the scheme converges" } else { "" };
-    format!(
-        "The shifts of the basic limit function are linearly dependent for every {parameter}; the solution for the \
-         symbol A(z)g(z)/g(z^n), g = {}, is as smooth, and decides{convergence}",
-        by.join(", then g = ")
-    )
-}
-
-fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<String> {
-    let Some(said) = finding.claim.range() else { return Vec::new() };
-    let SmoothRangeStatement { variable, m, .. } = said;
-    let set = |set: &IntervalSet| set_text(set, variable);
-    let mut lines = match &range.sets {
-        Some(sets) => {
-            let mut lines = vec![
-                format!(
-                    "{} for {}",
-                    smooth(*m),
-                    proved_text(&sets.inside, &sets.outside, variable)
-                ),
-                format!("{} for {}", not_smooth(*m), set(&sets.outside)),
-            ];
-            lines.extend(roots(&[&sets.inside, &sets.outside], variable, &lines));
-            if sets.but_finitely_many && !sets.outside.is_empty() {
-                lines.push(format!("with finitely many exceptions of {variable}"));
-            }
-            if !sets.reduction.is_empty() {
-                lines.push(format!("{}.", reduction(sets, variable)));
-            }
-            lines
-        }
-        None => vec![format!(
-            "the sum rules that C^{m} needs hold for single values of {variable} at most"
-        )],
-    };
-    if finding.verdict == SmoothnessVerdict::Open {
-        lines.push(format!("It is open for {}.", set(&range.undecided)));
-    }
-    if let Some(witness) = &range.witness {
-        let place =
-            if witness.inside { "in the printed range" } else { "beyond the printed range" };
-        let limits = of_limits(&witness.limits);
-        lines.push(format!("At {variable} = {}, {place}, {limits}.", witness.at));
-    }
-    lines
-}
-
-/// The contraction in a region of two parameters, or the point that refutes it.
-fn of_region(finding: &SmoothnessFinding<'_>, region: &RegionOfLimits) -> Vec<String> {
-    let Some(said) = finding.claim.region() else { return Vec::new() };
-    let [x, y] = &said.variables;
-    let point = |[a, b]: &[Rational; 2]| format!("({a}, {b})");
-    let corners: Vec<String> = region.corners.iter().map(point).collect();
-    let mut lines =
-        vec![format!("The corners of the region are ({x}, {y}) = {}.", corners.join(", "))];
-    if let Some(proof) = &region.proof {
-        let levels = proof.levels;
-        let within = if levels == 1 { "one level".to_owned() } else { format!("{levels} levels") };
-        lines.push(format!(
-            "{} in the whole region: the differences contract within {within}.",
-            smooth(said.m)
-        ));
-    }
-    match &region.witness {
-        Some(witness) => {
-            let place = if witness.inside { "in the region" } else { "outside of it" };
-            let limits = of_limits(&witness.limits);
-            lines.push(format!("At ({x}, {y}) = {}, {place}, {limits}.", point(&witness.at)));
-        }
-        None if finding.verdict == SmoothnessVerdict::Open => {
-            let tried = region.tried;
-            lines.push(format!("None of {tried} points that were tried refutes it."));
-        }
-        None => {}
     }
     lines
 }

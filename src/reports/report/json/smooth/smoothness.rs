@@ -4,7 +4,7 @@ use super::vertex::{VertexForm, VerticesForm};
 use crate::audit::{KnownLimits, Limits, RangeAtValence, RangeOfLimits, RegionOfLimits};
 use crate::exact::Rational;
 use crate::report::json::exact::decimal;
-use crate::report::smooth::smoothness::decimals;
+use crate::report::smooth::limits::decimals;
 use crate::smoothness::Hoelder;
 use serde::Serialize;
 

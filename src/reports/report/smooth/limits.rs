@@ -1,0 +1,76 @@
+//! What is known of limits, in words.
+
+use crate::audit::Limits;
+use crate::exact::Enclosed as _;
+use crate::report::words::numbers::{down, up};
+use crate::smoothness::Hoelder;
+
+/// The longest formula of an exponent that stands beside its decimals.
+const LONGEST: usize = 100;
+
+pub(super) fn smooth(m: usize) -> String {
+    format!("the limits are C^{m}")
+}
+
+pub(super) fn not_smooth(m: usize) -> String {
+    if m == 0 {
+        "the scheme diverges for some data".to_owned()
+    } else {
+        format!("not all limits are C^{m}")
+    }
+}
+
+/// `the limits are C^1, and not all limits are C^2; Hölder exponent 2, not attained`.
+pub(super) fn of_limits(limits: &Limits) -> String {
+    let smoothness = &limits.smoothness;
+    let known = [smoothness.continuity.map(smooth), smoothness.continuity_fails.map(not_smooth)];
+    let known: Vec<String> = known.into_iter().flatten().collect();
+    let known = if known.is_empty() {
+        "it is open whether the scheme converges".to_owned()
+    } else {
+        known.join(", and ")
+    };
+    let exponent = smoothness.hoelder.as_ref();
+    format!(
+        "{known}{}",
+        exponent.map(|e| format!("; Hölder exponent {}", of_exponent(e))).unwrap_or_default()
+    )
+}
+
+/// `6 - log_2(9), 2.830074998557 to 2.830074998558, attained`.
+pub(crate) fn of_exponent(hoelder: &Hoelder) -> String {
+    let between = between(hoelder);
+    let value = match &hoelder.formula {
+        Some(formula) if formula.as_rational().is_some() => formula.to_string(),
+        Some(formula) => {
+            let formula = formula.to_string();
+            let short = formula.chars().count() <= LONGEST;
+            if short { format!("{formula}, {between}") } else { between }
+        }
+        None => between,
+    };
+    let attained = match hoelder.attained {
+        None => "",
+        Some(true) => ", attained",
+        Some(false) => ", not attained",
+    };
+    format!("{value}{attained}")
+}
+
+/// Decimals around the exponent.
+fn between(hoelder: &Hoelder) -> String {
+    let [low, high] = decimals(hoelder);
+    if low == high { low } else { format!("{low} to {high}") }
+}
+
+/// A decimal that is not above the exponent, and one that is not below it.
+pub(crate) fn decimals(hoelder: &Hoelder) -> [String; 2] {
+    let (low, high) = match &hoelder.formula {
+        Some(formula) => {
+            let enclosure = formula.enclosure(1);
+            (enclosure.lower().clone(), enclosure.upper().clone())
+        }
+        None => (hoelder.lower.clone(), hoelder.upper.clone()),
+    };
+    [down(&low), up(&high)]
+}
