@@ -12,7 +12,7 @@ use std::rc::Rc;
 pub const TERMS: [&str; 2] = ["each", "total"];
 pub const SUPREMA: [&str; 2] = ["independent", "joint"];
 /// The options of functions. Others are parameters of a scheme that is named.
-const WORDS: [&str; 15] = [
+const WORDS: [&str; 16] = [
     "data",
     "derivative",
     "exponent",
@@ -26,6 +26,7 @@ const WORDS: [&str; 15] = [
     "rounded",
     "sequence",
     "suprema",
+    "tangent",
     "terms",
     "with",
 ];

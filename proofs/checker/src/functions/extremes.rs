@@ -60,7 +60,9 @@ pub fn extreme(meter: &Meter, (first, known): (i64, &[Value]), upper: bool) -> R
             let f = (0..).zip(f).map(|(k, c)| c * sign(k)).collect();
             Real::Root(f, Box::new(opposite(&ends)))
         }
-        Real::RootOf(..) | Real::Ratio(..) | Real::SquareRoot(_) => return Err(HALVINGS),
+        Real::RootOf(..) | Real::At(..) | Real::Ratio(..) | Real::SquareRoot(_) => {
+            return Err(HALVINGS);
+        }
     })
 }
 

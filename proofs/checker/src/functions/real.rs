@@ -16,6 +16,8 @@ pub enum Real {
     Root(Vec<Q>, Box<[Q; 2]>),
     /// The real root of this number, counted from 1 in increasing order, of a polynomial without multiple roots.
     RootOf(Vec<Number>, i64),
+    /// The value of a polynomial at a number. The constant coefficient comes first.
+    At(Vec<Number>, Box<Real>),
     /// A quotient.
     Ratio(Box<Real>, Box<Real>),
     /// A square root.

@@ -139,7 +139,7 @@ fn vertices<'a>(
             complete &= valence == next;
             next = valence + 1;
         }
-        let holds = |m: usize| found == Found::Smooth && m <= 1;
+        let holds = |m: usize| matches!(found, Found::Smooth(most) if m <= most);
         let fails = |m: usize| found == Found::Rough && m >= 1;
         confirmed &= continuous.is_none_or(holds) && not_continuous.is_none_or(fails);
         refuted |= continuous.is_some_and(fails) || not_continuous.is_some_and(holds);

@@ -49,6 +49,25 @@ pub fn pair(
     }
 }
 
+/// Whether a number is 0, if so many digits tell.
+pub fn is_zero(of: &Known) -> Result<bool, Stop> {
+    if let Some(number) = &of.number {
+        return Ok(number.is_zero());
+    }
+    if let Some(sign) = of.near.sign() {
+        return Ok(sign == 0);
+    }
+    let undecided = Stop::Undecided("whether a number is 0");
+    let separation = of.size.as_ref().ok_or(undecided.clone())?.separation();
+    if separation > MOST {
+        return Err(Stop::Capped("the digits that separate a number from 0"));
+    }
+    if of.most() * Q::from_integer(BigInt::one() << separation) < Q::one() {
+        return Ok(true);
+    }
+    Err(undecided)
+}
+
 /// The values with so many digits, and how many are needed to compare them, if these are not enough.
 fn pair_with(
     library: &Library<'_>,

@@ -3,6 +3,7 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::known::{Digits, Known};
+use super::masks;
 use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Range, Scope, of_nothing, range};
 use crate::functions::real;
 use crate::numbers::{Q, Value};
@@ -141,6 +142,9 @@ impl<'r> Reals<'r> {
         let (parts, options) = self.scope.asked(head, parts, indices);
         let values = parts.iter().map(|part| self.scope.evaluate(part, indices));
         let values = values.collect::<Result<Vec<Value>, Stop>>()?;
+        if let Some(found) = masks::of(self, (name, &values, &options))? {
+            return Ok(Some(found));
+        }
         let found = real(self.library, self.scope, (name, &values, &options))?;
         found.map(|found| digits.found(&found)).transpose()
     }

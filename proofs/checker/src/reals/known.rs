@@ -61,6 +61,13 @@ impl Digits<'_> {
                 self.root(&coefficients, number)
             }
             Real::RootOf(coefficients, number) => self.root(coefficients, *number),
+            Real::At(polynomial, of) => {
+                let (x, mut sum) = (self.found(of)?, self.integer(0)?);
+                for c in polynomial.iter().rev() {
+                    sum = self.sum(&self.product(&sum, &x)?, 1, &self.exact(c)?)?;
+                }
+                Ok(sum)
+            }
             Real::SquareRoot(of) => self.square_root(&self.found(of)?),
             Real::Ratio(top, bottom) => self.quotient(&self.found(top)?, &self.found(bottom)?),
         }
@@ -167,6 +174,11 @@ fn key(key: String) -> Result<String, Stop> {
 }
 
 impl Known {
+    /// The same number under a name that no other number has.
+    pub fn named(self, name: String) -> Known {
+        Known { key: name, ..self }
+    }
+
     /// Whether both are made alike.
     pub fn is_made_as(&self, other: &Known) -> bool {
         self.key == other.key

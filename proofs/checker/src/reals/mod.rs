@@ -5,6 +5,7 @@
 mod compare;
 mod evaluate;
 mod known;
+mod masks;
 mod size;
 
 pub use compare::{Pair, pair};

@@ -10,6 +10,12 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+/// What formulas say of roots that lie in no field of cosines.
+pub const OTHER_ROOT: &str = "such a root is for relations between numbers";
+
+/// Masks with such roots.
+pub const ROOTS: Stop = Stop::Capped("a mask with roots that lie in no field of cosines");
+
 impl Library<'_> {
     /// The scheme, with these parameters, whose symbol stands in that of the scheme `of`. Chains of such schemes are as short as those of names,
     /// whatever schemes are known already.
@@ -48,6 +54,18 @@ impl Library<'_> {
 
     /// The scheme of a table, with these parameters.
     pub(super) fn scheme(
+        &self,
+        name: &str,
+        table: &Toml,
+        parameters: BTreeMap<String, Value>,
+    ) -> Result<Rc<Scheme>, Stop> {
+        self.of_table(name, table, parameters).map_err(|stop| match stop {
+            Stop::Wrong(what) if what == OTHER_ROOT => ROOTS,
+            stop => stop,
+        })
+    }
+
+    fn of_table(
         &self,
         name: &str,
         table: &Toml,

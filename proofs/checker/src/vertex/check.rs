@@ -18,8 +18,8 @@ const MAX_BISECTIONS: usize = 24;
 /// What is shown of the surface of generic data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Found {
-    /// It is C¹.
-    Smooth,
+    /// It is C^m for this m.
+    Smooth(usize),
     /// It is not C¹.
     Rough,
 }
@@ -51,6 +51,12 @@ pub fn check_vertex(
         let k = k.parse().map_err(|_| Reason::Malformed("a block"))?;
         spectrum::diverges(&inner, k, sign(side)?.into())?;
         return Ok(Found::Rough);
+    }
+    if let Some(said) = block.maybe("regular") {
+        require(said.is_empty(), Reason::Malformed("nothing after `regular`"))?;
+        let what = "all weights are those of the regular part at its own valence";
+        require(inner.is_regular_part(), Reason::Vertex(what))?;
+        return Ok(Found::Smooth(2));
     }
     let [k, low, high] = words(block.after("eigenvalue")?, "a block and two numbers")?;
     let k = k.parse().map_err(|_| Reason::Malformed("a block"))?;
@@ -85,7 +91,7 @@ pub fn check_vertex(
     if side == 1 && k == 1 && !negative {
         let what = "the outer curve of a sector is in the half-plane";
         require(has_one_sign(&net, &ring), Reason::Vertex(what))?;
-        return Ok(Found::Smooth);
+        return Ok(Found::Smooth(1));
     }
     // For λ < 0, for k ≥ 2, and for a negative Jacobian the map is not injective.
     Ok(Found::Rough)

@@ -132,6 +132,11 @@ impl Inner {
         true
     }
 
+    /// Whether the rules are those of the points of a lattice, around the vertex too (THEOREMS.md, 143).
+    pub fn is_regular_part(&self) -> bool {
+        self.part.valence() == Some(self.order) && self.is_regular(0..self.orbits.len())
+    }
+
     /// Block k in real form: the entries Σ_d m_{(a,0),(b,d)} cos(2πk(d + β/2 − α/2)/n), of all orbits for k = 0, otherwise of
     /// those of n points. It is similar to the Fourier block.
     pub fn block(&self, k: usize) -> Result<Vec<Vec<Ball>>, Stop> {

@@ -57,6 +57,15 @@ impl Part {
         }
     }
 
+    /// The valence of the points of the lattice; `None` around a face.
+    pub fn valence(self) -> Option<usize> {
+        match self {
+            Part::Bicubic => Some(4),
+            Part::BoxSpline => Some(6),
+            Part::Biquadratic => None,
+        }
+    }
+
     /// The directions of the box spline, and the place that its coefficients are counted from.
     fn directions(self) -> (&'static [Place], Place) {
         match self {

@@ -6,6 +6,7 @@ mod places;
 mod polynomials;
 mod roots;
 mod sectors;
+mod tangents;
 
 use super::call::{Call, index, wrong};
 use super::masks::{Mask, signed};
@@ -20,9 +21,13 @@ use roots::{Root, Roots};
 use sectors::{Sectors, of_each, over_square};
 use std::cmp::Ordering;
 use std::rc::Rc;
+use tangents::Tangents;
 
 /// The greatest valence.
 const MAX_VALENCE: i64 = 100;
+
+/// The greatest number of a point of which a weight is asked.
+const MAX_POINT: i64 = 100;
 
 /// The most rows of the matrix of a mask.
 const MAX_ROWS: usize = 64;
@@ -60,20 +65,40 @@ pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
         }
         ("limit_weight", [valence]) => {
             let (sectors, _) = sectors(call, valence)?;
-            let first = sectors.orbits.first().map_or("", |(name, _)| name);
-            let name = call.word("orbit", first);
-            let place = sectors.orbits.iter().position(|(orbit, _)| *orbit == name);
-            let (Some(place), weights) = (place, sectors.limit()?) else {
-                return wrong(format!("the ring has no orbit `{name}`"));
-            };
+            let (place, weights) = (orbit(call, &sectors)?, sectors.limit()?);
             let (Some(weight), Some((_, count))) = (weights.get(place), sectors.orbits.get(place))
             else {
-                return wrong(format!("the ring has no orbit `{name}`"));
+                return wrong("the ring has no such orbit");
             };
             Real::Exact(of_each(meter, weight, *count)?)
         }
+        ("tangent_weight", [valence, j]) => {
+            let (sectors, _) = sectors(call, valence)?;
+            let j = index(j, 0, MAX_POINT)?;
+            let place = orbit(call, &sectors)?;
+            let second = call.choose("tangent", &["first", "second"])? == 1;
+            let spectrum = Spectrum::new(meter, &sectors)?;
+            spectrum.is_dominated(meter)?;
+            let tangents = Tangents::new(meter, &sectors, &spectrum.lambda.place)?;
+            let turns = |(_, count): &&(String, usize)| *count > 1;
+            match sectors.orbits.get(place).filter(turns) {
+                Some(_) => {
+                    let before = sectors.orbits.iter().take(place).filter(turns).count();
+                    tangents.weight(before, j, second)?
+                }
+                None => Real::Exact(Value::int(0)),
+            }
+        }
         _ => return Ok(None),
     }))
+}
+
+/// The place of the orbit that a call names, or 0.
+fn orbit(call: &mut Call<'_>, sectors: &Sectors<'_>) -> Result<usize, Stop> {
+    let first = sectors.orbits.first().map_or("", |(name, _)| name);
+    let name = call.word("orbit", first);
+    let place = sectors.orbits.iter().position(|(orbit, _)| *orbit == name);
+    place.ok_or_else(|| Stop::Wrong(format!("the ring has no orbit `{name}`")))
 }
 
 /// The ring of a call at a valence, and this.

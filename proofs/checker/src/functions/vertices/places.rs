@@ -46,7 +46,8 @@ impl Factor {
         Sturm::new(&Factor::enclosure(meter, p, bits)?, bits, meter)
     }
 
-    fn enclosure(meter: &Meter, p: &[Value], bits: u64) -> Result<Vec<Interval>, Stop> {
+    /// Enclosures of the coefficients.
+    pub fn enclosure(meter: &Meter, p: &[Value], bits: u64) -> Result<Vec<Interval>, Stop> {
         p.iter().map(|c| enclosed(meter, c.number()?, bits)).collect()
     }
 

@@ -72,13 +72,52 @@ pub fn characteristic_of_cycles(
     Ok(coefficients)
 }
 
+/// The entries of adj(t/d − M), each as a polynomial in t with such coefficients and up to one positive factor, and d: B_0 = 1,
+/// B_k = dM·B_{k−1} + c_{m−k} are those on t^{m−1−k}, the c_i those of det(t − dM).
+pub fn adjugate_of_cycles(
+    meter: &Meter,
+    n: usize,
+    matrix: &[Vec<Cyclic>],
+) -> Result<(Vec<Vec<Vec<Cyclic>>>, Value), Stop> {
+    let denominator: Value = Value::denominator(matrix.iter().flatten().flatten())?;
+    let scaled = |entry: &Cyclic| multiple(meter, entry, &denominator);
+    let rows = matrix.iter().map(|row| row.iter().map(scaled).collect());
+    let rows = rows.collect::<Result<Vec<Vec<Cyclic>>, Stop>>()?;
+    let (ring, size) = (Cycles(meter, n), rows.len());
+    let coefficients = characteristic(&ring, &rows)?;
+    let zero = || vec![vec![ring.integer(0); size]; size];
+    let (mut power, mut entries) = (zero(), vec![vec![Vec::new(); size]; size]);
+    // From B_0 on: the coefficient c_m = 1, and then the others downwards.
+    for c in coefficients.iter().skip(1).rev() {
+        let mut next = zero();
+        for (i, (row, sums)) in rows.iter().zip(&mut next).enumerate() {
+            for (entry, other) in row.iter().zip(&power) {
+                for (sum, x) in sums.iter_mut().zip(other) {
+                    ring.add_product(sum, entry, x)?;
+                }
+            }
+            if let Some(sum) = sums.get_mut(i) {
+                ring.add(sum, c)?;
+            }
+        }
+        for (entries, row) in entries.iter_mut().zip(&next) {
+            for (entry, x) in entries.iter_mut().zip(row) {
+                entry.push(x.clone());
+            }
+        }
+        power = next;
+    }
+    entries.iter_mut().flatten().for_each(|entry| entry.reverse());
+    Ok((entries, denominator))
+}
+
 /// A multiple of an element.
 fn multiple(meter: &Meter, element: &Cyclic, factor: &Value) -> Result<Cyclic, Stop> {
     element.iter().map(|c| times(meter, c, factor)).collect()
 }
 
 /// Removes leading coefficients that are 0.
-fn trimmed(mut p: Polynomial) -> Polynomial {
+pub fn trimmed(mut p: Polynomial) -> Polynomial {
     while p.last().is_some_and(Value::is_zero) {
         p.pop();
     }
@@ -86,7 +125,7 @@ fn trimmed(mut p: Polynomial) -> Polynomial {
 }
 
 /// p with the leading coefficient 1.
-fn monic(meter: &Meter, p: &[Value]) -> Result<Polynomial, Stop> {
+pub fn monic(meter: &Meter, p: &[Value]) -> Result<Polynomial, Stop> {
     let Some(leading) = p.last() else { return Ok(Vec::new()) };
     if *leading == Value::int(1) {
         return Ok(p.to_vec());
@@ -96,7 +135,7 @@ fn monic(meter: &Meter, p: &[Value]) -> Result<Polynomial, Stop> {
 }
 
 /// The quotient and the remainder of a division by a polynomial with the leading coefficient 1.
-fn divided(
+pub fn divided(
     meter: &Meter,
     p: &[Value],
     divisor: &[Value],
@@ -122,7 +161,7 @@ fn slope(meter: &Meter, p: &[Value]) -> Result<Polynomial, Stop> {
 }
 
 /// The greatest common divisor with the leading coefficient 1.
-fn common(meter: &Meter, p: &[Value], q: &[Value]) -> Result<Polynomial, Stop> {
+pub fn common(meter: &Meter, p: &[Value], q: &[Value]) -> Result<Polynomial, Stop> {
     let (mut p, mut q) = (monic(meter, p)?, monic(meter, q)?);
     while !q.is_empty() {
         let rest = divided(meter, &p, &q)?.1;

@@ -81,19 +81,19 @@ impl<'m> Sectors<'m> {
         characteristic(&Values(self.meter), &self.sums()?)
     }
 
-    /// Those of the other blocks.
-    pub fn turning(&self) -> Result<Turning<'_>, Stop> {
+    /// Σ_d m_{a[0],b[d]} x^d for the orbits a and b of N points: M_k for x = e^{2πik/N}.
+    pub fn turned(&self) -> Vec<Vec<Cyclic>> {
         let turns = || self.orbits.iter().map(|(_, count)| *count > 1);
         let rows = self.weights.iter().zip(turns()).filter(|(_, turns)| *turns);
-        let matrix: Vec<Vec<Cyclic>> = rows
-            .map(|(row, _)| {
-                row.iter()
-                    .zip(turns())
-                    .filter(|(_, turns)| *turns)
-                    .map(|(c, _)| c.clone())
-                    .collect()
-            })
-            .collect();
+        rows.map(|(row, _)| {
+            row.iter().zip(turns()).filter(|(_, turns)| *turns).map(|(c, _)| c.clone()).collect()
+        })
+        .collect()
+    }
+
+    /// The characteristic polynomials of the blocks but M_0.
+    pub fn turning(&self) -> Result<Turning<'_>, Stop> {
+        let matrix = self.turned();
         Ok(Turning(self, characteristic_of_cycles(self.meter, self.valence, &matrix)?))
     }
 
@@ -122,6 +122,39 @@ impl<'m> Sectors<'m> {
             first.fill(Value::int(1));
         }
         solve(self.meter, rows)
+    }
+    /// The real part of Σ_d c_d e^{2πikd/N}, or the imaginary one.
+    pub fn part(&self, c: &Cyclic, k: usize, imaginary: bool) -> Result<Value, Stop> {
+        let (meter, n) = (self.meter, c.len());
+        // Sums of the c_d with one kd mod N, and for cosines with one ±kd.
+        let mut sums = vec![Value::int(0); n];
+        for (d, c) in c.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
+            let place = k.saturating_mul(d).checked_rem(n).unwrap_or(0);
+            let other = n.saturating_sub(place);
+            let least = place.min(other);
+            match sums.get_mut(least) {
+                Some(sum) if !imaginary || place == least => plus(meter, sum, c)?,
+                Some(sum) => plus(meter, sum, &c.negated()?)?,
+                None => {}
+            }
+        }
+        let mut total = Value::int(0);
+        for (place, sum) in sums.iter().enumerate().filter(|(_, sum)| !sum.is_zero()) {
+            let mut turn = Q::new(signed(place)?.into(), signed(n)?.into());
+            if imaginary {
+                turn -= Q::new(BigInt::from(1), BigInt::from(4));
+            }
+            let cosine = match (imaginary, place) {
+                (true, 0) => continue,
+                (false, 0) => Value::int(1),
+                _ => {
+                    meter.spend((n as u64).saturating_mul(n as u64) / 4)?;
+                    Number::cosine(&turn)?.into()
+                }
+            };
+            add(meter, &mut total, sum, &cosine)?;
+        }
+        Ok(total)
     }
 }
 
@@ -155,8 +188,8 @@ impl Turning<'_> {
     /// The characteristic polynomial of M_k, k ≠ 0, which must be real.
     pub fn block(&self, k: usize) -> Result<Polynomial, Stop> {
         let coefficient = |c: &Cyclic| {
-            if self.part(c, k, true)?.is_zero() {
-                self.part(c, k, false)
+            if self.0.part(c, k, true)?.is_zero() {
+                self.0.part(c, k, false)
             } else {
                 wrong("the characteristic polynomial of a block of the ring is not real")
             }
@@ -168,46 +201,12 @@ impl Turning<'_> {
     fn is_root(&self, k: usize, x: &Value) -> Result<bool, Stop> {
         let meter = self.0.meter;
         for imaginary in [false, true] {
-            let p = self.1.iter().map(|c| self.part(c, k, imaginary));
+            let p = self.1.iter().map(|c| self.0.part(c, k, imaginary));
             if !at(meter, &p.collect::<Result<Vec<Value>, Stop>>()?, x)?.is_zero() {
                 return Ok(false);
             }
         }
         Ok(true)
-    }
-
-    /// The real part of Σ_d c_d e^{2πikd/N}, or the imaginary one.
-    fn part(&self, c: &Cyclic, k: usize, imaginary: bool) -> Result<Value, Stop> {
-        let (meter, n) = (self.0.meter, c.len());
-        // Sums of the c_d with one kd mod N, and for cosines with one ±kd.
-        let mut sums = vec![Value::int(0); n];
-        for (d, c) in c.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
-            let place = k.saturating_mul(d).checked_rem(n).unwrap_or(0);
-            let other = n.saturating_sub(place);
-            let least = place.min(other);
-            match sums.get_mut(least) {
-                Some(sum) if !imaginary || place == least => plus(meter, sum, c)?,
-                Some(sum) => plus(meter, sum, &c.negated()?)?,
-                None => {}
-            }
-        }
-        let mut total = Value::int(0);
-        for (place, sum) in sums.iter().enumerate().filter(|(_, sum)| !sum.is_zero()) {
-            let mut turn = Q::new(signed(place)?.into(), signed(n)?.into());
-            if imaginary {
-                turn -= Q::new(BigInt::from(1), BigInt::from(4));
-            }
-            let cosine = match (imaginary, place) {
-                (true, 0) => continue,
-                (false, 0) => Value::int(1),
-                _ => {
-                    meter.spend((n as u64).saturating_mul(n as u64) / 4)?;
-                    Number::cosine(&turn)?.into()
-                }
-            };
-            add(meter, &mut total, sum, &cosine)?;
-        }
-        Ok(total)
     }
 }
 

@@ -50,6 +50,32 @@ impl Linear {
         Linear(self.0.each_ref().map(|c| c * factor))
     }
 
+    /// A polynomial in two symbols, if it is linear.
+    pub fn of(value: &Value, names: [&str; 2]) -> Option<Linear> {
+        let mut linear = [int(0), int(0), int(0)];
+        for (monomial, coefficient) in value.all() {
+            let place = match monomial {
+                [] => 2,
+                [(name, 1)] => names.iter().position(|known| **known == **name)?,
+                _ => return None,
+            };
+            linear[place] = coefficient.rational()?;
+        }
+        Some(Linear(linear))
+    }
+
+    /// The function with the same zeros of which the first coefficient of a variable that is not 0 is 1.
+    pub fn monic(&self) -> Option<Linear> {
+        let [x, y, _] = &self.0;
+        let first = [x, y].into_iter().find(|c| !c.is_zero())?;
+        Some(self.times(&first.recip()))
+    }
+
+    /// The negative of it.
+    pub fn negated(&self) -> Linear {
+        self.times(&int(-1))
+    }
+
     /// Its value, if it has only one.
     pub fn constant(&self) -> Option<&Q> {
         let [x, y, constant] = &self.0;
@@ -159,19 +185,7 @@ impl Shapes<'_> {
 
     /// A polynomial that is linear.
     fn linear(&self, value: &Value) -> Result<Linear, Stop> {
-        let mut linear = [int(0), int(0), int(0)];
-        for (monomial, coefficient) in value.all() {
-            let place = match monomial {
-                [] => Some(2),
-                [(name, 1)] => self.names.iter().position(|known| **known == **name),
-                _ => None,
-            };
-            let (Some(place), Some(rational)) = (place, coefficient.rational()) else {
-                return Err(REGION);
-            };
-            linear[place] = rational;
-        }
-        Ok(Linear(linear))
+        Linear::of(value, self.names).ok_or(REGION)
     }
 
     fn chain(

@@ -11,6 +11,9 @@ use std::cmp::Ordering;
 /// The most inequalities.
 const MAX_PLANES: usize = 256;
 
+/// The most lines that cut a region.
+const MAX_LINES: usize = 32;
+
 /// A point by its coordinates.
 pub type Point = [Q; 2];
 
@@ -24,6 +27,13 @@ pub struct Region<'m> {
 pub fn middle(points: &[&Point]) -> Point {
     let count = Q::from_integer(points.len().into());
     [0, 1].map(|axis| points.iter().map(|point| &point[axis]).sum::<Q>() / &count)
+}
+
+/// The corners from the least one on.
+fn from_least(mut corners: Vec<Point>) -> Vec<Point> {
+    let least = (0..corners.len()).min_by(|i, j| corners[*i].cmp(&corners[*j]));
+    corners.rotate_left(least.unwrap_or(0));
+    corners
 }
 
 impl<'m> Region<'m> {
@@ -75,9 +85,34 @@ impl<'m> Region<'m> {
         if corners.len() < 3 {
             return Err(REGION);
         }
-        let least = (0..corners.len()).min_by(|i, j| corners[*i].cmp(&corners[*j]));
-        corners.rotate_left(least.unwrap_or(0));
-        Ok(corners)
+        Ok(from_least(corners))
+    }
+
+    /// The convex polygons into which the lines where linear functions vanish cut a convex polygon.
+    pub fn cells(
+        &self,
+        lines: impl Iterator<Item = Linear>,
+        corners: Vec<Point>,
+    ) -> Result<Vec<Vec<Point>>, Stop> {
+        let mut lines: Vec<Linear> = lines.filter_map(|line| line.monic()).collect();
+        lines.sort();
+        lines.dedup();
+        if lines.len() > MAX_LINES {
+            return Err(Stop::Capped("the lines that cut a region"));
+        }
+        let mut cells = vec![corners];
+        for line in lines {
+            let mut parts = Vec::new();
+            for cell in cells {
+                for side in [line.clone(), line.negated()] {
+                    parts.push(self.cut(&side, &cell)?);
+                }
+            }
+            // What a line only touches has fewer corners on its other side.
+            parts.retain(|part| part.len() >= 3);
+            cells = parts;
+        }
+        Ok(cells.into_iter().map(from_least).collect())
     }
 
     /// A number that is greater than all coordinates of the points, which have to be bounded.

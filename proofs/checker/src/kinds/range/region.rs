@@ -4,7 +4,7 @@
 
 use super::convex::{Linear, Shapes};
 use super::polygon::Region;
-use super::smooth::{contraction, product};
+use super::smooth::{Symbol, contraction};
 use super::triangles::Sums;
 use crate::claims::Paper;
 use crate::formulas::Scope;
@@ -45,14 +45,17 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         // For other values nothing is shown.
         require(!only, Reason::NotShown)?;
         let (levels, reduction) = contraction(said, block)?;
-        let product = product(paper, (&scope, reference), (m, levels), &reduction)?;
+        let symbol = Symbol::new(paper, (&scope, reference), m, &reduction)?;
+        let lines = symbol.coefficients.iter().filter_map(|c| Linear::of(c, names));
+        let cells = region.cells(lines, corners)?;
+        let product = symbol.product(paper, levels)?;
         let sums = Sums {
             polynomials: product.coefficients(),
             classes: product.number_of_classes(),
             names,
             meter,
         };
-        require(sums.are_below_one(&region, &corners)?, Reason::Uncovered)?;
+        require(sums.are_below_one(&region, &cells)?, Reason::Uncovered)?;
         return block.verdict(Verdict::Confirmed);
     }
     let said = block.after("at")?;

@@ -40,7 +40,8 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         require(!only, Reason::NotShown)?;
         let (levels, reduction) = contraction(said, block)?;
         let above = |scope: &Scope<'_>| {
-            let product = product(paper, (scope, reference), (m, levels), &reduction)?;
+            let symbol = Symbol::new(paper, (scope, reference), m, &reduction)?;
+            let product = symbol.product(paper, levels)?;
             let sums = product.classes(paper.library.meter, scope.piece.as_ref())?;
             sums.greatest(scope.piece.as_ref())?.minus(&Value::int(1))
         };
@@ -59,7 +60,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         scope.values.insert(variable.to_owned(), at.clone().into());
         let said = block.after("vertex")?;
         let (_, found) = vertex(paper, claim, (said, valences), &scope, block)?;
-        (found == Found::Rough, found == Found::Smooth)
+        (found == Found::Rough, matches!(found, Found::Smooth(_)))
     } else {
         let place = Root::from(at.clone());
         let scope = free.scope([Some(place.clone()), Some(place)])?;
@@ -86,45 +87,58 @@ pub fn contraction(said: &str, block: &mut Block<'_>) -> Checked<(u32, Vec<Vec<Q
     Ok((levels, reduction))
 }
 
-/// The product of c factors n^m A/σ^{m+1}, the symbol of the differences of order m + 1, after the reduction of A. The norm of
-/// (n^m S_{m+1})^c is its greatest class sum.
-pub fn product(
-    paper: &Paper<'_>,
-    (scope, reference): (&Scope<'_>, &str),
-    (m, c): (usize, u32),
-    reduction: &[Vec<Q>],
-) -> Result<Rc<Product>, Stop> {
-    let schemes = paper.library.resolve(reference, scope)?;
-    let [scheme] = &schemes[..] else {
-        return Err(Stop::Wrong("smoothness is that of one scheme alone".into()));
-    };
-    let n = scheme.arity();
-    let mut symbol = Sequence { rules: &scheme.mask, forward: false }.values();
-    for g in reduction {
-        symbol = reduced(symbol, g, n, paper.library.meter)?;
-    }
-    for order in 0..=m {
-        let mut quotient: Vec<Value> = Vec::new();
-        for (i, a) in symbol.iter().enumerate() {
-            let known = quotient.iter().rev().take((n - 1).min(i));
-            let rest = known.cloned().try_fold(a.clone(), |rest, q| rest.minus(&q))?;
-            quotient.push(rest);
+/// n^m A/σ^{m+1}, the symbol of the differences of order m + 1, after the reduction of A.
+pub struct Symbol {
+    arity: usize,
+    /// Its coefficients.
+    pub coefficients: Vec<Value>,
+}
+
+impl Symbol {
+    /// That of a scheme.
+    pub fn new(
+        paper: &Paper<'_>,
+        (scope, reference): (&Scope<'_>, &str),
+        m: usize,
+        reduction: &[Vec<Q>],
+    ) -> Result<Symbol, Stop> {
+        let schemes = paper.library.resolve(reference, scope)?;
+        let [scheme] = &schemes[..] else {
+            return Err(Stop::Wrong("smoothness is that of one scheme alone".into()));
+        };
+        let n = scheme.arity();
+        let mut symbol = Sequence { rules: &scheme.mask, forward: false }.values();
+        for g in reduction {
+            symbol = reduced(symbol, g, n, paper.library.meter)?;
         }
-        // The quotient has n − 1 coefficients less than the symbol; the others are the remainder.
-        let kept = quotient.len().saturating_sub(n - 1);
-        if quotient[kept..].iter().any(|x| !x.is_zero()) {
-            return Err(Stop::Undefined("the sum rules do not hold for all values"));
+        for order in 0..=m {
+            let mut quotient: Vec<Value> = Vec::new();
+            for (i, a) in symbol.iter().enumerate() {
+                let known = quotient.iter().rev().take((n - 1).min(i));
+                let rest = known.cloned().try_fold(a.clone(), |rest, q| rest.minus(&q))?;
+                quotient.push(rest);
+            }
+            // The quotient has n − 1 coefficients less than the symbol; the others are the remainder.
+            let kept = quotient.len().saturating_sub(n - 1);
+            if quotient[kept..].iter().any(|x| !x.is_zero()) {
+                return Err(Stop::Undefined("the sum rules do not hold for all values"));
+            }
+            quotient.truncate(kept);
+            let factor = Value::int(if order < m { i64::try_from(n).unwrap_or(0) } else { 1 });
+            symbol = quotient.iter().map(|x| x.times(&factor)).collect::<Result<_, _>>()?;
         }
-        quotient.truncate(kept);
-        let factor = Value::int(if order < m { i64::try_from(n).unwrap_or(0) } else { 1 });
-        symbol = quotient.iter().map(|x| x.times(&factor)).collect::<Result<_, _>>()?;
+        Ok(Symbol { arity: n, coefficients: symbol })
     }
-    let (library, how) = (paper.library, Convolution { c, arity: n, printed: false });
-    let product = library.products.of(how, &symbol, MAX_LENGTH + 1)?;
-    if product.is_long() {
-        return Err(Stop::Capped("the length of a product of sequences"));
+
+    /// The product of c factors. The norm of (n^m S_{m+1})^c is its greatest class sum.
+    pub fn product(&self, paper: &Paper<'_>, c: u32) -> Result<Rc<Product>, Stop> {
+        let (library, how) = (paper.library, Convolution { c, arity: self.arity, printed: false });
+        let product = library.products.of(how, &self.coefficients, MAX_LENGTH + 1)?;
+        if product.is_long() {
+            return Err(Stop::Capped("the length of a product of sequences"));
+        }
+        Ok(product)
     }
-    Ok(product)
 }
 
 /// A(z)·g(z)/g(z^n), where g(z^n) divides A for all values. THEOREMS.md, 112 (d).

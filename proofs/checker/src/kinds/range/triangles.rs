@@ -53,12 +53,14 @@ enum Known {
 }
 
 impl Sums<'_> {
-    /// Whether all sums are shown to be below 1 at the points of a region, by its corners.
-    pub fn are_below_one(&self, region: &Region<'_>, corners: &[Point]) -> Result<bool, Stop> {
-        let Some((first, others)) = corners.split_first() else { return Ok(false) };
+    /// Whether all sums are shown to be below 1 at the points of a region, by the corners of convex polygons that it consists of.
+    pub fn are_below_one(&self, region: &Region<'_>, cells: &[Vec<Point>]) -> Result<bool, Stop> {
         let mut looked = 0_usize;
-        for pair in others.windows(2) {
-            let mut waiting = vec![self.on([first, &pair[0], &pair[1]])?];
+        let triangles = cells.iter().flat_map(|corners| {
+            corners.windows(2).skip(1).map(|pair| [&corners[0], &pair[0], &pair[1]])
+        });
+        for triangle in triangles {
+            let mut waiting = vec![self.on(triangle)?];
             while let Some(triangle) = waiting.pop() {
                 looked = looked.saturating_add(1);
                 match self.known(&triangle, region)? {
