@@ -40,6 +40,8 @@ ANSWERS = [
     ("jsr", "jsr examples/pair.txt"),
     ("oracle", "oracle chaikin"),
     ("range", "range four-point --param w -c 2"),
+    ("range-best-contraction", "range four-point --param w --best contraction -c 2"),
+    ("range-best-exponent", "range four-point --param w --best exponent --bounds w=0..1/8"),
     ("range-smoothness", "range four-point --param w --smoothness 1"),
     ("range-smoothness-map", "range examples/primal.toml --param a --param b --smoothness 1 --boxes 20"),
     ("range-smoothness-vertex", "range examples/loop-beta.toml --param beta --smoothness 1 --valences 3..4"),

@@ -112,6 +112,7 @@ pub(crate) fn best(arguments: &RangeArguments, names: &[String], what: BestArgum
         at_most: high,
         parameters: parameters.collect(),
         sum_rules: found.order,
+        none_positive: found.least >= Rational::one(),
         but_exceptions: found.but_exceptions,
         special,
     };
@@ -228,6 +229,9 @@ pub(crate) struct BestExponentAnswer<'a> {
     sum_rules: usize,
     /// The parameters.
     parameters: Vec<BestParameter<'a>>,
+    /// Whether the upper bound is 0 or less.
+    #[serde(skip)]
+    none_positive: bool,
     /// Whether single values may have a greater exponent: zeros of a polynomial.
     but_exceptions: bool,
     /// Of one parameter, the values at which the sum rules are of a higher order, or the support is shorter.
@@ -254,14 +258,22 @@ impl Answer for BestExponentAnswer<'_> {
     fn sheet(&self) -> Sheet {
         let mut sheet = Sheet::titled(format!("{}: the greatest Hölder exponent", self.scheme));
         let fact = |name: &str, text: String| (name.to_owned(), text);
-        let mut facts =
-            vec![fact("exponent", format!("between {} and {}", self.at_least, self.at_most))];
+        let most = format!(
+            "at most {}, where no more sum rules hold than {}",
+            self.at_most, self.sum_rules
+        );
+        let exponent = if self.none_positive {
+            format!("no positive one: {most}")
+        } else {
+            format!("at least {}\n{most}", self.at_least)
+        };
+        let mut facts = vec![fact("exponent", exponent)];
         for (parameter, [Text(low), Text(high)]) in self.parameters.iter().zip(&self.bounds) {
             let BestParameter { name, at: Text(at), from: Text(from), to: Text(to) } = parameter;
             facts.push(fact(
                 &format!("{name}, from {low} to {high}"),
                 format!(
-                    "the exponent is at least the lower bound for {at}\nthe best values are between {} and {}",
+                    "the lower bound is that for {at}\nthe best values are between {} and {}",
                     short(from, 12),
                     short(to, 12)
                 ),
