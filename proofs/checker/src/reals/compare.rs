@@ -3,7 +3,8 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::evaluate::Reals;
-use super::known::Known;
+use super::known::{Known, MOST};
+use super::masks;
 use crate::formulas::{Expr, Scope};
 use crate::numbers::{Number, Q};
 use crate::schemes::Library;
@@ -14,9 +15,6 @@ use std::cmp::Ordering;
 
 /// The binary digits that are tried first.
 const FIRST: u64 = 192;
-
-/// The most binary digits.
-const MOST: u64 = 16_384;
 
 /// The values of two formulas.
 pub struct Pair {
@@ -49,25 +47,6 @@ pub fn pair(
     }
 }
 
-/// Whether a number is 0, if so many digits tell.
-pub fn is_zero(of: &Known) -> Result<bool, Stop> {
-    if let Some(number) = &of.number {
-        return Ok(number.is_zero());
-    }
-    if let Some(sign) = of.near.sign() {
-        return Ok(sign == 0);
-    }
-    let undecided = Stop::Undecided("whether a number is 0");
-    let separation = of.size.as_ref().ok_or(undecided.clone())?.separation();
-    if separation > MOST {
-        return Err(Stop::Capped("the digits that separate a number from 0"));
-    }
-    if of.most() * Q::from_integer(BigInt::one() << separation) < Q::one() {
-        return Ok(true);
-    }
-    Err(undecided)
-}
-
 /// The values with so many digits, and how many are needed to compare them, if these are not enough.
 fn pair_with(
     library: &Library<'_>,
@@ -75,7 +54,7 @@ fn pair_with(
     (left, right): (&Expr, &Expr),
     bits: u64,
 ) -> Result<(Pair, Option<u64>), Stop> {
-    let reals = Reals::new(library, scope, bits);
+    let reals = Reals::new(library, scope, bits, masks::of);
     let (left, right) = (reals.value(left)?, reals.value(right)?);
     let difference = reals.digits().sum(&left, -1, &right)?;
     let ends = difference.ends();

@@ -3,8 +3,7 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::known::{Digits, Known};
-use super::masks;
-use crate::formulas::{Expr, Head, Indices, MAX_INTEGER, Range, Scope, of_nothing, range};
+use crate::formulas::{Asked, Expr, Head, Indices, MAX_INTEGER, Range, Scope, of_nothing, range};
 use crate::functions::real;
 use crate::numbers::{Q, Value};
 use crate::schemes::Library;
@@ -15,18 +14,27 @@ use std::cell::Cell;
 /// The greatest depth of an evaluation.
 const MAX_DEPTH: usize = 200;
 
+/// The value of a function of a mask with roots that lie in no field of cosines; `None` if it is none.
+pub type OfMask = fn(&Reals<'_>, Asked<'_>) -> Result<Option<Known>, Stop>;
+
 /// The values of formulas with so many digits.
 pub struct Reals<'r> {
     pub library: &'r Library<'r>,
     pub scope: &'r Scope<'r>,
     depth: Cell<usize>,
     digits: Digits<'r>,
+    of_mask: OfMask,
 }
 
 impl<'r> Reals<'r> {
-    pub fn new(library: &'r Library<'r>, scope: &'r Scope<'r>, bits: u64) -> Reals<'r> {
+    pub fn new(
+        library: &'r Library<'r>,
+        scope: &'r Scope<'r>,
+        bits: u64,
+        of_mask: OfMask,
+    ) -> Reals<'r> {
         let digits = Digits { bits, meter: library.meter };
-        Reals { library, scope, depth: Cell::new(0), digits }
+        Reals { library, scope, depth: Cell::new(0), digits, of_mask }
     }
 
     /// The digits.
@@ -142,7 +150,7 @@ impl<'r> Reals<'r> {
         let (parts, options) = self.scope.asked(head, parts, indices);
         let values = parts.iter().map(|part| self.scope.evaluate(part, indices));
         let values = values.collect::<Result<Vec<Value>, Stop>>()?;
-        if let Some(found) = masks::of(self, (name, &values, &options))? {
+        if let Some(found) = (self.of_mask)(self, (name, &values, &options))? {
             return Ok(Some(found));
         }
         let found = real(self.library, self.scope, (name, &values, &options))?;

@@ -8,6 +8,10 @@ use crate::functions::Real;
 use crate::numbers::{Meter, Number, Q, common_multiple, roots_between};
 use crate::text::Stop;
 use num_bigint::BigInt;
+use num_traits::One as _;
+
+/// The most binary digits.
+pub const MOST: u64 = 16_384;
 
 /// The longest name of a number.
 const MAX_KEY: usize = 4_096;
@@ -188,4 +192,23 @@ impl Known {
     pub fn negated(&self, digits: Digits<'_>) -> Result<Known, Stop> {
         digits.sum(&digits.integer(0)?, -1, self)
     }
+}
+
+/// Whether a number is 0, if so many digits tell.
+pub fn is_zero(of: &Known) -> Result<bool, Stop> {
+    if let Some(number) = &of.number {
+        return Ok(number.is_zero());
+    }
+    if let Some(sign) = of.near.sign() {
+        return Ok(sign == 0);
+    }
+    let undecided = Stop::Undecided("whether a number is 0");
+    let separation = of.size.as_ref().ok_or(undecided.clone())?.separation();
+    if separation > MOST {
+        return Err(Stop::Capped("the digits that separate a number from 0"));
+    }
+    if of.most() * Q::from_integer(BigInt::one() << separation) < Q::one() {
+        return Ok(true);
+    }
+    Err(undecided)
 }

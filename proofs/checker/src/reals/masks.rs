@@ -2,9 +2,8 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::compare::is_zero;
 use super::evaluate::Reals;
-use super::known::{Digits, Known};
+use super::known::{Digits, Known, is_zero};
 use crate::formulas::{Asked, MAX_INTEGER, formula, formulas};
 use crate::functions::call::{index, wrong};
 use crate::numbers::{Q, Value};
@@ -92,7 +91,7 @@ impl<'m> Mask<'m> {
             None => 0,
         };
         let digits = reals.digits();
-        let inner = Reals::new(library, &scope, digits.bits);
+        let inner = Reals::new(library, &scope, digits.bits, of);
         let own = format!("{name} {:?}", scope.values);
         let mut rules: Vec<Vec<Known>> = Vec::new();
         for row in rows {
