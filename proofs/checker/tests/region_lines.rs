@@ -175,7 +175,6 @@ fn fields() {
         ("smoothness = '0'", "smoothness = '65'"),
         ("smoothness = '0'", "smoothness = '1'"),
         ("where = ['abs(x) + abs(y) < 1/2']", ""),
-        ("where = ['abs(x) + abs(y) < 1/2']", "where = 'abs(x) + abs(y) < 1/2'"),
         ("where = ['abs(x) + abs(y) < 1/2']", "where = []"),
     ] {
         let changed = fields.replace(field, other);
