@@ -44,7 +44,7 @@ fn what_holds_holds_and_its_contrary_fails() {
         ("1 <= v <= 2", "keeps_ratios(kept, 2, v)", "not keeps_ratios(kept, 2, v)"),
         ("v > 2", "not keeps_ratios(kept, 2, v)", "keeps_ratios(kept, 2, v)"),
         ("1/6 <= v <= 3/10", "keeps_ratios(dual, 2, 3, w = v)", "keeps_ratios(dual, 2, 2, w = v)"),
-        ("v > 1/4", "hurwitz(dual, w = v)", "not hurwitz(dual, w = v)"),
+        ("0 < v < 1/2", "hurwitz(dual, w = v)", "not hurwitz(dual, w = v)"),
         ("v < 0", "not hurwitz(dual, w = v)", "hurwitz(dual, w = v)"),
         ("real v", "vanishing_moments(high, w = v) >= 1", "vanishing_moments(high, w = v) = 1"),
         ("real v", "orthogonal(haar)", "same(fp, w = v, with = haar)"),
