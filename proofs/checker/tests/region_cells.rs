@@ -32,7 +32,8 @@ fn of(scheme: &str, bounds: &[&str], levels: usize) -> Outcome {
     let claims = format!(
         "key = 'k'\n{SCHEMES}\n[[range]]\nid = 'r'\nvariables = ['x', 'y']\nscheme = '{scheme}'\nsmoothness = '0'\nwhere = [{listed}]\n"
     );
-    let bounds: String = bounds.iter().map(|text| format!(" where {text}\n")).collect();
+    let bounds: Vec<String> = bounds.iter().map(|text| format!(" where {text}\n")).collect();
+    let bounds = bounds.concat();
     let certificate = format!(
         "subcert-certificate 4\npaper k\nrange r\n variables x y\n scheme {scheme}\n smoothness 0\n{bounds} contraction {levels}\n confirmed\nend 1\n"
     );

@@ -27,13 +27,15 @@ fn smoothness(scheme: &str, fields: &[(&str, &str)], lines: &str) -> Outcome {
         format!("key = 'k'\n{SCHEMES}\n[[smoothness]]\nid = 's'\nscheme = '{scheme}'\n");
     let mut head = format!("scheme {scheme}\n");
     for (name, value) in fields {
-        claims.push_str(&format!("{name} = '{value}'\n"));
+        let field = format!("{name} = '{value}'\n");
+        claims.push_str(&field);
         let word = match *name {
             "continuous" => "states-continuous",
             "not_continuous" => "states-not-continuous",
             name => name,
         };
-        head.push_str(&format!(" {word} {value}\n"));
+        let line = format!(" {word} {value}\n");
+        head.push_str(&line);
     }
     let text = format!("subcert-certificate 4\npaper k\nsmoothness s\n {head} {lines}\nend 1\n");
     let report = check(&claims, &[&text]).expect("a claim file");

@@ -14,6 +14,9 @@ pub type Polynomial = Vec<Value>;
 /// An element c_0 + c_1 x + … of the numbers with an x of x^n = 1.
 pub type Cyclic = Vec<Value>;
 
+/// For each entry of a matrix, by columns and rows, the coefficients of its polynomial.
+pub type Entries = Vec<Vec<Vec<Cyclic>>>;
+
 /// Such elements for this n.
 struct Cycles<'m>(&'m Meter, usize);
 
@@ -78,7 +81,7 @@ pub fn adjugate_of_cycles(
     meter: &Meter,
     n: usize,
     matrix: &[Vec<Cyclic>],
-) -> Result<(Vec<Vec<Vec<Cyclic>>>, Value), Stop> {
+) -> Result<(Entries, Value), Stop> {
     let denominator: Value = Value::denominator(matrix.iter().flatten().flatten())?;
     let scaled = |entry: &Cyclic| multiple(meter, entry, &denominator);
     let rows = matrix.iter().map(|row| row.iter().map(scaled).collect());

@@ -79,18 +79,18 @@ impl<'s> Tangents<'s> {
             let part = self.sectors.part(&turned, 1, second)?;
             p.push(if second { part.negated()? } else { part });
         }
-        self.over_unit(trimmed(p))
+        self.over_unit(&trimmed(p))
     }
 
     /// p/unit at λ.
-    fn over_unit(&self, p: Polynomial) -> Result<Real, Stop> {
+    fn over_unit(&self, p: &Polynomial) -> Result<Real, Stop> {
         let (meter, unit) = (self.meter, &self.unit);
         let Place::Of(factor, _) = self.lambda else {
             let Place::Exact(x) = self.lambda else { return Ok(Real::Exact(Value::int(0))) };
-            return Ok(Real::Exact(over(meter, &at(meter, &p, x)?, &at(meter, unit, x)?)?));
+            return Ok(Real::Exact(over(meter, &at(meter, p, x)?, &at(meter, unit, x)?)?));
         };
         let modulus = monic(meter, &factor.p)?;
-        let [p, unit] = [&p, unit].map(|p| divided(meter, p, &modulus));
+        let [p, unit] = [p, unit].map(|p| divided(meter, p, &modulus));
         let (p, unit) = (p?.1, unit?.1);
         if let Some(ratio) = ratio(meter, &p, &unit)? {
             return Ok(Real::Exact(ratio));
