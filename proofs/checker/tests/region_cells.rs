@@ -3,7 +3,8 @@
 //! The norm of `cross` is |x| + |y|, or (1 − x − y)/2 or (1 + x + y)/2; that of `turned` is |x + y| + |x − y|, or |1 − 2x|/2. The norm of
 //! `fan` is 1/2 and sums of some |y − ix|/100000.
 
-use subcert_check::{Outcome, check};
+use crate::regions::{about, judged};
+use subcert_check::Outcome;
 
 const SCHEMES: &str = "
 [[scheme]]
@@ -27,19 +28,9 @@ parameters.n = {}
 ";
 
 fn of(scheme: &str, bounds: &[&str], levels: usize) -> Outcome {
-    let listed: Vec<String> = bounds.iter().map(|text| format!("'{text}'")).collect();
-    let listed = listed.join(", ");
-    let claims = format!(
-        "key = 'k'\n{SCHEMES}\n[[range]]\nid = 'r'\nvariables = ['x', 'y']\nscheme = '{scheme}'\nsmoothness = '0'\nwhere = [{listed}]\n"
-    );
-    let bounds: Vec<String> = bounds.iter().map(|text| format!(" where {text}\n")).collect();
-    let bounds = bounds.concat();
-    let certificate = format!(
-        "subcert-certificate 4\npaper k\nrange r\n variables x y\n scheme {scheme}\n smoothness 0\n{bounds} contraction {levels}\n confirmed\nend 1\n"
-    );
-    let report = check(&claims, &[&certificate]).expect("a claim file");
-    assert!(report.broken.is_empty(), "{:?}", report.broken);
-    report.claims.into_iter().next().expect("a claim").2
+    let (fields, head) = about(scheme, "0", bounds);
+    let lines = format!("{head} contraction {levels}\n confirmed");
+    judged(SCHEMES, &fields, &lines).expect("a claim file")
 }
 
 /// The region where a norm is below 1, to its very border.

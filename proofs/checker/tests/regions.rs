@@ -56,17 +56,18 @@ pub fn about(scheme: &str, smoothness: &str, bounds: &[&str]) -> (String, String
     (fields, lines)
 }
 
-pub fn outcome(fields: &str, lines: &str) -> Outcome {
-    let claims = format!("key = 'k'\n{SCHEMES}\n[[range]]\nid = 'r'\n{fields}\n");
+/// The outcome of a claim about one of these schemes, if the file is one.
+pub fn judged(schemes: &str, fields: &str, lines: &str) -> Option<Outcome> {
+    let claims = format!("key = 'k'\n{schemes}\n[[range]]\nid = 'r'\n{fields}\n");
     let certificate = format!("subcert-certificate 4\npaper k\nrange r\n {lines}\nend 1\n");
-    match check(&claims, &[&certificate]) {
-        Ok(report) => {
-            assert!(report.broken.is_empty(), "{:?}", report.broken);
-            report.claims.into_iter().next().expect("a claim").2
-        }
-        // A name with two meanings.
-        Err(_) => Outcome::Incomplete(None),
-    }
+    let report = check(&claims, &[&certificate]).ok()?;
+    assert!(report.broken.is_empty(), "{:?}", report.broken);
+    Some(report.claims.into_iter().next().expect("a claim").2)
+}
+
+pub fn outcome(fields: &str, lines: &str) -> Outcome {
+    // A name with two meanings makes the file wrong.
+    judged(SCHEMES, fields, lines).unwrap_or(Outcome::Incomplete(None))
 }
 
 /// The outcome of a claim with these lines after those that restate it.

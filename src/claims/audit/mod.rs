@@ -69,7 +69,7 @@ pub fn audit_whole<'a>(
     papers: &'a [Paper],
     after_claim: &(dyn Fn() + Sync),
 ) -> Result<Vec<PaperAudit<'a>>, Errors> {
-    let found = jobs::judge(papers, &|_| Chosen::all(), after_claim);
+    let found = audit_partly(papers, after_claim);
     found.into_iter().map(|(audit, errors)| errors.map(|()| audit)).collect()
 }
 

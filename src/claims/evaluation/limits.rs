@@ -10,6 +10,7 @@ use crate::exact::{
 };
 use crate::formula::{Context, LocatedFormula, Scope, Value};
 use crate::scheme::{Instance, LocalRules, Mask, Rules, SchemeError};
+use crate::smoothness::plane_rules;
 use std::collections::BTreeMap;
 use std::hash::Hash;
 
@@ -95,13 +96,7 @@ impl LimitScheme<'_> {
         }
         let names = variables.join("` and `");
         let mask = self.open_mask(&scope, &names)?;
-        let rows =
-            mask.rules().rows().iter().map(|row| {
-                row.iter().map(|c| c.in_variables(variables)).collect::<Option<Vec<_>>>()
-            });
-        let rows: Option<Vec<Vec<BivariatePolynomial>>> = rows.collect();
-        let rules = rows.and_then(|rows| Rules::new(rows, mask.offset()).ok());
-        rules.ok_or_else(|| self.not_polynomial(&names))
+        plane_rules(mask.rules(), variables).map_err(|_| self.not_polynomial(&names))
     }
 
     /// The one mask, whose coefficients depend on the open variables.

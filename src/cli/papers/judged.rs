@@ -4,7 +4,7 @@ use super::claim_files::{Claims, claims};
 use crate::cli::console::output::Failure;
 use crate::cli::console::progress::Progress;
 use std::path::PathBuf;
-use subcert::audit::{PaperAudit, audit_claim, audit_partly, audit_whole, claims_needed};
+use subcert::audit::{PaperAudit, audit_claim, audit_partly, claims_needed};
 use subcert::claim::Paper;
 use subcert::diagnostic::Errors;
 use subcert::report::html::shell_word;
@@ -78,7 +78,6 @@ pub(crate) fn judge_partly(
 
 /// Judges every claim of the papers, on all cores. With `bar`, a bar shows the progress.
 pub(crate) fn judge_all(papers: &[Paper], bar: bool) -> Result<Vec<PaperAudit<'_>>, Failure> {
-    let claims = papers.iter().map(|paper| paper.claims().count()).sum();
-    let progress = Progress::of_claims(claims, bar);
-    Ok(audit_whole(papers, &|| progress.step())?)
+    let (audits, errors) = judge_partly(papers, bar);
+    errors.map(|()| audits)
 }

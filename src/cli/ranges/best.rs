@@ -14,13 +14,13 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 use subcert::bound::{Order, norm_function, polynomial_rules};
 use subcert::exact::{
-    Enclosed as _, Interval, IntervalSet, LogSum, LogTerm, PiecewisePolynomial, Polynomial,
-    Rational, format::short,
+    Enclosed as _, Interval, IntervalSet, LogSum, LogTerm, PiecewisePolynomial, Rational,
+    format::short,
 };
 use subcert::report::json::SpecialForm;
 use subcert::report::{Sheet, down, up};
 use subcert::scheme::parse_in_parameters;
-use subcert::smoothness::{BestExponent, MAX_BOXES, SpecialValues, best_exponent};
+use subcert::smoothness::{BestExponent, MAX_BOXES, SpecialValues, best_exponent, plane_rules};
 
 /// How often the interval of a least constant is halved.
 const HALVINGS: u32 = 48;
@@ -70,13 +70,11 @@ pub(crate) fn best(arguments: &RangeArguments, names: &[String], what: BestArgum
     if !(16..=MAX_BOXES).contains(&most) {
         return refuse(format!("`--boxes {most}`: from 16 to {MAX_BOXES} boxes can be examined"));
     }
-    let polynomial = |entry: &Polynomial| entry.in_variables([both[0], both[1]]);
-    if let Some(entry) = mask.rules().rows().iter().flatten().find(|c| polynomial(c).is_none()) {
-        return refuse(format!(
+    let rules = plane_rules(mask.rules(), both.map(String::as_str)).map_err(|entry| {
+        Failure::Input(format!(
             "the coefficient {entry} is not a rational polynomial in these parameters"
-        ));
-    }
-    let rules = mask.rules().map(|entry| polynomial(entry).expect("a polynomial"));
+        ))
+    })?;
     let done = Arc::new(AtomicUsize::new(0));
     let progress = Progress::of_boxes(Arc::clone(&done), most, true);
     let found = best_exponent(&rules, &sides, most, &done);

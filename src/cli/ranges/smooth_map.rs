@@ -8,10 +8,10 @@ use crate::cli::console::quantity::Text;
 use serde::Serialize;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
-use subcert::exact::{Polynomial, Rational, format::short, parse_rational};
+use subcert::exact::{Rational, format::short, parse_rational};
 use subcert::report::Sheet;
 use subcert::scheme::parse_in_parameters;
-use subcert::smoothness::{Certain, MAX_BOXES, MapBox, Sides, smooth_map as computed};
+use subcert::smoothness::{Certain, MAX_BOXES, MapBox, Sides, plane_rules, smooth_map as computed};
 
 /// The characters in a row of the map, and the rows.
 const PICTURE: [usize; 2] = [64, 32];
@@ -31,13 +31,11 @@ pub(crate) fn smooth_map(arguments: &RangeArguments, parameters: [&String; 2]) -
     }
     let region = region(arguments.bounds.as_deref(), parameters).map_err(Failure::Input)?;
     let mask = parse_in_parameters(&arguments.scheme, &[first, second])?;
-    let polynomial = |entry: &Polynomial| entry.in_variables([first, second]);
-    if let Some(entry) = mask.rules().rows().iter().flatten().find(|c| polynomial(c).is_none()) {
-        return refuse(format!(
+    let rules = plane_rules(mask.rules(), [first, second]).map_err(|entry| {
+        Failure::Input(format!(
             "the coefficient {entry} is not a rational polynomial in `{first}` and `{second}`"
-        ));
-    }
-    let rules = mask.rules().map(|entry| polynomial(entry).expect("a polynomial"));
+        ))
+    })?;
     let done = Arc::new(AtomicUsize::new(0));
     let progress = Progress::of_boxes(Arc::clone(&done), most, true);
     let map = computed(&rules, m, &region, most, &done);

@@ -48,7 +48,7 @@ pub use functions::{
 pub use independence::is_independent;
 pub use plane::{
     BestExponent, Certain, MAX_BOXES, MapBox, RegionProof, Sides, SmoothMap, best_exponent,
-    polygon_contraction, smooth_map,
+    plane_rules, polygon_contraction, smooth_map,
 };
 pub use range::{SmoothRange, smooth_range};
 pub use range_error::SmoothRangeError;

@@ -198,6 +198,17 @@ impl<F: Scalar + PartialEq> Symbol<F> {
     }
 }
 
+/// The coefficients of p(z)b(z^s), of p and b not empty: of one level more, if s is n to the number of those in p.
+pub(super) fn with_level<F: Scalar>(p: &[F], b: &[F], s: usize) -> Vec<F> {
+    let mut product = vec![F::zero(); p.len() + (b.len() - 1) * s];
+    for (i, factor) in b.iter().enumerate() {
+        for (k, value) in p.iter().enumerate() {
+            product[i * s + k].accumulate(&factor.times(value));
+        }
+    }
+    product
+}
+
 /// p/σ, σ(z) = 1 + z + … + z^{n−1}, if σ divides p ≠ 0.
 pub(super) fn over_sigma<F: Scalar + PartialEq>(p: &[F], n: usize) -> Option<Vec<F>> {
     let count = (p.len() + 1).checked_sub(n).filter(|count| *count > 0)?;

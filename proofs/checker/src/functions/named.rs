@@ -10,7 +10,7 @@ use super::{exponent, limits, masks, modulus, peaks, ratios, shape, vertices, ze
 use crate::data::{best_offset, moved, surface};
 use crate::formulas::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::numbers::{Meter, Number, Q, Value, capped};
-use crate::schemes::{Library, MAX_OFFSET, OTHER_ROOT, Product};
+use crate::schemes::{Library, MAX_OFFSET, Product};
 use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive as _;
@@ -60,7 +60,7 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         }
         ("sqrt", [x]) => match x.rational() {
             Some(x) => Ok(square_root(library.meter, &x)?.into()),
-            None => wrong(OTHER_ROOT),
+            None => Err(Stop::OtherRoot),
         },
         ("root", [coefficients @ .., number]) => {
             root(library.meter, coefficients, number.integer(MAX_INTEGER)?)

@@ -4,7 +4,6 @@
 
 use crate::enclosures::{Interval, Sturm};
 use crate::numbers::{Meter, Number, Q, Value};
-use crate::schemes::OTHER_ROOT;
 use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer as _;
@@ -82,7 +81,7 @@ fn root_of_prime(p: u32) -> Result<Number, Stop> {
 /// The real root of this number, if it is rational, or ±√x of a rational x.
 pub fn root(meter: &Meter, coefficients: &[Value], number: i64) -> Result<Value, Stop> {
     let rational: Option<Vec<Q>> = coefficients.iter().map(Value::rational).collect();
-    let other = || Stop::Wrong(OTHER_ROOT.into());
+    let other = || Stop::OtherRoot;
     let rational = rational.ok_or_else(other)?;
     if let [c, b, a] = &rational[..]
         && b.is_zero()

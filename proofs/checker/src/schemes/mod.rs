@@ -22,4 +22,4 @@ pub use local_rules::{LocalRules, less};
 pub use powers::{Operator, PLACES};
 pub use reference::names;
 pub use scheme::{Integrals, MAX_OFFSET, Ring, Scheme};
-pub use tables::{OTHER_ROOT, ROOTS};
+pub use tables::ROOTS;

@@ -10,9 +10,6 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// What formulas say of roots that lie in no field of cosines.
-pub const OTHER_ROOT: &str = "such a root is for relations between numbers";
-
 /// Masks with such roots.
 pub const ROOTS: Stop = Stop::Capped("a mask with roots that lie in no field of cosines");
 
@@ -60,7 +57,7 @@ impl Library<'_> {
         parameters: BTreeMap<String, Value>,
     ) -> Result<Rc<Scheme>, Stop> {
         self.of_table(name, table, parameters).map_err(|stop| match stop {
-            Stop::Wrong(what) if what == OTHER_ROOT => ROOTS,
+            Stop::OtherRoot => ROOTS,
             stop => stop,
         })
     }

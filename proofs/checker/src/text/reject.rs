@@ -50,6 +50,7 @@ reasons! {
     Undefined(why: &'static str) "the definition has no value here: {why}"
     Capped(cap: &'static str) "this is beyond a cap of the checker: {cap}"
     Wrong(why: String) "the formula is wrong: {why}"
+    OtherRoot "the formula is wrong: such a root is for relations between numbers"
     Undecided(what: &'static str) "enclosures of so many digits do not decide {what}"
 }
 

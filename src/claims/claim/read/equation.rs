@@ -1,7 +1,7 @@
 //! Reading equations.
 
 use super::axis::AxisTable;
-use super::fields::{claim_table, one_or_each};
+use super::fields::{claim_table, one_or_each, spanned};
 use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
 use crate::claim::{
@@ -111,7 +111,7 @@ impl Reader<'_> {
             LeftField::One(text) => {
                 return LocatedFormula::read(self.source, left.span(), text).map(Left::One);
             }
-            LeftField::Each(formulas) => formulas,
+            each @ LeftField::Each(_) => spanned(each.texts(left.span())),
         };
         let mut count = 1_usize;
         for index in indices {

@@ -7,6 +7,7 @@ use serde::de::{MapAccess, SeqAccess, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::marker::PhantomData;
+use std::ops::Range;
 
 pub(super) type Formulas = BTreeMap<Spanned<String>, Spanned<String>>;
 
@@ -151,6 +152,18 @@ macro_rules! one_or_each {
             Each(Vec<crate::scheme::Spanned<String>>),
         }
 
+        impl $name {
+            /// The texts with their places; `whole` is that of the field.
+            fn texts(&self, whole: std::ops::Range<usize>) -> Vec<(&str, std::ops::Range<usize>)> {
+                match self {
+                    $name::One(text) => vec![(text, whole)],
+                    $name::Each(all) => {
+                        all.iter().map(|text| (text.get_ref().as_str(), text.span())).collect()
+                    }
+                }
+            }
+        }
+
         impl<'de> serde::Deserialize<'de> for $name {
             fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<$name, D::Error> {
                 struct Either;
@@ -176,6 +189,11 @@ macro_rules! one_or_each {
     };
 }
 pub(super) use one_or_each;
+
+/// Texts with their places, as fields have them.
+pub(super) fn spanned(texts: Vec<(&str, Range<usize>)>) -> Vec<Spanned<String>> {
+    texts.into_iter().map(|(text, span)| Spanned::new(span, text.to_owned())).collect()
+}
 
 /// `"0.742"`, or `{ printed = "h1.69e-4", read = "1.69e-4", note = "…" }`.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Reading the claims about a free parameter.
 
-use super::fields::{NumberField, claim_table, one_or_each};
+use super::fields::{NumberField, claim_table, one_or_each, spanned};
 use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
 use crate::claim::{
@@ -193,10 +193,7 @@ impl Reader<'_> {
         let (Some(m), Some(inequalities)) = (&table.smoothness, &table.r#where) else {
             return refused(table.id.span(), "a region needs `smoothness` and `where`");
         };
-        let texts = match inequalities.get_ref() {
-            WhereField::One(text) => vec![Spanned::new(inequalities.span(), text.clone())],
-            WhereField::Each(texts) => texts.clone(),
-        };
+        let texts = spanned(inequalities.get_ref().texts(inequalities.span()));
         let mut comparisons = Vec::new();
         for text in &texts {
             comparisons.extend(self.inequalities(text)?);

@@ -2,7 +2,7 @@
 
 mod statement;
 
-use super::fields::{claim_table, one_or_each};
+use super::fields::{claim_table, one_or_each, spanned};
 use super::kind::{ClaimTable, Named, Role, named};
 use super::reader::{Head, Reader};
 use crate::claim::{
@@ -59,13 +59,8 @@ const MAX_FIRST: i64 = 1_000_000;
 impl RelationTable {
     /// The texts of the indices, with their places.
     fn indices(&self) -> Vec<(&str, std::ops::Range<usize>)> {
-        match self.r#for.as_ref().map(|field| (field.get_ref(), field.span())) {
-            None => Vec::new(),
-            Some((ForField::One(text), span)) => vec![(text.as_str(), span)],
-            Some((ForField::Each(texts), _)) => {
-                texts.iter().map(|text| (text.get_ref().as_str(), text.span())).collect()
-            }
-        }
+        let field = self.r#for.as_ref();
+        field.map_or_else(Vec::new, |field| field.get_ref().texts(field.span()))
     }
 }
 
@@ -115,10 +110,7 @@ impl Reader<'_> {
         let indices = table.indices().into_iter().map(|(text, span)| self.index_of(text, span));
         let indices = indices.collect::<Result<Vec<Index>, Diagnostic>>()?;
         let (symbols, hypotheses) = self.presupposed(&table.symbols, &table.hypotheses)?;
-        let texts = match states.get_ref() {
-            StatesField::One(text) => vec![Spanned::new(states.span(), text.clone())],
-            StatesField::Each(texts) => texts.clone(),
-        };
+        let texts = spanned(states.get_ref().texts(states.span()));
         if texts.is_empty() {
             return Err(self.error(states.span(), "nothing is claimed").with_help(
                 "states = 'sum_rules() = 2', or a list of such texts, which are all claimed",

@@ -82,12 +82,13 @@ impl KnownReals {
             let [lower, upper] = found.ok_or_else(|| beyond("the degree of a symbol", 48))?;
             return Ok(if call.function == "modulus_lower" { lower } else { upper }.into());
         }
-        if let ("smoothness" | "hoelder", Err(_)) = (call.function, rational(mask)) {
+        let mask = match (rational(mask), call.function) {
             // What is known of these is in no certificate.
-            let smoothness = smoothness(&over_field(mask)?)?;
-            return exponent(call.function, &smoothness);
-        }
-        let mask = rational(mask)?;
+            (Err(_), "smoothness" | "hoelder") => {
+                return exponent(call.function, &smoothness(&over_field(mask)?)?);
+            }
+            (rational, _) => rational?,
+        };
         match call.function {
             "smoothness" | "hoelder" => {
                 let limits = self.limits(mask)?;

@@ -3,7 +3,7 @@
 use super::values::LimitValues;
 use crate::exact::{Rational, Real};
 use crate::smoothness::shape::Shape;
-use crate::smoothness::symbol::Symbol;
+use crate::smoothness::symbol::{Symbol, with_level};
 
 /// The most coefficients of a product of symbols.
 const MAX_COEFFICIENTS: usize = 256;
@@ -47,13 +47,7 @@ pub fn is_shape_kept<F: Real + PartialEq>(
         if length > MAX_COEFFICIENTS {
             return None;
         }
-        let mut next = vec![F::zero(); length];
-        for (i, factor) in factors.iter().enumerate() {
-            for (k, value) in product.iter().enumerate() {
-                next[i * scale + k].accumulate(&factor.times(value));
-            }
-        }
-        (product, scale) = (next, scale * n);
+        (product, scale) = (with_level(&product, factors, scale), scale * n);
         if !product.iter().any(is_negative) {
             return Some(true);
         }

@@ -1,6 +1,6 @@
 //! The parameters for which limits are smoothest, enclosed.
 
-use super::region::{Certain, Search, Sides};
+use super::region::{Certain, Search, Sides, centre, parts};
 use crate::exact::{BivariatePolynomial, Enclosure, Rational, Scalar as _};
 use crate::joint::MatrixSetError;
 use crate::scheme::Rules;
@@ -221,25 +221,6 @@ impl Best<'_> {
     }
 }
 
-fn centre(sides: &Sides) -> [Rational; 2] {
-    let half = Rational::new(1, 2);
-    sides.each_ref().map(|[low, high]| (low + high) * &half)
-}
-
 fn point(at: &[Rational; 2]) -> Sides {
     at.each_ref().map(|x| [x.clone(), x.clone()])
-}
-
-/// The halves of a box along each side that has a length.
-fn parts(sides: &Sides) -> Vec<Sides> {
-    let middle = centre(sides);
-    let halves = |which: usize| {
-        let [low, high] = &sides[which];
-        if low == high {
-            return vec![sides[which].clone()];
-        }
-        vec![[low.clone(), middle[which].clone()], [middle[which].clone(), high.clone()]]
-    };
-    let second = halves(1);
-    halves(0).into_iter().flat_map(|x| second.iter().map(move |y| [x.clone(), y.clone()])).collect()
 }

@@ -1,6 +1,6 @@
 //! Where, in a plane of two parameters, the limits are C^m: boxes inside, boxes outside, and open boxes.
 
-use super::region::{Certain, Search, Sides};
+use super::region::{Certain, Search, Sides, parts};
 use crate::exact::{BivariatePolynomial, Rational};
 use crate::scheme::Rules;
 use crate::smoothness::parametric::{ParametricSymbol, Reduced};
@@ -104,24 +104,10 @@ pub fn smooth_map(
             }
         }
         match certain {
-            Certain::Open => waiting.extend(quarters(&sides)),
+            Certain::Open => waiting.extend(parts(&sides)),
             certain => boxes.push(MapBox { sides, certain }),
         }
     }
     let sure = m == 0 || whole.is_interpolating();
     Ok(SmoothMap { boxes, but_exceptions: !sure, looked_at })
-}
-
-fn middle([low, high]: &[Rational; 2]) -> Rational {
-    (low + high) / Rational::from(2)
-}
-
-fn quarters([x, y]: &Sides) -> Vec<Sides> {
-    let halves = |side: &[Rational; 2]| {
-        let middle = middle(side);
-        [[side[0].clone(), middle.clone()], [middle, side[1].clone()]]
-    };
-    let [first, second] = [halves(x), halves(y)];
-    let pair = |b: &[Rational; 2]| first.clone().map(|a| [a, b.clone()]);
-    second.iter().flat_map(pair).collect()
 }

@@ -4,6 +4,7 @@ use crate::exact::{BivariatePolynomial, Rational, Scalar as _};
 use crate::scheme::Rules;
 use crate::smoothness::parametric::{ParametricSymbol, Reduced};
 use crate::smoothness::range_error::SmoothRangeError;
+use crate::smoothness::symbol::with_level;
 
 /// A point of the plane.
 pub type Point = [Rational; 2];
@@ -70,8 +71,9 @@ pub fn polygon_contraction(
         // Whether the scheme converges does not follow from the reduced symbol.
         return Ok(Err(open));
     }
+    let Some(triangles) = triangles(&scaled[m + 1], corners) else { return Ok(Err(open)) };
     for levels in 1..=most {
-        match contracts(&scaled[m + 1], levels, corners, contains) {
+        match contracts(&scaled[m + 1], levels, &triangles, contains) {
             None => break,
             Some(Ok(())) => return Ok(Ok(RegionProof { levels, reduction: steps })),
             Some(Err(point)) => open.push(point),
@@ -84,16 +86,12 @@ pub fn polygon_contraction(
 fn contracts(
     symbol: &ParametricSymbol<BivariatePolynomial>,
     levels: u32,
-    corners: &[Point],
+    triangles: &[[Point; 3]],
     contains: &dyn Fn([&Rational; 2]) -> bool,
 ) -> Option<Result<(), Point>> {
     let product = Product::of(symbol, levels)?;
-    let mut waiting: Vec<(usize, [Point; 3])> = Vec::new();
-    for corners in cells(symbol, corners)? {
-        let [first, rest @ ..] = &corners[..] else { return None };
-        let fan = rest.windows(2).map(|two| [first.clone(), two[0].clone(), two[1].clone()]);
-        waiting.extend(fan.map(|triangle| (0, triangle)));
-    }
+    let mut waiting: Vec<(usize, [Point; 3])> =
+        triangles.iter().map(|triangle| (0, triangle.clone())).collect();
     let mut looked_at = 0;
     while let Some((cuts, triangle)) = waiting.pop() {
         looked_at += 1;
@@ -114,12 +112,12 @@ fn contracts(
     Some(Ok(()))
 }
 
-/// The parts of a convex polygon between the lines on which coefficients vanish, each with its corners counterclockwise and the
-/// least first; `None` if there are too many lines.
-fn cells(
+/// The triangles that make up the parts of a convex polygon between the lines on which coefficients vanish: of each part those of
+/// its least corner and two others. `None` if there are too many lines.
+fn triangles(
     symbol: &ParametricSymbol<BivariatePolynomial>,
     corners: &[Point],
-) -> Option<Vec<Vec<Point>>> {
+) -> Option<Vec<[Point; 3]>> {
     let mut lines: Vec<[Rational; 3]> = Vec::new();
     for line in symbol.coefficients().iter().filter_map(BivariatePolynomial::line) {
         if !lines.iter().any(|known| are_one(known, &line)) {
@@ -134,11 +132,15 @@ fn cells(
         let halves = cells.iter().flat_map(|cell| [1, -1].map(|side| half(cell, line, side)));
         cells = halves.filter(|cell| cell.len() > 2).collect();
     }
+    let mut triangles = Vec::new();
     for cell in &mut cells {
         let least = (0..cell.len()).min_by_key(|&i| &cell[i]).unwrap_or(0);
         cell.rotate_left(least);
+        let [first, rest @ ..] = &cell[..] else { return None };
+        let fan = rest.windows(2).map(|two| [first.clone(), two[0].clone(), two[1].clone()]);
+        triangles.extend(fan);
     }
-    Some(cells)
+    Some(triangles)
 }
 
 /// Whether two lines are one.
@@ -202,14 +204,7 @@ impl Product {
         let (mut product, mut scale) =
             (vec![BivariatePolynomial::from_rational(&Rational::one())], 1);
         for _ in 0..levels {
-            let length = product.len() + (factors.len() - 1) * scale;
-            let mut next = vec![BivariatePolynomial::zero(); length];
-            for (i, factor) in factors.iter().enumerate() {
-                for (k, value) in product.iter().enumerate() {
-                    next[i * scale + k].accumulate(&factor.times(value));
-                }
-            }
-            (product, scale) = (next, scale * n);
+            (product, scale) = (with_level(&product, factors, scale), scale * n);
         }
         let class = |e: usize| product.iter().skip(e).step_by(count).cloned().collect();
         Some(Product { classes: (0..count).map(class).collect(), degree })

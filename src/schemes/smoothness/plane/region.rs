@@ -86,8 +86,7 @@ impl Search {
 
     /// What is certain in the whole box.
     pub(super) fn look_at(&mut self, sides: &Sides) -> Result<Certain, MatrixSetError> {
-        let half = Rational::new(1, 2);
-        let [x, y] = [0, 1].map(|i| (&sides[i][0] + &sides[i][1]) * &half);
+        let [x, y] = centre(sides);
         let middle = [&x, &y];
         if let Some(word) = self.excluded(sides, middle) {
             return Ok(Certain::Outside(word));
@@ -134,4 +133,23 @@ impl Search {
         self.excluding.push(Excluding { word: word.to_vec(), polynomials });
         true
     }
+}
+
+pub(super) fn centre(sides: &Sides) -> [Rational; 2] {
+    let half = Rational::new(1, 2);
+    sides.each_ref().map(|[low, high]| (low + high) * &half)
+}
+
+/// The halves of a box along each side that has a length, the first side fastest.
+pub(super) fn parts(sides: &Sides) -> Vec<Sides> {
+    let middle = centre(sides);
+    let halves = |which: usize| {
+        let [low, high] = &sides[which];
+        if low == high {
+            return vec![sides[which].clone()];
+        }
+        vec![[low.clone(), middle[which].clone()], [middle[which].clone(), high.clone()]]
+    };
+    let first = halves(0);
+    halves(1).into_iter().flat_map(|y| first.iter().map(move |x| [x.clone(), y.clone()])).collect()
 }

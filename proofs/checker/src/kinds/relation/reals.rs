@@ -74,7 +74,9 @@ fn wrong<T>(what: &str) -> Checked<T> {
 fn open(stop: Stop) -> Reason {
     match stop {
         Stop::Capped(_) | Stop::Undecided(_) => Reason::Stopped(stop),
-        Stop::Wrong(_) | Stop::Undefined(_) | Stop::Unstated(_) => Reason::Valueless(stop),
+        Stop::Wrong(_) | Stop::OtherRoot | Stop::Undefined(_) | Stop::Unstated(_) => {
+            Reason::Valueless(stop)
+        }
     }
 }
 

@@ -339,7 +339,7 @@ impl<'a> Table<'a> {
             scope.and_then(|(scope, _)| scope.value(&self.value))
         };
         let value = match value {
-            Err(stop @ (Stop::Capped(_) | Stop::Wrong(_))) => return Err(stop),
+            Err(stop @ (Stop::Capped(_) | Stop::Wrong(_) | Stop::OtherRoot)) => return Err(stop),
             value => value.ok(),
         };
         read.known.borrow_mut().insert(at, value.clone());

@@ -169,7 +169,7 @@ const NONE: Stop = Stop::Undefined("there is no such quantity at that place");
 /// A formula that is wrong at another place has no value there.
 fn none_if_wrong(stop: Stop) -> Stop {
     match stop {
-        Stop::Wrong(_) => NONE,
+        Stop::Wrong(_) | Stop::OtherRoot => NONE,
         stop => stop,
     }
 }

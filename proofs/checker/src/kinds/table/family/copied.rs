@@ -58,7 +58,7 @@ fn greatest_arity(table: &Table<'_>, cells: &Cells) -> Result<usize, Stop> {
             Ok((_, schemes)) => {
                 greatest = schemes.iter().map(|scheme| scheme.arity()).fold(greatest, usize::max);
             }
-            Err(stop @ (Stop::Capped(_) | Stop::Wrong(_))) => return Err(stop),
+            Err(stop @ (Stop::Capped(_) | Stop::Wrong(_) | Stop::OtherRoot)) => return Err(stop),
             Err(_) => {}
         }
     }
