@@ -54,11 +54,8 @@ impl Functions<RealValue> for Reals<'_> {
         match found {
             Some(Ok(value)) => Ok(value),
             Some(Err(error @ CallError::BeyondCap(_))) => Err(error),
-            Some(Err(error)) => self.called_in_field(call, context).map_err(|other| match other {
-                CallError::BeyondCap(_) => other,
-                _ => error,
-            }),
-            None => self.called_in_field(call, context),
+            // The reason why there is no value over any field is the better one: it is never that of the first field.
+            Some(Err(_)) | None => self.called_in_field(call, context),
         }
     }
 

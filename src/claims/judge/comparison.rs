@@ -60,8 +60,7 @@ impl Sides<'_> {
         if error.cap.is_some() || !self.is_of_numbers() {
             return Err(error);
         }
-        let found = self.real(formula, case).map(SideValue::Real);
-        found.map_err(|other| if other.cap.is_some() { other } else { error })
+        self.real(formula, case).map(SideValue::Real)
     }
 
     /// Whether the sides have neither symbols nor hypotheses about them.
