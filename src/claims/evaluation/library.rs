@@ -235,7 +235,7 @@ impl<'a> Library<'a> {
         }
     }
 
-    fn define(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {
+    pub(crate) fn define(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {
         match self.paper.schemes.get(name) {
             Some(SchemeSource::Own(definition)) => Ok(definition),
             _ => find_in_catalogue(name).map_err(|error| match error {

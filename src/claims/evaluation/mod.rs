@@ -10,6 +10,7 @@ pub(crate) mod choices;
 pub(crate) mod context;
 pub(crate) mod copied;
 mod elsewhere;
+pub(crate) mod families;
 mod functions;
 pub(crate) mod library;
 pub(crate) mod limits;

@@ -2,14 +2,15 @@
 
 use crate::claim::{Hypothesis, Identity, Paper};
 use crate::diagnostic::Diagnostic;
+use crate::evaluation::families::{Families, is_open};
 use crate::evaluation::real_formulas::Reals;
 use crate::evaluation::reference;
 use crate::evaluation::shape::{Coefficients, Own, Shapes, own_shape};
 use crate::exact::{AlgebraicNumber, Polynomial, Rational, Scalar as _};
 use crate::finding::SideValue;
 use crate::formula::{
-    CallError, Context as _, Expr, FormulaError, LocatedFormula, RealValue, Scope, Value as _,
-    Work, evaluate,
+    CallError, Context as _, Expr, FormulaError, Functions, LocatedFormula, RealValue, Scope,
+    Value as _, Work, evaluate,
 };
 use crate::judge::cases::Case;
 use crate::judge::hypotheses;
@@ -92,6 +93,40 @@ impl Sides<'_> {
         value.map_err(|error| formula.diagnostic(&error))
     }
 
+    /// The functions of formulas in which an index stands for all integers from one on.
+    pub(crate) fn in_family<'s>(
+        &'s self,
+        case: &Case,
+        (index, first): (&'s str, i64),
+    ) -> Result<Families<'s>, Diagnostic> {
+        let none = Coefficients { shapes: self.shapes, own: None };
+        let own = match &self.identity.scheme {
+            None => None,
+            Some(located) => {
+                let scope = self.scope(case, &none, &|name: &str| Polynomial::variable(name))?;
+                let found = self.shapes.library().instances(&located.reference, &scope);
+                let found = found.map_err(|error| reference::located(located, &error))?;
+                Some(found).filter(|scheme| is_open(scheme))
+            }
+        };
+        let fixed = if own.is_some() { None } else { self.own(case)? };
+        let others = Coefficients { shapes: self.shapes, own: fixed };
+        Ok(Families { others, own, index, first })
+    }
+
+    /// The value of a formula with these functions.
+    pub(crate) fn value_with(
+        &self,
+        functions: &dyn Functions<Polynomial>,
+        formula: &LocatedFormula,
+        case: &Case,
+    ) -> Result<Polynomial, Diagnostic> {
+        let scope = self.scope(case, functions, &|name: &str| Polynomial::variable(name))?;
+        let value = evaluate(&formula.expr, &scope);
+        self.spend(scope.work());
+        value.map_err(|error| formula.diagnostic(&error))
+    }
+
     fn spend(&self, work: Option<&Work>) {
         let spent = work.map_or(0, Work::spent);
         self.spent.set(self.spent.get().saturating_add(spent));
@@ -145,7 +180,7 @@ impl Sides<'_> {
     fn scope<'s>(
         &'s self,
         case: &'s Case,
-        functions: &'s Coefficients<'s, Polynomial>,
+        functions: &'s dyn Functions<Polynomial>,
         member: &'s dyn Fn(&str) -> Polynomial,
     ) -> Result<Scope<'s, Polynomial>, Diagnostic> {
         let identity = self.identity;

@@ -1,17 +1,15 @@
 //! Proofs for all integers from one on.
 //!
-//! The scheme must not depend on them: a mask with a symbol in it may be another one at some integers.
+//! A mask with a symbol in it may be another one at some integers. So only functions of [families](crate::smoothness::SymbolFamily) may
+//! be about schemes that depend on them.
 
 use super::cases::Case;
 use super::comparison::Sides;
 use super::relation::holds;
 use crate::claim::{Comparison, Sign};
 use crate::diagnostic::Diagnostic;
-use crate::exact::{Integer, Polynomial, Rational};
+use crate::exact::{MAX_TRIED_INTEGERS, Polynomial, Rational, RationalPolynomial};
 use crate::formula::{LocatedFormula, Value as _};
-
-/// The most integers that are tried one by one.
-const MAX_TRIED: i64 = 10_000;
 
 /// The greatest degree of a polynomial in an index.
 const MAX_DEGREE: usize = 256;
@@ -31,18 +29,28 @@ pub(super) enum ForAll {
 /// the integers up to b are tried.
 pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) -> Option<ForAll> {
     // Hypotheses may hold at some integers only.
-    if !sides.identity.hypotheses.is_empty() || !sides.has_scheme_of_numbers(case).unwrap_or(false)
-    {
+    if !sides.identity.hypotheses.is_empty() {
         return None;
     }
     let printed = comparison.left.formula(0);
-    let value = |formula: &LocatedFormula| sides.value(formula, &formula.expr, case);
+    let symbols = !sides.identity.symbols.is_empty();
+    let functions = match &case.symbolic[..] {
+        [(name, first)] if !symbols && comparison.sign != Sign::Near => {
+            Some(sides.in_family(case, (name, *first)).ok()?)
+        }
+        _ if sides.has_scheme_of_numbers(case).unwrap_or(false) => None,
+        _ => return None,
+    };
+    let value = |formula: &LocatedFormula| match &functions {
+        Some(functions) => sides.value_with(functions, formula, case),
+        None => sides.value(formula, &formula.expr, case),
+    };
     let left = value(printed).ok()?;
     let rights: Result<Vec<Polynomial>, Diagnostic> = comparison.rights.iter().map(value).collect();
     let rights = rights.ok()?;
     let differences: Vec<Polynomial> = rights.iter().map(|right| &left - right).collect();
     // Symbols are compared with `=` only.
-    if comparison.sign != Sign::Equal && !sides.identity.symbols.is_empty() {
+    if comparison.sign != Sign::Equal && symbols {
         return None;
     }
     if matches!(comparison.sign, Sign::Equal | Sign::OneOf)
@@ -65,15 +73,19 @@ pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) ->
     if matches!(comparison.sign, Sign::Near | Sign::True | Sign::False) {
         return None;
     }
-    let polynomials = differences.iter().map(|difference| coefficients(difference, name));
-    let polynomials = polynomials.collect::<Option<Vec<Vec<Rational>>>>()?;
-    let bounds = polynomials.iter().map(|polynomial| bound(polynomial));
+    let polynomials = differences.iter().map(|difference| {
+        let found = difference.in_variable(name)?;
+        found.degree().is_none_or(|degree| degree <= MAX_DEGREE).then_some(found)
+    });
+    let polynomials = polynomials.collect::<Option<Vec<RationalPolynomial>>>()?;
+    let bounds = polynomials.iter().map(RationalPolynomial::settled_from);
     let last = bounds.collect::<Option<Vec<i64>>>()?.into_iter().fold(*first, i64::max);
-    if last - first > MAX_TRIED {
+    if last - first > MAX_TRIED_INTEGERS {
         return None;
     }
     for t in *first..=last {
-        let values: Vec<Polynomial> = polynomials.iter().map(|one| at(one, t)).collect();
+        let at = |one: &RationalPolynomial| Polynomial::constant(one.value_at(&Rational::from(t)));
+        let values: Vec<Polynomial> = polynomials.iter().map(at).collect();
         // Differences are compared with 0, which is a member of the set if one of them is 0.
         let found = match (comparison.sign, &values[..]) {
             (Sign::OneOf, _) => holds(comparison, (printed, &[]), &Polynomial::default(), &values),
@@ -92,26 +104,4 @@ pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) ->
     } else {
         ForAll::Proved
     })
-}
-
-/// The coefficients of a polynomial in `name` alone, which are rational and not too many.
-fn coefficients(polynomial: &Polynomial, name: &str) -> Option<Vec<Rational>> {
-    let all = polynomial.coefficients_in(name).filter(|all| all.len() <= MAX_DEGREE + 1)?;
-    all.iter().map(|c| c.as_rational().cloned()).collect()
-}
-
-/// An integer from which on the polynomial with these coefficients has the sign of the highest.
-fn bound(coefficients: &[Rational]) -> Option<i64> {
-    let (highest, others) = coefficients.split_last()?;
-    let ratios = others.iter().map(|c| (c / highest).abs());
-    let most = ratios.fold(Rational::zero(), Rational::max);
-    let bound = (most + Rational::from(1)).ceil() + Integer::one();
-    bound.within(1 << 32)
-}
-
-/// The value of the polynomial with these coefficients at an integer.
-fn at(coefficients: &[Rational], t: i64) -> Polynomial {
-    let t = Rational::from(t);
-    let value = coefficients.iter().rev().fold(Rational::zero(), |value, c| value * &t + c);
-    Polynomial::constant(value)
 }

@@ -64,7 +64,7 @@ pub use parameter::parametric::Parametric;
 pub use parameter::piecewise::PiecewisePolynomial;
 pub use parameter::quotient_at::{Place, QuotientAt};
 pub use polynomials::dense::{divided, greatest_divisor, square_free, stretched, value_at};
-pub use polynomials::rational_polynomial::RationalPolynomial;
+pub use polynomials::rational_polynomial::{MAX_TRIED_INTEGERS, RationalPolynomial};
 pub use polynomials::sturm::SturmSequence;
 pub use polynomials::univariate::IntegerPolynomial;
 pub use printed::decimal::{Decimal, Rounding};

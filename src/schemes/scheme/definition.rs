@@ -93,7 +93,7 @@ pub(super) struct RuleFormulas {
 }
 
 /// The most symbols of other schemes in one, those in them included.
-const MAX_OTHERS: u64 = 64;
+pub(super) const MAX_OTHERS: u64 = 64;
 
 impl SchemeDefinition {
     /// The references that stand for this scheme in tables: with each of its samples, or its name alone if
@@ -147,7 +147,7 @@ impl SchemeDefinition {
     }
 
     /// The mask of a scheme whose symbol that of this one uses, of which so many are `left`.
-    fn other<V: Value + PartialEq>(
+    pub(super) fn other<V: Value + PartialEq>(
         &self,
         name: &str,
         values: &BTreeMap<String, V>,

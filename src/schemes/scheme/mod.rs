@@ -21,6 +21,7 @@ mod parameters;
 mod parse;
 mod parse_any;
 mod parse_open;
+mod powers;
 mod reference;
 mod rules;
 mod spanned;
@@ -47,6 +48,7 @@ pub use parse_any::{AnyScheme, parse_algebraic, parse_any_scheme};
 pub use parse_open::{
     open_parameters, parse_in_parameters, parse_parametric, parse_rules_in_parameter,
 };
+pub use powers::{SymbolPower, SymbolPowers};
 pub use reference::{Instance, Reference, split_name};
 pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};
 pub use spanned::Spanned;

@@ -134,7 +134,7 @@ fn gcd(a: usize, b: usize) -> usize {
 }
 
 /// Φ_m: x^m − 1 over Φ_d for all d < m that divide m.
-fn cyclotomic(m: usize) -> IntegerPolynomial {
+pub(super) fn cyclotomic(m: usize) -> IntegerPolynomial {
     let mut coefficients = vec![Integer::zero(); m + 1];
     coefficients[0] = -Integer::one();
     coefficients[m] = Integer::one();

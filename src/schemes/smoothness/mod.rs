@@ -22,6 +22,7 @@ mod coefficient;
 mod contraction;
 mod excluded;
 mod exponent;
+mod family;
 mod formula;
 mod functions;
 mod independence;
@@ -39,6 +40,7 @@ mod transition;
 pub use coefficient::Coefficient;
 pub use contraction::contractions;
 pub use exponent::{Hoelder, Smoothness, SmoothnessError};
+pub use family::SymbolFamily;
 pub use formula::ExponentFormula;
 pub use functions::{
     BasicError, BasicValues, InnerProductError, InnerProducts, LimitValues, basic,

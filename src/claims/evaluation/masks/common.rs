@@ -27,7 +27,12 @@ pub(super) fn converted<V: Value, T: Scalar>(
 /// The mask, whose coefficients are numbers.
 pub(crate) fn numbers<V: Value>(mask: &Mask<V>) -> Result<Mask<RealCyclotomic>, CallError> {
     converted(mask, V::number).ok_or_else(|| {
-        CallError::Misuse("this needs a mask of numbers, and this one has symbols in it".to_owned())
+        let other = if converted(mask, V::element).is_some() {
+            "this needs a mask of numbers of a field Q(2cos(2π/n)), and this one has other roots in it"
+        } else {
+            "this needs a mask of numbers, and this one has symbols in it"
+        };
+        CallError::Misuse(other.to_owned())
     })
 }
 

@@ -62,7 +62,8 @@ impl KnownReals {
         if let ("modulus", [t]) = (call.function, call.arguments) {
             let symbol = Symbol::of(&numbers(mask)?);
             let turn = t.as_rational().ok_or_else(|| {
-                CallError::Misuse(format!("the t of e^(2πit) is a rational number, and not {t}"))
+                let found = t.number().map(|t| format!(", and not {t}")).unwrap_or_default();
+                CallError::Misuse(format!("the t of e^(2πit) is a rational number{found}"))
             })?;
             let found = modulus(&symbol, &turn).map_err(|error| CallError::Inner(error.into()))?;
             return Ok(found.into());

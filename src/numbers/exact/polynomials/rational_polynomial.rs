@@ -2,6 +2,9 @@
 
 use crate::exact::{Integer, IntegerPolynomial, Rational, Scalar, common_denominator};
 
+/// The most integers at which a polynomial is computed one by one.
+pub const MAX_TRIED_INTEGERS: i64 = 10_000;
+
 /// A polynomial in one variable over Q: an integer polynomial over one
 /// denominator, in lowest terms.
 ///
@@ -48,6 +51,40 @@ impl RationalPolynomial {
     #[must_use]
     pub fn constant(value: Rational) -> RationalPolynomial {
         RationalPolynomial::new(&[value])
+    }
+
+    /// An integer b ≥ 2 from which on this polynomial has no root and the sign of its highest coefficient:
+    /// ⌈1 + max |c_i/c_g|⌉ + 1, by Cauchy's bound; `None` of the polynomial 0, and beyond 2^32.
+    ///
+    /// ```
+    /// use subcert::exact::{Rational, RationalPolynomial};
+    ///
+    /// let p = RationalPolynomial::new(&[-6, 1, 1].map(Rational::from));
+    /// assert_eq!(p.settled_from(), Some(8));
+    /// ```
+    #[must_use]
+    pub fn settled_from(&self) -> Option<i64> {
+        let coefficients = self.coefficients();
+        let (highest, others) = coefficients.split_last()?;
+        let ratios = others.iter().map(|c| (c / highest).abs());
+        let most = ratios.fold(Rational::zero(), Rational::max);
+        let bound = (most + Rational::from(1)).ceil() + Integer::one();
+        bound.within(1 << 32)
+    }
+
+    /// Whether this is shown to be 0 at no integer from `first` on: at most 10,000 integers are tried.
+    ///
+    /// ```
+    /// use subcert::exact::{Rational, RationalPolynomial};
+    ///
+    /// let p = RationalPolynomial::new(&[-6, 1, 1].map(Rational::from));
+    /// assert!(!p.is_never_zero_from(2) && p.is_never_zero_from(3));
+    /// ```
+    #[must_use]
+    pub fn is_never_zero_from(&self, first: i64) -> bool {
+        let Some(settled) = self.settled_from() else { return false };
+        settled.saturating_sub(first) <= MAX_TRIED_INTEGERS
+            && (first..=settled).all(|t| !self.value_at(&Rational::from(t)).is_zero())
     }
 
     /// The polynomial x.

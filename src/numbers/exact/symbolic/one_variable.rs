@@ -29,17 +29,22 @@ impl Polynomial {
 }
 
 impl RationalPolynomial {
-    /// This polynomial in the variable `variable`, as [`Polynomial`] prints it.
+    /// This polynomial in the variable `variable`.
     #[must_use]
-    pub fn describe(&self, variable: &str) -> String {
+    pub fn in_name(&self, variable: &str) -> Polynomial {
         let x = Polynomial::variable(variable);
-        let one = Polynomial::constant(Rational::one());
-        let mut power = one;
+        let mut power = Polynomial::constant(Rational::one());
         let mut sum = Polynomial::default();
         for coefficient in self.coefficients() {
             sum = &sum + &(&Polynomial::constant(coefficient) * &power);
             power = &power * &x;
         }
-        sum.to_string()
+        sum
+    }
+
+    /// This polynomial in the variable `variable`, as [`Polynomial`] prints it.
+    #[must_use]
+    pub fn describe(&self, variable: &str) -> String {
+        self.in_name(variable).to_string()
     }
 }

@@ -1,0 +1,152 @@
+//! Functions of schemes whose parameters depend on an index that has all values.
+
+use crate::evaluation::options::{Data, Options, Parameters};
+use crate::evaluation::reference::{reference, unresolved};
+use crate::evaluation::shape::Coefficients;
+use crate::exact::{Polynomial, Rational, RationalPolynomial};
+use crate::formula::{Call, CallError, Context, Functions, Value as _};
+use crate::scheme::Instance;
+use crate::smoothness::SymbolFamily;
+
+/// The functions of a relation for all integers t from `first` on.
+pub(crate) struct Families<'a> {
+    /// Those of schemes that do not depend on t.
+    pub(crate) others: Coefficients<'a, Polynomial>,
+    /// The scheme of the claim, if it depends on t.
+    pub(crate) own: Option<Vec<Instance<Polynomial>>>,
+    /// The name of t.
+    pub(crate) index: &'a str,
+    pub(crate) first: i64,
+}
+
+/// Whether a scheme depends on an index without a value.
+pub(crate) fn is_open(scheme: &[Instance<Polynomial>]) -> bool {
+    scheme.iter().flat_map(|one| one.parameters.values()).any(|value| value.number().is_none())
+}
+
+impl Functions<Polynomial> for Families<'_> {
+    fn call(
+        &self,
+        call: &Call<'_, Polynomial>,
+        context: &dyn Context<Polynomial>,
+    ) -> Result<Polynomial, CallError> {
+        let mut options = Options::new(call);
+        let named = match options.scheme() {
+            None => None,
+            Some(text) => {
+                let scheme = self.others.shapes.library().instances(&reference(&text)?, context);
+                let scheme = scheme.map_err(|error| unresolved(&text, error))?;
+                if !is_open(&scheme) {
+                    return self.others.call(call, context);
+                }
+                Some(scheme)
+            }
+        };
+        match (named.as_ref().or(self.own.as_ref()), named.is_some() || is_taken(call.function)) {
+            (Some(scheme), true) => {
+                let value = self.value(scheme, call, &mut options)?;
+                options.finished(value.in_name(self.index))
+            }
+            _ => self.others.call(call, context),
+        }
+    }
+
+    fn is_scheme(&self, function: &str, name: &str) -> bool {
+        self.others.is_scheme(function, name)
+    }
+}
+
+/// Whether a function of a scheme that depends on t may have a value here.
+fn is_taken(function: &str) -> bool {
+    [
+        "arity",
+        "support_start",
+        "support_end",
+        "support",
+        "sum_rules",
+        "generation",
+        "reproduction",
+        "approximation_order",
+        "symmetric",
+        "smoothness",
+        "hoelder",
+    ]
+    .contains(&function)
+}
+
+impl Families<'_> {
+    fn value(
+        &self,
+        scheme: &[Instance<Polynomial>],
+        call: &Call<'_, Polynomial>,
+        options: &mut Options<'_>,
+    ) -> Result<RationalPolynomial, CallError> {
+        let [instance] = scheme else { return Err(unknown(call)) };
+        if !call.arguments.is_empty() {
+            return Err(unknown(call));
+        }
+        let definition = self.others.shapes.library().define(&instance.name);
+        let definition = definition.map_err(|_| unknown(call))?;
+        let powers = definition.powers(&instance.parameters, self.index);
+        let family = powers.and_then(|powers| SymbolFamily::of(&powers, self.first));
+        let family = family.ok_or_else(|| unknown(call))?;
+        let one = RationalPolynomial::constant(Rational::one());
+        let [start, end] = family.support();
+        let value = match call.function {
+            "arity" => Some(RationalPolynomial::constant(Rational::from(family.arity()))),
+            "support_start" => Some(start),
+            "support_end" => Some(end),
+            "support" => Some(end.minus(&start)),
+            "sum_rules" => family.sum_rules(),
+            "generation" => family.sum_rules().map(|order| order.minus(&one)),
+            "reproduction" => match options.parameters()? {
+                Parameters::Natural => family.reproduction(),
+                Parameters::Indexed => None,
+            },
+            "approximation_order" => match options.data()? {
+                Data::Sampled => family.reproduction().map(|degree| degree.plus(&one)),
+                Data::Adapted => family.sum_rules(),
+            },
+            "symmetric" => family.is_symmetric().then_some(one),
+            "smoothness" | "hoelder" => self.exponent(&family, instance, call)?,
+            _ => None,
+        };
+        value.ok_or_else(|| unknown(call))
+    }
+
+    /// The exponent at the first t, and by how much it grows.
+    fn exponent(
+        &self,
+        family: &SymbolFamily,
+        instance: &Instance<Polynomial>,
+        call: &Call<'_, Polynomial>,
+    ) -> Result<Option<RationalPolynomial>, CallError> {
+        let Some(added) = family.added() else { return Ok(None) };
+        let first = Rational::from(family.first());
+        let at_first = |(name, value): (&String, &Polynomial)| {
+            let value = value.in_variable(self.index)?.value_at(&first);
+            Some((name.clone(), Polynomial::constant(value)))
+        };
+        let Some(parameters) = instance.parameters.iter().map(at_first).collect() else {
+            return Ok(None);
+        };
+        let scheme = Instance { name: instance.name.clone(), parameters };
+        let library = self.others.shapes.library();
+        let name = scheme.to_string();
+        let masks = library.masks(std::slice::from_ref(&scheme));
+        let masks = masks.map_err(|error| unresolved(&name, error))?;
+        let used = (&Some(name), &self.others.shapes.used);
+        let start = library.reals.of_mask(masks.first(), call, &library.limits, used)?;
+        let start = start.as_rational().filter(|start| start.sign() >= 0);
+        Ok(start.map(|start| {
+            let added = Rational::from(added);
+            RationalPolynomial::new(&[start - &added * &first, added])
+        }))
+    }
+}
+
+/// The error where nothing is known for all values of the index.
+fn unknown(call: &Call<'_, Polynomial>) -> CallError {
+    let function = call.function;
+    CallError::Undefined(format!("no formula of `{function}` for all values of the index is known"))
+}

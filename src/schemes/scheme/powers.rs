@@ -1,0 +1,137 @@
+//! Symbols as products of powers whose exponents depend on an integer.
+
+use super::composed::Composed;
+use super::definition::{Coefficients, SchemeDefinition};
+use crate::exact::{Polynomial, Rational, RationalPolynomial, Scalar as _};
+use crate::formula::{
+    Context as _, Expr, Laurent, Lookup, Node, Operator, SYMBOL_VARIABLE, Scope, Value as _,
+    evaluate,
+};
+use std::cell::Cell;
+use std::collections::BTreeMap;
+
+/// The deepest nesting of names that stand for formulas.
+const MAX_DEPTH: usize = 32;
+
+/// f(z)^{e(t)}, f(z) = Σ_i c_i(t) z^{l+i}.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SymbolPower {
+    /// l.
+    pub lowest: i64,
+    /// The c_i; neither the first nor the last is the polynomial 0.
+    pub coefficients: Vec<RationalPolynomial>,
+    /// e(t) = αt + β.
+    pub exponent: RationalPolynomial,
+}
+
+/// A symbol whose formula has powers in it, as far as they depend on t.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SymbolPowers {
+    /// The arity, if it is stated.
+    pub arity: Option<Rational>,
+    /// The factors.
+    pub factors: Vec<SymbolPower>,
+}
+
+impl SchemeDefinition {
+    /// The factors of the symbol at these values of the parameters, which are polynomials in `index`; `None` where there is no
+    /// symbol, or its formula is no product of powers.
+    ///
+    /// ```
+    /// use std::collections::BTreeMap;
+    /// use subcert::exact::Polynomial;
+    ///
+    /// let scheme = subcert::scheme::find("hormann-sabin").expect("of the catalogue");
+    /// let values = BTreeMap::from([("k".to_owned(), Polynomial::variable("n"))]);
+    /// assert!(scheme.powers(&values, "n").is_none_or(|found| !found.factors.is_empty()));
+    /// ```
+    #[must_use]
+    pub fn powers(
+        &self,
+        values: &BTreeMap<String, Polynomial>,
+        index: &str,
+    ) -> Option<SymbolPowers> {
+        let Coefficients::Symbol(symbol) = &self.coefficients else { return None };
+        if self.is_filter {
+            return None;
+        }
+        let parameters = self.complete(values).ok()?;
+        let left = Cell::new(super::definition::MAX_OTHERS);
+        let functions = Composed {
+            names: self.others.keys().map(String::as_str).collect(),
+            mask: |name: &str, values: &BTreeMap<String, Polynomial>| {
+                self.other(name, values, &left)
+            },
+        };
+        let constants: BTreeMap<String, Laurent<Polynomial>> =
+            parameters.into_iter().map(|(name, value)| (name, Laurent::constant(value))).collect();
+        let scope = Scope::new(&self.definitions, &functions)
+            .with_all(&constants)
+            .with(SYMBOL_VARIABLE, Laurent::variable());
+        let arity = match &symbol.arity {
+            Some(formula) => Some(evaluate(&formula.expr, &scope).ok()?.as_rational()?),
+            None => None,
+        };
+        let mut read = Factors { scheme: self, scope, index, found: Vec::new() };
+        read.add(&symbol.formula.expr, &RationalPolynomial::constant(Rational::one()), 0)?;
+        Some(SymbolPowers { arity, factors: read.found })
+    }
+}
+
+struct Factors<'a> {
+    scheme: &'a SchemeDefinition,
+    scope: Scope<'a, Laurent<Polynomial>>,
+    index: &'a str,
+    found: Vec<SymbolPower>,
+}
+
+impl Factors<'_> {
+    /// Adds the factors of a formula, to this power.
+    fn add(&mut self, expr: &Expr, exponent: &RationalPolynomial, depth: usize) -> Option<()> {
+        if let Ok(value) = evaluate(expr, &self.scope) {
+            return self.push(&value, exponent);
+        }
+        if depth > MAX_DEPTH {
+            return None;
+        }
+        match &expr.node {
+            Node::Negate(operand) => {
+                let minus = Laurent::from_rational(&Rational::from(-1));
+                self.push(&minus, exponent)?;
+                self.add(operand, exponent, depth + 1)
+            }
+            Node::Chain(first, rest) => {
+                self.add(first, exponent, depth + 1)?;
+                rest.iter().try_for_each(|(operator, operand)| match operator {
+                    Operator::Multiply => self.add(operand, exponent, depth + 1),
+                    Operator::Divide => self.add(operand, &exponent.negated(), depth + 1),
+                    Operator::Add | Operator::Subtract => None,
+                })
+            }
+            Node::Power(base, power) => {
+                let power = evaluate(power, &self.scope).ok()?.as_constant()?;
+                let power = power.in_variable(self.index)?;
+                self.add(base, &exponent.times(&power), depth + 1)
+            }
+            Node::Name(name) => {
+                let own = self.scheme.definitions.get(name)?;
+                let is_value = matches!(self.scope.name(name, &[]), Ok(Lookup::Found(_)));
+                (!is_value).then_some(())?;
+                self.add(&own.expr.clone(), exponent, depth + 1)
+            }
+            _ => None,
+        }
+    }
+
+    fn push(&mut self, value: &Laurent<Polynomial>, exponent: &RationalPolynomial) -> Option<()> {
+        let linear = exponent.degree().is_none_or(|degree| degree <= 1);
+        if !linear || exponent.coefficients().iter().any(|c| !c.is_integer()) {
+            return None;
+        }
+        let (low, high) = value.powers()?;
+        let all = (low..=high).map(|k| value.coefficient(k).in_variable(self.index));
+        let coefficients = all.collect::<Option<Vec<RationalPolynomial>>>()?;
+        self.found.push(SymbolPower { lowest: low, coefficients, exponent: exponent.clone() });
+        Some(())
+    }
+}
