@@ -4,6 +4,7 @@ mod caps;
 mod copied;
 mod cut;
 mod every_shift;
+mod families;
 mod functions_and_ranges;
 mod lines;
 mod numbers;

@@ -1,5 +1,6 @@
 mod algebraic;
 mod basic;
+mod families;
 mod known;
 mod laws;
 mod map;

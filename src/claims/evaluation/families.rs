@@ -31,7 +31,7 @@ impl Functions<Polynomial> for Families<'_> {
         context: &dyn Context<Polynomial>,
     ) -> Result<Polynomial, CallError> {
         let mut options = Options::new(call);
-        let named = match options.scheme() {
+        let named = match options.scheme()? {
             None => None,
             Some(text) => {
                 let scheme = self.others.shapes.library().instances(&reference(&text)?, context);

@@ -4,7 +4,7 @@ use crate::bound::{Order, Recursion, Rounded, Suprema, Terms};
 use crate::evaluation::choices::BEST_OFFSET;
 use crate::evaluation::settings::Settings;
 use crate::exact::within;
-use crate::formula::{Call, CallError, OptionWord};
+use crate::formula::{Call, CallError, OptionWord, is_identifier};
 
 /// What the exponent of a constant of c levels counts: levels, or blocks of c levels.
 #[derive(Clone, Copy)]
@@ -66,6 +66,15 @@ pub(crate) struct Options<'a> {
     settings: Option<&'a Settings>,
 }
 
+/// Whether this may be the value of a parameter in an option: a name, or an integer, decimal or fraction.
+fn is_value(word: &str) -> bool {
+    let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    let number = word.strip_prefix('-').unwrap_or(word);
+    let (over, under) = number.split_once('/').unwrap_or((number, "1"));
+    let (whole, places) = over.split_once('.').unwrap_or((over, "0"));
+    is_identifier(word) || [whole, places, under].into_iter().all(is_digits)
+}
+
 impl<'a> Options<'a> {
     pub(crate) fn new<V>(call: &Call<'a, V>) -> Options<'a> {
         Options { function: call.function, left: call.options.iter().collect(), settings: None }
@@ -82,18 +91,22 @@ impl<'a> Options<'a> {
     }
 
     /// The scheme that the option `scheme` names, with the values of its parameters: `b-spline:degree=3` for `scheme = b-spline, degree = 3`.
-    pub(crate) fn scheme(&mut self) -> Option<String> {
-        let name = self.take("scheme")?;
+    pub(crate) fn scheme(&mut self) -> Result<Option<String>, CallError> {
+        let Some(name) = self.take("scheme") else { return Ok(None) };
         let is_own = |option: &&&OptionWord| !OWN.contains(&option.name.as_str());
-        let parameters: Vec<String> = self
-            .left
-            .iter()
-            .filter(is_own)
-            .map(|option| format!("{}={}", option.name, option.word))
-            .collect();
+        let given: Vec<&OptionWord> = self.left.iter().filter(is_own).copied().collect();
         self.left.retain(|option| OWN.contains(&option.name.as_str()));
+        if let Some(other) = given.iter().find(|option| !is_value(&option.word)) {
+            let OptionWord { name, word, .. } = other;
+            return Err(CallError::Misuse(format!(
+                "the value of the parameter `{name}` is a number or a name here, and not `{word}`; with `for = '({name}, …) = …'` or \
+                 `scheme = \"NAME:{name}=…\"` it may be a formula"
+            )));
+        }
+        let parameters: Vec<String> =
+            given.iter().map(|option| format!("{}={}", option.name, option.word)).collect();
         let colon = if parameters.is_empty() { "" } else { ":" };
-        Some(format!("{name}{colon}{}", parameters.join(",")))
+        Ok(Some(format!("{name}{colon}{}", parameters.join(","))))
     }
 
     fn choose<T: Copy>(&mut self, name: &str, choices: &[(&str, T)]) -> Result<T, CallError> {

@@ -72,7 +72,7 @@ impl Quantities<'_> {
         options: &mut Options<'_>,
     ) -> Result<RealCyclotomic, CallError> {
         let other;
-        let named = options.scheme();
+        let named = options.scheme()?;
         let scheme = match &named {
             None => self.scheme.as_ref(),
             Some(name) => {

@@ -239,7 +239,7 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
         options: &mut Options<'_>,
         context: &dyn Context<V>,
     ) -> Result<Own<V>, CallError> {
-        match options.scheme() {
+        match options.scheme()? {
             Some(text) => self.shapes.named(&text, context),
             None => self.own.clone().ok_or_else(|| {
                 CallError::Misuse("this needs a scheme: give the claim one".to_owned())

@@ -236,7 +236,10 @@ fn option_word(input: &mut Input<'_>) -> Parsed<OptionWord> {
         input.reset(&start);
         return Err(ErrMode::Backtrack(Failure::from_input(input)));
     }
+    // A word, or the value of a parameter: `forward`, `n`, `3`, `0.5`, `1/16`.
+    let digits = || take_while(1.., |c: char| c.is_ascii_digit());
     let word = take_while(1.., |c| continues_name(c) || c == '-');
+    let word = (word, opt(('.', digits())), opt(('/', digits()))).take();
     let word = required("a word such as `forward`", word).parse_next(input)?;
     let span = offset..input.previous_token_end();
     space(input)?;

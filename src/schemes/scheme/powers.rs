@@ -39,11 +39,17 @@ impl SchemeDefinition {
     ///
     /// ```
     /// use std::collections::BTreeMap;
+    /// use subcert::diagnostic::SourceText;
     /// use subcert::exact::Polynomial;
+    /// use subcert::scheme::read_scheme;
     ///
-    /// let scheme = subcert::scheme::find("hormann-sabin").expect("of the catalogue");
-    /// let values = BTreeMap::from([("k".to_owned(), Polynomial::variable("n"))]);
-    /// assert!(scheme.powers(&values, "n").is_none_or(|found| !found.factors.is_empty()));
+    /// let text = "name = 'spline'\nparameters.k = {}\nsymbol = '(1+z)^(k+1)/2^k'\n";
+    /// let scheme = read_scheme(&SourceText::new("spline.toml", text.to_owned()))?;
+    /// let k = BTreeMap::from([("k".to_owned(), Polynomial::variable("n"))]);
+    /// let powers = scheme.powers(&k, "n").expect("a product");
+    /// let exponents: Vec<String> = powers.factors.iter().map(|f| f.exponent.describe("n")).collect();
+    /// assert_eq!(exponents, ["1 + n", "-n"]);
+    /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
     /// ```
     #[must_use]
     pub fn powers(

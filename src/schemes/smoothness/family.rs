@@ -19,12 +19,13 @@ const MAX_EXPONENT: u32 = 1_000;
 ///
 /// ```
 /// use std::collections::BTreeMap;
+/// use subcert::diagnostic::SourceText;
 /// use subcert::exact::Polynomial;
-/// use subcert::scheme::parse_scheme_file;
+/// use subcert::scheme::read_scheme;
 /// use subcert::smoothness::SymbolFamily;
 ///
-/// let text = "name = 'spline'\nparameters.k = {}\nsymbol = '(1+z)^(k+1)/2^k'";
-/// let scheme = parse_scheme_file("spline.toml", text)?;
+/// let text = "name = 'spline'\nparameters.k = {}\nsymbol = '(1+z)^(k+1)/2^k'\n";
+/// let scheme = read_scheme(&SourceText::new("spline.toml", text.to_owned()))?;
 /// let k = BTreeMap::from([("k".to_owned(), Polynomial::variable("n"))]);
 /// let family = SymbolFamily::of(&scheme.powers(&k, "n").expect("powers"), 1).expect("masks");
 /// assert_eq!(family.sum_rules().expect("linear").describe("n"), "1 + n");

@@ -55,7 +55,7 @@ pub(super) fn as_rational<V: Value>(mask: &Mask<V>) -> Option<Mask> {
 
 /// No contraction constant below 1 is found.
 pub(super) fn not_shown() -> CallError {
-    let what = "no contraction constant below 1 is found: the number of residue classes";
+    let what = "limits are not shown to exist (of a parameter, take an interval where they do): the number of residue classes";
     CallError::BeyondCap(Cap::new(what, MAX_CLASSES))
 }
 

@@ -5,7 +5,7 @@ use crate::exact::{
     AlgebraicNumber, FieldElement, Rational, RealCyclotomic, Scalar as _, common_conductor,
     cosine_polynomial,
 };
-use crate::formula::{CallError, Value};
+use crate::formula::{CallError, FormulaErrorKind, Value};
 use crate::scheme::Mask;
 
 /// A mask over one real field; of one over Q(2cos(2π/n)) it is the field that this number generates.
@@ -24,9 +24,9 @@ pub(crate) fn over_field<V: Value>(mask: &Mask<V>) -> Result<Mask<FieldElement>,
         .collect();
     let degree = i64::try_from(minimal.len()).unwrap_or(i64::MAX) - 1;
     // All roots are real, and 2cos(2π/n) is the greatest.
-    let generator = AlgebraicNumber::root(&minimal, degree).map_err(|error| {
-        error.cap().map_or_else(|| CallError::Misuse(error.to_string()), CallError::BeyondCap)
-    })?;
+    // Where this field is too large, that of the coefficients may be smaller.
+    let generator = AlgebraicNumber::root(&minimal, degree)
+        .map_err(|_| CallError::Inner(FormulaErrorKind::OtherReal("a coefficient".to_owned())))?;
     let generator = generator.element();
     let two = FieldElement::from_rational(&Rational::from(2));
     // C_0 = 1 and C_k = 2cos(2πk/n) = C_1·C_{k−1} − C_{k−2}, with 2 for C_0 in the one of k = 2.

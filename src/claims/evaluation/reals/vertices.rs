@@ -156,7 +156,10 @@ fn curvature(spectrum: &Spectrum, part: Part) -> Result<RealValue, CallError> {
         }
     }
     let Some(most) = most else {
-        return Err(CallError::Undefined("there are no other eigenvalues".to_owned()));
+        return Err(CallError::Undefined(format!(
+            "at valence {} there are no other eigenvalues in these blocks",
+            spectrum.order
+        )));
     };
     Ok(match most.cmp(&square) {
         Ordering::Equal => one.into(),
