@@ -1,10 +1,11 @@
 //! Formulas whose values are real numbers of any kind.
 
+use crate::cap::Cap;
 use crate::evaluation::options::Options;
 use crate::evaluation::reals::about;
 use crate::evaluation::shape::Coefficients;
 use crate::exact::{
-    AlgebraicNumber, FieldElement, Polynomial, Rational, RealAlgebraic, RealCyclotomic,
+    AlgebraicNumber, FieldElement, MAX_ROOT_DEGREE, Polynomial, Rational, RealAlgebraic, RealCyclotomic,
     RealExpression, Scalar as _,
 };
 use crate::formula::{Call, CallError, Context, Functions, Lookup, RealValue, Value};
@@ -74,7 +75,7 @@ impl Reals<'_> {
         context: &dyn Context<RealValue>,
     ) -> Result<RealValue, CallError> {
         let coefficients = (self.in_fields)()?;
-        called(&coefficients, call, context, |value| Ok(of_field(value.element()).into()))
+        called(&coefficients, call, context, |value| of_field(value.element()).map(RealValue::from))
     }
 }
 
@@ -111,17 +112,20 @@ fn called<V: Value + PartialEq>(
 }
 
 /// A number of a real field as a real number of any kind.
-fn of_field(element: &FieldElement) -> RealExpression {
+fn of_field(element: &FieldElement) -> Result<RealExpression, CallError> {
     let Some((root, minimal)) = element.field() else {
-        return RealExpression::from(element.as_rational().unwrap_or_else(Rational::zero));
+        return Ok(RealExpression::from(element.as_rational().unwrap_or_else(Rational::zero)));
     };
     let below = RealAlgebraic::roots_of(minimal).iter().filter(|other| *other < root).count();
     let coefficients = minimal.coefficients().iter().map(|c| RealCyclotomic::from(c.clone()));
     let coefficients: Vec<RealCyclotomic> = coefficients.collect();
-    let generator =
-        RealExpression::root(&coefficients, below + 1).expect("a root of the minimal polynomial");
+    let generator = RealExpression::root(&coefficients, below + 1);
+    let generator = generator.map_err(|_| {
+        let what = "the degree of the field of a value that is compared";
+        CallError::BeyondCap(Cap::new(what, MAX_ROOT_DEGREE as u64))
+    })?;
     let terms = element.coordinates().coefficients();
-    terms.iter().rev().fold(RealExpression::zero(), |sum, c| {
+    Ok(terms.iter().rev().fold(RealExpression::zero(), |sum, c| {
         sum.times(&generator).plus(&RealExpression::from(c.clone()))
-    })
+    }))
 }

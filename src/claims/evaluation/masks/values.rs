@@ -142,7 +142,7 @@ fn values<F: Real + PartialEq>(symbol: &Symbol<F>) -> Result<LimitValues<F>, Cal
 
 fn at<F: Real + PartialEq>(values: &LimitValues<F>, x: &Rational) -> Result<F, CallError> {
     values.at(x).ok_or_else(|| {
-        let what = "the k of a place i/n^k where the limit of an irrational mask is computed";
+        let what = "limits of irrational masks are computed at places i/n^k only, and the k";
         CallError::BeyondCap(Cap::new(what, 16))
     })
 }

@@ -75,7 +75,14 @@ fn half_planes(
         scope = scope.with(name, Pieces::variable(second));
     }
     let value = |formula: &LocatedFormula| {
-        evaluate(&formula.expr, &scope).map_err(|error| formula.diagnostic(&error))
+        evaluate(&formula.expr, &scope).map_err(|error| {
+            let found = formula.diagnostic(&error);
+            if !error.kind.is_other_real() {
+                return found;
+            }
+            let message = "the inequalities of `where` have rational coefficients";
+            Diagnostic { message: message.to_owned(), ..found }
+        })
     };
     let mut planes = HalfPlanes::default();
     for comparison in &statement.inequalities {
