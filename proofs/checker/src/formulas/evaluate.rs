@@ -5,7 +5,7 @@ use super::formula::{Expr, Head, differences};
 use super::range::{Range, of_nothing, range};
 use super::reading::Reading;
 use crate::numbers::{Meter, Piece, Value};
-use crate::schemes::{Ring, Scheme};
+use crate::schemes::{Every, Ring, Scheme};
 use crate::text::Stop;
 use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
@@ -75,6 +75,8 @@ pub struct Scope<'a> {
     pub hidden: BTreeSet<String>,
     /// The piece on which polynomials have signs.
     pub piece: Option<Piece<'a>>,
+    /// The indices with all integers from one on, where a relation is shown for all of them.
+    pub every: Option<Every>,
     /// The reading of the options of functions.
     pub reading: &'a Reading,
     /// The number of the point that becomes number 0, where masks are read forwards.
@@ -96,7 +98,7 @@ impl<'a> Scope<'a> {
         reading: &'a Reading,
     ) -> Scope<'a> {
         let (values, unstated, beyond, families) = Default::default();
-        let (scheme, ring, piece, depth, angle) = Default::default();
+        let (scheme, ring, piece, every, depth, angle) = Default::default();
         let (memory, reserved, hidden) = Default::default();
         Scope {
             definitions,
@@ -110,6 +112,7 @@ impl<'a> Scope<'a> {
             reserved,
             hidden,
             piece,
+            every,
             reading,
             first: 0,
             functions,

@@ -4,7 +4,7 @@
 
 use crate::formulas::{Asked, Indices, MAX_INTEGER, Scope, is_name};
 use crate::numbers::{Piece, Value, count};
-use crate::schemes::{Convolution, Library, LocalRules, Scheme, Sequence};
+use crate::schemes::{Convolution, Family, Library, LocalRules, Scheme, Sequence};
 use crate::text::Stop;
 use std::rc::Rc;
 
@@ -61,7 +61,18 @@ pub struct Call<'c> {
     /// The values of the arguments.
     pub arguments: &'c [Value],
     options: Vec<&'c (String, String)>,
+    /// The scheme that the call is about, once it has been asked for.
+    subject: Option<Subject>,
 }
+
+/// What a call is about.
+#[derive(Clone)]
+enum Subject {
+    Scheme(Rc<Scheme>),
+    Family(Rc<Family>),
+}
+
+const NO_FUNCTION: Stop = Stop::Family("this function of a scheme that depends on the index");
 
 pub fn wrong<T>(what: impl Into<String>) -> Result<T, Stop> {
     Err(Stop::Wrong(what.into()))
@@ -91,7 +102,14 @@ impl<'c> Call<'c> {
     /// A call with all of its options.
     pub fn new(library: &'c Library<'c>, scope: &'c Scope<'c>, of: Asked<'c>) -> Call<'c> {
         let (function, arguments, options) = of;
-        Call { library, scope, function, arguments, options: options.iter().collect() }
+        Call {
+            library,
+            scope,
+            function,
+            arguments,
+            options: options.iter().collect(),
+            subject: None,
+        }
     }
 
     /// Checks that every option has been used.
@@ -141,9 +159,44 @@ impl<'c> Call<'c> {
         self.scope.piece.as_ref().filter(|piece| piece.is_of_masks())
     }
 
+    /// The family that the call is about, if its scheme depends on an index with all values.
+    pub fn family(&mut self) -> Result<Option<Rc<Family>>, Stop> {
+        let subject = self.subject()?;
+        self.subject = Some(subject.clone());
+        Ok(if let Subject::Family(family) = subject { Some(family) } else { None })
+    }
+
     /// The scheme that the call is about.
     pub fn scheme(&mut self) -> Result<Rc<Scheme>, Stop> {
-        let scheme = match self.reference()? {
+        match self.subject()? {
+            Subject::Scheme(scheme) => Ok(scheme),
+            Subject::Family(_) => Err(NO_FUNCTION),
+        }
+    }
+
+    fn subject(&mut self) -> Result<Subject, Stop> {
+        if let Some(known) = self.subject.take() {
+            return Ok(known);
+        }
+        let reference = self.reference()?;
+        if let Some(every) = &self.scope.every {
+            let own = reference.as_ref().map(|reference| {
+                let found = self.library.depending(reference, self.scope)?;
+                found.map(|entries| self.library.family(entries, every)).transpose()
+            });
+            let family = match own {
+                Some(found) => found?.map(Rc::new),
+                None => every.family.clone(),
+            };
+            if let Some(family) = family {
+                return Ok(Subject::Family(family));
+            }
+        }
+        self.one_scheme(reference).map(Subject::Scheme)
+    }
+
+    fn one_scheme(&self, reference: Option<String>) -> Result<Rc<Scheme>, Stop> {
+        let scheme = match reference {
             None => self.scope.scheme.clone(),
             Some(reference) => self.library.resolve_any(&reference, self.scope)?.first().cloned(),
         };
@@ -167,6 +220,9 @@ impl<'c> Call<'c> {
     pub fn ring(&mut self, valence: i64) -> Result<LocalRules<'c>, Stop> {
         let entry = match (self.reference()?, &self.scope.ring) {
             (Some(reference), _) if self.library.is_ring(&reference) => {
+                if self.library.depending(&reference, self.scope)?.is_some() {
+                    return Err(NO_FUNCTION);
+                }
                 Some(self.library.entry(&reference, self.scope)?)
             }
             (None, Some(ring)) => self.library.of_ring(ring),

@@ -4,6 +4,7 @@ pub mod call;
 pub mod depth;
 pub mod exponent;
 mod extremes;
+pub mod families;
 mod found;
 mod limits;
 mod masks;

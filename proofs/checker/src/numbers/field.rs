@@ -27,7 +27,7 @@ thread_local! {
 }
 
 /// The n-th cyclotomic polynomial: z^n − 1 divided by those of the proper divisors of n.
-fn cyclotomic(n: u32) -> Vec<BigInt> {
+pub fn cyclotomic(n: u32) -> Vec<BigInt> {
     let mut known: Vec<(u32, Vec<BigInt>)> = Vec::new();
     for m in (1..=n).filter(|m| n.is_multiple_of(*m)) {
         let mut rest = vec![BigInt::zero(); m as usize + 1];

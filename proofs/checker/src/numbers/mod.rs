@@ -4,6 +4,7 @@ mod characteristic;
 mod decimal;
 mod element;
 mod field;
+mod integers;
 mod irrational;
 pub mod linear;
 mod magnitude;
@@ -21,7 +22,8 @@ pub use decimal::{
     Decimal, Q, bits, capped, common_multiple, count, int, is_blank, is_fraction,
     over_one_denominator, read_rational,
 };
-pub use field::field;
+pub use field::{cyclotomic, field};
+pub use integers::Integers;
 pub use linear::{solve, unit};
 pub use magnitude::compare;
 pub use meter::Meter;

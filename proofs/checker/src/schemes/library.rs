@@ -158,7 +158,7 @@ impl<'a> Library<'a> {
 
     /// The schemes behind the names of a reference. In the formulas of a `use`, the parameters that
     /// are given with its name have their values.
-    fn follow(
+    pub(super) fn follow(
         &self,
         reference: &str,
         (scope, values): (&Scope<'_>, &mut Indices),

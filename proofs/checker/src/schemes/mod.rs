@@ -2,6 +2,9 @@
 
 mod catalogue;
 mod convolution;
+mod factors;
+mod families;
+mod family;
 mod laurent;
 mod library;
 mod limits;
@@ -17,6 +20,7 @@ mod typed;
 
 pub use catalogue::catalogue;
 pub use convolution::{Convolution, MAX_LENGTH, Product, Sequence, Sums};
+pub use family::{Every, Factor, Family};
 pub use library::{Constant, Library};
 pub use local_rules::{LocalRules, less};
 pub use powers::{Operator, PLACES};

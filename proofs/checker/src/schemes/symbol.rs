@@ -61,13 +61,22 @@ fn wrong(what: &str) -> Stop {
     Stop::Wrong(format!("a symbol: {what}"))
 }
 
-struct Expansion<'s> {
-    scope: &'s Scope<'s>,
-    others: &'s Others<'s>,
+/// What multiplies the formulas of a symbol out.
+pub(super) struct Expansion<'s> {
+    /// The meanings of names.
+    pub(super) scope: &'s Scope<'s>,
+    /// The other schemes whose symbols may stand in it.
+    pub(super) others: &'s Others<'s>,
 }
 
 impl Expansion<'_> {
-    fn of(&self, expr: &Expr, indices: &mut Indices, depth: usize) -> Result<Laurent, Stop> {
+    /// The Laurent polynomial that a formula is.
+    pub(super) fn of(
+        &self,
+        expr: &Expr,
+        indices: &mut Indices,
+        depth: usize,
+    ) -> Result<Laurent, Stop> {
         if depth == MAX_DEPTH {
             return Err(Stop::Capped("the nesting of formulas"));
         }
@@ -228,7 +237,8 @@ impl Expansion<'_> {
         (self.others)(scheme, parameters)
     }
 
-    fn times(&self, left: &Laurent, right: &Laurent) -> Result<Laurent, Stop> {
+    /// The product.
+    pub(super) fn times(&self, left: &Laurent, right: &Laurent) -> Result<Laurent, Stop> {
         let mut product = Laurent::new();
         for (p, a) in left {
             for (q, b) in right {
@@ -258,7 +268,7 @@ impl Expansion<'_> {
 
     /// The quotient, which leaves no remainder. By a number or one power of z each coefficient is divided; otherwise the
     /// terms of one end of the dividend are taken away, one after the other.
-    fn over(&self, left: &Laurent, divisor: &Laurent) -> Result<Laurent, Stop> {
+    pub(super) fn over(&self, left: &Laurent, divisor: &Laurent) -> Result<Laurent, Stop> {
         let (Some((first, low)), Some((last, high))) =
             (divisor.first_key_value(), divisor.last_key_value())
         else {

@@ -16,7 +16,7 @@ pub const ROOTS: Stop = Stop::Capped("a mask with roots that lie in no field of 
 impl Library<'_> {
     /// The scheme, with these parameters, whose symbol stands in that of the scheme `of`. Chains of such schemes are as short as those of names,
     /// whatever schemes are known already.
-    fn other(
+    pub(super) fn other(
         &self,
         (of, name): (&str, &str),
         parameters: Indices,

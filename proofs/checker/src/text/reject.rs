@@ -51,6 +51,7 @@ reasons! {
     Capped(cap: &'static str) "this is beyond a cap of the checker: {cap}"
     Wrong(why: String) "the formula is wrong: {why}"
     OtherRoot "the formula is wrong: such a root is for relations between numbers"
+    Family(what: &'static str) "the rules of families do not give this for all values of the index: {what}"
     Undecided(what: &'static str) "enclosures of so many digits do not decide {what}"
 }
 
@@ -244,7 +245,7 @@ macro_rules! stopped {
             /// Otherwise it is wrong.
             #[must_use]
             pub fn given_up(&self) -> bool {
-                matches!(self.reason, $reason::Stopped(Stop::Capped(_) | Stop::Undecided(_)))
+                matches!(self.reason, $reason::Stopped(Stop::Capped(_) | Stop::Undecided(_) | Stop::Family(_)))
                     $(|| matches!(self.reason, $open))?
             }
         }

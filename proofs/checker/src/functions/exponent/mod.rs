@@ -13,6 +13,7 @@ use super::call::Call;
 use super::masks::Mask;
 use super::real::Real;
 use crate::numbers::Value;
+use crate::schemes::{Library, Scheme};
 use crate::text::Stop;
 
 pub use characteristic::characteristic;
@@ -26,8 +27,10 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
 /// The same as a real number.
 pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
     Ok(Some(match (call.function, call.arguments) {
-        ("smoothness", []) => known::smoothness(call.library, &*call.scheme()?)?,
-        ("hoelder", []) => known::hoelder(call.library, &*call.scheme()?)?,
+        ("smoothness" | "hoelder", []) => {
+            let scheme = call.scheme()?;
+            shown(call.library, call.function, &scheme)?
+        }
         ("independent", []) => {
             let meter = call.library.meter;
             let mask = Mask::of_numbers(meter, &*call.scheme()?)?;
@@ -37,4 +40,10 @@ pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
         ("sobolev", []) => sobolev::sobolev(call.library, &*call.scheme()?)?,
         _ => return Ok(None),
     }))
+}
+
+/// What lines `limits` show of one of the two functions of smoothness.
+pub fn shown(library: &Library<'_>, function: &str, scheme: &Scheme) -> Result<Real, Stop> {
+    let shown = if function == "hoelder" { known::hoelder } else { known::smoothness };
+    shown(library, scheme)
 }

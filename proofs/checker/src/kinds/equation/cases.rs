@@ -6,6 +6,7 @@ use super::hypotheses;
 use crate::claims::{Paper, value};
 use crate::formulas::{Expr, MAX_INTEGER, Memory, Scope};
 use crate::numbers::{Number, Piece, Q, Value, int, read_rational};
+use crate::schemes::Every;
 use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, agree, compare, require};
 use std::rc::Rc;
 
@@ -122,20 +123,32 @@ pub fn name_of(case: &Case<'_>) -> String {
     case.iter().map(|(_, value)| value.to_string()).collect::<Vec<_>>().join(" ")
 }
 
-/// The scope of a case, in which some other indices are symbols. It shares the known values of definitions with other cases.
+/// The scope of a case. It shares the known values of definitions with other cases.
 pub fn scope<'a>(
     paper: &'a Paper<'a>,
     claim: &Toml,
-    (case, symbols): (&Case<'_>, &[&str]),
+    case: &Case<'_>,
     memory: &Rc<Memory>,
 ) -> Result<Scope<'a>, Stop> {
-    let mut scope = names(paper, claim, (case, symbols), memory)?;
-    // What holds of a mask with a symbol need not hold of a number in its place: the mask may be shorter there.
-    for name in symbols {
-        scope.values.remove(*name);
-    }
+    let mut scope = names(paper, claim, (case, &[]), memory)?;
     resolve(paper, claim, &mut scope)?;
-    scope.values.extend(symbols.iter().map(|name| ((*name).to_owned(), Value::symbol(name))));
+    Ok(scope)
+}
+
+/// The scope of a case in which the indices with all values are symbols.
+///
+/// What holds of a mask with a symbol need not hold of a number in its place: the mask may be shorter there. So a scheme that
+/// depends on them is a family.
+pub fn scope_of_all<'a>(
+    paper: &'a Paper<'a>,
+    claim: &Toml,
+    (case, every): (&Case<'_>, Every),
+    memory: &Rc<Memory>,
+) -> Result<Scope<'a>, Stop> {
+    let symbols: Vec<&str> = every.indices.iter().map(|all| &all.index[..]).collect();
+    let mut scope = names(paper, claim, (case, &symbols), memory)?;
+    scope.every = Some(every);
+    resolve(paper, claim, &mut scope)?;
     Ok(scope)
 }
 
@@ -188,7 +201,11 @@ fn names<'a>(
 /// Gives a scope the scheme of the claim.
 fn resolve(paper: &Paper<'_>, claim: &Toml, scope: &mut Scope<'_>) -> Result<(), Stop> {
     if let Some(reference) = claim.text("scheme") {
-        if paper.library.is_ring(reference) {
+        if let Some(entries) = paper.library.depending(reference, scope)? {
+            if let Some(every) = &mut scope.every {
+                every.family = Some(Rc::new(paper.library.family(entries, every)?));
+            }
+        } else if paper.library.is_ring(reference) {
             scope.ring = Some(Rc::new(paper.library.ring(reference, scope)?));
         } else {
             scope.scheme = paper.library.resolve_any(reference, scope)?.first().cloned();

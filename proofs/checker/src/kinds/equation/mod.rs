@@ -45,7 +45,7 @@ fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Ch
     let mut listing = Listing::read(block, &[Verdict::Holds, Verdict::Fails], cases.len())?;
     let memory = Rc::default();
     for (case, left) in cases.iter().zip(lefts.iter().cycle()) {
-        let scope = scope(paper, claim, (case, &[]), &memory)?;
+        let scope = scope(paper, claim, case, &memory)?;
         let difference = scope.value(left)?.minus(&scope.value(&right)?)?;
         let differs = !difference.is_zero();
         listing.check(block, &name_of(case), (differs, &difference), &scope)?;

@@ -73,7 +73,7 @@ fn every_case<'a>(
     let mut listing = Listing::read(block, verdicts, count)?;
     let memory = Rc::default();
     for case in &cases {
-        let scope = scope(paper, claim, (case, &[]), &memory)?;
+        let scope = scope(paper, claim, case, &memory)?;
         for (number, comparison) in (1..).zip(stated) {
             let name = numbered(name_of(case), number, stated);
             let comparison = &comparison.printed(|name| printed(claim, case, name));
@@ -126,7 +126,7 @@ fn one_case<'a>(
     let number = if stated.len() > 1 { words.next().unwrap_or_default() } else { "1" };
     let found = (1..).zip(stated).find(|(place, _)| place.to_string() == number);
     let (number, comparison) = found.ok_or(Reason::Case)?;
-    let scope = scope(paper, claim, (&case, &[]), &Rc::default())?;
+    let scope = scope(paper, claim, &case, &Rc::default())?;
     let comparison = &comparison.printed(|name| printed(claim, &case, name));
     let (fails, difference) = compare::judged(comparison, &scope)?;
     // Numbers that are written otherwise name no case.

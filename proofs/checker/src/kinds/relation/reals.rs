@@ -73,7 +73,7 @@ fn wrong<T>(what: &str) -> Checked<T> {
 /// Why a claim is open if a comparison has no value. What is beyond a cap stays so.
 fn open(stop: Stop) -> Reason {
     match stop {
-        Stop::Capped(_) | Stop::Undecided(_) => Reason::Stopped(stop),
+        Stop::Capped(_) | Stop::Undecided(_) | Stop::Family(_) => Reason::Stopped(stop),
         Stop::Wrong(_) | Stop::OtherRoot | Stop::Undefined(_) | Stop::Unstated(_) => {
             Reason::Valueless(stop)
         }
@@ -127,7 +127,7 @@ impl<'c, 'a> Claim<'c, 'a> {
         let [low, high] = &ends;
         if let Some(value) = low.as_ref().filter(|_| low == high).and_then(Root::rational) {
             let case = [&case[..], &[(self.name, value.clone())]].concat();
-            return scope(self.paper, self.table, (&case, &[]), &Rc::default());
+            return scope(self.paper, self.table, &case, &Rc::default());
         }
         let piece = Piece::new(self.name, ends, self.paper.library.meter);
         scope_on(self.paper, self.table, case, (self.name, piece))
