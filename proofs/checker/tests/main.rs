@@ -12,6 +12,7 @@ mod depth;
 mod derivatives;
 mod exact_roots;
 mod exponents;
+mod families;
 mod family;
 mod filters;
 mod format;
