@@ -15,7 +15,8 @@ const MORE: &str = "[[scheme]]\nname = 'hat'\nsymbol = 'z^-1*(1+z)^2/2'\n\
     [[scheme]]\nname = 'kept'\nsymbol = '(1+z)^2*(-1+4*z+10*z^2+4*z^3-z^4)/32'\n\
     [[scheme]]\nname = 'high'\nfilter = true\nsymbol = '(1-z)^2/4'\n\
     [[scheme]]\nname = 'both'\nfilter = true\nsymbol = '1 + z/2 + z^2'\n\
-    [[scheme]]\nname = 'smoothed'\nsymbol = 'symbol(fp-mask)*(1 + z)/2'\n";
+    [[scheme]]\nname = 'smoothed'\nsymbol = 'symbol(fp-mask)*(1 + z)/2'\n\
+    [[scheme]]\nname = 'with-w'\nsymbol = 'symbol(four-point, w = 1/16)*z'\n";
 
 /// The schemes of these tests; `fp-mask` stands first, as others use its symbol.
 fn schemes() -> String {
@@ -36,8 +37,10 @@ fn what_holds_holds_and_its_contrary_fails() {
         ("max(sqrt(1 + sqrt(2)), 3/2) > 3/2", "min(sqrt(1 + sqrt(2)), 3/2) != 3/2"),
         // Exponents.
         ("hoelder(four-point) = 2", "hoelder(four-point) < 2"),
+        ("hoelder(four-point, w = 1/16) = 2", "hoelder(four-point, w = 0.0625) < 2"),
         ("hoelder(b-spline, degree = 4) = 4", "hoelder(b-spline, degree = 4) = 3"),
         ("smoothness(fp) = 1", "smoothness(fp) = 2"),
+        ("coefficient(with-w, 4) = -1/16", "coefficient(with-w, 4) = 0"),
         ("smoothness(smoothed) = 2", "smoothness(smoothed) = 1"),
         ("hoelder(fp) < hoelder(smoothed)", "hoelder(fp) >= hoelder(smoothed)"),
         ("sobolev(haar) = 1/2", "sobolev(haar) = 1"),
@@ -146,6 +149,9 @@ fn nothing_is_compared_that_has_no_value() {
         ("states = 'eigenvalue(haar, 1) = 1'", "no integer inside"),
         ("states = 'hoelder(four-point, v = 1) = 1'", "v"),
         ("symbols = ['w']\nstates = 'sqrt(w) = 1'", "w"),
+        ("states = 'hoelder(four-point, w = 1-1) > 0'", "is a number or a name"),
+        ("states = 'coefficient(daubechies-6, 1/2) = 1'", "integer"),
+        ("states = 'eigenvalue(daubechies-6, 1) = 1'", "other roots"),
     ] {
         let text = format!("{HEAD}[[relation]]\nid = 'r'\nlocus = 'l'\n{fields}\n");
         let source = subcert::diagnostic::SourceText::new("a.toml", text);
@@ -250,6 +256,17 @@ fn masks_over_other_fields() {
             assert!(!matches!(outcome, subcert_check::Outcome::Invalid(..)), "{text}: {outcome:?}");
         }
     }
+    // No value is computed in a field of degree 17.
+    let root = format!("root([-1, -1, {}1], 1)", "0, ".repeat(15));
+    let mask = format!("mask = [['v', '1-v'], ['v/3', '1-v/3']]\nlet = {{ v = '{root}/64' }}");
+    let claim = "[[relation]]\nid = 'r'\nlocus = 'l'\nstates = 'coefficient(s, 0) != 0'\n";
+    let of_degree = paper(&format!("[[scheme]]\nname = 's'\n{mask}\n{claim}"));
+    assert_eq!(judged(&of_degree).equations[0].verdict.word(), Word::NotCheckable);
+    // The field of all cosines of √57 is too large, and that of √57 is not.
+    let mask = "symbol = '(1+z)^2*(r + (1-2*r)*z + r*z^2)/2'\nlet = { r = '(3 - sqrt(57))/64' }";
+    let claim = "[[relation]]\nid = 'r'\nlocus = 'l'\nstates = 'smoothness(s) = 0'\n";
+    let of_root = paper(&format!("[[scheme]]\nname = 's'\n{mask}\n{claim}"));
+    assert_eq!(judged(&of_root).equations[0].verdict.word(), Word::Holds);
     // The scheme of a claim, and masks of its own.
     for (scheme, states) in
         [("daubechies-6", "hoelder() ~ 1.0878"), ("own", "limit_value(1) + limit_value(2) = 1")]

@@ -49,7 +49,7 @@ proptest! {
     fn values_are_those_of_each_member((arity, text) in symbols(), first in 1_i64..4) {
         let scheme = definition(&text);
         let open = BTreeMap::from([("k".to_owned(), Polynomial::variable("k"))]);
-        let family = scheme.powers(&open, "k").and_then(|powers| SymbolFamily::of(&powers, first));
+        let family = scheme.powers(&open, ("k", first)).and_then(|powers| SymbolFamily::of(&powers, first));
         let family = family.expect("masks of one arity");
         prop_assert_eq!(family.arity(), arity);
         for k in first..first + 4 {
@@ -85,7 +85,7 @@ fn smoothness_grows_by_what_is_added() {
     ] {
         let scheme = definition(text);
         let open = BTreeMap::from([("k".to_owned(), Polynomial::variable("k"))]);
-        let powers = scheme.powers(&open, "k").expect("a product");
+        let powers = scheme.powers(&open, ("k", 1)).expect("a product");
         let family = SymbolFamily::of(&powers, 1).expect("masks");
         assert_eq!(family.added(), added, "{text}");
         let Some(added) = added else { continue };

@@ -87,7 +87,7 @@ impl Families<'_> {
         }
         let definition = self.others.shapes.library().define(&instance.name);
         let definition = definition.map_err(|_| unknown(call))?;
-        let powers = definition.powers(&instance.parameters, self.index);
+        let powers = definition.powers(&instance.parameters, (self.index, self.first));
         let family = powers.and_then(|powers| SymbolFamily::of(&powers, self.first));
         let family = family.ok_or_else(|| unknown(call))?;
         let one = RationalPolynomial::constant(Rational::one());

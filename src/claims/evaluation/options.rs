@@ -66,13 +66,13 @@ pub(crate) struct Options<'a> {
     settings: Option<&'a Settings>,
 }
 
-/// Whether this may be the value of a parameter in an option: a name, or an integer, decimal or fraction.
+/// Whether this may be the value of a parameter in an option: a name, an integer, a decimal, or a fraction of integers.
 fn is_value(word: &str) -> bool {
     let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
     let number = word.strip_prefix('-').unwrap_or(word);
-    let (over, under) = number.split_once('/').unwrap_or((number, "1"));
-    let (whole, places) = over.split_once('.').unwrap_or((over, "0"));
-    is_identifier(word) || [whole, places, under].into_iter().all(is_digits)
+    let parts = number.split_once('/').or_else(|| number.split_once('.'));
+    let (first, second) = parts.unwrap_or((number, "0"));
+    is_identifier(word) || is_digits(first) && is_digits(second)
 }
 
 impl<'a> Options<'a> {

@@ -5,8 +5,8 @@ use crate::evaluation::options::Options;
 use crate::evaluation::reals::about;
 use crate::evaluation::shape::Coefficients;
 use crate::exact::{
-    AlgebraicNumber, FieldElement, MAX_ROOT_DEGREE, Polynomial, Rational, RealAlgebraic, RealCyclotomic,
-    RealExpression, Scalar as _,
+    AlgebraicNumber, FieldElement, MAX_ROOT_DEGREE, Polynomial, Rational, RealAlgebraic,
+    RealCyclotomic, RealExpression, Scalar as _,
 };
 use crate::formula::{Call, CallError, Context, Functions, Lookup, RealValue, Value};
 

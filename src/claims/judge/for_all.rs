@@ -34,10 +34,9 @@ pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) ->
     }
     let printed = comparison.left.formula(0);
     let symbols = !sides.identity.symbols.is_empty();
+    let near = sides.identity.comparisons.iter().any(|one| one.sign == Sign::Near);
     let functions = match &case.symbolic[..] {
-        [(name, first)] if !symbols && comparison.sign != Sign::Near => {
-            Some(sides.in_family(case, (name, *first)).ok()?)
-        }
+        [(name, first)] if !symbols && !near => Some(sides.in_family(case, (name, *first)).ok()?),
         _ if sides.has_scheme_of_numbers(case).unwrap_or(false) => None,
         _ => return None,
     };

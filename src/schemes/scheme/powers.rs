@@ -34,8 +34,8 @@ pub struct SymbolPowers {
 }
 
 impl SchemeDefinition {
-    /// The factors of the symbol at these values of the parameters, which are polynomials in `index`; `None` where there is no
-    /// symbol, or its formula is no product of powers.
+    /// The factors of the symbol at these values of the parameters, which are polynomials in `index`, for its values from `first` on;
+    /// `None` where there is no symbol, or its formula is no product of powers.
     ///
     /// ```
     /// use std::collections::BTreeMap;
@@ -46,7 +46,7 @@ impl SchemeDefinition {
     /// let text = "name = 'spline'\nparameters.k = {}\nsymbol = '(1+z)^(k+1)/2^k'\n";
     /// let scheme = read_scheme(&SourceText::new("spline.toml", text.to_owned()))?;
     /// let k = BTreeMap::from([("k".to_owned(), Polynomial::variable("n"))]);
-    /// let powers = scheme.powers(&k, "n").expect("a product");
+    /// let powers = scheme.powers(&k, ("n", 1)).expect("a product");
     /// let exponents: Vec<String> = powers.factors.iter().map(|f| f.exponent.describe("n")).collect();
     /// assert_eq!(exponents, ["1 + n", "-n"]);
     /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
@@ -55,7 +55,7 @@ impl SchemeDefinition {
     pub fn powers(
         &self,
         values: &BTreeMap<String, Polynomial>,
-        index: &str,
+        (index, first): (&str, i64),
     ) -> Option<SymbolPowers> {
         let Coefficients::Symbol(symbol) = &self.coefficients else { return None };
         if self.is_filter {
@@ -78,8 +78,9 @@ impl SchemeDefinition {
             Some(formula) => Some(evaluate(&formula.expr, &scope).ok()?.as_rational()?),
             None => None,
         };
-        let mut read = Factors { scheme: self, scope, index, found: Vec::new() };
-        read.add(&symbol.formula.expr, &RationalPolynomial::constant(Rational::one()), 0)?;
+        let mut read = Factors { scheme: self, scope, index, first, found: Vec::new() };
+        let one = RationalPolynomial::constant(Rational::one());
+        read.add(&symbol.formula.expr, &Power { exponent: one, of_terms: true }, 0)?;
         Some(SymbolPowers { arity, factors: read.found })
     }
 }
@@ -88,56 +89,96 @@ struct Factors<'a> {
     scheme: &'a SchemeDefinition,
     scope: Scope<'a, Laurent<Polynomial>>,
     index: &'a str,
+    first: i64,
     found: Vec<SymbolPower>,
+}
+
+/// To which power a formula stands.
+struct Power {
+    exponent: RationalPolynomial,
+    /// Whether it may have several terms: as a divisor, or to a negative power, it may not.
+    of_terms: bool,
 }
 
 impl Factors<'_> {
     /// Adds the factors of a formula, to this power.
-    fn add(&mut self, expr: &Expr, exponent: &RationalPolynomial, depth: usize) -> Option<()> {
+    fn add(&mut self, expr: &Expr, power: &Power, depth: usize) -> Option<()> {
         if let Ok(value) = evaluate(expr, &self.scope) {
-            return self.push(&value, exponent);
+            return self.push(&value, power);
         }
         if depth > MAX_DEPTH {
             return None;
         }
         match &expr.node {
             Node::Negate(operand) => {
-                let minus = Laurent::from_rational(&Rational::from(-1));
-                self.push(&minus, exponent)?;
-                self.add(operand, exponent, depth + 1)
+                self.push(&Laurent::from_rational(&Rational::from(-1)), power)?;
+                self.add(operand, power, depth + 1)
             }
             Node::Chain(first, rest) => {
-                self.add(first, exponent, depth + 1)?;
+                let rest = self.begin(expr, (first, rest), power, depth)?;
+                let inverse = Power { exponent: power.exponent.negated(), of_terms: false };
                 rest.iter().try_for_each(|(operator, operand)| match operator {
-                    Operator::Multiply => self.add(operand, exponent, depth + 1),
-                    Operator::Divide => self.add(operand, &exponent.negated(), depth + 1),
+                    Operator::Multiply => self.add(operand, power, depth + 1),
+                    Operator::Divide => self.add(operand, &inverse, depth + 1),
                     Operator::Add | Operator::Subtract => None,
                 })
             }
-            Node::Power(base, power) => {
-                let power = evaluate(power, &self.scope).ok()?.as_constant()?;
-                let power = power.in_variable(self.index)?;
-                self.add(base, &exponent.times(&power), depth + 1)
+            Node::Power(base, exponent) => {
+                let exponent = evaluate(exponent, &self.scope).ok()?.as_constant()?;
+                let exponent = exponent.in_variable(self.index)?;
+                let of_terms = power.of_terms && self.is_never_negative(&exponent);
+                let exponent = power.exponent.times(&exponent);
+                self.add(base, &Power { exponent, of_terms }, depth + 1)
             }
             Node::Name(name) => {
                 let own = self.scheme.definitions.get(name)?;
                 let is_value = matches!(self.scope.name(name, &[]), Ok(Lookup::Found(_)));
                 (!is_value).then_some(())?;
-                self.add(&own.expr.clone(), exponent, depth + 1)
+                self.add(&own.expr, power, depth + 1)
             }
             _ => None,
         }
     }
 
-    fn push(&mut self, value: &Laurent<Polynomial>, exponent: &RationalPolynomial) -> Option<()> {
-        let linear = exponent.degree().is_none_or(|degree| degree <= 1);
-        if !linear || exponent.coefficients().iter().any(|c| !c.is_integer()) {
+    /// Adds the longest part at the beginning of a chain that has a value, or else its first operand; the operands behind it are left.
+    fn begin<'e>(
+        &mut self,
+        chain: &Expr,
+        (first, rest): (&'e Expr, &'e [(Operator, Expr)]),
+        power: &Power,
+        depth: usize,
+    ) -> Option<&'e [(Operator, Expr)]> {
+        for end in (1..rest.len()).rev() {
+            let node = Node::Chain(Box::new(first.clone()), rest[..end].to_vec());
+            let part = Expr { node, span: chain.span.clone() };
+            if let Ok(value) = evaluate(&part, &self.scope) {
+                self.push(&value, power)?;
+                return Some(&rest[end..]);
+            }
+        }
+        self.add(first, power, depth + 1)?;
+        Some(rest)
+    }
+
+    /// Whether a linear polynomial is negative nowhere.
+    fn is_never_negative(&self, line: &RationalPolynomial) -> bool {
+        let slope = line.coefficients().get(1).map_or(0, Rational::sign);
+        line.degree().is_none_or(|degree| degree <= 1)
+            && slope >= 0
+            && line.value_at(&Rational::from(self.first)).sign() >= 0
+    }
+
+    fn push(&mut self, value: &Laurent<Polynomial>, power: &Power) -> Option<()> {
+        let linear = power.exponent.degree().is_none_or(|degree| degree <= 1);
+        if !linear || power.exponent.coefficients().iter().any(|c| !c.is_integer()) {
             return None;
         }
         let (low, high) = value.powers()?;
+        (power.of_terms || low == high).then_some(())?;
         let all = (low..=high).map(|k| value.coefficient(k).in_variable(self.index));
         let coefficients = all.collect::<Option<Vec<RationalPolynomial>>>()?;
-        self.found.push(SymbolPower { lowest: low, coefficients, exponent: exponent.clone() });
+        let exponent = power.exponent.clone();
+        self.found.push(SymbolPower { lowest: low, coefficients, exponent });
         Some(())
     }
 }

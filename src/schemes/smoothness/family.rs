@@ -27,7 +27,7 @@ const MAX_EXPONENT: u32 = 1_000;
 /// let text = "name = 'spline'\nparameters.k = {}\nsymbol = '(1+z)^(k+1)/2^k'\n";
 /// let scheme = read_scheme(&SourceText::new("spline.toml", text.to_owned()))?;
 /// let k = BTreeMap::from([("k".to_owned(), Polynomial::variable("n"))]);
-/// let family = SymbolFamily::of(&scheme.powers(&k, "n").expect("powers"), 1).expect("masks");
+/// let family = SymbolFamily::of(&scheme.powers(&k, ("n", 1)).expect("powers"), 1).expect("masks");
 /// assert_eq!(family.sum_rules().expect("linear").describe("n"), "1 + n");
 /// assert_eq!(family.reproduction().expect("constant").describe("n"), "1");
 /// # Ok::<(), subcert::diagnostic::Diagnostic>(())

@@ -100,6 +100,12 @@ pub fn is_name(text: &str) -> bool {
     text.starts_with(starts_name) && text.chars().all(continues_name)
 }
 
+/// The number that the word of an option is: an integer, a decimal or a fraction of integers.
+pub fn number_of(word: &str) -> Option<Q> {
+    let plain = word.bytes().all(|b| b.is_ascii_digit() || b"-./".contains(&b));
+    plain.then(|| read_rational(word)).flatten()
+}
+
 impl Parser {
     fn expect(&mut self, token: &str, expected: &'static str) -> Parsed<()> {
         if self.text.token(token) { Ok(()) } else { Err(expected) }
@@ -265,10 +271,12 @@ impl Parser {
         let (mut arguments, mut options) = (Vec::new(), Vec::new());
         while self.text.peek() != Some(')') {
             if let Some(option) = self.assigned() {
-                let word = self.text.take(|c| continues_name(c) || c == '-');
+                let mut word = self.text.take(|c| continues_name(c) || c == '-');
                 if word.is_empty() {
                     return Err("a word such as `forward`");
                 }
+                // `0.5` and `1/16`.
+                word += &self.text.take(|c| c.is_ascii_digit() || matches!(c, '.' | '/'));
                 self.text.space();
                 options.push((option, word));
             } else if options.is_empty() {

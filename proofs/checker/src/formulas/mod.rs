@@ -8,6 +8,6 @@ mod reading;
 
 pub use definitions::{Definitions, formula, formula_of, formulas, free, names};
 pub use evaluate::{Asked, Functions, Indices, MAX_INTEGER, Memory, Scope, member};
-pub use formula::{Expr, Head, MAX_LENGTH, is_name, parse};
+pub use formula::{Expr, Head, MAX_LENGTH, is_name, number_of, parse};
 pub use range::{Range, of_nothing, range};
 pub use reading::{CHOICES, Reading};

@@ -2,7 +2,7 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::formulas::{Asked, Indices, MAX_INTEGER, Scope, is_name};
+use crate::formulas::{Asked, Indices, MAX_INTEGER, Scope, is_name, number_of};
 use crate::numbers::{Piece, Value, count};
 use crate::schemes::{Convolution, Family, Library, LocalRules, Scheme, Sequence};
 use crate::text::Stop;
@@ -145,9 +145,8 @@ impl<'c> Call<'c> {
         let (own, parameters): (Vec<_>, Vec<_>) =
             self.options.iter().partition(|(name, _)| WORDS.contains(&name.as_str()));
         self.options = own;
-        let plain = |word: &str| word.parse::<i64>().is_ok() || is_name(word);
-        if !parameters.iter().all(|(_, word)| plain(word)) {
-            return wrong("the value of a parameter is an integer or a name");
+        if !parameters.iter().all(|(_, word)| number_of(word).is_some() || is_name(word)) {
+            return wrong("the value of a parameter is a number or a name");
         }
         let parameters: Vec<String> =
             parameters.iter().map(|(name, word)| format!("{name}={word}")).collect();

@@ -3,7 +3,7 @@
 use super::laurent::{Laurent, POWER, add, constant, negated, sum};
 use super::scheme::{MAX_ARITY, Scheme};
 use crate::formulas::{
-    Expr, Head, Indices, MAX_INTEGER, Scope, formula, is_name, names, of_nothing, range,
+    Expr, Head, Indices, MAX_INTEGER, Scope, formula, is_name, names, number_of, of_nothing, range,
 };
 use crate::numbers::Value;
 use crate::text::Stop;
@@ -227,10 +227,10 @@ impl Expansion<'_> {
         };
         let mut parameters = Indices::new();
         for (parameter, word) in options {
-            let value = match word.parse::<i64>() {
-                Ok(integer) => Value::int(integer),
-                Err(_) if is_name(word) => self.scope.name(word, indices)?,
-                Err(_) => return Err(wrong("a parameter is an integer or a name")),
+            let value = match number_of(word) {
+                Some(number) => Value::from(number),
+                None if is_name(word) => self.scope.name(word, indices)?,
+                None => return Err(wrong("a parameter is a number or a name")),
             };
             parameters.push((parameter.clone(), value));
         }

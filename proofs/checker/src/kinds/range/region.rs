@@ -14,6 +14,9 @@ use crate::lines::limits::{LimitProof, mask};
 use crate::numbers::{Q, Value, read_rational};
 use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, require, words};
 
+/// The most levels of a contraction: polynomials in two variables soon have many terms.
+const MAX_LEVELS: u32 = 6;
+
 /// The fields of other ranges.
 const OTHERS: [&str; 8] =
     ["variable", "value", "below", "at_most", "valences", "from", "to", "closed"];
@@ -44,7 +47,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     if let Some(said) = block.maybe("contraction") {
         // For other values nothing is shown.
         require(!only, Reason::NotShown)?;
-        let (levels, reduction) = contraction(said, block)?;
+        let (levels, reduction) = contraction((said, MAX_LEVELS), block)?;
         let symbol = Symbol::new(paper, (&scope, reference), m, &reduction)?;
         let lines = symbol.coefficients.iter().filter_map(|c| Linear::of(c, names));
         let cells = region.cells(lines, corners)?;

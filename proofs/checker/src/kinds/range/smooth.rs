@@ -38,7 +38,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     if !rules && let Some(said) = block.maybe("contraction") {
         // For other values nothing is shown.
         require(!only, Reason::NotShown)?;
-        let (levels, reduction) = contraction(said, block)?;
+        let (levels, reduction) = contraction((said, MAX_LEVELS), block)?;
         let above = |scope: &Scope<'_>| {
             let symbol = Symbol::new(paper, (scope, reference), m, &reduction)?;
             let product = symbol.product(paper, levels)?;
@@ -74,8 +74,11 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
 }
 
 /// The number of levels that a line `contraction` says, and the lines `shifts` after it.
-pub fn contraction(said: &str, block: &mut Block<'_>) -> Checked<(u32, Vec<Vec<Q>>)> {
-    let levels = said.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c));
+pub fn contraction(
+    (said, most): (&str, u32),
+    block: &mut Block<'_>,
+) -> Checked<(u32, Vec<Vec<Q>>)> {
+    let levels = said.parse().ok().filter(|c| (1..=most).contains(c));
     let levels = levels.ok_or(Reason::Malformed("a number of levels"))?;
     let mut reduction = Vec::new();
     while let Some(said) = block.maybe("shifts") {
