@@ -76,7 +76,7 @@ proptest! {
 fn smoothness_grows_by_what_is_added() {
     for (text, added) in [
         ("2*((1+z)/2)^(k+2)", Some(1)),
-        ("2*((1+z)/2)^(2*k)*(-1+4*z-z^2)/2", Some(2)),
+        ("2*((1+z)/2)^(2*k+2)*(-1+4*z-z^2)/2", Some(2)),
         ("3*((1+z+z^2)/3)^(k+1)*(4-z)/3", Some(1)),
         // σ is 1 + z + z², and 1 + z is none of its powers.
         ("3*((1+z+z^2)/3)^2*((1+z)/2)^k", None),
