@@ -62,8 +62,8 @@ impl SymbolFamily {
             }
             let one = sum(&factor.coefficients).as_constant().filter(|one| !one.is_zero())?;
             let [start, slope] = line(&factor.exponent)?;
-            ratio = ratio * one.pow(slope);
-            value = value * one.pow(start);
+            ratio *= one.pow(slope);
+            value *= one.pow(start);
         }
         let arity = integer(&value).and_then(|n| usize::try_from(n).ok());
         family.arity = arity.filter(|n| (2..=MAX_ARITY).contains(n))?;
@@ -96,7 +96,7 @@ impl SymbolFamily {
                 let place = Rational::from(factor.lowest) + Rational::from(more);
                 RationalPolynomial::constant(place)
             };
-            self.total(power).times(&over)
+            self.total(self.factors.iter().map(power)).times(&over)
         };
         [end(false), end(true)]
     }
@@ -107,12 +107,11 @@ impl SymbolFamily {
         let divisors = (2..=self.arity).filter(|d| self.arity.is_multiple_of(*d));
         let orders = divisors.map(|d| {
             let monic = cyclotomic(d);
-            let monic: Vec<Rational> =
-                monic.coefficients().iter().map(|c| Rational::from(c.clone())).collect();
-            let mut all = self.factors.iter().map(|f| self.multiplicity(&f.coefficients, &monic));
-            let found: Option<Vec<usize>> = all.by_ref().collect();
-            let mut found = found?.into_iter();
-            Some(self.total(|_| constant(found.next().unwrap_or(0))))
+            let monic = monic.coefficients().iter().map(|c| Rational::from(c.clone()));
+            let monic: Vec<Rational> = monic.collect();
+            let of = |factor: &SymbolPower| self.multiplicity(&factor.coefficients, &monic);
+            let found: Option<Vec<usize>> = self.factors.iter().map(of).collect();
+            Some(self.total(found?.into_iter().map(constant)))
         });
         self.least(&orders.collect::<Option<Vec<RationalPolynomial>>>()?)
     }
@@ -123,8 +122,7 @@ impl SymbolFamily {
         let generation = self.sum_rules()?.minus(&constant(1));
         let mut known: Vec<Cumulants> = self.factors.iter().map(Cumulants::new).collect();
         for order in 1..=MAX_ORDER {
-            let mut values = known.iter_mut().map(Cumulants::next).collect::<Vec<_>>().into_iter();
-            let total = self.total(|_| values.next().unwrap_or_else(zero));
+            let total = self.total(known.iter_mut().map(Cumulants::next));
             if order > 1 && !total.is_zero() {
                 self.is_never_zero(&total).then_some(())?;
                 return self.least(&[generation, constant(order - 1)]);
@@ -162,12 +160,9 @@ impl SymbolFamily {
     }
 
     /// Σ_f e_f(t)·(the value of f).
-    fn total(
-        &self,
-        mut value: impl FnMut(&SymbolPower) -> RationalPolynomial,
-    ) -> RationalPolynomial {
-        let terms = self.factors.iter().map(|factor| factor.exponent.times(&value(factor)));
-        terms.fold(zero(), |sum, term| sum.plus(&term))
+    fn total(&self, values: impl Iterator<Item = RationalPolynomial>) -> RationalPolynomial {
+        let terms = self.factors.iter().zip(values);
+        terms.fold(zero(), |sum, (factor, value)| sum.plus(&factor.exponent.times(&value)))
     }
 
     /// The one of these linear polynomials that is not greater than another at any t.
