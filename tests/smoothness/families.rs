@@ -97,3 +97,12 @@ fn smoothness_grows_by_what_is_added() {
         }
     }
 }
+
+#[test]
+fn a_parameter_is_not_less_than_its_least_value() {
+    let text = "name = 's'\nparameters.k = { least = '3' }\nsymbol = '(1+z)^(k+1)/2^k'\n";
+    let scheme = read_scheme(&SourceText::new("s.toml", text)).expect("a scheme");
+    let open = BTreeMap::from([("k".to_owned(), Polynomial::variable("k"))]);
+    assert_eq!(scheme.powers(&open, ("k", 2)), None);
+    assert!(scheme.powers(&open, ("k", 3)).is_some());
+}

@@ -79,7 +79,7 @@ pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) ->
     let polynomials = polynomials.collect::<Option<Vec<RationalPolynomial>>>()?;
     let bounds = polynomials.iter().map(RationalPolynomial::settled_from);
     let last = bounds.collect::<Option<Vec<i64>>>()?.into_iter().fold(*first, i64::max);
-    if last - first > MAX_TRIED_INTEGERS {
+    if last - first >= MAX_TRIED_INTEGERS {
         return None;
     }
     for t in *first..=last {

@@ -62,6 +62,12 @@ impl SchemeDefinition {
             return None;
         }
         let parameters = self.complete(values).ok()?;
+        for (name, spec) in &self.parameters {
+            let Some(least) = &spec.least else { continue };
+            let least = self.value(least, &BTreeMap::<String, Polynomial>::new(), &[]).ok()?;
+            let above = (&parameters[name] - &least).in_variable(index)?;
+            above.is_nonnegative_line_from(first).then_some(())?;
+        }
         let left = Cell::new(super::definition::MAX_OTHERS);
         let functions = Composed {
             names: self.others.keys().map(String::as_str).collect(),
@@ -126,7 +132,7 @@ impl Factors<'_> {
             Node::Power(base, exponent) => {
                 let exponent = evaluate(exponent, &self.scope).ok()?.as_constant()?;
                 let exponent = exponent.in_variable(self.index)?;
-                let of_terms = power.of_terms && self.is_never_negative(&exponent);
+                let of_terms = power.of_terms && exponent.is_nonnegative_line_from(self.first);
                 let exponent = power.exponent.times(&exponent);
                 self.add(base, &Power { exponent, of_terms }, depth + 1)
             }
@@ -158,14 +164,6 @@ impl Factors<'_> {
         }
         self.add(first, power, depth + 1)?;
         Some(rest)
-    }
-
-    /// Whether a linear polynomial is negative nowhere.
-    fn is_never_negative(&self, line: &RationalPolynomial) -> bool {
-        let slope = line.coefficients().get(1).map_or(0, Rational::sign);
-        line.degree().is_none_or(|degree| degree <= 1)
-            && slope >= 0
-            && line.value_at(&Rational::from(self.first)).sign() >= 0
     }
 
     fn push(&mut self, value: &Laurent<Polynomial>, power: &Power) -> Option<()> {

@@ -172,11 +172,7 @@ impl SymbolFamily {
 
     /// Whether this is so at all t; both are linear.
     fn is_at_most(&self, less: &RationalPolynomial, more: &RationalPolynomial) -> bool {
-        let difference = more.minus(less);
-        let slope = difference.coefficients().get(1).cloned().unwrap_or_else(Rational::zero);
-        difference.degree().is_none_or(|degree| degree <= 1)
-            && slope.sign() >= 0
-            && difference.value_at(&Rational::from(self.first)).sign() >= 0
+        more.minus(less).is_nonnegative_line_from(self.first)
     }
 
     fn is_never_zero(&self, polynomial: &RationalPolynomial) -> bool {

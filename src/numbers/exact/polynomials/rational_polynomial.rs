@@ -83,8 +83,24 @@ impl RationalPolynomial {
     #[must_use]
     pub fn is_never_zero_from(&self, first: i64) -> bool {
         let Some(settled) = self.settled_from() else { return false };
-        settled.saturating_sub(first) <= MAX_TRIED_INTEGERS
+        settled.saturating_sub(first) < MAX_TRIED_INTEGERS
             && (first..=settled).all(|t| !self.value_at(&Rational::from(t)).is_zero())
+    }
+
+    /// Whether this is linear, and negative at no number from `first` on.
+    ///
+    /// ```
+    /// use subcert::exact::{Rational, RationalPolynomial};
+    ///
+    /// let line = RationalPolynomial::new(&[-3, 1].map(Rational::from));
+    /// assert!(line.is_nonnegative_line_from(3) && !line.is_nonnegative_line_from(2));
+    /// ```
+    #[must_use]
+    pub fn is_nonnegative_line_from(&self, first: i64) -> bool {
+        let slope = self.coefficients().get(1).map_or(0, Rational::sign);
+        self.degree().is_none_or(|degree| degree <= 1)
+            && slope >= 0
+            && self.value_at(&Rational::from(first)).sign() >= 0
     }
 
     /// The polynomial x.
