@@ -2,8 +2,8 @@
 
 use crate::claim::{Hypothesis, Identity, Paper};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::families::{Families, is_open};
-use crate::evaluation::real_formulas::Reals;
+use crate::evaluation::identities::families::{Families, is_open};
+use crate::evaluation::identities::real_formulas::Reals;
 use crate::evaluation::reference;
 use crate::evaluation::shape::{Coefficients, Own, Shapes, own_shape};
 use crate::exact::{AlgebraicNumber, Polynomial, Rational, Scalar as _};

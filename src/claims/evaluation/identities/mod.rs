@@ -1,0 +1,4 @@
+//! What the functions of formulas are in relations: of real numbers of any kind, and for all integers.
+
+pub(crate) mod families;
+pub(crate) mod real_formulas;
