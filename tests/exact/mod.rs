@@ -13,6 +13,7 @@ mod doo_sabin;
 mod enclosure;
 mod expression;
 mod format;
+mod integer_function;
 mod linear;
 mod matrix;
 mod number_field;

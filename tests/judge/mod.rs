@@ -6,6 +6,7 @@ mod cut;
 mod every_shift;
 mod families;
 mod functions_and_ranges;
+mod integers;
 mod lines;
 mod numbers;
 mod proportional;

@@ -2,6 +2,7 @@
 
 mod conditions;
 mod eigenvalues;
+mod every;
 mod sectors;
 mod stencils;
 mod table;

@@ -5,6 +5,7 @@ use crate::evaluation::choices::BEST_OFFSET;
 use crate::evaluation::settings::Settings;
 use crate::exact::within;
 use crate::formula::{Call, CallError, OptionWord, is_identifier};
+use crate::spectrum::CurvaturePart;
 
 /// What the exponent of a constant of c levels counts: levels, or blocks of c levels.
 #[derive(Clone, Copy)]
@@ -25,14 +26,6 @@ pub(crate) enum Parameters {
 pub(crate) enum Data {
     Sampled,
     Adapted,
-}
-
-/// Which eigenvalues are compared with the square of the subdominant one.
-#[derive(Clone, Copy)]
-pub(crate) enum Part {
-    Both,
-    Elliptic,
-    Hyperbolic,
 }
 
 /// The highest derivative of a limit.
@@ -142,9 +135,12 @@ impl<'a> Options<'a> {
         self.choose("tangent", &[("first", false), ("second", true)])
     }
 
-    pub(crate) fn part(&mut self) -> Result<Part, CallError> {
-        let choices =
-            [("both", Part::Both), ("elliptic", Part::Elliptic), ("hyperbolic", Part::Hyperbolic)];
+    pub(crate) fn part(&mut self) -> Result<CurvaturePart, CallError> {
+        let choices = [
+            ("both", CurvaturePart::Both),
+            ("elliptic", CurvaturePart::Elliptic),
+            ("hyperbolic", CurvaturePart::Hyperbolic),
+        ];
         self.choose("part", &choices)
     }
 

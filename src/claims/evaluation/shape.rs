@@ -128,7 +128,8 @@ impl<'a, V: Value + PartialEq> Shapes<'a, V> {
         Ok(own)
     }
 
-    fn scheme(&self, instances: &[Instance<V>]) -> Result<Own<V>, Unresolved> {
+    /// What the scheme of these names is.
+    pub(crate) fn scheme(&self, instances: &[Instance<V>]) -> Result<Own<V>, Unresolved> {
         if self.library.is_ring(instances).map_err(Unresolved::Scheme)? {
             return Ok(Own::Ring(instances.into()));
         }

@@ -3,14 +3,15 @@
 use crate::claim::{Hypothesis, Identity, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::identities::families::{Families, is_open};
+use crate::evaluation::identities::integer_functions::IntegerFunctions;
 use crate::evaluation::identities::real_formulas::Reals;
 use crate::evaluation::reference;
 use crate::evaluation::shape::{Coefficients, Own, Shapes, own_shape};
-use crate::exact::{AlgebraicNumber, Polynomial, Rational, Scalar as _};
+use crate::exact::{AlgebraicNumber, IntegerFunction, Polynomial, Rational, Scalar as _};
 use crate::finding::SideValue;
 use crate::formula::{
     CallError, Context as _, Expr, FormulaError, Functions, LocatedFormula, RealValue, Scope,
-    Value as _, Work, evaluate,
+    Value, Work, evaluate,
 };
 use crate::judge::cases::Case;
 use crate::judge::hypotheses;
@@ -51,24 +52,37 @@ impl Sides<'_> {
         let found = self.evaluated(&formula.expr, case);
         let error = match found {
             Ok(Ok(value)) => return Ok(SideValue::Polynomial(value)),
-            Ok(Err(error)) if error.kind.is_other_real() && self.is_of_numbers() => {
+            Ok(Err(error)) if error.kind.is_other_real() && self.is_of_numbers(case) => {
                 return self.real(formula, case).map(SideValue::Real);
             }
             Ok(Err(error)) => formula.diagnostic(&error),
             Err(error) => error,
         };
         // The mask may have coefficients in another real field.
-        if error.cap.is_some() || !self.is_of_numbers() {
+        if error.cap.is_some() || !self.is_of_numbers(case) {
             return Err(error);
         }
         self.real(formula, case).map(SideValue::Real)
     }
 
-    /// Whether the sides have neither symbols nor hypotheses about them.
-    fn is_of_numbers(&self) -> bool {
+    /// Whether the sides have neither symbols nor hypotheses about them, and every index has a value.
+    fn is_of_numbers(&self, case: &Case) -> bool {
         let Identity { symbols, hypotheses, states, .. } = self.identity;
-        let all = self.identity.is_for_all();
-        states.is_some() && !all && symbols.is_empty() && hypotheses.is_empty()
+        states.is_some() && case.symbolic.is_empty() && symbols.is_empty() && hypotheses.is_empty()
+    }
+
+    /// The names of a claim without symbols.
+    fn numbers<'s, V: Value>(
+        &'s self,
+        case: &'s Case,
+        functions: &'s dyn Functions<V>,
+    ) -> Scope<'s, V> {
+        let mut scope = Scope::new(&self.paper.definitions, functions);
+        let values = case.values.iter().map(|(name, value)| (name, value));
+        for (name, value) in self.given.iter().chain(values) {
+            scope = scope.with(name, V::from_rational(value));
+        }
+        scope
     }
 
     /// The value of a side as a real number.
@@ -81,13 +95,7 @@ impl Sides<'_> {
             Ok(Coefficients { shapes: self.in_fields, own })
         };
         let functions = Reals { coefficients: coefficients.as_ref(), in_fields: &in_fields };
-        let mut scope = Scope::new(&self.paper.definitions, &functions);
-        for (name, value) in &self.given {
-            scope = scope.with(name, RealValue::from_rational(value));
-        }
-        for (name, value) in &case.values {
-            scope = scope.with(name, RealValue::from_rational(value));
-        }
+        let scope = self.numbers(case, &functions);
         let value = evaluate(&formula.expr, &scope);
         self.spend(scope.work());
         value.map_err(|error| formula.diagnostic(&error))
@@ -127,6 +135,41 @@ impl Sides<'_> {
         value.map_err(|error| formula.diagnostic(&error))
     }
 
+    /// The values of some formulas for all integers from `first` on, which the one index without a value has; `None` where one is not known.
+    pub(crate) fn for_integers<'f>(
+        &self,
+        formulas: impl Iterator<Item = &'f LocatedFormula>,
+        case: &Case,
+        first: i64,
+    ) -> Option<Vec<IntegerFunction>> {
+        let [(name, least)] = &case.symbolic[..] else { return None };
+        let shapes = Shapes::with_filters(self.shapes.library());
+        let index = IntegerFunction::index(first);
+        let none = Coefficients { shapes: &shapes, own: None };
+        let own = match &self.identity.scheme {
+            None => None,
+            Some(located) => {
+                let scope = self.numbers(case, &none).with(name, index.clone());
+                Some(shapes.library().instances(&located.reference, &scope).ok()?)
+            }
+        };
+        let fixed = own.as_ref().filter(|scheme| {
+            let mut values = scheme.iter().flat_map(|one| one.parameters.values());
+            values.all(|value| value.as_constant().is_some())
+        });
+        let fixed = fixed.map(|scheme| shapes.scheme(scheme)).transpose().ok()?;
+        let families = self.in_family(case, (name, *least)).ok()?;
+        let others = Coefficients { shapes: &shapes, own: fixed };
+        let functions = IntegerFunctions { others, families, own, first };
+        let scope = self.numbers(case, &functions).with(name, index);
+        let value = |formula: &LocatedFormula| {
+            let value = evaluate(&formula.expr, &scope);
+            self.spend(scope.work());
+            value.ok()
+        };
+        formulas.map(value).collect()
+    }
+
     fn spend(&self, work: Option<&Work>) {
         let spent = work.map_or(0, Work::spent);
         self.spent.set(self.spent.get().saturating_add(spent));
@@ -145,12 +188,7 @@ impl Sides<'_> {
     fn own_in_field(&self, case: &Case) -> Result<Option<Own<AlgebraicNumber>>, Diagnostic> {
         let none = Coefficients { shapes: self.in_fields, own: None };
         let Some(located) = &self.identity.scheme else { return Ok(None) };
-        let mut scope = Scope::new(&self.paper.definitions, &none);
-        let values = case.values.iter().map(|(name, value)| (name, value));
-        for (name, value) in self.given.iter().chain(values) {
-            scope = scope.with(name, AlgebraicNumber::from_rational(value));
-        }
-        own_shape(self.in_fields, located, &scope).map(Some)
+        own_shape(self.in_fields, located, &self.numbers(case, &none)).map(Some)
     }
 
     fn evaluated(

@@ -150,35 +150,54 @@ fn for_all(sides: &Sides<'_>) -> Result<EquationVerdict, Diagnostic> {
         |failure| EquationVerdict::Fails { cases: 1, failures: vec![failure], mends: Vec::new() };
     // Where the values of another index depend on such an index, it is no symbol.
     let symbolic = cases(identity, Unbounded::Symbol).unwrap_or_default();
-    let mut proved = !symbolic.is_empty();
-    for case in symbolic {
+    let (mut proved, mut tries) = (!symbolic.is_empty(), false);
+    let at = |part: usize, case: &Case, t: i64| -> Result<Option<Failure>, Diagnostic> {
+        Ok(match compared(sides, part, 0, &case.at(identity, t))? {
+            Compared::Fails(failure) => Some(failure),
+            Compared::Holds | Compared::Open(_) => None,
+        })
+    };
+    let mut later = Vec::new();
+    for case in &symbolic {
         for (part, comparison) in identity.comparisons.iter().enumerate() {
-            match decide(sides, comparison, &case) {
+            match decide(sides, comparison, case) {
                 Some(ForAll::Proved) => {}
-                None => proved = false,
+                Some(ForAll::TrueBehind) => tries = true,
+                Some(ForAll::FalseFrom(t)) => later.push((part, case, t)),
                 Some(ForAll::FalseAt(t)) => {
-                    if let Compared::Fails(failure) =
-                        compared(sides, part, 0, &case.at(identity, t))?
-                    {
+                    if let Some(failure) = at(part, case, t)? {
                         return Ok(fails(failure));
                     }
                     proved = false;
                 }
+                None => proved = false,
             }
         }
     }
-    if proved {
+    if proved && !tries && later.is_empty() {
         return Ok(EquationVerdict::Proved);
     }
-    let cases = counted(sides)?;
-    for case in &cases {
+    let (tried, mut open) = (counted(sides)?, Vec::new());
+    for case in &tried {
         for part in 0..identity.comparisons.len() {
-            if let Compared::Fails(failure) = compared(sides, part, 0, case)? {
-                return Ok(fails(failure));
+            match compared(sides, part, 0, case)? {
+                Compared::Holds => {}
+                Compared::Open(failure) => open.push(failure),
+                Compared::Fails(failure) => return Ok(fails(failure)),
             }
         }
     }
-    Ok(EquationVerdict::Tried { cases: cases.len() * identity.comparisons.len() })
+    for (part, case, t) in &later {
+        if let Some(failure) = at(*part, case, *t)? {
+            return Ok(fails(failure));
+        }
+    }
+    let cases = tried.len() * identity.comparisons.len();
+    Ok(match (open.is_empty(), proved && later.is_empty()) {
+        (false, _) => EquationVerdict::Undecided { cases, open },
+        (true, true) => EquationVerdict::Proved,
+        (true, false) => EquationVerdict::Tried { cases },
+    })
 }
 
 /// How a side that is one decimal came from the number on the other side: rounded to the nearest, or, if it has digits enough, cut or

@@ -3,16 +3,22 @@
 //! A mask with a symbol in it may be another one at some integers. So only functions of [families](crate::smoothness::SymbolFamily) may
 //! be about schemes that depend on them.
 
-use super::cases::Case;
+use super::cases::{Case, TRIED};
 use super::comparison::Sides;
 use super::relation::holds;
 use crate::claim::{Comparison, Sign};
 use crate::diagnostic::Diagnostic;
-use crate::exact::{MAX_TRIED_INTEGERS, Polynomial, Rational, RationalPolynomial};
+use crate::exact::{
+    IntegerFunction, MAX_TRIED_INTEGERS, Polynomial, Rational, RationalPolynomial, Scalar as _,
+};
 use crate::formula::{LocatedFormula, Value as _};
+use std::cmp::Ordering;
 
 /// The greatest degree of a polynomial in an index.
 const MAX_DEGREE: usize = 256;
+
+/// The least first integer behind the cases that are tried.
+const LEAST: i64 = 16;
 
 /// What is known of a comparison for all values of the indices that are symbols.
 pub(super) enum ForAll {
@@ -20,6 +26,54 @@ pub(super) enum ForAll {
     Proved,
     /// It is false for this value of the only one.
     FalseAt(i64),
+    /// It is true for all values of the only one behind those that are tried.
+    TrueBehind,
+    /// It is false for all these; this is the first of them.
+    FalseFrom(i64),
+}
+
+/// Decides a comparison for all values of the indices without one; `None` where nothing is known.
+pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) -> Option<ForAll> {
+    // Hypotheses may hold at some integers only.
+    if !sides.identity.hypotheses.is_empty() {
+        return None;
+    }
+    as_polynomials(sides, comparison, case).or_else(|| as_functions(sides, comparison, case))
+}
+
+/// Decides a comparison behind the cases that are tried, as one of [functions of an integer](IntegerFunction).
+fn as_functions(sides: &Sides<'_>, comparison: &Comparison, case: &Case) -> Option<ForAll> {
+    let [(_, first)] = &case.symbolic[..] else { return None };
+    let first = first.checked_add(TRIED).filter(|first| *first >= LEAST)?;
+    if !sides.identity.symbols.is_empty() {
+        return None;
+    }
+    let formulas = std::iter::once(comparison.left.formula(0)).chain(&comparison.rights);
+    let values = sides.for_integers(formulas, case, first)?;
+    let (left, rights) = values.split_first()?;
+    let against = |number: i64| IntegerFunction::from_rational(&Rational::from(number));
+    let sign = |right: &IntegerFunction| left.minus(right).sign();
+    let right = rights.first();
+    let holds = match comparison.sign {
+        Sign::Equal => sign(right?)?.is_eq(),
+        Sign::Unequal => sign(right?)?.is_ne(),
+        Sign::Less => sign(right?)?.is_lt(),
+        Sign::AtMost => sign(right?)?.is_le(),
+        Sign::Greater => sign(right?)?.is_gt(),
+        Sign::AtLeast => sign(right?)?.is_ge(),
+        Sign::True => sign(&against(1))?.is_eq(),
+        Sign::False => sign(&against(0))?.is_eq(),
+        Sign::OneOf => {
+            let signs: Vec<Option<Ordering>> = rights.iter().map(sign).collect();
+            let found = signs.contains(&Some(Ordering::Equal));
+            if !found && signs.contains(&None) {
+                return None;
+            }
+            found
+        }
+        Sign::Near => return None,
+    };
+    Some(if holds { ForAll::TrueBehind } else { ForAll::FalseFrom(first) })
 }
 
 /// Decides a comparison as one of polynomials in the indices without values; `None` if it is none, or is not decided.
@@ -27,11 +81,7 @@ pub(super) enum ForAll {
 /// For `=`, the difference is the polynomial 0. Otherwise let d(t) = Σ_{i≤g} c_i t^i be the difference of the sides, t the only index
 /// and no symbol in it. From b = ⌈1 + max_{i<g} |c_i/c_g|⌉ + 1 on, Cauchy's bound for roots, d has the sign of c_g and is not 0;
 /// the integers up to b are tried.
-pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) -> Option<ForAll> {
-    // Hypotheses may hold at some integers only.
-    if !sides.identity.hypotheses.is_empty() {
-        return None;
-    }
+fn as_polynomials(sides: &Sides<'_>, comparison: &Comparison, case: &Case) -> Option<ForAll> {
     let printed = comparison.left.formula(0);
     let symbols = !sides.identity.symbols.is_empty();
     let near = sides.identity.comparisons.iter().any(|one| one.sign == Sign::Near);

@@ -16,6 +16,7 @@
 //! | [`BivariatePolynomial`] | functions of two free parameters |
 //! | [`RationalPolynomial`], [`PiecewisePolynomial`], [`Parametric`], [`QuotientAt`] | functions of a free parameter |
 //! | [`Interval`], [`IntervalSet`] | where a function of the parameter is below a bound |
+//! | [`IntegerFunction`], [`Turned`] | functions of an integer t, for all t from one on |
 //! | [`Scalar`], [`Real`] | the operations that algorithms need of a number type |
 //! | [`Matrix`] | matrices with few distinct entries |
 //! | [`solve`], [`determinant`], [`interpolated`] | systems of linear equations over the rationals |
@@ -30,6 +31,7 @@ mod common;
 mod conversion;
 mod enclosures;
 mod integer;
+mod integers;
 mod matrices;
 mod ops;
 mod parameter;
@@ -50,6 +52,8 @@ pub use enclosures::format;
 pub use enclosures::log_sum::{LogSum, LogTerm};
 pub use enclosures::logarithm::natural_logarithm;
 pub use integer::Integer;
+pub use integers::function::IntegerFunction;
+pub use integers::turned::Turned;
 pub use matrices::adjugate::Adjugate;
 pub use matrices::characteristic::{
     characteristic_coefficients, characteristic_polynomial, symmetric_square_coefficients,

@@ -39,12 +39,19 @@ impl<V: Value> Angle<V> {
         }
     }
 
-    /// The b of an angle bπ; an error unless a = 0 and b is rational.
-    pub(super) fn multiple(&self) -> Result<Rational, FormulaErrorKind> {
+    /// The cosine of an angle bπ; an error unless a = 0 and the type has this cosine.
+    pub(super) fn cosine(&self) -> Result<V, FormulaErrorKind> {
         let refuse = |text: String| Err(FormulaErrorKind::Angle(text));
         match self.pi.as_rational() {
-            None => refuse(format!("({})*pi", self.pi)),
-            Some(multiple) if is_zero(&self.plain) => Ok(multiple),
+            None => {
+                let half = V::from_rational(&Rational::new(1, 2));
+                let turn = self.pi.times(&half);
+                let cosine = Some(&turn).filter(|_| is_zero(&self.plain)).and_then(V::cosine_of);
+                cosine.map_or_else(|| refuse(format!("({})*pi", self.pi)), Ok)
+            }
+            Some(multiple) if is_zero(&self.plain) => {
+                Ok(V::cosine(&(multiple / Rational::from(2)))?)
+            }
             Some(multiple) if multiple.is_zero() => refuse(self.plain.to_string()),
             Some(multiple) => refuse(format!("{} + {multiple}*pi", self.plain)),
         }

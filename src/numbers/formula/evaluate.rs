@@ -299,9 +299,11 @@ impl<V: Value> Evaluator<'_, V> {
             return fail(builtin::no_option(builtin::COSINE, option), span);
         }
         let angle = self.angle(argument, indices)?;
-        let multiple = angle.multiple().or_else(|kind| fail(kind, &argument.span))?;
-        let turn = multiple / Rational::from(2);
-        V::cosine(&turn).or_else(|error| fail(error.into(), span))
+        // An angle that is none stands in the argument; a cosine that the type has not is that of the call.
+        angle.cosine().or_else(|kind| match kind {
+            FormulaErrorKind::Angle(_) => fail(kind, &argument.span),
+            _ => fail(kind, span),
+        })
     }
 
     /// The value of an expression that may contain `pi` in sums, in products and in

@@ -15,6 +15,7 @@
 //! | `conditions` | what the literature asks of the eigenvalues |
 //! | `schemes` | schemes by name, and the wider rings whose eigenvalues are taken |
 //! | `ring_spectrum` | all of this for one ring |
+//! | `every` | the same for all valences from one on |
 //! | `sector` | the rules between two sharp edges at a vertex |
 //! | [`table`] | tables by valence, as source code |
 
@@ -23,6 +24,7 @@ mod circulant;
 mod conditions;
 mod eigenvalues;
 mod error;
+mod every;
 mod extension;
 mod jordan;
 mod moduli;
@@ -37,6 +39,7 @@ pub mod table;
 pub use conditions::{Conditions, Curvature};
 pub use eigenvalues::Eigenvalue;
 pub use error::SpectrumError;
+pub use every::{CurvaturePart, EverySpectrum};
 pub use jordan::Chain;
 pub use moduli::ComplexEigenvalues;
 pub use ring_spectrum::Spectrum;

@@ -75,7 +75,8 @@ fn is_taken(function: &str) -> bool {
 }
 
 impl Families<'_> {
-    fn value(
+    /// The value of a function of a scheme that depends on t.
+    pub(crate) fn value(
         &self,
         scheme: &[Instance<Polynomial>],
         call: &Call<'_, Polynomial>,

@@ -4,11 +4,11 @@ use super::exponents::KnownReals;
 use crate::cap::Cap;
 use crate::evaluation::arguments::{index, within};
 use crate::evaluation::functions::{QUANTITIES, name_of};
-use crate::evaluation::options::{Options, Part};
+use crate::evaluation::options::Options;
 use crate::exact::{Rational, Real as _, RealCyclotomic, RealExpression, Scalar as _};
 use crate::formula::{Call, CallError, RealValue, Value};
 use crate::scheme::{Instance, LocalRules, SchemeError};
-use crate::spectrum::{MAX_COMPONENT, Spectrum, SpectrumError};
+use crate::spectrum::{CurvaturePart, MAX_COMPONENT, Spectrum, SpectrumError};
 use std::cmp::Ordering;
 
 /// The valences that are asked for.
@@ -133,14 +133,14 @@ fn subdominant(spectrum: &Spectrum) -> Result<&RealExpression, CallError> {
 }
 
 /// The greatest absolute value μ of other eigenvalues, of all blocks or of some, over λ².
-fn curvature(spectrum: &Spectrum, part: Part) -> Result<RealValue, CallError> {
+fn curvature(spectrum: &Spectrum, part: CurvaturePart) -> Result<RealValue, CallError> {
     let lambda = subdominant(spectrum)?;
     let square = lambda.times(lambda);
     let one = RealExpression::from(Rational::one());
     let block = match part {
-        Part::Both => None,
-        Part::Elliptic => Some(0),
-        Part::Hyperbolic => Some(2),
+        CurvaturePart::Both => None,
+        CurvaturePart::Elliptic => Some(0),
+        CurvaturePart::Hyperbolic => Some(2),
     };
     let belongs = |blocks: &[usize]| block.is_none_or(|block| blocks.contains(&block));
     let others = spectrum.eigenvalues.iter().filter(|other| {

@@ -17,6 +17,11 @@ impl Monomial {
         Monomial(Arc::from([(Arc::from(name), 1)]))
     }
 
+    /// The product of these powers, in the order of their names.
+    pub(super) fn of(powers: Vec<(Arc<str>, u32)>) -> Monomial {
+        Monomial(powers.into())
+    }
+
     pub(super) fn is_one(&self) -> bool {
         self.0.is_empty()
     }

@@ -50,6 +50,14 @@ impl Polynomial {
         Polynomial { constant: RealCyclotomic::from(0), terms }
     }
 
+    /// A multiple of a monomial.
+    pub(super) fn term(monomial: Monomial, coefficient: RealCyclotomic) -> Polynomial {
+        if monomial.is_one() || is_zero(&coefficient) {
+            return Polynomial::constant(coefficient);
+        }
+        Polynomial { constant: RealCyclotomic::from(0), terms: vec![(monomial, coefficient)] }
+    }
+
     /// The value of a constant polynomial; `None` when a variable remains.
     #[must_use]
     pub fn as_constant(&self) -> Option<RealCyclotomic> {

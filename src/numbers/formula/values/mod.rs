@@ -3,6 +3,7 @@
 mod algebraic;
 mod expression;
 pub(super) mod half_planes;
+mod integer_function;
 mod quotient;
 pub(super) mod real;
 pub(super) mod value;

@@ -93,6 +93,11 @@ pub trait Value: Scalar + std::fmt::Display {
         }
     }
 
+    /// cos(2π·`turn`) for a turn that is no rational number, if the type has it.
+    fn cosine_of(_turn: &Self) -> Option<Self> {
+        None
+    }
+
     /// The real root of this number, counted from 1 in increasing order, of the polynomial with these coefficients, from
     /// the constant term upwards.
     ///
