@@ -22,6 +22,9 @@ mod radius;
 mod reals;
 mod sets;
 
+// Functions of an integer, for all integers from one on.
+mod integers;
+
 mod kinds;
 mod lines;
 

@@ -16,6 +16,7 @@ mod families;
 mod family;
 mod filters;
 mod format;
+mod integers;
 mod kernel;
 mod limits;
 mod lists;

@@ -140,7 +140,7 @@ impl<'c> Call<'c> {
     }
 
     /// The scheme that the call names. Options give values to its parameters.
-    fn reference(&mut self) -> Result<Option<String>, Stop> {
+    pub fn reference(&mut self) -> Result<Option<String>, Stop> {
         let Some(name) = self.option("scheme") else { return Ok(None) };
         let (own, parameters): (Vec<_>, Vec<_>) =
             self.options.iter().partition(|(name, _)| WORDS.contains(&name.as_str()));

@@ -4,7 +4,7 @@ use super::limits::Limits;
 use super::products::Products;
 use super::reference::{arguments_of, parameters_of, split};
 use super::scheme::{Ring, Scheme};
-use crate::formulas::{Definitions, Indices, Reading, Scope, formula};
+use crate::formulas::{Definitions, Expr, Indices, Reading, Scope, formula};
 use crate::numbers::{Meter, Value};
 use crate::text::{Stop, Toml};
 use std::cell::{Cell, RefCell};
@@ -49,8 +49,14 @@ pub struct Constant {
     pub level: u32,
 }
 
-/// The name of a scheme, its table, and its parameters.
-pub type Entry<'a> = (&'a str, &'a Toml, BTreeMap<String, Value>);
+/// The name of a scheme, its table, and its parameters, which are values of any kind.
+pub type Named<'a, T> = (&'a str, &'a Toml, BTreeMap<String, T>);
+
+/// The same with values of formulas.
+pub type Entry<'a> = Named<'a, Value>;
+
+/// What evaluates formulas inside of names with values.
+pub type Evaluate<'e, T> = &'e dyn Fn(&Expr, &mut Vec<(String, T)>) -> Result<T, Stop>;
 
 pub(super) fn wrong<T>(of: &str, what: &str) -> Result<T, Stop> {
     Err(Stop::Wrong(format!("`{of}`: {what}")))
@@ -164,22 +170,34 @@ impl<'a> Library<'a> {
         (scope, values): (&Scope<'_>, &mut Indices),
         depth: usize,
     ) -> Result<Vec<Entry<'a>>, Stop> {
+        let evaluate = |expr: &Expr, values: &mut Indices| scope.evaluate(expr, values);
+        self.follow_as(reference, (scope.definitions, &evaluate), values, depth)
+    }
+
+    /// The same with parameters of any kind, which this evaluates where names have these values.
+    pub fn follow_as<T: Clone>(
+        &self,
+        reference: &str,
+        (definitions, evaluate): (&Definitions, Evaluate<'_, T>),
+        values: &mut Vec<(String, T)>,
+        depth: usize,
+    ) -> Result<Vec<Named<'a, T>>, Stop> {
         let mut entries = Vec::new();
         if depth > MAX_ALIASES {
             return Err(Stop::Capped("the names that stand for names"));
         }
         for factor in reference.split(" x ") {
-            let (name, table, parameters) = self.named_with(factor, scope, values)?;
+            let (name, table, parameters) = self.named_with(factor, evaluate, values)?;
             if let Some(other) = table.text("use") {
                 let known = parameters_of(other)?;
-                let place =
-                    |name: &String| known.contains(name) && !scope.definitions.contains_key(name);
+                let place = |name: &String| known.contains(name) && !definitions.contains_key(name);
                 if !parameters.keys().all(place) {
                     return wrong(reference, "its `use` has no such parameter");
                 }
                 let outer = values.len();
                 values.extend(parameters);
-                entries.extend(self.follow(other, (scope, values), depth + 1)?);
+                let with = (definitions, evaluate);
+                entries.extend(self.follow_as(other, with, values, depth + 1)?);
                 values.truncate(outer);
             } else {
                 entries.push((name, table, parameters));
@@ -217,19 +235,19 @@ impl<'a> Library<'a> {
     }
 
     /// The table that a reference names, with the parameters that are given there.
-    fn named_with(
+    fn named_with<T>(
         &self,
         reference: &str,
-        scope: &Scope<'_>,
-        values: &mut Indices,
-    ) -> Result<Entry<'a>, Stop> {
+        evaluate: Evaluate<'_, T>,
+        values: &mut Vec<(String, T)>,
+    ) -> Result<Named<'a, T>, Stop> {
         let (name, arguments) = split(reference);
         let mut parameters = BTreeMap::new();
         for argument in arguments_of(arguments) {
             let Some((parameter, value)) = argument.split_once('=') else {
                 return wrong(reference, "a parameter has the form name=value");
             };
-            let value = scope.evaluate(&formula(value.trim())?, values)?;
+            let value = evaluate(&formula(value.trim())?, values)?;
             if parameters.insert(parameter.trim().to_owned(), value).is_some() {
                 return wrong(reference, "a parameter is given twice");
             }

@@ -21,7 +21,7 @@ mod typed;
 pub use catalogue::catalogue;
 pub use convolution::{Convolution, MAX_LENGTH, Product, Sequence, Sums};
 pub use family::{Every, Factor, Family};
-pub use library::{Constant, Library};
+pub use library::{Constant, Library, Named};
 pub use local_rules::{LocalRules, less};
 pub use powers::{Operator, PLACES};
 pub use reference::names;

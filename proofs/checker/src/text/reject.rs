@@ -52,6 +52,7 @@ reasons! {
     Wrong(why: String) "the formula is wrong: {why}"
     OtherRoot "the formula is wrong: such a root is for relations between numbers"
     Family(what: &'static str) "the rules of families do not give this for all values of the index: {what}"
+    Integers(what: &'static str) "the rules of functions of an integer do not give this: {what}"
     Undecided(what: &'static str) "enclosures of so many digits do not decide {what}"
 }
 
@@ -245,7 +246,7 @@ macro_rules! stopped {
             /// Otherwise it is wrong.
             #[must_use]
             pub fn given_up(&self) -> bool {
-                matches!(self.reason, $reason::Stopped(Stop::Capped(_) | Stop::Undecided(_) | Stop::Family(_)))
+                matches!(self.reason, $reason::Stopped(Stop::Capped(_) | Stop::Undecided(_) | Stop::Family(_) | Stop::Integers(_)))
                     $(|| matches!(self.reason, $open))?
             }
         }

@@ -1,20 +1,17 @@
-//! The cases of a claim: combinations of indices, the meanings of names in each, and the lines about those that are false.
+//! The cases of a claim: combinations of indices, and the lines about those that are false.
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::hypotheses;
 use crate::claims::{Paper, value};
-use crate::formulas::{Expr, MAX_INTEGER, Memory, Scope};
-use crate::numbers::{Number, Piece, Q, Value, int, read_rational};
-use crate::schemes::Every;
-use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, agree, compare, require};
-use std::rc::Rc;
+use crate::formulas::{Expr, MAX_INTEGER, Scope};
+use crate::numbers::{Number, Q, Value, int, read_rational};
+use crate::text::{Block, Checked, Reason, Stop, Text, Verdict, agree, compare, require};
 
 /// The most cases of a claim.
 pub const MAX_CASES: usize = 100_000;
 
 /// The first values of an index that has all values.
-const FIRST: usize = 24;
+pub const FIRST: usize = 24;
 
 /// The values of the indices.
 pub type Case<'a> = Vec<(&'a str, Q)>;
@@ -121,97 +118,6 @@ pub fn cases<'a>(
 /// The values of the indices of a case, as certificates write them.
 pub fn name_of(case: &Case<'_>) -> String {
     case.iter().map(|(_, value)| value.to_string()).collect::<Vec<_>>().join(" ")
-}
-
-/// The scope of a case. It shares the known values of definitions with other cases.
-pub fn scope<'a>(
-    paper: &'a Paper<'a>,
-    claim: &Toml,
-    case: &Case<'_>,
-    memory: &Rc<Memory>,
-) -> Result<Scope<'a>, Stop> {
-    let mut scope = names(paper, claim, (case, &[]), memory)?;
-    resolve(paper, claim, &mut scope)?;
-    Ok(scope)
-}
-
-/// The scope of a case in which the indices with all values are symbols.
-///
-/// What holds of a mask with a symbol need not hold of a number in its place: the mask may be shorter there. So a scheme that
-/// depends on them is a family.
-pub fn scope_of_all<'a>(
-    paper: &'a Paper<'a>,
-    claim: &Toml,
-    (case, every): (&Case<'_>, Every),
-    memory: &Rc<Memory>,
-) -> Result<Scope<'a>, Stop> {
-    let symbols: Vec<&str> = every.indices.iter().map(|all| &all.index[..]).collect();
-    let mut scope = names(paper, claim, (case, &symbols), memory)?;
-    scope.every = Some(every);
-    resolve(paper, claim, &mut scope)?;
-    Ok(scope)
-}
-
-/// The scope of a case on a piece of another index, which is a symbol also in the mask.
-pub fn scope_on<'a>(
-    paper: &'a Paper<'a>,
-    claim: &Toml,
-    case: &Case<'_>,
-    (name, piece): (&str, Piece<'a>),
-) -> Result<Scope<'a>, Stop> {
-    // What is known of definitions is known of this piece.
-    let mut scope = names(paper, claim, (case, &[name]), &Rc::default())?;
-    scope.piece = Some(piece.of_masks());
-    resolve(paper, claim, &mut scope)?;
-    Ok(scope)
-}
-
-/// The scope of a case without the scheme.
-fn names<'a>(
-    paper: &'a Paper<'a>,
-    claim: &Toml,
-    (case, symbols): (&Case<'_>, &[&str]),
-    memory: &Rc<Memory>,
-) -> Result<Scope<'a>, Stop> {
-    // Relations have the values that the file states.
-    let relation = claim.get("states").is_some();
-    let mut scope = if relation { paper.stated() } else { paper.scope() };
-    for (name, _) in case {
-        scope.beyond.remove(*name);
-    }
-    for name in claim.texts("symbols").chain(symbols.iter().copied()) {
-        scope.beyond.remove(name);
-    }
-    for symbol in claim.texts("symbols") {
-        scope.values.insert(symbol.to_owned(), Value::symbol(symbol));
-        scope.families.insert(symbol.to_owned());
-    }
-    scope.memory = Rc::clone(memory);
-    scope.filters = true;
-    let symbols = symbols.iter().map(|name| (*name, Value::symbol(name)));
-    let values = case.iter().map(|(name, value)| (*name, Value::from(value.clone())));
-    for (name, value) in values.chain(symbols) {
-        scope.hidden.insert(name.to_owned());
-        scope.values.insert(name.to_owned(), value);
-    }
-    hypotheses::suppose(claim, &mut scope)?;
-    Ok(scope)
-}
-
-/// Gives a scope the scheme of the claim.
-fn resolve(paper: &Paper<'_>, claim: &Toml, scope: &mut Scope<'_>) -> Result<(), Stop> {
-    if let Some(reference) = claim.text("scheme") {
-        if let Some(entries) = paper.library.depending(reference, scope)? {
-            if let Some(every) = &mut scope.every {
-                every.family = Some(Rc::new(paper.library.family(entries, every)?));
-            }
-        } else if paper.library.is_ring(reference) {
-            scope.ring = Some(Rc::new(paper.library.ring(reference, scope)?));
-        } else {
-            scope.scheme = paper.library.resolve_any(reference, scope)?.first().cloned();
-        }
-    }
-    Ok(())
 }
 
 /// What follows `in` in the next line, if it is about this case: `case 3 in 1/8 1/4`.

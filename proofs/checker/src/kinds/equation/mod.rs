@@ -2,12 +2,14 @@
 
 pub mod cases;
 mod hypotheses;
+pub mod scopes;
 
 use super::kind::{Kind, Proof};
 use crate::claims::{Axis, Paper};
 use crate::formulas::{Expr, formula, formula_of};
 use crate::text::{Block, Checked, Reason, Stop, Toml, Verdict, require};
-use cases::{Index, Listing, Values, cases, name_of, scope};
+use cases::{Index, Listing, Values, cases, name_of};
+use scopes::scope;
 use std::rc::Rc;
 
 /// Claims of this kind.

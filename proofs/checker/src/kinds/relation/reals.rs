@@ -7,7 +7,8 @@ use super::ranges::{Real, index, ranges, real};
 use super::states::{Comparison, Rest, Sign};
 use crate::claims::Paper;
 use crate::formulas::{Scope, formula};
-use crate::kinds::equation::cases::{Case, Index, Values, cases, scope, scope_on};
+use crate::kinds::equation::cases::{Case, Index, Values, cases};
+use crate::kinds::equation::scopes::{scope, scope_on};
 use crate::lines::pieces::on_parts;
 use crate::numbers::{Ends, Meter, Piece, Q, Root, read_rational};
 use crate::text::{Block, Checked, Reason, Stop, Toml, compare, require};
@@ -73,7 +74,9 @@ fn wrong<T>(what: &str) -> Checked<T> {
 /// Why a claim is open if a comparison has no value. What is beyond a cap stays so.
 fn open(stop: Stop) -> Reason {
     match stop {
-        Stop::Capped(_) | Stop::Undecided(_) | Stop::Family(_) => Reason::Stopped(stop),
+        Stop::Capped(_) | Stop::Undecided(_) | Stop::Family(_) | Stop::Integers(_) => {
+            Reason::Stopped(stop)
+        }
         Stop::Wrong(_) | Stop::OtherRoot | Stop::Undefined(_) | Stop::Unstated(_) => {
             Reason::Valueless(stop)
         }
