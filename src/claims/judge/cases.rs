@@ -14,7 +14,7 @@ const MAX_INDEX: i64 = 1_000_000;
 pub const MAX_CASES: usize = 100_000;
 
 /// How many values of an index are tried that runs over all integers from one on.
-pub(super) const TRIED: i64 = 24;
+const TRIED: i64 = 24;
 
 /// A combination of the indices.
 #[derive(Clone)]

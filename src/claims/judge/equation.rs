@@ -150,22 +150,17 @@ fn for_all(sides: &Sides<'_>) -> Result<EquationVerdict, Diagnostic> {
         |failure| EquationVerdict::Fails { cases: 1, failures: vec![failure], mends: Vec::new() };
     // Where the values of another index depend on such an index, it is no symbol.
     let symbolic = cases(identity, Unbounded::Symbol).unwrap_or_default();
-    let (mut proved, mut tries) = (!symbolic.is_empty(), false);
-    let at = |part: usize, case: &Case, t: i64| -> Result<Option<Failure>, Diagnostic> {
-        Ok(match compared(sides, part, 0, &case.at(identity, t))? {
-            Compared::Fails(failure) => Some(failure),
-            Compared::Holds | Compared::Open(_) => None,
-        })
-    };
-    let mut later = Vec::new();
+    let mut proved = !symbolic.is_empty();
+    let at = |part: usize, case: &Case, t: i64| compared(sides, part, 0, &case.at(identity, t));
+    let (mut singles, mut later, mut open) = (Vec::new(), Vec::new(), Vec::new());
     for case in &symbolic {
         for (part, comparison) in identity.comparisons.iter().enumerate() {
             match decide(sides, comparison, case) {
                 Some(ForAll::Proved) => {}
-                Some(ForAll::TrueBehind) => tries = true,
+                Some(ForAll::TrueFrom(first)) => singles.push((part, case, first)),
                 Some(ForAll::FalseFrom(t)) => later.push((part, case, t)),
                 Some(ForAll::FalseAt(t)) => {
-                    if let Some(failure) = at(part, case, t)? {
+                    if let Compared::Fails(failure) = at(part, case, t)? {
                         return Ok(fails(failure));
                     }
                     proved = false;
@@ -174,10 +169,19 @@ fn for_all(sides: &Sides<'_>) -> Result<EquationVerdict, Diagnostic> {
             }
         }
     }
-    if proved && !tries && later.is_empty() {
+    for (part, case, first) in singles {
+        for t in case.symbolic.iter().flat_map(|(_, least)| *least..first) {
+            match at(part, case, t)? {
+                Compared::Holds => {}
+                Compared::Open(_) => proved = false,
+                Compared::Fails(failure) => return Ok(fails(failure)),
+            }
+        }
+    }
+    if proved && later.is_empty() {
         return Ok(EquationVerdict::Proved);
     }
-    let (tried, mut open) = (counted(sides)?, Vec::new());
+    let tried = counted(sides)?;
     for case in &tried {
         for part in 0..identity.comparisons.len() {
             match compared(sides, part, 0, case)? {
@@ -187,16 +191,16 @@ fn for_all(sides: &Sides<'_>) -> Result<EquationVerdict, Diagnostic> {
             }
         }
     }
-    for (part, case, t) in &later {
-        if let Some(failure) = at(*part, case, *t)? {
+    for (part, case, t) in later {
+        if let Compared::Fails(failure) = at(part, case, t)? {
             return Ok(fails(failure));
         }
     }
     let cases = tried.len() * identity.comparisons.len();
-    Ok(match (open.is_empty(), proved && later.is_empty()) {
-        (false, _) => EquationVerdict::Undecided { cases, open },
-        (true, true) => EquationVerdict::Proved,
-        (true, false) => EquationVerdict::Tried { cases },
+    Ok(if open.is_empty() {
+        EquationVerdict::Tried { cases }
+    } else {
+        EquationVerdict::Undecided { cases, open }
     })
 }
 

@@ -3,7 +3,7 @@
 //! A mask with a symbol in it may be another one at some integers. So only functions of [families](crate::smoothness::SymbolFamily) may
 //! be about schemes that depend on them.
 
-use super::cases::{Case, TRIED};
+use super::cases::Case;
 use super::comparison::Sides;
 use super::relation::holds;
 use crate::claim::{Comparison, Sign};
@@ -17,7 +17,7 @@ use std::cmp::Ordering;
 /// The greatest degree of a polynomial in an index.
 const MAX_DEGREE: usize = 256;
 
-/// The least first integer behind the cases that are tried.
+/// The least integer from which on functions have signs; those before it are tried.
 const LEAST: i64 = 16;
 
 /// What is known of a comparison for all values of the indices that are symbols.
@@ -26,9 +26,9 @@ pub(super) enum ForAll {
     Proved,
     /// It is false for this value of the only one.
     FalseAt(i64),
-    /// It is true for all values of the only one behind those that are tried.
-    TrueBehind,
-    /// It is false for all these; this is the first of them.
+    /// It is true for all values of the only one from this one on.
+    TrueFrom(i64),
+    /// It is false for all these.
     FalseFrom(i64),
 }
 
@@ -41,10 +41,10 @@ pub(super) fn decide(sides: &Sides<'_>, comparison: &Comparison, case: &Case) ->
     as_polynomials(sides, comparison, case).or_else(|| as_functions(sides, comparison, case))
 }
 
-/// Decides a comparison behind the cases that are tried, as one of [functions of an integer](IntegerFunction).
+/// Decides a comparison from 16 on, as one of [functions of an integer](IntegerFunction).
 fn as_functions(sides: &Sides<'_>, comparison: &Comparison, case: &Case) -> Option<ForAll> {
     let [(_, first)] = &case.symbolic[..] else { return None };
-    let first = first.checked_add(TRIED).filter(|first| *first >= LEAST)?;
+    let first = (*first).max(LEAST);
     if !sides.identity.symbols.is_empty() {
         return None;
     }
@@ -73,7 +73,7 @@ fn as_functions(sides: &Sides<'_>, comparison: &Comparison, case: &Case) -> Opti
         }
         Sign::Near => return None,
     };
-    Some(if holds { ForAll::TrueBehind } else { ForAll::FalseFrom(first) })
+    Some(if holds { ForAll::TrueFrom(first) } else { ForAll::FalseFrom(first) })
 }
 
 /// Decides a comparison as one of polynomials in the indices without values; `None` if it is none, or is not decided.

@@ -11,7 +11,7 @@ use num_bigint::BigInt;
 use num_traits::{One as _, Zero as _};
 
 /// The greatest absolute value of 2β, and of r.
-const MAX_BETA: u64 = 64;
+const MAX_BETA: u64 = 128;
 pub const MAX_ORDER: u64 = 6;
 
 /// The greatest denominator of a rational multiple of π of which a cosine is looked for.

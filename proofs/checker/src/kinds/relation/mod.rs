@@ -10,6 +10,7 @@ use super::equation::cases::{Index, Listing, MAX_CASES, cases, name_of};
 use super::equation::scopes::scope;
 use super::kind::{Kind, Proof};
 use crate::claims::{Paper, value};
+use crate::formulas::Scope;
 use crate::numbers::{Q, read_rational};
 use crate::text::{Block, Checked, Reason, Stop, Toml, Verdict, require};
 use ranges::{index, printed, ranges};
@@ -78,23 +79,7 @@ fn every_case<'a>(
         for (number, comparison) in (1..).zip(stated) {
             let name = numbered(name_of(case), number, stated);
             let comparison = &comparison.printed(|name| printed(claim, case, name));
-            match compare::judged(comparison, &scope) {
-                Ok((fails, difference)) => {
-                    listing.check(block, &name, (fails, &difference), &scope)?;
-                }
-                Err(_) if claim.texts("symbols").next().is_none() => {
-                    let mut found = compare::judged_reals(paper.library, comparison, &scope)?;
-                    if found.number.is_none()
-                        && let Some(said) = Listing::said(block, &name)
-                    {
-                        let said = value(&said, &scope)?;
-                        compare::found_as(paper.library, comparison, &scope, &said, &mut found)?;
-                    }
-                    let known = (found.fails, &found.difference, found.number.as_ref());
-                    listing.check_real(block, &name, known, &scope)?;
-                }
-                Err(stop) => return Err(stop.into()),
-            }
+            check_case((paper, claim), &mut listing, block, comparison, (&scope, &name))?;
         }
     }
     let at = block.at;
@@ -102,6 +87,32 @@ fn every_case<'a>(
     block.finished()?;
     block.at = at;
     require(!open, Reason::Open)
+}
+
+/// Checks what a certificate says of a case, in which the sides may be real numbers if there are no symbols.
+fn check_case(
+    (paper, claim): (&Paper<'_>, &Toml),
+    listing: &mut Listing,
+    block: &mut Block<'_>,
+    comparison: &Comparison,
+    (scope, name): (&Scope<'_>, &str),
+) -> Checked<()> {
+    match compare::judged(comparison, scope) {
+        Ok((fails, difference)) => listing.check(block, name, (fails, &difference), scope),
+        Err(_) if claim.texts("symbols").next().is_none() => {
+            let library = paper.library;
+            let mut found = compare::judged_reals(library, comparison, scope)?;
+            if found.number.is_none()
+                && let Some(said) = Listing::said(block, name)
+            {
+                let said = value(&said, scope)?;
+                compare::found_as(library, comparison, scope, &said, &mut found)?;
+            }
+            let known = (found.fails, &found.difference, found.number.as_ref());
+            listing.check_real(block, name, known, scope)
+        }
+        Err(stop) => Err(stop.into()),
+    }
 }
 
 /// Checks one case that is false, where an index has all values.
@@ -113,7 +124,8 @@ fn one_case<'a>(
 ) -> Checked<()> {
     block.look();
     let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case");
-    let (said, _) = line.and_then(|(_, said)| said.split_once('=')).ok_or(Reason::Case)?;
+    let said = line.map(|(_, said)| said).ok_or(Reason::Case)?;
+    let said = said.split_once('=').or_else(|| said.split_once(" in ")).ok_or(Reason::Case)?.0;
     let mut words = said.split_whitespace();
     let mut case = Vec::new();
     for index in indices {
@@ -129,12 +141,11 @@ fn one_case<'a>(
     let (number, comparison) = found.ok_or(Reason::Case)?;
     let scope = scope(paper, claim, &case, &Rc::default())?;
     let comparison = &comparison.printed(|name| printed(claim, &case, name));
-    let (fails, difference) = compare::judged(comparison, &scope)?;
     // Numbers that are written otherwise name no case.
     let name = numbered(name_of(&case), number, stated);
     require(said.trim() == name, Reason::Case)?;
     let mut listing = Listing::of(Verdict::Fails);
-    listing.check(block, &name, (fails, &difference), &scope)?;
+    check_case((paper, claim), &mut listing, block, comparison, (&scope, &name))?;
     listing.finished(block)
 }
 
