@@ -199,7 +199,7 @@ impl<'m> Functions<'m> {
         let meter = self.meter();
         let mut top = value.divisor(meter)?;
         let mut bottom = BTreeMap::new();
-        let (content, rest) = value.top.primitive();
+        let (content, rest) = value.top.primitive(meter)?;
         top = top.scaled(&content.recip());
         let (t, rest) = rest.without(T);
         let (h, rest) = rest.without(H);

@@ -23,7 +23,7 @@ const MAX_DEGREE: u16 = 1_024;
 const MAX_TERMS: usize = 50_000;
 
 /// The most binary digits of a coefficient.
-const MAX_BITS: u64 = 100_000;
+const MAX_BITS: u64 = 50_000;
 
 const SIZE: Stop = Stop::Capped("the size of a polynomial");
 
@@ -96,8 +96,9 @@ impl Polynomial {
         if own.saturating_add(others) > MAX_BITS || terms > MAX_TERMS.saturating_mul(8) {
             return Err(SIZE);
         }
-        let limbs = (own / 64).saturating_add(1).saturating_mul((others / 64).saturating_add(1));
-        Ok((terms as u64).saturating_mul((limbs / 16).saturating_add(1)))
+        // Fractions need common divisors of their parts.
+        let limbs = own.saturating_add(others) / 64;
+        Ok((terms as u64).saturating_mul((limbs.saturating_mul(limbs) / 16).saturating_add(1)))
     }
 
     /// Adds factor·other.
@@ -191,15 +192,17 @@ impl Polynomial {
     }
 
     /// A positive number and the polynomial, with integer coefficients without a common divisor, of which it is the product.
-    pub fn primitive(&self) -> (Q, Polynomial) {
+    pub fn primitive(&self, meter: &Meter) -> Result<(Q, Polynomial), Stop> {
+        meter.spend(self.cost(self, self.0.len())?)?;
         let bottom = self.0.values().fold(BigInt::one(), |over, c| over.lcm(c.denom()));
         let whole = |c: &Q| c.numer() * (&bottom / c.denom());
         let top = self.0.values().fold(BigInt::zero(), |common, c| common.gcd(&whole(c)));
         if top.is_zero() {
-            return (Q::one(), Polynomial::default());
+            return Ok((Q::one(), Polynomial::default()));
         }
         let content = Q::new(top, bottom);
-        (content.clone(), self.scaled(&content.recip()))
+        let rest = self.scaled(&content.recip());
+        Ok((content, rest))
     }
 
     /// The greatest power of a variable that divides it, and the quotient.

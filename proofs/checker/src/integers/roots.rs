@@ -43,7 +43,7 @@ impl Functions<'_> {
             }
             bottom.insert(factor, exponent.div_ceil(2));
         }
-        let (content, rest) = radicand.primitive();
+        let (content, rest) = radicand.primitive(meter)?;
         let (t, rest) = rest.without(T);
         let (h, rest) = rest.without(H);
         let mut outside = Polynomial::int(1);
@@ -78,7 +78,7 @@ impl Functions<'_> {
         let place = known.unwrap_or(roots.len());
         if known.is_none() {
             if roots.len() == MAX_ROOTS {
-                return Err(Stop::Capped("the number of different square roots"));
+                return Err(Stop::Integers("more than four different square roots"));
             }
             roots.push(radicand);
         }

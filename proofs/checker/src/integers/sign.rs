@@ -65,7 +65,7 @@ impl<'m> Signs<'m> {
             return if sign != 0 && sign == other? { Ok(sign) } else { Err(OPEN) };
         }
         // t and h are positive.
-        let p = p.without(T).1.without(H).1.primitive().1;
+        let p = p.without(T).1.without(H).1.primitive(self.meter)?.1;
         if let Some(number) = p.number() {
             return Ok(signum(&number));
         }
