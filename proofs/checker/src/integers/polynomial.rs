@@ -16,8 +16,8 @@ pub const COSINE: usize = 2;
 pub const PLACE: usize = 3;
 pub const PI: usize = 4;
 
-/// The greatest exponent of a variable.
-const MAX_DEGREE: u16 = 1_024;
+/// The greatest exponents of the variables.
+const MAX_DEGREES: Monomial = [256, 1_024, 1_024, 1_024, 1_024];
 
 /// The most terms.
 const MAX_TERMS: usize = 50_000;
@@ -268,9 +268,9 @@ fn root(x: &Q) -> Option<Q> {
 /// The product of two monomials.
 fn joined(left: &Monomial, right: &Monomial) -> Result<Monomial, Stop> {
     let mut product = *left;
-    for (exponent, more) in product.iter_mut().zip(right) {
+    for ((exponent, more), most) in product.iter_mut().zip(right).zip(MAX_DEGREES) {
         *exponent = exponent.saturating_add(*more);
-        if *exponent > MAX_DEGREE {
+        if *exponent > most {
             return Err(SIZE);
         }
     }
