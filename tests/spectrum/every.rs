@@ -7,7 +7,7 @@ use subcert::exact::{IntegerFunction, Rational, RealCyclotomic, RealExpression, 
 use subcert::scheme::{SchemeDefinition, read_scheme};
 use subcert::spectrum::{CurvaturePart, EverySpectrum, Spectrum};
 
-const FIRST: i64 = 27;
+const FIRST: i64 = 16;
 
 /// Rules of the orbits vertex and edge, and perhaps of a third, that are those of their mirror image.
 fn rules() -> impl Strategy<Value = SchemeDefinition> {
@@ -47,13 +47,13 @@ fn eigenvalues(spectrum: &Spectrum, block: usize) -> Vec<RealExpression> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 8, ..ProptestConfig::default() })]
 
     #[test]
     fn what_is_known_of_all_valences_is_so_at_each(scheme in rules()) {
         let ring = scheme.every_ring(&BTreeMap::new(), FIRST).expect("known weights");
         let every = EverySpectrum::new(ring, FIRST).expect("weights of the sum 1");
-        for n in [27_i64, 30] {
+        for n in [16_i64, 21] {
             let parameters = BTreeMap::from([("N".to_owned(), RealCyclotomic::from(Rational::from(n)))]);
             let ring = scheme.ring(&parameters).expect("a ring");
             let Ok(one) = Spectrum::known(&ring, None) else { continue };
@@ -115,7 +115,7 @@ fn weights_that_are_not_those_of_a_turn_are_not_taken() {
     assert!(known("kronecker(i, j)/2", "N"));
     assert!(known("kronecker(mod(j - i, N), 6)/2", "N"));
     assert!(known("(1 + cos(12*pi*(j - i)/N))/2/N", "N"));
-    assert!(known("kronecker(N, 26) + kronecker(i, j)/2", "N"));
+    assert!(known("kronecker(N, 15) + kronecker(i, j)/2", "N"));
     for edge in [
         // On the place; without the turn; of another sum; far; a wave of 7; a condition that is true at large valences.
         "kronecker(i, j)/2 - kronecker(i, 0)*kronecker(j, 0)/4 + kronecker(i, 0)*kronecker(j, 1)/4",

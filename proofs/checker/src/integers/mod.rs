@@ -24,6 +24,7 @@ use crate::text::Stop;
 use evaluate::{Claim, Evaluator};
 use function::Functions;
 use ring::Ring;
+pub use sign::LEAST;
 use std::cell::Cell;
 
 /// What is said of all integers from one on.

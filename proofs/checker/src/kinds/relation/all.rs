@@ -7,8 +7,8 @@ use super::states::{Comparison, Rest, Sign};
 use crate::claims::Paper;
 use crate::formulas::{Expr, Scope};
 use crate::functions::families;
-use crate::integers::Said;
-use crate::kinds::equation::cases::{Case, FIRST, Index, Values, cases};
+use crate::integers::{LEAST, Said};
+use crate::kinds::equation::cases::{Case, Index, Values, cases};
 use crate::kinds::equation::scopes::{scope, scope_of_all, scope_of_every};
 use crate::numbers::{Integers, Meter, Value, int};
 use crate::schemes::Every;
@@ -94,8 +94,7 @@ impl<'a> Functions<'_, 'a> {
         known: Option<&Scope<'a>>,
     ) -> Result<bool, Stop> {
         let (paper, claim) = (self.paper, self.claim);
-        let last = i64::try_from(FIRST).ok().and_then(|count| one.least.checked_add(count));
-        let last = last.ok_or(Stop::Capped("the size of an integer"))?;
+        let last = one.least.max(LEAST);
         let memory = Rc::default();
         for t in one.least..last {
             let case = [&self.case[..], &[(&one.index[..], int(t))]].concat();
