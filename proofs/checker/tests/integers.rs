@@ -143,7 +143,7 @@ fn large() {
         "c > 0",
         "d > 0",
         "e^60 + 1/n > 0",
-        "(1/n + cos(2*pi/n))^64*(2/n + cos(4*pi/n))^64 > 0",
+        "(1/n + cos(2*pi/n))^24*(2/n + cos(4*pi/n))^24 > 0",
         "(sqrt(n) + sqrt(n + 1) + sqrt(n + 2) + sqrt(n + 3))^64 > 0",
         "sqrt(n) + sqrt(n + 1) + sqrt(n + 2) + sqrt(n + 3) + sqrt(n + 5) > 0",
         "sum(i = 1..1000000, 1/(n + i)) > 0",
