@@ -10,6 +10,7 @@ const FAMILIES: &str = "[[scheme]]\nname = 'spline'\nparameters.k = {}\nsymbol =
     [[scheme]]\nname = 'four'\nparameters.k = {}\nsymbol = 'u*((1+z)/2)^(k+3)'\nlet = { u = '2*(-1+4*z-z^2)/2/z' }\n\
     [[scheme]]\nname = 'vanish'\nparameters.k = {}\nsymbol = '2*((1+z)/2)^k*(k-30 + (61-2*k)*z + (k-30)*z^2)'\n\
     [[scheme]]\nname = 'more'\nparameters.k = {}\nsymbol = '2*((1+z)/2)^k*((k-30)*(1-z)^2/4 + z)'\n\
+    [[scheme]]\nname = 'twice'\nparameters.k = {}\nsymbol = '(1+z)^(k+1)*(1+z^2)/2^(k+1)'\n\
     [[scheme]]\nname = 'unequal'\nparameters.k = {}\nsymbol = '2*((1+z)/2)^2*((1+z+z^2)/2)^k'\n";
 
 #[test]
@@ -28,6 +29,15 @@ fn what_is_so_for_all_integers_is_proved_and_the_contrary_refuted() {
         ("smoothness(spline, k = n) = n - 1", "all n", Word::Holds),
         ("smoothness(spline, k = n) >= n", "all n", Word::Fails),
         ("hoelder(spline, k = n) = n", "all n", Word::Holds),
+        ("sobolev(spline, k = n) = n + 1/2", "all n", Word::Holds),
+        ("sobolev(spline, k = n) > n + 1/2", "all n", Word::Fails),
+        ("sobolev(ternary, k = n) = n + 1/2", "all n", Word::Holds),
+        ("independent(spline, k = n)", "all n", Word::Holds),
+        ("not independent(twice, k = n)", "all n", Word::Holds),
+        ("independent(twice, k = n)", "all n", Word::Fails),
+        ("hurwitz(spline, k = n)", "all n", Word::Holds),
+        ("not hurwitz(four, k = n)", "all n", Word::Holds),
+        ("independent(hs, k = n)", "all n >= 1", Word::Open),
         ("smoothness(ternary, k = n) = n - 1", "all n >= 3", Word::Holds),
         ("arity(ternary, k = n) = 3", "all n", Word::Holds),
         ("reproduction(hs, k = n) = 3", "all n >= 4", Word::Holds),

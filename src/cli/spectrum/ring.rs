@@ -149,7 +149,7 @@ impl<'a> Spectrum<'a> {
             },
             limit: limit.as_ref().map(|one| weights(one, name)),
             tangents: tangents.as_ref().map(|both| both.each_ref().map(|one| weights(one, name))),
-            curvature: curvature(conditions),
+            curvature: curvature(conditions, rings.wider.is_some()),
         }
     }
 
@@ -184,8 +184,17 @@ impl<'a> Spectrum<'a> {
     }
 }
 
-/// What a curvature does, in words.
-fn curvature(found: &spectrum::Conditions) -> Option<String> {
+/// What a curvature does, in words; `is_whole` says whether these are the points on which it depends.
+fn curvature(found: &spectrum::Conditions, is_whole: bool) -> Option<String> {
+    let text = of_points(found)?;
+    if is_whole || found.curvature?.is_unbounded() {
+        return Some(text);
+    }
+    Some(format!("{text}, if the points farther out have no greater eigenvalues"))
+}
+
+/// What it does by the eigenvalues of these points.
+fn of_points(found: &spectrum::Conditions) -> Option<String> {
     let value = found.subdominant.as_ref()?;
     let square = value.times(value);
     let Some(next) = &found.next else {

@@ -6,6 +6,7 @@ use super::call::{Call, number, wrong};
 use super::masks::Mask;
 use super::steps::{add, plus, times};
 use crate::numbers::{Meter, Piece, Value};
+use crate::schemes::Scheme;
 use crate::text::Stop;
 
 /// The value of such a function; `None` if the call is none of them.
@@ -18,6 +19,12 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
         }
         _ => return Ok(None),
     }))
+}
+
+/// Whether all zeros of the symbol of a scheme have negative real parts.
+pub fn hurwitz(meter: &Meter, scheme: &Scheme) -> Result<Value, Stop> {
+    let mask = Mask::of_numbers(meter, scheme)?;
+    Ok(Value::int(is_hurwitz(meter, &mask.values, None)?.into()))
 }
 
 /// How often 1 − z divides a polynomial p ≠ 0. The coefficients of p/(1 − z) are the sums of the first coefficients of p, and the

@@ -1,6 +1,8 @@
 //! Functions of schemes whose parameters depend on an index that has all values.
 
+use crate::evaluation::masks::of_mask;
 use crate::evaluation::options::{Data, Options, Parameters};
+use crate::evaluation::reals::about;
 use crate::evaluation::reference::{reference, unresolved};
 use crate::evaluation::shape::Coefficients;
 use crate::exact::{Polynomial, Rational, RationalPolynomial};
@@ -70,6 +72,9 @@ fn is_taken(function: &str) -> bool {
         "symmetric",
         "smoothness",
         "hoelder",
+        "sobolev",
+        "independent",
+        "hurwitz",
     ]
     .contains(&function)
 }
@@ -109,18 +114,21 @@ impl Families<'_> {
                 Data::Adapted => family.sum_rules(),
             },
             "symmetric" => family.is_symmetric().then_some(one),
-            "smoothness" | "hoelder" => self.exponent(&family, instance, call)?,
+            "smoothness" | "hoelder" | "sobolev" | "independent" | "hurwitz" => {
+                self.by_first(&family, instance, call, options)?
+            }
             _ => None,
         };
         value.ok_or_else(|| unknown(call))
     }
 
-    /// The exponent at the first t, and by how much it grows.
-    fn exponent(
+    /// The value at the first t, and by how much it grows. Whether something is so does not change: all members have the same zeros.
+    fn by_first(
         &self,
         family: &SymbolFamily,
         instance: &Instance<Polynomial>,
         call: &Call<'_, Polynomial>,
+        options: &mut Options<'_>,
     ) -> Result<Option<RationalPolynomial>, CallError> {
         let Some(added) = family.added() else { return Ok(None) };
         let first = Rational::from(family.first());
@@ -136,11 +144,18 @@ impl Families<'_> {
         let name = scheme.to_string();
         let masks = library.masks(std::slice::from_ref(&scheme));
         let masks = masks.map_err(|error| unresolved(&name, error))?;
-        let used = (&Some(name), &self.others.shapes.used);
-        let start = library.reals.of_mask(masks.first(), call, &library.limits, used)?;
-        let start = start.as_rational().filter(|start| start.sign() >= 0);
+        let (mask, is_exponent) = (masks.first(), about(call.function).is_some());
+        let start = if is_exponent {
+            let used = (&Some(name), &self.others.shapes.used);
+            library.reals.of_mask(mask, call, &library.limits, used)?.as_rational()
+        } else {
+            let none = |_: &str| Err(unknown(call));
+            let value = of_mask(mask, call, options, none, &library.limits)?;
+            value.and_then(|value| value.as_rational())
+        };
+        let start = start.filter(|start| call.function == "sobolev" || start.sign() >= 0);
         Ok(start.map(|start| {
-            let added = Rational::from(added);
+            let added = Rational::from(if is_exponent { added } else { 0 });
             RationalPolynomial::new(&[start - &added * &first, added])
         }))
     }

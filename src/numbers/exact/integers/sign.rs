@@ -90,7 +90,7 @@ fn in_distance(sums: &[RationalPolynomial]) -> Vec<RationalPolynomial> {
                 let sign = Rational::from(if l % 2 == 0 { 1 } else { -1 });
                 powers[i + 2 * (most - l)][l] += &(c * &binomial * sign);
             }
-            binomial = binomial * Rational::new(j - l, l + 1);
+            binomial *= Rational::new(j - l, l + 1);
         }
     }
     powers.iter().map(|power| RationalPolynomial::new(power)).collect()
@@ -121,7 +121,7 @@ fn bounds_of(r: &RationalPolynomial, [low, high]: &[Rational; 2]) -> [Rational; 
             _ if term.sign() > 0 => bounds[1] += &term,
             _ => bounds[0] += &term,
         }
-        power = power * (high - low);
+        power *= high - low;
     }
     bounds
 }

@@ -16,11 +16,11 @@ pub(super) enum Block {
     Beyond,
 }
 
-impl EverySpectrum {
-    pub(super) fn number(&self, n: i64) -> IntegerFunction {
-        IntegerFunction::from_rational(&Rational::from(n))
-    }
+pub(super) fn number(n: i64) -> IntegerFunction {
+    IntegerFunction::from_rational(&Rational::from(n))
+}
 
+impl EverySpectrum {
     pub(super) fn index(&self) -> IntegerFunction {
         IntegerFunction::index(self.first)
     }
@@ -49,8 +49,7 @@ impl EverySpectrum {
             EveryWeight::Same(weight) if is_full => weight.times(&self.index()),
             EveryWeight::Same(weight) => weight.clone(),
             EveryWeight::Turning { near, waves } => {
-                let all =
-                    self.index().times(&waves.first().cloned().unwrap_or_else(|| self.number(0)));
+                let all = self.index().times(&waves.first().cloned().unwrap_or_else(|| number(0)));
                 let near = self.differences(near, waves);
                 near.iter().fold(all, |sum, (_, difference)| sum.plus(difference))
             }
@@ -63,7 +62,7 @@ impl EverySpectrum {
 
     /// M_k for k ≠ 0, of the orbits of t points, and 2cos(2πk/t).
     pub(super) fn turning(&self, block: Block) -> Option<(Vec<Vec<Turned>>, IntegerFunction)> {
-        let two = self.number(2);
+        let two = number(2);
         let double = match block {
             Block::Number(k) => two.times(&IntegerFunction::half_cosine(self.first, 2 * k)),
             Block::Beyond => two.times(&IntegerFunction::free(self.first)),

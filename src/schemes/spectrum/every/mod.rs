@@ -10,7 +10,7 @@ mod roots;
 
 use crate::exact::{Adjugate, IntegerFunction, Scalar as _, Turned};
 use crate::scheme::EveryRing;
-use blocks::Block;
+use blocks::{Block, number};
 use roots::Roots;
 use std::cmp::Ordering;
 
@@ -52,7 +52,7 @@ impl EverySpectrum {
     #[must_use]
     pub fn new(ring: EveryRing, first: i64) -> Option<EverySpectrum> {
         let spectrum = EverySpectrum { ring, first };
-        let one = spectrum.number(1);
+        let one = number(1);
         let sums = spectrum.still().into_iter().all(|row| {
             let sum = IntegerFunction::total(&row);
             sum.minus(&one).sign().is_some_and(Ordering::is_eq)
@@ -66,24 +66,24 @@ impl EverySpectrum {
 
     /// The roots of block 0 but for a simple root 1.
     fn others_of_still(&self) -> Option<Roots> {
-        let one = self.number(1);
+        let one = number(1);
         let roots = Roots::of(&roots::without(&self.characteristic(Block::Number(0))?, &one)?)?;
         let differs = |root: &IntegerFunction| root.minus(&one).sign().is_some_and(Ordering::is_ne);
         roots.real.iter().all(differs).then_some(roots)
     }
 
-    /// The `number`-th greatest real eigenvalue of a block from 0 to 6.
+    /// The `place`-th greatest real eigenvalue of a block from 0 to 6.
     #[must_use]
-    pub fn eigenvalue(&self, block: i64, number: usize) -> Option<IntegerFunction> {
+    pub fn eigenvalue(&self, block: i64, place: usize) -> Option<IntegerFunction> {
         let mut real = match block {
             0 => self.others_of_still()?.real,
             _ => self.roots(block)?.real,
         };
         if block == 0 {
-            real.push(self.number(1));
+            real.push(number(1));
             real = roots::ordered(real)?;
         }
-        real.into_iter().nth(number.checked_sub(1)?)
+        real.into_iter().nth(place.checked_sub(1)?)
     }
 
     /// The greatest eigenvalue λ of block 1, if it is positive and simple there, less than 1, which is simple in block 0, and greater than the absolute values
@@ -97,14 +97,14 @@ impl EverySpectrum {
             is_positive(&lambda.minus(root)) && is_positive(&lambda.plus(root))
         };
         if !is_positive(lambda)
-            || !is_positive(&self.number(1).minus(lambda))
+            || !is_positive(&number(1).minus(lambda))
             || first.complex.is_some()
             || !others.iter().all(is_within)
         {
             return None;
         }
         let still = self.characteristic(Block::Number(0))?;
-        let still = roots::without(&still, &self.number(1))?;
+        let still = roots::without(&still, &number(1))?;
         let numbered = (2..=IntegerFunction::NEAR).map(|k| self.characteristic(Block::Number(k)));
         let numbered = numbered.collect::<Option<Vec<_>>>()?;
         let all = std::iter::once(&still).chain(&numbered);
@@ -119,7 +119,7 @@ impl EverySpectrum {
         let lines = lines.collect::<Option<Vec<_>>>()?;
         let greatest = IntegerFunction::half_cosine(self.first, 2 * (IntegerFunction::NEAR + 1));
         let at = |c: &IntegerFunction| lines.iter().map(|[a, b]| a.plus(&b.times(c))).collect();
-        Some([at(&self.number(-1)), at(&greatest)])
+        Some([at(&number(-1)), at(&greatest)])
     }
 
     /// The greatest absolute value of the other eigenvalues over λ².
@@ -147,7 +147,7 @@ impl EverySpectrum {
         }
         let square = lambda.times(&lambda);
         match greatest.minus(&square).sign() {
-            Some(Ordering::Equal) => Some(self.number(1)),
+            Some(Ordering::Equal) => Some(number(1)),
             _ => Some(greatest.times(&square.inverse()?)),
         }
     }
@@ -171,7 +171,7 @@ impl EverySpectrum {
         let row: Vec<IntegerFunction> = (0..size).map(entry).collect();
         let weight = row[orbit].times(&IntegerFunction::total(&row).inverse()?);
         let (_, is_full) = self.ring.orbits[orbit];
-        let count = if is_full { self.index() } else { self.number(1) };
+        let count = if is_full { self.index() } else { number(1) };
         Some(weight.times(&count.inverse()?))
     }
 

@@ -65,13 +65,12 @@ impl Roots {
             [b, a, _] => {
                 let number = |p, q| IntegerFunction::from_rational(&Rational::new(p, q));
                 let discriminant = a.times(a).minus(&b.times(&number(4, 1)));
-                match discriminant.sign()? {
-                    Ordering::Less => complex = Some(b.clone()),
-                    _ => {
-                        let root = discriminant.square_root()?;
-                        let half = |x: IntegerFunction| x.times(&number(1, 2));
-                        real.extend([half(root.minus(a)), half(zero.minus(a).minus(&root))]);
-                    }
+                if discriminant.sign()?.is_lt() {
+                    complex = Some(b.clone());
+                } else {
+                    let root = discriminant.square_root()?;
+                    let half = |x: IntegerFunction| x.times(&number(1, 2));
+                    real.extend([half(root.minus(a)), half(zero.minus(a).minus(&root))]);
                 }
             }
             _ => return None,

@@ -12,12 +12,13 @@ mod sobolev;
 use super::call::Call;
 use super::masks::Mask;
 use super::real::Real;
-use crate::numbers::Value;
+use crate::numbers::{Meter, Value};
 use crate::schemes::{Library, Scheme};
 use crate::text::Stop;
 
 pub use characteristic::characteristic;
 pub use printed::{Bound, LogSum};
+pub use sobolev::sobolev;
 
 /// The value of such a function; `None` if the call is none of them.
 pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
@@ -31,15 +32,16 @@ pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
             let scheme = call.scheme()?;
             shown(call.library, call.function, &scheme)?
         }
-        ("independent", []) => {
-            let meter = call.library.meter;
-            let mask = Mask::of_numbers(meter, &*call.scheme()?)?;
-            let found = independent::has_independent_shifts(meter, &mask)?;
-            Real::Exact(Value::int(found.into()))
-        }
-        ("sobolev", []) => sobolev::sobolev(call.library, &*call.scheme()?)?,
+        ("independent", []) => Real::Exact(independent(call.library.meter, &*call.scheme()?)?),
+        ("sobolev", []) => sobolev(call.library, &*call.scheme()?)?,
         _ => return Ok(None),
     }))
+}
+
+/// Whether the shifts of φ are linearly independent.
+pub fn independent(meter: &Meter, scheme: &Scheme) -> Result<Value, Stop> {
+    let mask = Mask::of_numbers(meter, scheme)?;
+    Ok(Value::int(independent::has_independent_shifts(meter, &mask)?.into()))
 }
 
 /// What lines `limits` show of one of the two functions of smoothness.

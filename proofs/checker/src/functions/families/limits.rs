@@ -1,4 +1,4 @@
-//! How smooth the limits of a family are: each step of the index multiplies the symbol by the same powers of σ(z) = 1 + z + … + z^{n−1}.
+//! How smooth the limits of a family are, and where its symbols are 0: each step of the index multiplies the symbol by the same powers of σ(z) = 1 + z + … + z^{n−1}.
 
 #![warn(clippy::arithmetic_side_effects)]
 
@@ -7,6 +7,7 @@ use crate::functions::exponent;
 use crate::functions::masks::quotient;
 use crate::functions::real::Real;
 use crate::functions::steps::add;
+use crate::functions::zeros;
 use crate::numbers::{Meter, Value, int};
 use crate::schemes::{Factor, Family, Library};
 use crate::text::Stop;
@@ -15,7 +16,7 @@ const OTHER: Stop = Stop::Family("a factor that depends on the index is no power
 const ENCLOSED: Stop = Stop::Family("the value for the first integer is not known to be rational");
 const DIVERGES: Stop = Stop::Family("the scheme of the first integer diverges");
 
-/// v + s(t − m), where v is the value for t = m.
+/// v + s(t − m), where v is the value for t = m, and s = 0 for what depends on the zeros alone: all symbols have the same.
 pub fn of(library: &Library<'_>, function: &str, family: &Family) -> Result<Value, Stop> {
     let meter = library.meter;
     let mut slope = Value::int(0);
@@ -29,9 +30,16 @@ pub fn of(library: &Library<'_>, function: &str, family: &Family) -> Result<Valu
         }
     }
     let first = library.member(family, family.integers.least)?;
-    let Real::Exact(value) = exponent::shown(library, function, &first)? else {
-        return Err(ENCLOSED);
+    let found = match function {
+        "sobolev" => exponent::sobolev(library, &first)?,
+        "independent" => Real::Exact(exponent::independent(meter, &first)?),
+        "hurwitz" => Real::Exact(zeros::hurwitz(meter, &first)?),
+        _ => exponent::shown(library, function, &first)?,
     };
+    let Real::Exact(value) = found else { return Err(ENCLOSED) };
+    if matches!(function, "independent" | "hurwitz") {
+        return Ok(value);
+    }
     let rational = value.rational().ok_or(ENCLOSED)?;
     if function == "smoothness" && rational < int(0) {
         return Err(DIVERGES);

@@ -11,13 +11,16 @@ use crate::numbers::{Meter, Value};
 use crate::schemes::{Factor, Family};
 use crate::text::Stop;
 
-const FUNCTIONS: [&str; 11] = [
+const FUNCTIONS: [&str; 14] = [
     "approximation_order",
     "arity",
     "generation",
     "hoelder",
+    "hurwitz",
+    "independent",
     "reproduction",
     "smoothness",
+    "sobolev",
     "sum_rules",
     "support",
     "support_end",
