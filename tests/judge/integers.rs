@@ -44,6 +44,8 @@ fn what_is_so_at_all_valences_is_proved_and_the_contrary_refuted() {
         ("curvature(loop, n) = curvature(loop, n, part = hyperbolic)", 7, Word::Holds),
         ("curvature(loop, n, part = elliptic) <= 1", 4, Word::Holds),
         ("curvature(doo-sabin, n) = 1", 4, Word::Holds),
+        // 5/8 − n/32 is −1 at n = 52, so that the points have no limit from there on.
+        ("limit_weight(loop-weight, n, beta = 1/32) > 0", 3, Word::Open),
         // A valence at which something else is so lies behind those that are tried.
         ("limit_weight(late, n) < 3/4", 3, Word::Open),
         ("limit_weight(late, n) < 3/4", 41, Word::Holds),
@@ -82,6 +84,11 @@ fn comparisons_of_functions_of_an_integer_are_proved_and_the_contrary_refuted() 
         ("kronecker(1/n, 1/1000) = 0", 3, Word::Open),
         ("cos(2*pi*n/7) < 2", 3, Word::Open),
         ("2^n > n", 3, Word::Open),
+        // Large powers and multiples end at caps.
+        ("((n + 1)^64)^64 > 0", 3, Word::Open),
+        ("((n + cos(pi/n))^64)^64 > 0", 3, Word::Open),
+        ("cos(128*pi/n) > -2", 3, Word::Open),
+        ("root([-n, 0, 1], 2) = sqrt(n)", 3, Word::Open),
     ] {
         let found = verdict("", &format!("states = '{text}'\nfor = 'all n >= {from}'\n"));
         assert_eq!(found, word, "{text} for all n >= {from}");
@@ -90,4 +97,15 @@ fn comparisons_of_functions_of_an_integer_are_proved_and_the_contrary_refuted() 
     let of = "for = ['i = 1..3', 'all n']\n";
     let text = "1/sum_rules(spline, k = n) = i/(i*n + i)";
     assert_eq!(verdict(families, &format!("states = '{text}'\n{of}")), Word::Holds);
+}
+
+#[test]
+fn the_difference_of_numbers_without_a_common_field_is_enclosed() {
+    let field = "states = 'cos(pi/n) > sqrt(30)'\nfor = 'n = 209'\n";
+    let paper =
+        crate::common::claims::paper(&format!("[[relation]]\nid = 'r'\nlocus = 'l'\n{field}"));
+    let audit = crate::common::claims::judged(&paper);
+    assert_eq!(audit.equations[0].verdict.word(), Word::Fails);
+    let text = subcert::certificate::certificate(&audit).text;
+    assert!(text.contains("case 209 in "), "{text}");
 }

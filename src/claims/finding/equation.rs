@@ -157,8 +157,13 @@ impl SideValue {
 
     /// left − right; `None` between a polynomial in symbols and a real number.
     fn minus(&self, right: &SideValue) -> Option<SideValue> {
-        if let (SideValue::Polynomial(left), SideValue::Polynomial(right)) = (self, right) {
-            return Some(SideValue::Polynomial(left - right));
+        if let (SideValue::Polynomial(left), SideValue::Polynomial(other)) = (self, right) {
+            if left.meets(other).is_ok() {
+                return Some(SideValue::Polynomial(left - other));
+            }
+            // No field within the caps has both numbers.
+            let bounds = &self.real()?.interval() - &right.real()?.interval();
+            return Some(SideValue::Real(RealValue::Enclosed(bounds)));
         }
         Some(SideValue::Real(self.real()?.minus(&right.real()?)))
     }

@@ -19,7 +19,8 @@ pub(super) fn square_root<V: Value>(x: &V) -> Result<V, FormulaErrorKind> {
     }
     let one = V::from_rational(&Rational::one());
     let square = [V::zero().minus(x), V::zero(), one];
-    V::root(&square, 2).map_err(|error| match error {
+    let root = V::root(&square, 2).or_else(|error| x.square_root().ok_or(error));
+    root.map_err(|error| match error {
         RootError::Field(FieldError::NoSuchRoot { .. }) => {
             FormulaErrorKind::Undefined(format!("the square root of the negative number {x}"))
         }

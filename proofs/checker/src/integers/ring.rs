@@ -6,16 +6,13 @@ use super::evaluate::{Claim, Evaluator};
 use super::function::{Function, Functions};
 use super::pair::{Pair, Turns};
 use super::polynomial::{COSINE, H, PLACE, Polynomial, T};
-use super::shift::Shifts;
+use super::shift::{INDICES, Shifts};
 use crate::formulas::{Expr, Scope, formula, formulas, names};
 use crate::numbers::{Q, int};
 use crate::schemes::Named;
 use crate::text::{Stop, Toml};
 use num_traits::Zero as _;
 use std::collections::BTreeMap;
-
-/// The indices in the formulas of weights.
-pub const INDICES: [&str; 2] = ["i", "j"];
 
 /// The greatest distance of places that have weights of their own, and the greatest degree of the others.
 pub const NEAR: i64 = 6;

@@ -2,11 +2,13 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::ring::INDICES;
 use crate::formulas::{Definitions, Expr, Head};
 use crate::numbers::{Meter, Q};
 use crate::text::Stop;
 use num_traits::{One as _, Zero};
+
+/// The indices of a new point and of an old one.
+pub const INDICES: [&str; 2] = ["i", "j"];
 
 /// The greatest depth of formulas with those that they name.
 const MAX_DEPTH: usize = 200;

@@ -63,7 +63,7 @@ impl<'s> Spectrum<'s> {
             [one, ..] => one.clone(),
             [] => return Err(NO_LAMBDA),
         };
-        if functions.sign(&lambda)? <= 0 {
+        if functions.sign(&lambda)? <= 0 || functions.compare(&lambda, &Function::int(1))? >= 0 {
             return Err(NO_LAMBDA);
         }
         // The quotient of x² + ax + b by x − λ is x + (a + λ), and that of x + a is 1.
@@ -114,6 +114,7 @@ impl<'s> Spectrum<'s> {
     /// The greatest absolute value of the other roots of all blocks, of block 0 or of block 2, over λ².
     pub fn curvature(&self, part: usize) -> Result<Function, Stop> {
         let functions = self.functions;
+        self.subdominant()?;
         let (blocks, later) = match (part, &self.others[..]) {
             (1, [still, ..]) => (std::slice::from_ref(still), false),
             (2, [_, _, second, ..]) => (std::slice::from_ref(second), false),

@@ -2,7 +2,7 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::blocks::{Block, at, characteristic, cosine, ends};
+use super::blocks::{Block, Rest, are_below, cosine, ends};
 use super::function::{Function, Functions};
 use super::pair::{Pair, Turns};
 use super::polynomial::{H, Polynomial, T};
@@ -10,26 +10,26 @@ use super::ring::{NEAR, Ring};
 use crate::numbers::int;
 use crate::text::Stop;
 
+const DIVERGES: Stop = Stop::Integers("other roots are not shown to be less than 1");
 const UNIQUE: Stop = Stop::Integers("the limit weights are not shown to be unique");
 const ENTRY: Stop = Stop::Integers("the entry of a tangent is not shown to be real and not 0");
 
+/// Checks that the roots of a polynomial are less than a limit in absolute value.
+fn require_below(functions: &Functions<'_>, p: &[Function], limit: &Function) -> Result<(), Stop> {
+    if are_below(functions, p, limit, false)? { Ok(()) } else { Err(DIVERGES) }
+}
+
 /// The weight of each point of an orbit in the limit.
 pub fn limit(functions: &Functions<'_>, ring: &Ring, orbit: usize) -> Result<Function, Stop> {
-    // Another solution would differ by an eigenvector of M of the eigenvalue 1.
     let one = Function::int(1);
-    for k in 1..=NEAR.unsigned_abs() {
-        let p = characteristic(functions, ring, Block::At(k))?;
-        if functions.sign(&at(functions, &p, &one)?)? == 0 {
-            return Err(UNIQUE);
-        }
+    let blocks = std::iter::once(Block::Still).chain((1..=NEAR.unsigned_abs()).map(Block::At));
+    for block in blocks {
+        let rest = Rest::new(functions, ring, block)?;
+        require_below(functions, &rest.p, &one)?;
     }
-    let p = characteristic(functions, ring, Block::Later)?;
-    let value = vec![at(functions, &p, &one)?];
-    let signs = ends(functions, &value)?.map(|end| at(functions, &end, &one));
-    let [low, high] = signs.map(|end| functions.sign(&end?));
-    let low = low?;
-    if low == 0 || low != high? {
-        return Err(UNIQUE);
+    let later = Rest::new(functions, ring, Block::Later)?;
+    for end in ends(functions, &later.p)? {
+        require_below(functions, &end, &one)?;
     }
     // A row of adj(1 − M_0) that is not 0 is u with uM_0 = u, and no other is.
     let turns = Turns::new(functions, &Polynomial::int(1));

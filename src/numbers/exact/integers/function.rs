@@ -12,7 +12,7 @@ use std::fmt;
 const MAX_RADICALS: usize = 3;
 
 /// The most terms of the polynomials of a function.
-const MAX_TERMS: usize = 20_000;
+const MAX_TERMS: usize = 2_000;
 
 /// The greatest multiple of the angle π/t.
 const MAX_MULTIPLE: i64 = 128;
@@ -138,10 +138,21 @@ impl IntegerFunction {
         numerator.in_variable(INDEX)
     }
 
-    /// A measure of the size.
+    /// The number of terms of its polynomials.
     #[must_use]
     pub fn term_count(&self) -> usize {
         self.sum.as_ref().map_or(0, Sum::term_count)
+    }
+
+    /// The bits of the coefficients of its polynomials.
+    #[must_use]
+    pub fn bits(&self) -> u64 {
+        let of = |p: &Polynomial| p.coefficients().map(RealCyclotomic::bits).sum::<u64>();
+        self.sum.as_ref().map_or(0, |sum| {
+            let radicals: u64 = sum.radicals.iter().map(of).sum();
+            let quotients = sum.coefficients.iter();
+            radicals + quotients.map(|f| of(&f.numerator) + of(&f.denominator)).sum::<u64>()
+        })
     }
 
     /// The sign, if it is one for all t, and is found.

@@ -1,6 +1,6 @@
 //! The sign of a polynomial in t and h = cos(π/t) for all integers t from one on (`proofs/THEOREMS.md`, 145).
 
-use crate::exact::{Polynomial, Rational, RationalPolynomial};
+use crate::exact::{Integer, Polynomial, Rational, RationalPolynomial, common_denominator};
 use std::cmp::Ordering;
 
 /// The name of t.
@@ -22,7 +22,7 @@ pub(super) const FREE: &str = "x";
 pub(super) const NEAR: i64 = 6;
 
 /// The highest degree of a polynomial whose sign is looked for.
-const MAX_DEGREE: usize = 400;
+const MAX_DEGREE: usize = 200;
 
 /// Bounds of π.
 fn pi() -> [Rational; 2] {
@@ -49,79 +49,111 @@ pub(super) fn sign_from(p: &Polynomial, first: i64) -> Option<Ordering> {
         sums.push(coefficient.in_variable(INDEX)?);
     }
     let degree = sums.iter().filter_map(RationalPolynomial::degree).max().unwrap_or(0);
-    if sums.len() + degree > MAX_DEGREE {
+    if 2 * sums.len() + degree > MAX_DEGREE {
         return None;
     }
-    let least = Rational::from(first);
-    let coefficients = shifted(&in_distance(&sums), &least);
-    let ends = distance(&least, sums.len() > 1);
-    let bounds: Vec<[Rational; 2]> = coefficients.iter().map(|r| bounds_of(r, &ends)).collect();
+    // A positive multiple of p has integers as coefficients.
+    let all: Vec<Rational> = sums.iter().flat_map(RationalPolynomial::coefficients).collect();
+    let denominator = Rational::from(common_denominator(&all));
+    let whole = |c: &Rational| (c * &denominator).numerator();
+    let sums = sums.iter().map(|sum| sum.coefficients().iter().map(whole).collect());
+    let sums: Vec<Vec<Integer>> = sums.collect();
+    let (low, width) = distance(first, sums.len() > 1);
+    let powers = shifted(in_distance(&sums, &low), &Integer::from(first));
+    let bounds: Vec<[Integer; 2]> = powers.iter().map(|r| bounds_of(r, &width)).collect();
     let [constant, ..] = &bounds[..] else { return None };
-    let zero = Rational::zero();
-    if constant[0] > zero && bounds.iter().all(|[low, _]| *low >= zero) {
+    if constant[0].sign() > 0 && bounds.iter().all(|[low, _]| low.sign() >= 0) {
         return Some(Ordering::Greater);
     }
-    if constant[1] < zero && bounds.iter().all(|[_, high]| *high <= zero) {
+    if constant[1].sign() < 0 && bounds.iter().all(|[_, high]| high.sign() <= 0) {
         return Some(Ordering::Less);
     }
     None
 }
 
-/// An interval with all u = t²(1 − h), t ≥ `first`; 0 where there is no h.
-fn distance(first: &Rational, has_cosine: bool) -> [Rational; 2] {
+/// The denominator of the bounds of u.
+const PARTS: i64 = 1 << 12;
+
+/// Integers a and w so that a ≤ 4096u ≤ a + w for all u = t²(1 − h), t ≥ `first`; 0 where there is no h.
+fn distance(first: i64, has_cosine: bool) -> (Integer, Integer) {
     if !has_cosine {
-        return [Rational::zero(), Rational::zero()];
+        return (Integer::zero(), Integer::zero());
     }
     let [low, high] = pi();
-    let fourth = high.pow(4) / (Rational::from(24) * first * first);
-    [low.pow(2) / Rational::from(2) - fourth, high.pow(2) / Rational::from(2)]
+    let first = Rational::from(first);
+    let fourth = high.pow(4) / (Rational::from(24) * &first * &first);
+    let parts = Rational::from(PARTS);
+    let least = ((low.pow(2) / Rational::from(2) - fourth) * &parts).floor();
+    let most = (high.pow(2) / Rational::from(2) * &parts).ceil();
+    (least.clone(), most - least)
 }
 
-/// The polynomials q_k(u) with Σ_k q_k(u)t^k = t^{2J} Σ_{j≤J} c_j(t)(1 − u/t²)^j.
-fn in_distance(sums: &[RationalPolynomial]) -> Vec<RationalPolynomial> {
+/// For each power t^k, the coefficients of the powers of v = 4096u − a in (4096t²)^J Σ_{j≤J} c_j(t)(1 − u/t²)^j.
+fn in_distance(sums: &[Vec<Integer>], low: &Integer) -> Vec<Vec<Integer>> {
     let most = sums.len().saturating_sub(1);
-    let degree = sums.iter().filter_map(RationalPolynomial::degree).max().unwrap_or(0);
-    let mut powers = vec![vec![Rational::zero(); most + 1]; 2 * most + degree + 1];
+    let degree = sums.iter().map(Vec::len).max().unwrap_or(0);
+    let parts = Integer::from(PARTS);
+    let mut found = vec![vec![Integer::zero(); most + 1]; 2 * most + degree + 1];
+    // (4096t² − a − v)^j, as powers of t² and of v.
+    let mut power = vec![vec![Integer::one()]];
     for (j, sum) in sums.iter().enumerate() {
-        // t^{2(J−j)}(t² − u)^j, and C(j, l) by its neighbour.
-        let mut binomial = Rational::one();
-        for l in 0..=j {
-            for (i, c) in sum.coefficients().iter().enumerate() {
-                let sign = Rational::from(if l % 2 == 0 { 1 } else { -1 });
-                powers[i + 2 * (most - l)][l] += &(c * &binomial * sign);
-            }
-            binomial *= Rational::new(j - l, l + 1);
+        if j > 0 {
+            power = raised(&power, &parts, low);
         }
-    }
-    powers.iter().map(|power| RationalPolynomial::new(power)).collect()
-}
-
-/// The r_k with Σ q_k t^k = Σ r_k (t − b)^k.
-fn shifted(powers: &[RationalPolynomial], b: &Rational) -> Vec<RationalPolynomial> {
-    let mut found = powers.to_vec();
-    let b = RationalPolynomial::constant(b.clone());
-    for first in 0..found.len() {
-        for k in (first..found.len() - 1).rev() {
-            found[k] = found[k].plus(&found[k + 1].times(&b));
+        let rest = most - j;
+        let scale = parts.pow(u32::try_from(rest).unwrap_or(u32::MAX));
+        for (half, row) in power.iter().enumerate() {
+            for (l, c) in row.iter().enumerate() {
+                let c = c * &scale;
+                for (i, coefficient) in sum.iter().enumerate() {
+                    found[i + 2 * (rest + half)][l].add_product(&c, coefficient);
+                }
+            }
         }
     }
     found
 }
 
-/// Bounds of a polynomial on an interval, by powers of the distance to its lower end.
-fn bounds_of(r: &RationalPolynomial, [low, high]: &[Rational; 2]) -> [Rational; 2] {
-    let numbers: Vec<RationalPolynomial> =
-        r.coefficients().into_iter().map(RationalPolynomial::constant).collect();
-    let mut bounds = [Rational::zero(), Rational::zero()];
-    let mut power = Rational::one();
-    for (k, c) in shifted(&numbers, low).iter().enumerate() {
-        let term = &c.as_constant().unwrap_or_else(Rational::zero) * &power;
+/// A polynomial in t² and v, times 4096t² − a − v.
+fn raised(power: &[Vec<Integer>], parts: &Integer, low: &Integer) -> Vec<Vec<Integer>> {
+    let size = power.len() + 1;
+    let mut found = vec![vec![Integer::zero(); size]; size];
+    let (minus_low, minus_one) = (-low.clone(), Integer::from(-1));
+    for (half, row) in power.iter().enumerate() {
+        for (l, c) in row.iter().enumerate() {
+            found[half + 1][l].add_product(c, parts);
+            found[half][l].add_product(c, &minus_low);
+            found[half][l + 1].add_product(c, &minus_one);
+        }
+    }
+    found
+}
+
+/// The r_k with Σ q_k t^k = Σ r_k (t − b)^k.
+fn shifted(mut powers: Vec<Vec<Integer>>, b: &Integer) -> Vec<Vec<Integer>> {
+    for first in 0..powers.len() {
+        for k in (first..powers.len() - 1).rev() {
+            let (lower, higher) = powers.split_at_mut(k + 1);
+            for (c, next) in lower[k].iter_mut().zip(&higher[0]) {
+                c.add_product(next, b);
+            }
+        }
+    }
+    powers
+}
+
+/// Bounds of a polynomial in v, 0 ≤ v ≤ w.
+fn bounds_of(r: &[Integer], width: &Integer) -> [Integer; 2] {
+    let mut bounds = [Integer::zero(), Integer::zero()];
+    let mut power = Integer::one();
+    for (k, c) in r.iter().enumerate() {
+        let term = c * &power;
         match k {
             0 => bounds = [term.clone(), term],
             _ if term.sign() > 0 => bounds[1] += &term,
             _ => bounds[0] += &term,
         }
-        power *= high - low;
+        power = &power * width;
     }
     bounds
 }

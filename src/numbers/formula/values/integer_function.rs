@@ -5,15 +5,17 @@ use crate::exact::{Integer, IntegerFunction, Rational, Scalar as _};
 use crate::formula::root_error::{RootError, rational_root};
 use std::cmp::Ordering;
 
-/// The bits that are counted for a term.
-const TERM_BITS: u64 = 64;
-
 impl Value for IntegerFunction {
     fn as_rational(&self) -> Option<Rational> {
         self.as_constant()
     }
     fn size(&self) -> u64 {
-        (self.term_count() as u64).saturating_mul(TERM_BITS)
+        self.bits()
+    }
+    fn product_size(&self, other: &Self) -> u64 {
+        let terms = |value: &Self| value.term_count() as u64;
+        let (left, right) = (terms(self), terms(other));
+        left.saturating_mul(other.bits()).saturating_add(right.saturating_mul(self.bits()))
     }
     fn quotient(&self, divisor: &Self) -> Option<Self> {
         Some(self.times(&divisor.inverse()?))
@@ -47,20 +49,14 @@ impl Value for IntegerFunction {
     fn cosine_of(turn: &Self) -> Option<Self> {
         turn.cosine()
     }
-    /// The greater root of x² − c; others where the coefficients are numbers and the root is rational.
+    fn square_root(&self) -> Option<Self> {
+        self.square_root()
+    }
+    /// Roots of polynomials whose coefficients are numbers, if they are rational.
     fn root(coefficients: &[Self], number: i64) -> Result<Self, RootError> {
         let numbers: Option<Vec<Rational>> =
             coefficients.iter().map(IntegerFunction::as_constant).collect();
-        if let Some(Ok(root)) = numbers.map(|numbers| rational_root(&numbers, number)) {
-            return Ok(IntegerFunction::from_rational(&root));
-        }
-        let is = |c: &IntegerFunction, n: i64| c.as_constant() == Some(Rational::from(n));
-        match (coefficients, number) {
-            ([negative, middle, leading], 2) if is(middle, 0) && is(leading, 1) => {
-                let square = IntegerFunction::zero().minus(negative);
-                square.square_root().ok_or(RootError::NotHere)
-            }
-            _ => Err(RootError::NotHere),
-        }
+        let root = rational_root(&numbers.ok_or(RootError::NotHere)?, number)?;
+        Ok(IntegerFunction::from_rational(&root))
     }
 }

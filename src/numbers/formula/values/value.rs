@@ -98,6 +98,11 @@ pub trait Value: Scalar + std::fmt::Display {
         None
     }
 
+    /// The square root, if the type has it without [`root`](Self::root).
+    fn square_root(&self) -> Option<Self> {
+        None
+    }
+
     /// The real root of this number, counted from 1 in increasing order, of the polynomial with these coefficients, from
     /// the constant term upwards.
     ///

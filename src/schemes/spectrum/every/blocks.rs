@@ -1,8 +1,7 @@
 //! The Fourier blocks for all valences.
 
-use super::EverySpectrum;
 use crate::exact::{IntegerFunction, Rational, Scalar as _, Turned, characteristic_coefficients};
-use crate::scheme::EveryWeight;
+use crate::scheme::{EveryRing, EveryWeight};
 
 /// The most orbits of a ring of which polynomials are computed.
 const MAX_ORBITS: usize = 5;
@@ -20,7 +19,14 @@ pub(super) fn number(n: i64) -> IntegerFunction {
     IntegerFunction::from_rational(&Rational::from(n))
 }
 
-impl EverySpectrum {
+/// A ring with the least of its valences.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Blocks {
+    pub(super) ring: EveryRing,
+    pub(super) first: i64,
+}
+
+impl Blocks {
     pub(super) fn index(&self) -> IntegerFunction {
         IntegerFunction::index(self.first)
     }

@@ -10,7 +10,7 @@ mod roots;
 
 use crate::exact::{Adjugate, IntegerFunction, Scalar as _, Turned};
 use crate::scheme::EveryRing;
-use blocks::{Block, number};
+use blocks::{Block, Blocks, number};
 use roots::Roots;
 use std::cmp::Ordering;
 
@@ -42,18 +42,15 @@ pub enum CurvaturePart {
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct EverySpectrum {
-    ring: EveryRing,
-    first: i64,
-}
+pub struct EverySpectrum(Blocks);
 
 impl EverySpectrum {
     /// The spectrum of a ring at the valences t ≥ `first`; `None` if its weights do not sum to 1.
     #[must_use]
     pub fn new(ring: EveryRing, first: i64) -> Option<EverySpectrum> {
-        let spectrum = EverySpectrum { ring, first };
+        let spectrum = EverySpectrum(Blocks { ring, first });
         let one = number(1);
-        let sums = spectrum.still().into_iter().all(|row| {
+        let sums = spectrum.0.still().into_iter().all(|row| {
             let sum = IntegerFunction::total(&row);
             sum.minus(&one).sign().is_some_and(Ordering::is_eq)
         });
@@ -61,13 +58,13 @@ impl EverySpectrum {
     }
 
     fn roots(&self, block: i64) -> Option<Roots> {
-        Roots::of(&self.characteristic(Block::Number(block))?)
+        Roots::of(&self.0.characteristic(Block::Number(block))?)
     }
 
     /// The roots of block 0 but for a simple root 1.
     fn others_of_still(&self) -> Option<Roots> {
         let one = number(1);
-        let roots = Roots::of(&roots::without(&self.characteristic(Block::Number(0))?, &one)?)?;
+        let roots = Roots::of(&roots::without(&self.0.characteristic(Block::Number(0))?, &one)?)?;
         let differs = |root: &IntegerFunction| root.minus(&one).sign().is_some_and(Ordering::is_ne);
         roots.real.iter().all(differs).then_some(roots)
     }
@@ -77,7 +74,8 @@ impl EverySpectrum {
     pub fn eigenvalue(&self, block: i64, place: usize) -> Option<IntegerFunction> {
         let mut real = match block {
             0 => self.others_of_still()?.real,
-            _ => self.roots(block)?.real,
+            1..=IntegerFunction::NEAR => self.roots(block)?.real,
+            _ => return None,
         };
         if block == 0 {
             real.push(number(1));
@@ -103,21 +101,26 @@ impl EverySpectrum {
         {
             return None;
         }
-        let still = self.characteristic(Block::Number(0))?;
+        self.are_below(lambda, 2)?.then(|| lambda.clone())
+    }
+
+    /// Whether all eigenvalues but a 1 of block 0 are shown to be less than a positive function in absolute value; those of the blocks between 0 and `from` do not count.
+    fn are_below(&self, limit: &IntegerFunction, from: i64) -> Option<bool> {
+        let still = self.0.characteristic(Block::Number(0))?;
         let still = roots::without(&still, &number(1))?;
-        let numbered = (2..=IntegerFunction::NEAR).map(|k| self.characteristic(Block::Number(k)));
+        let numbered =
+            (from..=IntegerFunction::NEAR).map(|k| self.0.characteristic(Block::Number(k)));
         let numbered = numbered.collect::<Option<Vec<_>>>()?;
         let all = std::iter::once(&still).chain(&numbered);
-        let below = all.chain(&self.ends()?).all(|p| roots::are_within(p, lambda, Ordering::is_gt));
-        below.then(|| lambda.clone())
+        Some(all.chain(&self.ends()?).all(|p| roots::are_within(p, limit, Ordering::is_gt)))
     }
 
     /// The polynomials of the blocks k from 7 on at the ends of an interval with all cos(2πk/t), if they are linear in it.
     fn ends(&self) -> Option<[Vec<IntegerFunction>; 2]> {
-        let beyond = self.characteristic(Block::Beyond)?;
+        let beyond = self.0.characteristic(Block::Beyond)?;
         let lines = beyond.iter().map(IntegerFunction::line_in_free);
         let lines = lines.collect::<Option<Vec<_>>>()?;
-        let greatest = IntegerFunction::half_cosine(self.first, 2 * (IntegerFunction::NEAR + 1));
+        let greatest = IntegerFunction::half_cosine(self.0.first, 2 * (IntegerFunction::NEAR + 1));
         let at = |c: &IntegerFunction| lines.iter().map(|[a, b]| a.plus(&b.times(c))).collect();
         Some([at(&number(-1)), at(&greatest)])
     }
@@ -155,23 +158,25 @@ impl EverySpectrum {
     fn orbit(&self, name: Option<&str>) -> Option<usize> {
         match name {
             None => Some(0),
-            Some(name) => self.ring.orbits.iter().position(|(known, _)| known == name),
+            Some(name) => self.0.ring.orbits.iter().position(|(known, _)| known == name),
         }
     }
 
-    /// The weight of each point of an orbit, the first one without a name, in the limit of all points.
+    /// The weight of each point of an orbit, the first one without a name, in the limit of all points; all eigenvalues but a simple 1 are less than 1 in
+    /// absolute value.
     ///
     /// The rows of adj(1 − M_0) are left eigenvectors; that their sum is not 0 makes 1 a simple eigenvalue.
     #[must_use]
     pub fn limit_weight(&self, orbit: Option<&str>) -> Option<IntegerFunction> {
         let orbit = self.orbit(orbit)?;
-        let adjugate = Adjugate::of(&self.still()).adjugate;
-        let size = self.ring.orbits.len();
+        self.are_below(&number(1), 1)?.then_some(())?;
+        let adjugate = Adjugate::of(&self.0.still()).adjugate;
+        let size = self.0.ring.orbits.len();
         let entry = |b: usize| IntegerFunction::total(adjugate.iter().map(|power| &power[0][b]));
         let row: Vec<IntegerFunction> = (0..size).map(entry).collect();
         let weight = row[orbit].times(&IntegerFunction::total(&row).inverse()?);
-        let (_, is_full) = self.ring.orbits[orbit];
-        let count = if is_full { self.index() } else { number(1) };
+        let (_, is_full) = self.0.ring.orbits[orbit];
+        let count = if is_full { self.0.index() } else { number(1) };
         Some(weight.times(&count.inverse()?))
     }
 
@@ -183,8 +188,8 @@ impl EverySpectrum {
             return None;
         }
         let lambda = self.subdominant()?;
-        let (matrix, double) = self.turning(Block::Number(1))?;
-        let full = self.ring.orbits.iter().enumerate().filter(|(_, (_, is_full))| *is_full);
+        let (matrix, double) = self.0.turning(Block::Number(1))?;
+        let full = self.0.ring.orbits.iter().enumerate().filter(|(_, (_, is_full))| *is_full);
         let Some(place) = full.map(|(place, _)| place).position(|place| place == orbit) else {
             return Some(IntegerFunction::zero());
         };

@@ -61,10 +61,13 @@ pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
         }
         ("curvature", [valence]) => {
             let part = call.choose("part", &PARTS)?;
-            Spectrum::new(meter, &sectors(call, valence)?.0)?.curvature(meter, part)?
+            let spectrum = Spectrum::new(meter, &sectors(call, valence)?.0)?;
+            spectrum.is_dominated(meter)?;
+            spectrum.curvature(meter, part)?
         }
         ("limit_weight", [valence]) => {
             let (sectors, _) = sectors(call, valence)?;
+            converges(meter, &sectors)?;
             let (place, weights) = (orbit(call, &sectors)?, sectors.limit()?);
             let (Some(weight), Some((_, count))) = (weights.get(place), sectors.orbits.get(place))
             else {
@@ -146,29 +149,22 @@ struct Spectrum {
 }
 
 impl Spectrum {
-    /// The roots of all blocks, if 1 and λ > 0 are simple ones.
+    /// The roots of all blocks, if 1 and λ, 0 < λ < 1, are simple ones.
     fn new(meter: &Meter, sectors: &Sectors<'_>) -> Result<Spectrum, Stop> {
-        let (turning, valence) = (sectors.turning()?, sectors.valence);
-        let mut others = vec![Roots::new(meter, &sectors.still()?)?];
-        for k in 1..=valence.div_euclid(2) {
-            others.push(Roots::new(meter, &turning.block(k)?)?);
-        }
-        let one = Value::int(1);
-        let is_one = |root: &Root| matches!(&root.place, Place::Exact(x) if *x == one);
-        let [still, first, ..] = &mut others[..] else { return wrong("the ring has no blocks") };
-        let place = still.real.iter().position(is_one);
-        let one = place.map(|place| still.real.remove(place));
-        if one.is_none_or(|one| one.multiplicity > 1) {
-            return Err(Stop::Undefined("1 is not a simple root of block 0"));
-        }
+        let mut others = without_one(meter, sectors)?;
+        let [_, first, ..] = &mut others[..] else { return wrong("the ring has no blocks") };
         if first.real.is_empty() {
             return wrong("block 1 has no real root");
         }
         let lambda = first.real.remove(0);
-        if lambda.multiplicity > 1 || lambda.place.sign(meter)? <= 0 {
-            return Err(Stop::Undefined("λ is not a simple positive root of block 1"));
+        let one = Place::Exact(Value::int(1));
+        if lambda.multiplicity > 1
+            || lambda.place.sign(meter)? <= 0
+            || lambda.place.compare(meter, &one)? != Ordering::Less
+        {
+            return Err(Stop::Undefined("λ is not a simple root of block 1 between 0 and 1"));
         }
-        Ok(Spectrum { lambda, valence, others })
+        Ok(Spectrum { lambda, valence: sectors.valence, others })
     }
 
     /// Checks that all other roots are less than λ in absolute value.
@@ -216,6 +212,35 @@ impl Spectrum {
         let once = Real::Ratio(Box::new(greatest.real()?), lambda()?);
         Ok(Real::Ratio(Box::new(once), lambda()?))
     }
+}
+
+/// The roots of M_0 without 1, which is a simple one, and those of the M_k, k ≤ N/2.
+fn without_one(meter: &Meter, sectors: &Sectors<'_>) -> Result<Vec<Roots>, Stop> {
+    let turning = sectors.turning()?;
+    let mut still = Roots::new(meter, &sectors.still()?)?;
+    let one = Value::int(1);
+    let is_one = |root: &Root| matches!(&root.place, Place::Exact(x) if *x == one);
+    let place = still.real.iter().position(is_one);
+    let one = place.map(|place| still.real.remove(place));
+    if one.is_none_or(|one| one.multiplicity > 1) {
+        return Err(Stop::Undefined("1 is not a simple root of block 0"));
+    }
+    let mut found = vec![still];
+    for k in 1..=sectors.valence.div_euclid(2) {
+        found.push(Roots::new(meter, &turning.block(k)?)?);
+    }
+    Ok(found)
+}
+
+/// Checks that all roots but a simple 1 are less than 1 in absolute value.
+fn converges(meter: &Meter, sectors: &Sectors<'_>) -> Result<(), Stop> {
+    let (others, one) = (without_one(meter, sectors)?, Place::Exact(Value::int(1)));
+    for root in others.iter().flat_map(|roots| &roots.real) {
+        if root.place.absolute(meter)?.compare(meter, &one)? != Ordering::Less {
+            return Err(Stop::Undefined("another root is not less than 1"));
+        }
+    }
+    are_below(meter, others.iter().flat_map(|roots| &roots.complex), &one)
 }
 
 /// Checks that the roots of factors that are not real are less in absolute value than a positive number.
