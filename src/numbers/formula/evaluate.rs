@@ -299,7 +299,6 @@ impl<V: Value> Evaluator<'_, V> {
             return fail(builtin::no_option(builtin::COSINE, option), span);
         }
         let angle = self.angle(argument, indices)?;
-        // An angle that is none stands in the argument; a cosine that the type has not is that of the call.
         angle.cosine().or_else(|kind| match kind {
             FormulaErrorKind::Angle(_) => fail(kind, &argument.span),
             _ => fail(kind, span),

@@ -4,10 +4,12 @@
 //! |---|---|
 //! | `sign` | the sign of a polynomial in t and h = cos(π/t) |
 //! | `quotient` | quotients of such polynomials |
-//! | `function` | these with square roots |
+//! | `sum` | sums of these times square roots |
+//! | `function` | functions of an integer |
 //! | `turned` | these with e^{iφ}, for an angle φ of which the cosine is one |
 
 pub(super) mod function;
 mod quotient;
 mod sign;
+mod sum;
 pub(super) mod turned;
