@@ -3,6 +3,7 @@
 use super::table::LocatedReference;
 use crate::exact::{IntervalSet, Rational};
 use crate::formula::{LocatedFormula, Node};
+use std::cmp::Ordering;
 
 /// An equation or another relation, or a list of them with indices.
 #[derive(Clone, Debug, PartialEq)]
@@ -156,6 +157,19 @@ impl Sign {
     #[must_use]
     pub fn is_order(self) -> bool {
         matches!(self, Sign::Less | Sign::AtMost | Sign::Greater | Sign::AtLeast)
+    }
+
+    /// Whether this is true of two numbers in this order. Of `in`, the second one is the only member.
+    #[must_use]
+    pub fn fits(self, order: Ordering) -> bool {
+        match self {
+            Sign::Equal | Sign::True | Sign::False | Sign::Near | Sign::OneOf => order.is_eq(),
+            Sign::Unequal => order.is_ne(),
+            Sign::Less => order.is_lt(),
+            Sign::AtMost => order.is_le(),
+            Sign::Greater => order.is_gt(),
+            Sign::AtLeast => order.is_ge(),
+        }
     }
 
     /// The sign in print.

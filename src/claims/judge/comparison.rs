@@ -7,7 +7,7 @@ use crate::evaluation::identities::integer_functions::IntegerFunctions;
 use crate::evaluation::identities::real_formulas::Reals;
 use crate::evaluation::reference;
 use crate::evaluation::shape::{Coefficients, Own, Shapes, own_shape};
-use crate::exact::{AlgebraicNumber, IntegerFunction, Polynomial, Rational, Scalar as _};
+use crate::exact::{AlgebraicNumber, IntegerFunction, Polynomial, Rational};
 use crate::finding::SideValue;
 use crate::formula::{
     CallError, Context as _, Expr, FormulaError, Functions, LocatedFormula, RealValue, Scope,
@@ -71,7 +71,7 @@ impl Sides<'_> {
         states.is_some() && case.symbolic.is_empty() && symbols.is_empty() && hypotheses.is_empty()
     }
 
-    /// The names of a claim without symbols.
+    /// The names with numbers as values.
     fn numbers<'s, V: Value>(
         &'s self,
         case: &'s Case,
@@ -153,10 +153,7 @@ impl Sides<'_> {
                 Some(shapes.library().instances(&located.reference, &scope).ok()?)
             }
         };
-        let fixed = own.as_ref().filter(|scheme| {
-            let mut values = scheme.iter().flat_map(|one| one.parameters.values());
-            values.all(|value| value.as_constant().is_some())
-        });
+        let fixed = own.as_ref().filter(|scheme| !is_open(scheme));
         let fixed = fixed.map(|scheme| shapes.scheme(scheme)).transpose().ok()?;
         let families = self.in_family(case, (name, *least)).ok()?;
         let others = Coefficients { shapes: &shapes, own: fixed };
@@ -211,8 +208,7 @@ impl Sides<'_> {
         let scope = self.scope(case, &none, &|name: &str| Polynomial::variable(name))?;
         let instances = self.shapes.library().instances(&located.reference, &scope);
         let instances = instances.map_err(|error| reference::located(located, &error))?;
-        let mut parameters = instances.iter().flat_map(|instance| instance.parameters.values());
-        Ok(parameters.all(|parameter| parameter.number().is_some()))
+        Ok(!is_open(&instances))
     }
 
     fn scope<'s>(
@@ -223,16 +219,11 @@ impl Sides<'_> {
     ) -> Result<Scope<'s, Polynomial>, Diagnostic> {
         let identity = self.identity;
         let plain = || {
-            let mut scope = Scope::new(&self.paper.definitions, functions);
-            for (name, value) in &self.given {
-                scope = scope.with(name, Polynomial::from_rational(value));
-            }
+            // The names of symbols and indices hide those that are given; no two of them are the same.
+            let mut scope = self.numbers(case, functions);
             for symbol in &identity.symbols {
                 let variable = Polynomial::variable(symbol);
                 scope = scope.with(symbol, variable).with_family(symbol, member);
-            }
-            for (name, value) in &case.values {
-                scope = scope.with(name, Polynomial::from_rational(value));
             }
             for (name, _) in &case.symbolic {
                 scope = scope.with(name, Polynomial::variable(name));

@@ -51,18 +51,8 @@ fn as_functions(sides: &Sides<'_>, comparison: &Comparison, case: &Case) -> Opti
     let formulas = std::iter::once(comparison.left.formula(0)).chain(&comparison.rights);
     let values = sides.for_integers(formulas, case, first)?;
     let (left, rights) = values.split_first()?;
-    let against = |number: i64| IntegerFunction::from_rational(&Rational::from(number));
     let sign = |right: &IntegerFunction| left.minus(right).sign();
-    let right = rights.first();
     let holds = match comparison.sign {
-        Sign::Equal => sign(right?)?.is_eq(),
-        Sign::Unequal => sign(right?)?.is_ne(),
-        Sign::Less => sign(right?)?.is_lt(),
-        Sign::AtMost => sign(right?)?.is_le(),
-        Sign::Greater => sign(right?)?.is_gt(),
-        Sign::AtLeast => sign(right?)?.is_ge(),
-        Sign::True => sign(&against(1))?.is_eq(),
-        Sign::False => sign(&against(0))?.is_eq(),
         Sign::OneOf => {
             let signs: Vec<Option<Ordering>> = rights.iter().map(sign).collect();
             let found = signs.contains(&Some(Ordering::Equal));
@@ -72,6 +62,7 @@ fn as_functions(sides: &Sides<'_>, comparison: &Comparison, case: &Case) -> Opti
             found
         }
         Sign::Near => return None,
+        other => other.fits(sign(rights.first()?)?),
     };
     Some(if holds { ForAll::TrueFrom(first) } else { ForAll::FalseFrom(first) })
 }

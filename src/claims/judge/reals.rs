@@ -229,18 +229,12 @@ fn truth(
 ) -> Result<bool, Diagnostic> {
     let left = value(comparison.left.formula(0))?;
     let rights = comparison.rights.iter().map(value).collect::<Result<Vec<_>, Diagnostic>>()?;
-    let order = || left.minus(&rights[0]).sign();
     let number = |value: i64| QuotientAt::from_rational(&Rational::from(value));
     Ok(match comparison.sign {
         Sign::True | Sign::False if ![0, 1].iter().any(|n| left == number(*n)) => {
             return Err(states_nothing(comparison.left.formula(0), &left));
         }
-        Sign::Equal | Sign::True | Sign::False | Sign::Near => order() == 0,
-        Sign::Unequal => order() != 0,
-        Sign::Less => order() < 0,
-        Sign::AtMost => order() <= 0,
-        Sign::Greater => order() > 0,
-        Sign::AtLeast => order() >= 0,
         Sign::OneOf => rights.contains(&left),
+        sign => sign.fits(left.minus(&rights[0]).sign().cmp(&0)),
     })
 }

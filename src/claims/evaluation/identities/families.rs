@@ -6,7 +6,7 @@ use crate::evaluation::reals::about;
 use crate::evaluation::reference::{reference, unresolved};
 use crate::evaluation::shape::Coefficients;
 use crate::exact::{Polynomial, Rational, RationalPolynomial};
-use crate::formula::{Call, CallError, Context, Functions, Value as _};
+use crate::formula::{Call, CallError, Context, Functions, Value};
 use crate::scheme::Instance;
 use crate::smoothness::SymbolFamily;
 
@@ -22,7 +22,7 @@ pub(crate) struct Families<'a> {
 }
 
 /// Whether a scheme depends on an index without a value.
-pub(crate) fn is_open(scheme: &[Instance<Polynomial>]) -> bool {
+pub(crate) fn is_open<V: Value>(scheme: &[Instance<V>]) -> bool {
     scheme.iter().flat_map(|one| one.parameters.values()).any(|value| value.number().is_none())
 }
 

@@ -37,7 +37,6 @@ impl Functions<IntegerFunction> for IntegerFunctions<'_> {
                 Some(scheme.map_err(|error| unresolved(&text, error))?)
             }
         };
-        let is_constant = |value: &IntegerFunction| value.as_constant().is_some();
         let scheme = scheme.unwrap_or_default();
         if about(call.function) == Some(About::Ring)
             && let [valence, rest @ ..] = call.arguments
@@ -46,10 +45,10 @@ impl Functions<IntegerFunction> for IntegerFunctions<'_> {
             let value = self.of_ring(&scheme, call.function, rest, &mut options)?;
             return options.finished(value.ok_or_else(|| unknown(call.function))?);
         }
-        if !call.arguments.iter().all(is_constant) {
+        if call.arguments.iter().any(|value| value.as_constant().is_none()) {
             return Err(unknown(call.function));
         }
-        if scheme.iter().flat_map(|one| one.parameters.values()).all(is_constant) {
+        if !is_open(&scheme) {
             return self.others.call(call, context);
         }
         let value = self.of_family(&scheme, call, &mut options)?;

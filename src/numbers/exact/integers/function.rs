@@ -79,10 +79,9 @@ impl IntegerFunction {
         if powers.len() > 2 || denominator.by_powers(FREE).len() > 1 {
             return None;
         }
-        let inverse = Quotient::from(denominator.clone()).inverse_from(self.first)?;
         Some([0, 1].map(|i| {
             let power = powers.get(i).cloned().unwrap_or_default();
-            IntegerFunction::of(self.first, Quotient::from(power).times(&inverse))
+            IntegerFunction::of(self.first, Quotient::new(&power, denominator))
         }))
     }
 
@@ -249,8 +248,7 @@ impl IntegerFunction {
             for (power, c) in powers.iter_mut().zip(&wave) {
                 *power = &*power - &(&b * c);
             }
-            let denominator = quotient.denominator.clone();
-            let b = Quotient::from(b).times(&Quotient::from(denominator).inverse_from(self.first)?);
+            let b = Quotient::new(&b, &quotient.denominator);
             waves.push(IntegerFunction::of(self.first, b));
         }
         waves.reverse();
@@ -268,6 +266,12 @@ fn chebyshev(variable: &str, k: u64) -> Polynomial {
         last = std::mem::replace(&mut next, following);
     }
     last
+}
+
+impl From<i64> for IntegerFunction {
+    fn from(value: i64) -> IntegerFunction {
+        IntegerFunction::from_rational(&Rational::from(value))
+    }
 }
 
 impl Scalar for IntegerFunction {

@@ -23,8 +23,8 @@ impl Quotient {
         Quotient::from(Polynomial::constant(value.clone()))
     }
 
-    /// p/q without a common monomial, and a polynomial where q divides p.
-    fn new(numerator: &Polynomial, denominator: &Polynomial) -> Quotient {
+    /// p/q without a common monomial, and a polynomial where q divides p. The caller knows that q is 0 for no t that counts.
+    pub(super) fn new(numerator: &Polynomial, denominator: &Polynomial) -> Quotient {
         if let Some(whole) = numerator.exactly_over(denominator) {
             return Quotient::from(whole);
         }

@@ -20,13 +20,12 @@ impl Turned {
     /// ω^d, for the angle with this 2cos φ.
     #[must_use]
     pub fn power(double: &IntegerFunction, d: i64) -> Turned {
-        let number = |n: i64| IntegerFunction::from_rational(&Rational::from(n));
         let parts = match d {
-            0.. => [number(0), number(1)],
-            _ => [double.clone(), number(-1)],
+            0.. => [0.into(), 1.into()],
+            _ => [double.clone(), (-1).into()],
         };
         let unit = Turned { parts, double: Some(double.clone()) };
-        (0..d.abs()).fold(Turned::from(number(1)), |power, _| power.times(&unit))
+        (0..d.abs()).fold(Turned::from(IntegerFunction::from(1)), |power, _| power.times(&unit))
     }
 
     /// This if it is real, as far as that is known.

@@ -36,10 +36,9 @@ impl Value for IntegerFunction {
         if let Some(value) = self.as_constant() {
             return Some(value.floor());
         }
-        let number = |k: i64| IntegerFunction::from_rational(&Rational::from(k));
         let between = |k: &i64| {
-            let above = self.minus(&number(*k)).sign().is_some_and(Ordering::is_ge);
-            above && number(k + 1).minus(self).sign().is_some_and(Ordering::is_gt)
+            let above = self.minus(&IntegerFunction::from(*k)).sign().is_some_and(Ordering::is_ge);
+            above && IntegerFunction::from(k + 1).minus(self).sign().is_some_and(Ordering::is_gt)
         };
         (-2..=1).find(between).map(Integer::from)
     }

@@ -134,7 +134,7 @@ impl Entry<'_> {
             ahead.minus(&behind).sign()?.is_eq().then_some(ahead)
         };
         let near = (-IntegerFunction::NEAR..=IntegerFunction::NEAR).map(|d| {
-            let number = IntegerFunction::from_rational(&Rational::from(d));
+            let number = IntegerFunction::from(d);
             match d {
                 0 => self.value(Some([&zero, &zero])),
                 1.. => both(&number),

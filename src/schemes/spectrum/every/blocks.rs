@@ -15,10 +15,6 @@ pub(super) enum Block {
     Beyond,
 }
 
-pub(super) fn number(n: i64) -> IntegerFunction {
-    IntegerFunction::from_rational(&Rational::from(n))
-}
-
 /// A ring with the least of its valences.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Blocks {
@@ -55,7 +51,9 @@ impl Blocks {
             EveryWeight::Same(weight) if is_full => weight.times(&self.index()),
             EveryWeight::Same(weight) => weight.clone(),
             EveryWeight::Turning { near, waves } => {
-                let all = self.index().times(&waves.first().cloned().unwrap_or_else(|| number(0)));
+                let all = self
+                    .index()
+                    .times(&waves.first().cloned().unwrap_or_else(IntegerFunction::zero));
                 let near = self.differences(near, waves);
                 near.iter().fold(all, |sum, (_, difference)| sum.plus(difference))
             }
@@ -68,7 +66,7 @@ impl Blocks {
 
     /// M_k for k ≠ 0, of the orbits of t points, and 2cos(2πk/t).
     pub(super) fn turning(&self, block: Block) -> Option<(Vec<Vec<Turned>>, IntegerFunction)> {
-        let two = number(2);
+        let two = IntegerFunction::from(2);
         let double = match block {
             Block::Number(k) => two.times(&IntegerFunction::half_cosine(self.first, 2 * k)),
             Block::Beyond => two.times(&IntegerFunction::free(self.first)),

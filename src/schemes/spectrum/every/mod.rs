@@ -10,7 +10,7 @@ mod roots;
 
 use crate::exact::{Adjugate, IntegerFunction, Scalar as _, Turned};
 use crate::scheme::EveryRing;
-use blocks::{Block, Blocks, number};
+use blocks::{Block, Blocks};
 use roots::Roots;
 use std::cmp::Ordering;
 
@@ -49,7 +49,7 @@ impl EverySpectrum {
     #[must_use]
     pub fn new(ring: EveryRing, first: i64) -> Option<EverySpectrum> {
         let spectrum = EverySpectrum(Blocks { ring, first });
-        let one = number(1);
+        let one = IntegerFunction::from(1);
         let sums = spectrum.0.still().into_iter().all(|row| {
             let sum = IntegerFunction::total(&row);
             sum.minus(&one).sign().is_some_and(Ordering::is_eq)
@@ -63,7 +63,7 @@ impl EverySpectrum {
 
     /// The roots of block 0 but for a simple root 1.
     fn others_of_still(&self) -> Option<Roots> {
-        let one = number(1);
+        let one = IntegerFunction::from(1);
         let roots = Roots::of(&roots::without(&self.0.characteristic(Block::Number(0))?, &one)?)?;
         let differs = |root: &IntegerFunction| root.minus(&one).sign().is_some_and(Ordering::is_ne);
         roots.real.iter().all(differs).then_some(roots)
@@ -78,7 +78,7 @@ impl EverySpectrum {
             _ => return None,
         };
         if block == 0 {
-            real.push(number(1));
+            real.push(IntegerFunction::from(1));
             real = roots::ordered(real)?;
         }
         real.into_iter().nth(place.checked_sub(1)?)
@@ -95,7 +95,7 @@ impl EverySpectrum {
             is_positive(&lambda.minus(root)) && is_positive(&lambda.plus(root))
         };
         if !is_positive(lambda)
-            || !is_positive(&number(1).minus(lambda))
+            || !is_positive(&IntegerFunction::from(1).minus(lambda))
             || first.complex.is_some()
             || !others.iter().all(is_within)
         {
@@ -107,7 +107,7 @@ impl EverySpectrum {
     /// Whether all eigenvalues but a 1 of block 0 are shown to be less than a positive function in absolute value; those of the blocks between 0 and `from` do not count.
     fn are_below(&self, limit: &IntegerFunction, from: i64) -> Option<bool> {
         let still = self.0.characteristic(Block::Number(0))?;
-        let still = roots::without(&still, &number(1))?;
+        let still = roots::without(&still, &IntegerFunction::from(1))?;
         let numbered =
             (from..=IntegerFunction::NEAR).map(|k| self.0.characteristic(Block::Number(k)));
         let numbered = numbered.collect::<Option<Vec<_>>>()?;
@@ -122,7 +122,7 @@ impl EverySpectrum {
         let lines = lines.collect::<Option<Vec<_>>>()?;
         let greatest = IntegerFunction::half_cosine(self.0.first, 2 * (IntegerFunction::NEAR + 1));
         let at = |c: &IntegerFunction| lines.iter().map(|[a, b]| a.plus(&b.times(c))).collect();
-        Some([at(&number(-1)), at(&greatest)])
+        Some([at(&IntegerFunction::from(-1)), at(&greatest)])
     }
 
     /// The greatest absolute value of the other eigenvalues over λ².
@@ -150,7 +150,7 @@ impl EverySpectrum {
         }
         let square = lambda.times(&lambda);
         match greatest.minus(&square).sign() {
-            Some(Ordering::Equal) => Some(number(1)),
+            Some(Ordering::Equal) => Some(IntegerFunction::from(1)),
             _ => Some(greatest.times(&square.inverse()?)),
         }
     }
@@ -169,14 +169,14 @@ impl EverySpectrum {
     #[must_use]
     pub fn limit_weight(&self, orbit: Option<&str>) -> Option<IntegerFunction> {
         let orbit = self.orbit(orbit)?;
-        self.are_below(&number(1), 1)?.then_some(())?;
+        self.are_below(&IntegerFunction::from(1), 1)?.then_some(())?;
         let adjugate = Adjugate::of(&self.0.still()).adjugate;
         let size = self.0.ring.orbits.len();
         let entry = |b: usize| IntegerFunction::total(adjugate.iter().map(|power| &power[0][b]));
         let row: Vec<IntegerFunction> = (0..size).map(entry).collect();
         let weight = row[orbit].times(&IntegerFunction::total(&row).inverse()?);
         let (_, is_full) = self.0.ring.orbits[orbit];
-        let count = if is_full { self.0.index() } else { number(1) };
+        let count = if is_full { self.0.index() } else { IntegerFunction::from(1) };
         Some(weight.times(&count.inverse()?))
     }
 
