@@ -28,7 +28,7 @@ proptest! {
     #[test]
     fn values_are_those_of_the_limit(mask in mask(), p in -30_i64..31, k in 0_u32..4) {
         let Some(mask) = mask else { return Ok(()) };
-        prop_assume!(is_contractive(&mask));
+        prop_assume!(is_contractive(&mask, 256));
         let limit = Limit::new(&mask).expect("it converges");
         let symbol = Symbol::of(&mask);
         let values = LimitValues::new(&symbol).expect("unique values");

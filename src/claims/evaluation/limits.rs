@@ -8,8 +8,8 @@ use crate::evaluation::reference::{Unresolved, located, scheme_error};
 use crate::exact::{
     BivariatePolynomial, Parametric, Polynomial, Rational, RationalPolynomial, RealCyclotomic,
 };
-use crate::formula::{Context, LocatedFormula, Scope, Value};
-use crate::scheme::{Instance, LocalRules, Mask, Rules, SchemeError};
+use crate::formula::{Context, LocatedFormula, Lookup, Scope, Value};
+use crate::scheme::{Instance, LocalRules, Mask, Rules, SchemeError, VALENCE_NAMES};
 use crate::smoothness::plane_rules;
 use std::collections::BTreeMap;
 use std::hash::Hash;
@@ -36,34 +36,44 @@ impl LimitScheme<'_> {
         Ok(resolved.constants.first().mask().clone())
     }
 
-    /// The instances of the scheme, if it is a ring: the rules around a vertex or on a face. The variable of a
-    /// range, if there is one, has this value.
-    pub(crate) fn ring_instances<V: Value>(
+    /// Whether the scheme is a ring: the rules around a vertex or on a face.
+    pub(crate) fn is_ring<V: Value>(&self, instances: &[Instance<V>]) -> Result<bool, Diagnostic> {
+        self.library.is_ring(instances).map_err(|error| scheme_error(self.located, &error))
+    }
+
+    /// The ring at this valence; without one, as its parameters stand. The variable of a range, if there is one, has this value.
+    pub(crate) fn ring<V: Value + Eq + Hash>(
         &self,
         variable: Option<(&str, V)>,
-    ) -> Result<Option<Vec<Instance<V>>>, Diagnostic> {
+        valence: Option<usize>,
+    ) -> Result<LocalRules<V>, Diagnostic> {
+        let instances = self.instances(variable, valence)?;
+        let ring = match valence {
+            Some(valence) => self.library.ring_of_valence(&instances, valence),
+            None => self.library.ring(&instances),
+        };
+        ring.map_err(|error| scheme_error(self.located, &error))
+    }
+
+    /// The scheme at this valence, with the values of its parameters. In their formulas the names of a valence that mean nothing else stand for it.
+    pub(crate) fn instances<V: Value>(
+        &self,
+        variable: Option<(&str, V)>,
+        valence: Option<usize>,
+    ) -> Result<Vec<Instance<V>>, Diagnostic> {
         let mut scope: Scope<'_, V> = self.scope()?;
         if let Some((name, value)) = variable {
             scope = scope.with(name, value);
         }
+        if let Some(valence) = valence {
+            for name in VALENCE_NAMES {
+                if matches!(scope.name(name, &[]), Ok(Lookup::Unknown)) {
+                    scope = scope.with(name, V::from_rational(&Rational::from(valence)));
+                }
+            }
+        }
         let instances = self.library.instances(&self.located.reference, &scope);
-        let instances = instances.map_err(|error| self.unresolved(&error))?;
-        let ring = self.library.is_ring(&instances);
-        let ring = ring.map_err(|error| scheme_error(self.located, &error))?;
-        Ok(ring.then_some(instances))
-    }
-
-    /// The ring at this valence; without one, as its parameters stand.
-    pub(crate) fn ring<V: Value + Eq + Hash>(
-        &self,
-        instances: &[Instance<V>],
-        valence: Option<usize>,
-    ) -> Result<LocalRules<V>, Diagnostic> {
-        let ring = match valence {
-            Some(valence) => self.library.ring_of_valence(instances, valence),
-            None => self.library.ring(instances),
-        };
-        ring.map_err(|error| scheme_error(self.located, &error))
+        instances.map_err(|error| self.unresolved(&error))
     }
 
     /// Refuses rules that have another number of sectors than this valence.

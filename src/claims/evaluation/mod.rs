@@ -14,7 +14,7 @@ mod functions;
 pub(crate) mod identities;
 pub(crate) mod library;
 pub(crate) mod limits;
-mod masks;
+pub(crate) mod masks;
 mod options;
 pub(crate) mod parametric;
 pub(crate) mod quantity;

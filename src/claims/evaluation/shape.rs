@@ -7,7 +7,7 @@ use crate::evaluation::arguments::{index, narrow, place, within};
 use crate::evaluation::functions::{QUANTITIES, check_name, name_of, takes_filters};
 use crate::evaluation::library::Library;
 use crate::evaluation::masks::constants::{constant, constant_by_sums, no_level};
-use crate::evaluation::masks::{KnownLimits, of_mask, rational};
+use crate::evaluation::masks::{End, KnownLimits, of_mask, rational, smoothness_bound};
 use crate::evaluation::options::{Exponent, Options};
 use crate::evaluation::reals::{About, Used, about, as_value, is_of_mask_too, of_ring};
 use crate::evaluation::reference::{self, Unresolved, reference, unresolved};
@@ -246,6 +246,24 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
                 CallError::Misuse("this needs a scheme: give the claim one".to_owned())
             }),
         }
+    }
+
+    /// An end of what is known of a call of `smoothness` or `hoelder` on a whole interval of a parameter; the value itself if the scheme does not
+    /// depend on it.
+    pub(crate) fn end(
+        &self,
+        call: &Call<'_, V>,
+        end: End,
+        context: &dyn Context<V>,
+    ) -> Result<V, CallError> {
+        let mut options = Options::new(call);
+        let shape = self.shape(call, &mut options, context)?;
+        if rational(&shape.mask).is_err() {
+            return options.finished(smoothness_bound(&shape.mask, call.function, end)?);
+        }
+        let known = self.real(call, &mut Options::new(call), context)?.interval();
+        let known = if end == End::Lower { known.lower() } else { known.upper() };
+        options.finished(V::from_rational(known))
     }
 
     /// The value of a function that may be any real number.

@@ -119,8 +119,9 @@ pub struct RealCase {
     pub at: String,
     /// The values of the other indices.
     pub indices: Vec<Rational>,
-    /// Where it is true: of all real numbers if it is claimed for no others, and else of those for which it is claimed.
-    pub truth: IntervalSet,
+    /// Where it is true: of all real numbers if it is claimed for no others, and else of those for which it is claimed. `None` if this is not known
+    /// everywhere, but one number shows that the claim is false.
+    pub truth: Option<IntervalSet>,
     /// A number that shows that the claim is false.
     pub counterexample: Option<Counterexample>,
 }
@@ -172,10 +173,19 @@ impl SideValue {
 /// The significant digits of real numbers in print.
 const DIGITS: u32 = 10;
 
+/// The most terms of a number that are printed.
+const MAX_COSINES: usize = 12;
+
 impl fmt::Display for SideValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            SideValue::Polynomial(value) => value.fmt(f),
+            // √1001 is a sum of 360 cosines.
+            SideValue::Polynomial(value) => match value.number() {
+                Some(number) if number.term_count() > MAX_COSINES => {
+                    f.write_str(&short(&number, DIGITS))
+                }
+                _ => value.fmt(f),
+            },
             SideValue::Real(RealValue::Exact(value)) => f.write_str(&short(value, DIGITS)),
             SideValue::Real(RealValue::Enclosed(bounds)) => {
                 let [low, high] = [bounds.lower(), bounds.upper()].map(|end| short(end, DIGITS));

@@ -29,7 +29,8 @@ pub(crate) struct Case {
 }
 
 impl Case {
-    fn with(&self, name: &str, label: &str, (value, printed): (Rational, &str)) -> Case {
+    /// The case with one more index.
+    pub(crate) fn with(&self, name: &str, label: &str, (value, printed): (Rational, &str)) -> Case {
         let mut case = self.clone();
         let comma = if case.text.is_empty() { "" } else { ", " };
         case.text = format!("{}{comma}{label} = {printed}", case.text);

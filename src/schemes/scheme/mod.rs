@@ -35,6 +35,7 @@ pub use error::{ReferenceError, SchemeError};
 pub use fields::{definitions, formula, identifier};
 pub use file::{OtherSchemes, SchemeTable};
 pub use interpolation::lagrange_mask;
+pub use local::definition::VALENCE_NAMES;
 pub use local::every::{EveryRing, EveryWeight};
 pub(crate) use local::rules::point_name;
 pub use local::rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit};

@@ -2,9 +2,9 @@
 
 use super::symbol::Symbol;
 use crate::exact::{
-    Integer, IntegerPolynomial, Rational, Scalar, divided, greatest_divisor, square_free, stretched,
+    Integer, IntegerPolynomial, Rational, Real, Scalar, divided, greatest_divisor, square_free,
+    stretched,
 };
-use crate::joint::Entry;
 
 /// A symbol of which the basic limit function φ_0 has linearly independent shifts and is as smooth as φ:
 /// φ is a combination of finitely many shifts of φ_0.
@@ -12,7 +12,7 @@ use crate::joint::Entry;
 /// With the greatest common divisor g of the n parts of the symbol, A becomes A(z)·g(z)/g(z^n). So it does with
 /// a polynomial g whose roots are roots of unity of one order, and are permuted by z ↦ z^n, where g(z^n) divides A·g.
 /// Each step lowers the degree. `proofs/THEOREMS.md`, 108 and 121.
-pub(super) fn independent<F: Entry>(symbol: &Symbol<F>) -> Symbol<F> {
+pub(super) fn independent<F: Real + PartialEq>(symbol: &Symbol<F>) -> Symbol<F> {
     let (mut symbol, n) = (symbol.clone(), symbol.arity());
     let next = |symbol: &Symbol<F>| {
         let Dependence { g, .. } = dependence(&[symbol.coefficients().to_vec()], n)?;
@@ -36,7 +36,7 @@ pub(super) fn independent<F: Entry>(symbol: &Symbol<F>) -> Symbol<F> {
 /// assert!(!of("1 + z^3"));
 /// ```
 #[must_use]
-pub fn is_independent<F: Entry>(symbol: &Symbol<F>) -> bool {
+pub fn is_independent<F: Real + PartialEq>(symbol: &Symbol<F>) -> bool {
     independent(symbol) == *symbol
 }
 
@@ -49,7 +49,7 @@ pub(super) struct Dependence<F> {
 }
 
 /// The next polynomial for which all of these symbols are reduced.
-pub(super) fn dependence<F: Entry>(symbols: &[Vec<F>], n: usize) -> Option<Dependence<F>> {
+pub(super) fn dependence<F: Real + PartialEq>(symbols: &[Vec<F>], n: usize) -> Option<Dependence<F>> {
     let all = || (0..n).flat_map(|e| symbols.iter().map(move |symbol| (e, symbol)));
     let part = |(e, symbol): (usize, &Vec<F>)| -> Vec<F> {
         symbol.iter().skip(e).step_by(n).cloned().collect()
@@ -63,7 +63,7 @@ pub(super) fn dependence<F: Entry>(symbols: &[Vec<F>], n: usize) -> Option<Depen
 
 /// The elements of cycles of z ↦ z^n, of the least order of which there are some, all of whose other preimages are
 /// zeros of the symbols.
-fn of_cycles<F: Entry>(symbols: &[Vec<F>], n: usize) -> Option<Vec<F>> {
+fn of_cycles<F: Real + PartialEq>(symbols: &[Vec<F>], n: usize) -> Option<Vec<F>> {
     let closed = closed_part(symbols, n);
     if closed.len() <= 1 {
         return None;
@@ -81,7 +81,7 @@ fn of_cycles<F: Entry>(symbols: &[Vec<F>], n: usize) -> Option<Vec<F>> {
 /// The polynomial of the z ≠ 1 such that for all w = z, z^n, z^{n²}, …, A(wω) = 0 for all ω ≠ 1 with ω^n = 1.
 ///
 /// With the parts A_e, A(wω) = Σ ω^e·w^eA_e(w^n). So this holds if and only if all w^eA_e(w^n) are one number.
-fn closed_part<F: Entry>(symbols: &[Vec<F>], n: usize) -> Vec<F> {
+fn closed_part<F: Real + PartialEq>(symbols: &[Vec<F>], n: usize) -> Vec<F> {
     let difference = |(e, symbol): (usize, &Vec<F>)| -> Vec<F> {
         let coefficient = |(i, a): (usize, &F)| match i % n {
             class if class == e => a.clone(),

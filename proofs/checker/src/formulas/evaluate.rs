@@ -223,6 +223,11 @@ impl<'a> Scope<'a> {
         }
     }
 
+    /// Whether a name that is no index means nothing.
+    pub fn is_unknown(&self, name: &str) -> bool {
+        !self.has_meaning(name, &Indices::new())
+    }
+
     /// Whether a name means something other than a scheme.
     fn has_meaning(&self, name: &str, indices: &Indices) -> bool {
         indices.iter().any(|(index, _)| index == name)

@@ -165,6 +165,11 @@ impl<'c> Call<'c> {
         Ok(if let Subject::Family(family) = subject { Some(family) } else { None })
     }
 
+    /// Makes the call one about this scheme.
+    pub fn set_scheme(&mut self, scheme: Rc<Scheme>) {
+        self.subject = Some(Subject::Scheme(scheme));
+    }
+
     /// The scheme that the call is about.
     pub fn scheme(&mut self) -> Result<Rc<Scheme>, Stop> {
         match self.subject()? {

@@ -4,7 +4,8 @@ use super::kind::{Citation, Kind, Proof};
 use crate::claims::Paper;
 use crate::formulas::Scope;
 use crate::lines::limits::{LimitProof, mask, verdict};
-use crate::schemes::LocalRules;
+use crate::numbers::Value;
+use crate::schemes::{LocalRules, VALENCE_NAMES};
 use crate::text::{Block, Checked, Reason, Stop, Toml, Verdict, agree, require};
 use crate::vertex::{Found, check_vertex};
 
@@ -102,12 +103,13 @@ pub fn valences(claim: &Toml) -> Checked<Valences> {
     Ok(ends)
 }
 
-/// Reads the lines about the valence that is said, which is one of these; the names of the scope have values.
+/// Reads the lines about the valence that is said, which is one of these; the names of the scope have values. In the formulas of the reference, names of
+/// a valence without another meaning stand for it.
 pub fn vertex(
     paper: &Paper<'_>,
     claim: &Toml,
     (said, ends): (&str, Valences),
-    scope: &Scope<'_>,
+    scope: &mut Scope<'_>,
     block: &mut Block<'_>,
 ) -> Checked<(i64, Found)> {
     let valence: i64 =
@@ -116,7 +118,15 @@ pub fn vertex(
         .is_none_or(|(first, last)| first <= valence && last.is_none_or(|last| valence <= last));
     require(within, Reason::Vertex("the claim speaks of this valence"))?;
     let reference = claim.text("scheme").unwrap_or_default();
+    let free = |name: &&str| ends.is_some() && scope.is_unknown(name);
+    let free: Vec<&str> = VALENCE_NAMES.into_iter().filter(free).collect();
+    for name in &free {
+        scope.values.insert((*name).to_owned(), Value::int(valence));
+    }
     let ring = LocalRules::of_valence(paper.library, reference, scope, ends.map(|_| valence))?;
+    for name in free {
+        scope.values.remove(name);
+    }
     paper.library.meter.spend(VERTEX_STEPS)?;
     let found = check_vertex(&ring, usize::try_from(valence).unwrap_or(0), block)?;
     Ok((valence, found))
@@ -129,12 +139,12 @@ fn vertices<'a>(
     (continuous, not_continuous): (Option<usize>, Option<usize>),
     block: &mut Block<'_>,
 ) -> Checked<()> {
-    let scope = scope(paper, claim)?;
+    let mut scope = scope(paper, claim)?;
     let ends = valences(claim)?;
     let (mut refuted, mut next) = (false, ends.map_or(0, |(first, _)| first));
     let (mut complete, mut confirmed) = (true, true);
     while let Some(said) = block.maybe("vertex") {
-        let (valence, found) = vertex(paper, claim, (said, ends), &scope, block)?;
+        let (valence, found) = vertex(paper, claim, (said, ends), &mut scope, block)?;
         if ends.is_some() {
             complete &= valence == next;
             next = valence + 1;

@@ -39,10 +39,9 @@ pub struct Digits<'m> {
 impl Digits<'_> {
     /// A number of a field Q(2cos(2π/n)).
     pub fn exact(self, number: &Number) -> Result<Known, Stop> {
-        let (n, coordinates) = number.coordinates();
         let near = enclosed(self.meter, number, self.bits)?;
-        let key = format!("{n}:{coordinates:?}");
-        Ok(Known { near, number: Some(number.clone()), size: Some(Size::of(number)), key })
+        let (size, key) = Size::of(self.meter, number)?;
+        Ok(Known { near, number: Some(number.clone()), size: Some(size), key })
     }
 
     /// A value of a function.

@@ -6,7 +6,8 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::numbers::{Number, Q};
+use crate::numbers::{Meter, Number, Q};
+use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::{One as _, Signed as _, Zero as _};
@@ -14,6 +15,9 @@ use std::collections::BTreeMap;
 
 /// The greatest n whose residues are counted.
 const MAX_COUNTED: u64 = 10_000;
+
+/// The greatest n of a field whose degree is taken as it is.
+const MAX_SMALL: u32 = 24;
 
 /// The exponents of the bounds, and the field: that of 2cos(2π/n) with some roots adjoined.
 #[derive(Clone, Debug)]
@@ -26,8 +30,24 @@ pub struct Size {
 }
 
 impl Size {
+    /// The size of a number, and how it is made. √d is a root, since its field of cosines may have a great degree.
+    pub fn of(meter: &Meter, number: &Number) -> Result<(Size, String), Stop> {
+        let (n, coordinates) = number.coordinates();
+        if n > MAX_SMALL {
+            meter.spend(number.cost_in_field(number))?;
+            if let Some([half, square]) = quadratic(number)? {
+                let above = number.plus(-1, &half.clone().into())?.sign()?;
+                let root = Size::in_field(&square.clone().into());
+                let root = root.square_root(&format!("sqrt({square})"));
+                let key = format!("{half}+{above}*sqrt({square})");
+                return Ok((Size::in_field(&half.into()).sum(&root), key));
+            }
+        }
+        Ok((Size::in_field(number), format!("{n}:{coordinates:?}")))
+    }
+
     /// The size of a number of a field Q(x), x = 2cos(2π/n): integers on 1, x, x², … over a denominator. All conjugates of x are at most 2.
-    pub fn of(number: &Number) -> Size {
+    fn in_field(number: &Number) -> Size {
         let (n, coordinates) = number.coordinates();
         let bottom = number.bottom();
         let terms = (0_u32..).zip(&coordinates).map(|(i, c)| {
@@ -106,4 +126,18 @@ impl Size {
         let degree = self.roots.values().fold(field, |all, degree| all.saturating_mul(*degree));
         degree.saturating_sub(1).saturating_mul(self.upper).saturating_add(self.lower)
     }
+}
+
+/// The p and q of a number p ± √q that is not rational, if there are such rational numbers: its square is 2px + q − p².
+fn quadratic(x: &Number) -> Result<Option<[Q; 2]>, Stop> {
+    let (n, of_x) = x.coordinates();
+    let Some((place, c)) = of_x.iter().enumerate().skip(1).find(|(_, c)| !c.is_zero()) else {
+        return Ok(None);
+    };
+    let square = x.times(x)?;
+    let (same, of_square) = square.coordinates();
+    let (zero, two) = (Q::zero(), Q::from_integer(2.into()));
+    let half = of_square.get(place).filter(|_| same == n).unwrap_or(&zero) / c / &two;
+    let rest = square.plus(-1, &x.times(&(&half * &two).into())?)?;
+    Ok(rest.rational().map(|rest| [half.clone(), rest + &half * &half]))
 }

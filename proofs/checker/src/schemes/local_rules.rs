@@ -10,6 +10,9 @@ use std::cell::OnceCell;
 /// The greatest level at which a contraction is looked for.
 const MAX_BLOCK: usize = 32;
 
+/// The names of a parameter that is a valence.
+pub const VALENCE_NAMES: [&str; 2] = ["N", "n"];
+
 /// A linear map of the points of a ring to the points of the next level.
 pub struct LocalRules<'a> {
     meter: &'a Meter,
@@ -55,7 +58,7 @@ impl<'a> LocalRules<'a> {
             let open = |name: &&str| {
                 known.iter().any(|(known, _)| known == name) && !parameters.contains_key(*name)
             };
-            let open = ["N", "n"].into_iter().find(open);
+            let open = VALENCE_NAMES.into_iter().find(open);
             let open = open.ok_or_else(|| wrong("no parameter is its valence"))?;
             parameters.insert(open.to_owned(), Value::int(valence));
         }

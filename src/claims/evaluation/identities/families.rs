@@ -70,13 +70,32 @@ fn is_taken(function: &str) -> bool {
         "reproduction",
         "approximation_order",
         "symmetric",
-        "smoothness",
-        "hoelder",
-        "sobolev",
-        "independent",
-        "hurwitz",
     ]
     .contains(&function)
+        || change(function, 2).is_some()
+}
+
+/// What powers of σ(z), which are added to a symbol, change in the value of a function.
+enum Change {
+    /// It grows by 1 with each power.
+    Grows,
+    /// It depends on the zeros of the symbol alone, and stays what it is.
+    Stays,
+    /// This is the greatest or the least value that there is, and stays what it is.
+    StaysAt(Rational),
+}
+
+/// The change in a function of masks of this arity, if it is known.
+fn change(function: &str, arity: usize) -> Option<Change> {
+    Some(match function {
+        "smoothness" | "hoelder" | "sobolev" => Change::Grows,
+        "independent" | "hurwitz" => Change::Stays,
+        "positive" | "monotone" | "convex" | "overshoot" | "gibbs" | "riesz_upper" => {
+            Change::StaysAt(Rational::one())
+        }
+        "modulus_upper" => Change::StaysAt(Rational::from(arity)),
+        _ => return None,
+    })
 }
 
 impl Families<'_> {
@@ -114,15 +133,13 @@ impl Families<'_> {
                 Data::Adapted => family.sum_rules(),
             },
             "symmetric" => family.is_symmetric().then_some(one),
-            "smoothness" | "hoelder" | "sobolev" | "independent" | "hurwitz" => {
-                self.by_first(&family, instance, call, options)?
-            }
-            _ => None,
+            _ => self.by_first(&family, instance, call, options)?,
         };
         value.ok_or_else(|| unknown(call))
     }
 
-    /// The value at the first t, and by how much it grows. Whether something is so does not change: all members have the same zeros.
+    /// The value at the first t, and by how much it grows. Where the members have the same zeros, what depends on these does not change; and least and
+    /// greatest values stay what they are.
     fn by_first(
         &self,
         family: &SymbolFamily,
@@ -130,7 +147,9 @@ impl Families<'_> {
         call: &Call<'_, Polynomial>,
         options: &mut Options<'_>,
     ) -> Result<Option<RationalPolynomial>, CallError> {
-        let Some(added) = family.added() else { return Ok(None) };
+        let Some((change, added)) = change(call.function, family.arity()).zip(family.added()) else {
+            return Ok(None);
+        };
         let first = Rational::from(family.first());
         let at_first = |(name, value): (&String, &Polynomial)| {
             let value = value.in_variable(self.index)?.value_at(&first);
@@ -144,8 +163,8 @@ impl Families<'_> {
         let name = scheme.to_string();
         let masks = library.masks(std::slice::from_ref(&scheme));
         let masks = masks.map_err(|error| unresolved(&name, error))?;
-        let (mask, is_exponent) = (masks.first(), about(call.function).is_some());
-        let start = if is_exponent {
+        let mask = masks.first();
+        let start = if about(call.function).is_some() {
             let used = (&Some(name), &self.others.shapes.used);
             library.reals.of_mask(mask, call, &library.limits, used)?.as_rational()
         } else {
@@ -153,9 +172,16 @@ impl Families<'_> {
             let value = of_mask(mask, call, options, none, &library.limits)?;
             value.and_then(|value| value.as_rational())
         };
-        let start = start.filter(|start| call.function == "sobolev" || start.sign() >= 0);
-        Ok(start.map(|start| {
-            let added = Rational::from(if is_exponent { added } else { 0 });
+        let Some(start) = start else { return Ok(None) };
+        let has_value = match &change {
+            // Limits that are not continuous may grow otherwise.
+            Change::Grows => call.function == "sobolev" || start.sign() >= 0,
+            Change::Stays => true,
+            Change::StaysAt(value) => start == *value,
+        };
+        Ok(has_value.then(|| {
+            let grows = matches!(change, Change::Grows);
+            let added = Rational::from(if grows { added } else { 0 });
             RationalPolynomial::new(&[start - &added * &first, added])
         }))
     }

@@ -3,11 +3,13 @@
 mod coefficients;
 mod common;
 pub(crate) mod constants;
+mod exponents;
 mod field;
 mod generic;
 mod values;
 
 pub(crate) use common::{numbers, rational};
+pub(crate) use exponents::{End, MAX_CLASSES};
 pub(crate) use field::over_field;
 
 use crate::cap::Cap;
@@ -23,6 +25,7 @@ use crate::smoothness::{
 };
 use coefficients::of_coefficients;
 use common::{MAX_PLACES, as_rational, check_size, not_shown};
+use exponents::{Independent, SmoothnessBound};
 use generic::answered;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -129,10 +132,10 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
         ("positive", []) => keeps(Shape::Positive)?,
         ("monotone", []) => keeps(Shape::Monotone)?,
         ("convex", []) => keeps(Shape::Convex)?,
-        ("independent", []) => truth(match rational(mask) {
-            Ok(mask) => is_independent(&Symbol::of(&mask)),
-            Err(_) => is_independent(&Symbol::of(&over_field(mask)?)),
-        }),
+        ("independent", []) => match as_rational(mask) {
+            Some(mask) => truth(is_independent(&Symbol::of(&mask))),
+            None => answered(&Independent, &[mask], &[])?,
+        },
         ("same", []) => {
             let Some(name) = options.take("with") else {
                 let message = "name the other scheme: `same(with = NAME)`";
@@ -143,6 +146,18 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
         _ => return Ok(None),
     };
     Ok(Some(value))
+}
+
+/// An end of what is known of `smoothness` or `hoelder` of a mask that depends on a parameter, on all of its interval.
+///
+/// # Errors
+/// When nothing is known.
+pub(crate) fn smoothness_bound<V: Value + PartialEq>(
+    mask: &Mask<V>,
+    function: &str,
+    end: End,
+) -> Result<V, CallError> {
+    answered(&SmoothnessBound { of_exponent: function == "hoelder", end }, &[mask], &[])
 }
 
 /// Σ_k a_k z^k.

@@ -11,6 +11,9 @@ use crate::smoothness::{
 };
 use std::fmt::Display;
 
+/// The greatest number of residue classes of a contraction constant below 1.
+const MAX_CLASSES: usize = 256;
+
 /// φ^(m)(x): Σ_i (−1)^i binomial(m, i) ψ(x − i).
 pub(super) struct ValueAt<'x> {
     pub(super) x: &'x Rational,
@@ -130,7 +133,7 @@ fn is_continuous<F: Real + PartialEq + Display>(symbol: &Symbol<F>) -> Result<()
 }
 
 fn converging<F: Real + PartialEq>(mask: &Mask<F>) -> Result<&Mask<F>, CallError> {
-    if is_contractive(mask) { Ok(mask) } else { Err(not_shown()) }
+    if is_contractive(mask, MAX_CLASSES) { Ok(mask) } else { Err(not_shown()) }
 }
 
 fn values<F: Real + PartialEq>(symbol: &Symbol<F>) -> Result<LimitValues<F>, CallError> {

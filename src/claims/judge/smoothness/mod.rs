@@ -59,7 +59,12 @@ fn of(
     if let SmoothnessStatement::Region(region) = statement {
         return region::judge(scheme, region);
     }
-    if let Some(instances) = scheme.ring_instances::<RealCyclotomic>(None)? {
+    let first = match statement {
+        SmoothnessStatement::Continuity { valences: Some(valences), .. } => Some(valences.first),
+        _ => None,
+    };
+    let instances = scheme.instances::<RealCyclotomic>(None, first)?;
+    if scheme.is_ring(&instances)? {
         return vertices::judge(scheme, &instances, statement);
     }
     let limits = match limits(scheme.mask(&[])?) {

@@ -25,7 +25,9 @@ pub(super) fn judge(
     statement: &SmoothRangeStatement,
 ) -> Result<(SmoothnessVerdict, KnownLimits), Diagnostic> {
     let variable = &statement.variable;
-    if scheme.ring_instances(Some((variable, Parametric::variable())))?.is_some() {
+    let first = statement.valences.as_ref().map(|valences| valences.first);
+    let instances = scheme.instances(Some((variable, Parametric::variable())), first)?;
+    if scheme.is_ring(&instances)? {
         return vertex_range::judge(scheme, statement);
     }
     if let Some(valences) = &statement.valences {

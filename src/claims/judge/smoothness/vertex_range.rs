@@ -55,17 +55,14 @@ fn of_valence(
     valence: Option<usize>,
 ) -> Result<Result<AtOneValence, VertexRangeError>, Diagnostic> {
     let variable = &statement.variable;
-    let free = scheme.ring_instances(Some((variable, Polynomial::variable(variable))))?;
-    let ring = scheme.ring(&free.unwrap_or_default(), valence)?;
+    let ring = scheme.ring(Some((variable, Polynomial::variable(variable))), valence)?;
     let range = match vertex_range(&ring, variable) {
         Ok(range) => range,
         Err(error) => return Ok(Err(error)),
     };
     scheme.check_valence(valence, range.order)?;
     let at = |at: &Rational| {
-        let instances =
-            scheme.ring_instances(Some((variable, RealCyclotomic::from(at.clone()))))?;
-        let ring = scheme.ring(&instances.unwrap_or_default(), valence)?;
+        let ring = scheme.ring(Some((variable, RealCyclotomic::from(at.clone()))), valence)?;
         let Ok(vertex) = Vertex::of_ring(ring) else { return Ok(None) };
         Ok(vertex.is_continuous(1).map(|smooth| (smooth, vertex)))
     };

@@ -42,7 +42,7 @@ pub(super) fn judge(
     };
     let mut vertices = Vec::new();
     for valence in first.unwrap_or(0)..=last.unwrap_or(0) {
-        let ring = scheme.ring(instances, first.map(|_| valence))?;
+        let ring = scheme.ring(None, first.map(|_| valence))?;
         match Vertex::of_ring(ring) {
             Ok(vertex) => {
                 scheme.check_valence(first.map(|_| valence), vertex.spectrum.order)?;
@@ -70,7 +70,7 @@ fn of_all(
     }
     let mut vertices = Vec::new();
     for valence in TRIED {
-        let ring: LocalRules = scheme.ring(instances, Some(valence))?;
+        let ring: LocalRules = scheme.ring(None, Some(valence))?;
         let vertex = match Vertex::of_ring(ring) {
             Ok(vertex) => vertex,
             Err(error) => return Ok(capped(error)),

@@ -79,7 +79,9 @@ impl RealValue {
     #[must_use]
     pub fn compare(&self, other: &RealValue) -> Option<Ordering> {
         if let (RealValue::Exact(a), RealValue::Exact(b)) = (self, other) {
-            return a.minus(b).sign_within(BITS).map(|sign| sign.cmp(&0));
+            let sign = a.minus(b).sign_within(BITS).map(|sign| sign.cmp(&0));
+            // Each number alone may lie in a small field where both together do not.
+            return sign.or_else(|| Some(a.to_algebraic()?.cmp(&b.to_algebraic()?)));
         }
         let (a, b) = (self.interval(), other.interval());
         if a.upper() < b.lower() {

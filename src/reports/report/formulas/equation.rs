@@ -75,11 +75,11 @@ fn on_reals(finding: &EquationFinding<'_>, found: &OnReals) -> String {
             (Some(_), _) => "it is false".to_owned(),
             (None, _) => "it is true".to_owned(),
         };
-        let whole = if identity.only || case.truth.is_empty() { "" } else { "of these, " };
-        [
-            format!("{at}{what} for {name} = {}", number.value),
-            format!("{at}{whole}it is true for {}", case.truth.describe(name)),
-        ]
+        let set = case.truth.as_ref().map(|truth| {
+            let whole = if identity.only || truth.is_empty() { "" } else { "of these, " };
+            format!("{at}{whole}it is true for {}", truth.describe(name))
+        });
+        [Some(format!("{at}{what} for {name} = {}", number.value)), set].into_iter().flatten()
     });
     let lines: Vec<String> = ["fails".to_owned()].into_iter().chain(shown).collect();
     lines.into_iter().chain(finding.equation.note.clone()).collect::<Vec<String>>().join("\n")

@@ -1,6 +1,6 @@
 //! Equations in reports.
 
-use crate::audit::{EquationFinding, EquationVerdict, Failure, PaperAudit, Word};
+use crate::audit::{EquationFinding, EquationVerdict, Failure, PaperAudit, RealCase, Word};
 use crate::claim::{EquationBody, Left};
 use crate::diagnostic::Diagnostic;
 use crate::report::errata::differences::{LONGEST, cut};
@@ -64,7 +64,8 @@ impl<'a> Told<'a> for EquationFinding<'a> {
         let equation = self.equation;
         let holds_for = match &self.verdict {
             EquationVerdict::Reals(found) => {
-                Some(found.cases.iter().map(|case| case.truth.describe(&found.name)).collect())
+                let set = |case: &RealCase| Some(case.truth.as_ref()?.describe(&found.name));
+                found.cases.iter().map(set).collect()
             }
             _ => None,
         };

@@ -56,7 +56,7 @@ impl<'a> Block<'a> {
 }
 
 /// The names of a parameter that is a valence.
-const VALENCE_NAMES: [&str; 2] = ["N", "n"];
+pub const VALENCE_NAMES: [&str; 2] = ["N", "n"];
 
 impl SchemeError {
     /// Whether what is missing is a valence.

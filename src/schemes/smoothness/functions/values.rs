@@ -7,29 +7,26 @@ use crate::smoothness::symbol::Symbol;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// The greatest number of residue classes of a contraction constant.
-const MAX_CLASSES: usize = 256;
-
 /// The greatest k of a place i/n^k.
 const MAX_LEVELS: usize = 16;
 
 /// The most integers inside of a support.
 const MAX_INTEGERS: i64 = 64;
 
-/// Whether T_c < 1 for some c with n^c ≤ 256, so that the scheme of the mask converges.
+/// Whether T_c < 1 for some c, where the number n^c of residue classes is at most `most`, so that the scheme of the mask converges.
 ///
 /// ```
 /// use subcert::scheme::parse_scheme;
 /// use subcert::smoothness::is_contractive;
 ///
-/// let of = |text| is_contractive(parse_scheme(text).unwrap().masks()[0]);
+/// let of = |text| is_contractive(parse_scheme(text).unwrap().masks()[0], 256);
 /// assert!(of("four-point") && !of("haar"));
 /// ```
 #[must_use]
-pub fn is_contractive<F: Real + PartialEq>(mask: &Mask<F>) -> bool {
+pub fn is_contractive<F: Real + PartialEq>(mask: &Mask<F>, most: usize) -> bool {
     let one = F::from_rational(&Rational::one());
     let difference = mask.difference();
-    let classes = |c: &u32| mask.arity().checked_pow(*c).is_some_and(|count| count <= MAX_CLASSES);
+    let classes = |c: &u32| mask.arity().checked_pow(*c).is_some_and(|count| count <= most);
     let mut constants = (1..)
         .take_while(classes)
         .filter_map(|c| power_norm_generic(&difference, c, Order::Adjoint).ok());

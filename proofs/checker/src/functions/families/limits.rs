@@ -2,23 +2,47 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use crate::functions::call::number;
-use crate::functions::exponent;
+use crate::functions::call::{Call, number};
 use crate::functions::masks::quotient;
 use crate::functions::real::Real;
 use crate::functions::steps::add;
-use crate::functions::zeros;
+use crate::functions::{exponent, limits, modulus, peaks, shape, zeros};
 use crate::numbers::{Meter, Value, int};
-use crate::schemes::{Factor, Family, Library};
+use crate::schemes::{Factor, Family, Scheme};
 use crate::text::Stop;
+use std::rc::Rc;
 
 const OTHER: Stop = Stop::Family("a factor that depends on the index is no power of σ(z)");
 const ENCLOSED: Stop = Stop::Family("the value for the first integer is not known to be rational");
+const CHANGES: Stop = Stop::Family("the value for the first integer may be another one for the next");
 const DIVERGES: Stop = Stop::Family("the scheme of the first integer diverges");
 
-/// v + s(t − m), where v is the value for t = m, and s = 0 for what depends on the zeros alone: all symbols have the same.
-pub fn of(library: &Library<'_>, function: &str, family: &Family) -> Result<Value, Stop> {
-    let meter = library.meter;
+/// What is known of a function of all members.
+pub enum Known {
+    /// It is v + s(t − m), where v is its value for t = m.
+    Grows,
+    /// It is v: all symbols have the same zeros.
+    Stays,
+    /// It is v if v is this number.
+    StaysAt(usize),
+}
+
+/// What is known of the function of this name.
+pub fn known(function: &str, arity: usize) -> Option<Known> {
+    match function {
+        "smoothness" | "hoelder" | "sobolev" => Some(Known::Grows),
+        "independent" | "hurwitz" => Some(Known::Stays),
+        "positive" | "monotone" | "convex" | "overshoot" | "gibbs" | "riesz_upper" => {
+            Some(Known::StaysAt(1))
+        }
+        "modulus_upper" => Some(Known::StaysAt(arity)),
+        _ => None,
+    }
+}
+
+/// The value of such a function for all t ≥ m.
+pub fn of(call: &mut Call<'_>, known: &Known, family: &Family) -> Result<Value, Stop> {
+    let (library, meter) = (call.library, call.library.meter);
     let mut slope = Value::int(0);
     for factor in &family.factors {
         if factor.slope == 0 {
@@ -29,23 +53,40 @@ pub fn of(library: &Library<'_>, function: &str, family: &Family) -> Result<Valu
             add(meter, &mut slope, &Value::int(factor.slope), &power)?;
         }
     }
-    let first = library.member(family, family.integers.least)?;
-    let found = match function {
-        "sobolev" => exponent::sobolev(library, &first)?,
-        "independent" => Real::Exact(exponent::independent(meter, &first)?),
-        "hurwitz" => Real::Exact(zeros::hurwitz(meter, &first)?),
-        _ => exponent::shown(library, function, &first)?,
-    };
-    let Real::Exact(value) = found else { return Err(ENCLOSED) };
-    if matches!(function, "independent" | "hurwitz") {
-        return Ok(value);
+    let member = Rc::new(library.member(family, family.integers.least)?);
+    let Some(Real::Exact(value)) = of_member(call, &member)? else { return Err(ENCLOSED) };
+    match known {
+        Known::Grows => {
+            let rational = value.rational().ok_or(ENCLOSED)?;
+            if call.function == "smoothness" && rational < int(0) {
+                return Err(DIVERGES);
+            }
+            let since = family.integers.polynomial(vec![-int(family.integers.least), int(1)]);
+            value.plus(1, &slope.times(&since)?)
+        }
+        Known::StaysAt(extreme) if !value.minus(&number(*extreme))?.is_zero() => Err(CHANGES),
+        Known::Stays | Known::StaysAt(_) => Ok(value),
     }
-    let rational = value.rational().ok_or(ENCLOSED)?;
-    if function == "smoothness" && rational < int(0) {
-        return Err(DIVERGES);
-    }
-    let since = family.integers.polynomial(vec![-int(family.integers.least), int(1)]);
-    value.plus(1, &slope.times(&since)?)
+}
+
+/// The value of the function for one scheme.
+fn of_member(call: &mut Call<'_>, member: &Rc<Scheme>) -> Result<Option<Real>, Stop> {
+    let (library, meter) = (call.library, call.library.meter);
+    Ok(Some(match call.function {
+        "smoothness" | "hoelder" => exponent::shown(library, call.function, member)?,
+        "sobolev" => exponent::sobolev(library, member)?,
+        "independent" => Real::Exact(exponent::independent(meter, member)?),
+        "hurwitz" => Real::Exact(zeros::hurwitz(meter, member)?),
+        function => {
+            call.set_scheme(Rc::clone(member));
+            match function {
+                "overshoot" | "gibbs" => return peaks::real(call),
+                "riesz_upper" => return limits::real(call),
+                "modulus_upper" => return modulus::real(call),
+                _ => Real::Exact(shape::of(call)?),
+            }
+        }
+    }))
 }
 
 /// The j of a factor c·z^k·σ(z)^j with a number c.

@@ -11,16 +11,11 @@ use crate::numbers::{Meter, Value};
 use crate::schemes::{Factor, Family};
 use crate::text::Stop;
 
-const FUNCTIONS: [&str; 14] = [
+const FUNCTIONS: [&str; 9] = [
     "approximation_order",
     "arity",
     "generation",
-    "hoelder",
-    "hurwitz",
-    "independent",
     "reproduction",
-    "smoothness",
-    "sobolev",
     "sum_rules",
     "support",
     "support_end",
@@ -34,7 +29,9 @@ const LEAST: Stop = Stop::Family("the orders of sum rules and cumulants are grea
 
 /// The value of such a function; `None` if the call is none, or its scheme depends on no index with all values.
 pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
-    let known = call.arguments.is_empty() && FUNCTIONS.contains(&call.function);
+    // The arity changes none of the names.
+    let of_first = limits::known(call.function, 2).is_some();
+    let known = call.arguments.is_empty() && (of_first || FUNCTIONS.contains(&call.function));
     if call.scope.every.is_none() || !known {
         return Ok(None);
     }
@@ -66,7 +63,10 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
             }
             Value::int(1)
         }
-        function => limits::of(call.library, function, &family)?,
+        function => match limits::known(function, family.arity) {
+            Some(known) => limits::of(call, &known, &family)?,
+            None => return Ok(None),
+        },
     }))
 }
 

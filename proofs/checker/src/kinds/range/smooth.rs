@@ -59,7 +59,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         let variable = claim.text("variable").unwrap_or_default();
         scope.values.insert(variable.to_owned(), at.clone().into());
         let said = block.after("vertex")?;
-        let (_, found) = vertex(paper, claim, (said, valences), &scope, block)?;
+        let (_, found) = vertex(paper, claim, (said, valences), &mut scope, block)?;
         (found == Found::Rough, matches!(found, Found::Smooth(_)))
     } else {
         let place = Root::from(at.clone());

@@ -4,19 +4,25 @@
 //! polynomial has a root there whose sign was asked for: then all formulas take the same course at all numbers of the interval. If
 //! one has, the interval is cut at its roots. `proofs/THEOREMS.md`, 140.
 
+mod bounds;
+
 use crate::cap::Cap;
 use crate::claim::{Comparison, Identity, Index, LocatedReference, Paper, Sign};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
+use crate::evaluation::masks::{End, MAX_CLASSES};
 use crate::evaluation::shape::{Coefficients, Own, Shapes, own_shape};
 use crate::exact::{
     IntegerPolynomial, Interval, IntervalSet, Place, QuotientAt, Rational, RealAlgebraic,
     Scalar as _,
 };
-use crate::finding::{Counterexample, EquationVerdict, OnReals, RealCase};
-use crate::formula::{FormulaErrorKind, LocatedFormula, Scope, evaluate};
+use crate::finding::{Counterexample, EquationVerdict, OnReals, RealCase, SideValue};
+use crate::formula::{FormulaErrorKind, Functions, LocatedFormula, Scope, evaluate};
 use crate::judge::cases::{Case, Unbounded, beyond, cases};
-use crate::judge::relation::states_nothing;
+use crate::judge::comparison::Sides;
+use crate::judge::relation::{self, states_nothing};
+use bounds::{Bounded, decided, has_bounds, is_bounded};
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::ops::Bound;
 use std::rc::Rc;
@@ -59,8 +65,8 @@ fn point(at: RealAlgebraic) -> Interval {
     Interval { low: Bound::Included(at.clone()), high: Bound::Included(at) }
 }
 
-/// The truth of each comparison at a place, and the polynomials on whose signs it rests.
-type Truths = (Vec<bool>, Vec<IntegerPolynomial>);
+/// The truth of each comparison at a place, `None` where bounds do not decide it, and the polynomials on whose signs it rests.
+type Truths = (Vec<Option<bool>>, Vec<IntegerPolynomial>);
 
 /// The line of the values of the index, in one combination of the others.
 struct Line<'a> {
@@ -79,7 +85,7 @@ impl Line<'_> {
     fn judged(
         mut self,
         stated: &IntervalSet,
-    ) -> Result<(IntervalSet, Option<Counterexample>), Diagnostic> {
+    ) -> Result<(Option<IntervalSet>, Option<Counterexample>), Diagnostic> {
         let everywhere = self.identity.only;
         let mut points: Vec<RealAlgebraic> = stated.ends().map(|(end, _)| end.clone()).collect();
         points.sort();
@@ -96,10 +102,17 @@ impl Line<'_> {
                 cells.push((cell, Vec::new()));
                 continue;
             };
-            let (truths, asked) = self.truths(at.into())?;
+            let (truths, asked) = self.truths(at.into(), false)?;
             let inside = self.roots_in(&asked, &cell);
             if inside.is_empty() {
-                cells.push((cell, truths));
+                match self.all_decided(&truths) {
+                    Ok(truths) => cells.push((cell, truths)),
+                    // One number may show already that the claim is false.
+                    Err(error) => match self.refutes(&open, stated.covers(&open)) {
+                        Some(counterexample) => return Ok((None, Some(counterexample))),
+                        None => return Err(error),
+                    },
+                }
                 continue;
             }
             if cuts.len() + inside.len() > MAX_CUTS {
@@ -118,7 +131,11 @@ impl Line<'_> {
             found.push((interval(&cell), truths));
             if let Some(cut) = cuts.get(i) {
                 let alone = point(cut.clone());
-                let truths = if within(&alone) { self.truths(cut.clone())?.0 } else { Vec::new() };
+                let truths = if within(&alone) {
+                    self.all_decided(&self.truths(cut.clone(), true)?.0)?
+                } else {
+                    Vec::new()
+                };
                 found.push((alone, truths));
             }
         }
@@ -130,7 +147,18 @@ impl Line<'_> {
             (!truths.is_empty() && stated.covers(set) != holds(truths))
                 .then(|| Counterexample { value: number_in(set), fails })
         });
-        Ok((truth, counterexample))
+        Ok((Some(truth), counterexample))
+    }
+
+    /// The truths, if all are known.
+    fn all_decided(&self, truths: &[Option<bool>]) -> Result<Vec<bool>, Diagnostic> {
+        let known = self.identity.comparisons.iter().zip(truths);
+        known
+            .map(|(comparison, truth)| {
+                let what = "the smoothness of limits is not decided for all values of a parameter: the number of residue classes";
+                truth.ok_or_else(|| beyond(comparison.right(), Cap::new(what, MAX_CLASSES as u64)))
+            })
+            .collect()
     }
 
     /// The roots of polynomials in an open interval, each once.
@@ -154,8 +182,9 @@ impl Line<'_> {
         inside
     }
 
-    /// The truth of each comparison at a number.
-    fn truths(&self, at: RealAlgebraic) -> Result<Truths, Diagnostic> {
+    /// The truth of each comparison at a number. If it does not stand `alone`, it stands for an interval.
+    fn truths(&self, at: RealAlgebraic, alone: bool) -> Result<Truths, Diagnostic> {
+        let number = at.as_rational().filter(|_| alone).cloned();
         let place = Rc::new(Place::new(at));
         let shapes = Shapes::with_filters(self.library);
         let none = Coefficients { shapes: &shapes, own: None };
@@ -164,8 +193,8 @@ impl Line<'_> {
             Some(located) => Some(self.own(&shapes, located, &none, &place)?),
         };
         let functions = Coefficients { shapes: &shapes, own };
-        let scope = self.scope(&functions, &place);
-        let value = |formula: &LocatedFormula| {
+        let value = |formula: &LocatedFormula, functions: &dyn Functions<QuotientAt>| {
+            let scope = self.scope(functions, &place);
             evaluate(&formula.expr, &scope).map_err(|error| {
                 let of_number = matches!(error.kind, FormulaErrorKind::DivisionByZero);
                 let error = formula.diagnostic(&error);
@@ -176,10 +205,55 @@ impl Line<'_> {
                 Diagnostic { message, ..error }
             })
         };
+        let exact = |formula: &LocatedFormula| value(formula, &functions);
+        let end = |formula: &LocatedFormula, end: End| match is_bounded(formula) {
+            true => value(formula, &Bounded { coefficients: &functions, end }),
+            false => exact(formula),
+        };
         let comparisons = self.identity.comparisons.iter();
-        let truths = comparisons.map(|comparison| truth(comparison, value));
-        let truths = truths.collect::<Result<Vec<bool>, Diagnostic>>()?;
+        let truths = comparisons.map(|comparison| {
+            if !has_bounds(comparison) {
+                return truth(comparison, exact).map(Some);
+            }
+            let found = decided(comparison, end)?;
+            Ok(found.or_else(|| self.at_number(comparison, number.as_ref()?)))
+        });
+        let truths = truths.collect::<Result<Vec<Option<bool>>, Diagnostic>>()?;
         Ok((truths, place.asked()))
+    }
+
+    /// A number of an interval that shows that the claim is false, if its first rational number does. The claim states that the interval is `inside`.
+    fn refutes(&self, open: &Interval, inside: bool) -> Option<Counterexample> {
+        let at = open.rational()?;
+        let comparisons = self.identity.comparisons.iter();
+        let truths: Vec<Option<bool>> =
+            comparisons.map(|comparison| self.at_number(comparison, &at)).collect();
+        let fails = truths.iter().position(|truth| *truth == Some(false));
+        let refutes = if inside {
+            fails.is_some()
+        } else {
+            truths.iter().all(|truth| *truth == Some(true))
+        };
+        refutes.then(|| Counterexample { value: at.into(), fails })
+    }
+
+    /// The truth of a comparison at a rational number, as one of a listed index.
+    fn at_number(&self, comparison: &Comparison, number: &Rational) -> Option<bool> {
+        let (shapes, in_fields) =
+            (Shapes::with_filters(self.library), Shapes::with_filters(self.library));
+        let sides = Sides {
+            paper: self.paper,
+            identity: self.identity,
+            shapes: &shapes,
+            in_fields: &in_fields,
+            given: self.given.clone(),
+            spent: Cell::new(0),
+        };
+        let case = self.case.with(self.name, self.name, (number.clone(), &number.to_string()));
+        let left = comparison.left.formula(0);
+        let value = |formula: &LocatedFormula| sides.side(formula, &case).ok();
+        let rights = comparison.rights.iter().map(value).collect::<Option<Vec<SideValue>>>()?;
+        relation::decided(comparison, (left, &case.printed), &value(left)?, &rights).ok()?
     }
 
     fn own(
@@ -194,7 +268,7 @@ impl Line<'_> {
 
     fn scope<'s>(
         &'s self,
-        functions: &'s Coefficients<'s, QuotientAt>,
+        functions: &'s dyn Functions<QuotientAt>,
         place: &Rc<Place>,
     ) -> Scope<'s, QuotientAt> {
         let mut scope = Scope::new(&self.paper.definitions, functions);
