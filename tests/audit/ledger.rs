@@ -53,7 +53,7 @@ fn lines(audit: &PaperAudit<'_>) -> Vec<String> {
             EquationVerdict::Tried { cases } => format!("tried in {cases}"),
             EquationVerdict::Undecided { cases, open } => format!("{} of {cases} open", open.len()),
             EquationVerdict::Reals(found) => {
-                found.cases.iter().map(|case| case.truth.to_string()).collect()
+                found.cases.iter().flat_map(|case| &case.truth).map(ToString::to_string).collect()
             }
             EquationVerdict::NotCheckable | EquationVerdict::BeyondCap(_) => String::new(),
         };

@@ -39,7 +39,7 @@ weights.face = { face = '(1 + 2*l*cos(2*pi*(j - i)/5) + 2*m*cos(4*pi*(j - i)/5))
 ";
 
 /// Claims: scheme, valences, what is stated, and the verdict.
-const CLAIMS: [(&str, &str, &str, &str, bool); 21] = [
+const CLAIMS: [(&str, &str, &str, &str, bool); 24] = [
     ("catmull-clark", "3..8", "continuous = '1'", "confirmed", true),
     ("loop", "3..8", "continuous = '1'", "confirmed", true),
     ("loop-warren", "3..5", "continuous = '1'", "confirmed", true),
@@ -61,6 +61,10 @@ const CLAIMS: [(&str, &str, &str, &str, bool); 21] = [
     ("face:l=1,m=1/5", "", "not_continuous = '1'", "confirmed", false),
     ("edges:N=7,l=1/2", "", "continuous = '1'", "confirmed", true),
     ("edges:N=7,l=99/100", "", "not_continuous = '1'", "confirmed", true),
+    // The valence stands in the reference.
+    ("loop-weight:beta=3/(8*N)", "4..6", "continuous = '1'", "confirmed", true),
+    ("loop-weight:beta=(n-3)/8", "4", "continuous = '1'", "confirmed", true),
+    ("loop-weight:beta=kronecker(N, 4)/16 + kronecker(N, 5)", "4..5", "continuous = '1'", "refuted", true),
 ];
 
 fn claims() -> String {
@@ -157,6 +161,7 @@ fn what_has_no_valences_is_refused() {
         ("scheme = 'loop'\ncontinuous = '1'\nvalences = '9..5'", "does not name valences"),
         ("scheme = 'loop'\ncontinuous = '1'\nvalences = '3..1000'", "does not name valences"),
         ("scheme = 'loop:N=5'\ncontinuous = '1'\nvalences = '5'", "valence"),
+        ("scheme = 'loop-weight:beta=3/(8*N)'\ncontinuous = '1'", "unknown name `N`"),
         ("scheme = 'loop'\ncontinuous = '1'", "N"),
     ] {
         let source = format!("{HEAD}[[smoothness]]\nid = 'c'\nlocus = ''\n{claim}\n");

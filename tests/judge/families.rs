@@ -52,7 +52,6 @@ fn what_is_so_for_all_integers_is_proved_and_the_contrary_refuted() {
         ("not monotone(four, k = n)", "all n", Word::Open),
         ("monotone(four, k = n)", "all n", Word::Fails),
         ("gibbs(four, k = n) > 1", "all n", Word::Open),
-        ("monotone(hs, k = n)", "all n >= 60", Word::Open),
         // Only the greatest value is known to stay.
         ("riesz_lower(spline, k = n) < 1", "all n", Word::Open),
         ("modulus_lower(spline, k = n) = 0", "all n", Word::Open),

@@ -4,7 +4,9 @@ use super::relations::verdict;
 use crate::common::claims::{HEAD, judged, paper};
 use proptest::prelude::*;
 use subcert::audit::{EquationVerdict, Word};
+use subcert::certificate::certificate;
 use subcert::exact::Rational;
+use subcert_check::{Outcome, check};
 
 /// A family with a tension, and one whose mask gets shorter at 0 and at √2.
 const SCHEMES: &str = "[[scheme]]\nname = 'fp'\nparameters.w = { about = 'tension' }\n\
@@ -52,6 +54,88 @@ fn what_holds_holds_and_its_contrary_fails() {
         for (text, word) in [(text, Word::Holds), (contrary, Word::Fails)] {
             let found = verdict(SCHEMES, &format!("states = '{text}'\nfor = '{index}'\n"));
             assert_eq!(found, word, "{text} for {index}");
+        }
+    }
+}
+
+/// Families whose smoothness is known by sum rules from above, and by contraction from below.
+const SMOOTH: &str = "[[scheme]]\nname = 'cut'\nparameters.w = {}\nmask = '[w, 1-w, 1-w, w]'\n\
+    [[scheme]]\nname = 'three'\nparameters.w = {}\n\
+    symbol = '(1+z+z^2)/3*(w + (1-w)*z + z^2 + (1-w)*z^3 + w*z^4)'\n\
+    [[scheme]]\nname = 'twice'\nparameters.w = {}\nsymbol = '(1+z)*(1+z^2)*(w + (1-w)*z)/2'\n\
+    [[scheme]]\nname = 'root'\nparameters.w = {}\n\
+    symbol = '(1+z)/2*(1 + (w^2-2)*(1-z)^2 + z*(1 - (w^2-2)*(1-z)))'\n";
+
+#[test]
+fn bounds_of_smoothness_decide_on_intervals() {
+    for (index, text, contrary) in [
+        ("real v", "smoothness(fp, w = v) < 2", "smoothness(fp, w = v) >= 1"),
+        ("0 < v < 1/8", "smoothness(fp, w = v) >= 1", "smoothness(fp, w = v) != 1"),
+        ("0 < v < 1/8", "1 = smoothness(fp, w = v)", "2 <= smoothness(fp, w = v)"),
+        ("-1/4 < v < 1/4", "hoelder(fp, w = v) <= 2", "hoelder(fp, w = v) < 2"),
+        (
+            "-1/4 < v < 1/4",
+            "hoelder(fp, w = v) <= hoelder(four-point, w = 1/16)",
+            "hoelder(fp, w = v) < hoelder(four-point, w = 1/16)",
+        ),
+        ("0 < v < 1/2", "smoothness(cut, w = v) >= 0", "smoothness(cut, w = v) = 0"),
+        ("1/3 < v < 1/2", "smoothness(cut, w = v) = 0", "smoothness(cut, w = v) > 0"),
+        ("real v", "smoothness(three, w = v) <= 1", "smoothness(three, w = v) <= 0"),
+        ("0 < v < 1", "independent(fp, w = v)", "not independent(fp, w = v)"),
+        // At √2 there is one sum rule more, and only there.
+        ("1 < v < 7/5", "smoothness(root, w = v) <= 0", "smoothness(root, w = v) >= 1"),
+    ] {
+        let schemes = format!("{SCHEMES}{SMOOTH}");
+        for (text, word) in [(text, Word::Holds), (contrary, Word::Fails)] {
+            let found = verdict(&schemes, &format!("states = '{text}'\nfor = '{index}'\n"));
+            assert_eq!(found, word, "{text} for {index}");
+        }
+    }
+}
+
+#[test]
+fn what_bounds_of_smoothness_leave_is_open() {
+    let schemes = format!("{SCHEMES}{SMOOTH}");
+    for (index, text) in [
+        // Of a scheme that is not shown to converge there is no exponent.
+        ("real v", "hoelder(fp, w = v) <= 2"),
+        // The shifts are dependent for all v.
+        ("real v", "smoothness(twice, w = v) < 5"),
+    ] {
+        let found = verdict(&schemes, &format!("states = '{text}'\nfor = '{index}'\n"));
+        assert!(matches!(found, Word::Open | Word::NotCheckable), "{text} for {index}: {found}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    /// What is proved of the smoothness for all values of a parameter is so for single ones.
+    #[test]
+    fn smoothness_on_intervals_is_that_of_single_values(
+        (p, q, r) in (-4_i64..5, -4_i64..5, -2_i64..3),
+        (m, order) in (0_i64..3, 1_i64..3),
+        sign in prop_oneof![Just("<"), Just("<="), Just(">=")],
+        at in proptest::collection::vec((1_i64..8, 1_i64..17), 3),
+    ) {
+        let family = format!(
+            "[[scheme]]\nname = 'drawn'\nparameters.w = {{}}\n\
+             symbol = '(1+z)^{order}/2^{}*({p}*w/8 + {q}*w*z/8 + {r}*z^2/8 + (1 - ({p}*w + {q}*w + {r})/8)*z^3)'\n",
+            order - 1
+        );
+        let text = format!("smoothness(drawn, w = v) {sign} {m}");
+        let verdict = |of: String| {
+            let paper = paper(&format!("{family}[[relation]]\nid = 'r'\nlocus = 'l'\nstates = '{text}'\n{of}"));
+            let audit = judged(&paper);
+            let report = check(&paper.source.text, &[&certificate(&audit).text]).expect("a claim file");
+            // The rational bounds of a certificate may show less than the program knows.
+            assert!(!matches!(report.claims[0].2, Outcome::Invalid(..)), "{family}{text}");
+            audit.equations[0].verdict.word()
+        };
+        let whole = verdict("for = '0 < v < 8'\n".to_owned());
+        for value in at.into_iter().map(|(p, q)| Rational::new(p, q)).filter(|_| whole == Word::Holds) {
+            let single = verdict(format!("for = 'v = {value}'\n"));
+            prop_assert!(single != Word::Fails, "{} at {}: {}", text, value, family);
         }
     }
 }
@@ -118,7 +202,10 @@ fn what_makes_no_sense_is_refused() {
         ("states = 'v/v = 1'\nfor = 'real v'", "for v = 0"),
         ("states = 'v'\nfor = 'real v'", "states nothing by itself"),
         ("states = 'sqrt(v) > 1'\nfor = 'v > 1'", "v"),
-        ("states = 'hoelder(fp, w = v) > 1'\nfor = 'v > 1'", "v"),
+        ("states = 'sobolev(fp, w = v) > 1'\nfor = 'v > 1'", "v"),
+        ("states = 'smoothness(fp, w = v) + 1 >= 2'\nfor = '0 < v < 1/8'", "symbols in it"),
+        ("states = '-smoothness(fp, w = v) <= 1'\nfor = '0 < v < 1/8'", "symbols in it"),
+        ("states = 'smoothness(fp, w = v) in {1, 2}'\nfor = '0 < v < 1/8'", "symbols in it"),
     ] {
         let text = format!("{HEAD}{SCHEMES}[[relation]]\nid = 'r'\nlocus = 'l'\n{fields}\n");
         let source = subcert::diagnostic::SourceText::new("a.toml", text);
@@ -183,12 +270,13 @@ proptest! {
         let audit = judged(&paper);
         let EquationVerdict::Reals(found) = &audit.equations[0].verdict else { panic!("{text}") };
         let case = &found.cases[0];
+        let truth = case.truth.as_ref().expect("polynomials decide everything");
         let known = at.into_iter().map(|(p, q)| Rational::new(p, q));
-        let ends = case.truth.ends().filter_map(|(end, _)| end.as_rational().cloned());
+        let ends = truth.ends().filter_map(|(end, _)| end.as_rational().cloned());
         let witness = case.counterexample.iter().filter_map(|found| found.value.as_rational().cloned());
         for (value, shown) in known.chain(ends).map(|x| (x, false)).chain(witness.map(|x| (x, true))) {
             let single = verdict(SCHEMES, &format!("states = '{text}'\nfor = 'v = {value}'\n"));
-            prop_assert_eq!(single == Word::Holds, case.truth.contains(&value), "{} at {}", text, value);
+            prop_assert_eq!(single == Word::Holds, truth.contains(&value), "{} at {}", text, value);
             prop_assert!(!(shown && single == Word::Holds), "{} at {}", text, value);
         }
         prop_assert_eq!(whole == Word::Holds, case.counterexample.is_none());

@@ -1,7 +1,7 @@
 //! Verdicts of theorems: witnesses against a naive refinement, and bounds that are known
 //! to be true or false.
 
-use crate::common::claims::{judged, paper, theorem, without_tables};
+use crate::common::claims::{HEAD, judged, paper, theorem, without_tables};
 use crate::common::r;
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -9,9 +9,12 @@ use subcert::audit::{
     Control, Correction, Outcome, Place, Refutation, TheoremFinding, TheoremVerdict,
 };
 use subcert::bound::{Constants, SoundBound};
-use subcert::claim::Quantity;
+use subcert::certificate::certificate;
+use subcert::claim::{Quantity, read_paper};
+use subcert::diagnostic::SourceText;
 use subcert::exact::{Rational, RealCyclotomic};
 use subcert::scheme::{Mask, parse_local_rules, parse_scheme};
+use subcert_check::check;
 
 /// A control polygon that stays where its ends are, refined point by point.
 struct Naive<'a> {
@@ -234,6 +237,30 @@ fn proofs_by_hand_stand_on_claims_that_hold() {
     // Data go before a proof.
     let both = "scheme = 'chaikin'\nbounds = 'distance'\nby = 'beta/3*(1/2)^k'\nfrom = '0'\nproved_by = 'here'";
     assert_eq!(judged(&paper(&theorem(both))).theorems[0].verdict, TheoremVerdict::Refuted);
+}
+
+/// The limits of degree 2 are as near as 4^−k, where each point has its natural parameter, half a step before i/n^k.
+#[test]
+fn theorems_about_natural_parameters_are_judged_there() {
+    let found = |by: &str, more: &str| {
+        let of = format!("scheme = 'chaikin'\nbounds = 'distance'\nby = '{by}'\nfrom = '0'\n{more}");
+        let paper = paper(&theorem(&of));
+        let audit = judged(&paper);
+        let report = check(&paper.source.text, &[&certificate(&audit).text]).expect("a claim file");
+        (audit.theorems[0].verdict, matches!(report.claims[0].2, subcert_check::Outcome::Valid))
+    };
+    let natural = "parameters = 'natural'";
+    assert_eq!(found("beta*4^(-k)", ""), (TheoremVerdict::Refuted, true));
+    assert_eq!(found("beta*4^(-k)", "parameters = 'indexed'"), (TheoremVerdict::Refuted, true));
+    assert_eq!(found("beta*4^(-k)", natural), (TheoremVerdict::Open, false));
+    assert_eq!(found("beta*4^(-k)/5", natural), (TheoremVerdict::Refuted, true));
+    let wrong = |more: &str| {
+        let of = format!("bounds = 'distance'\nby = 'beta'\nfrom = '0'\n{more}");
+        let text = format!("{HEAD}{}", theorem(&of));
+        read_paper(&SourceText::new("t.toml", text)).unwrap_err().message
+    };
+    assert!(wrong("parameters = 'greville'").contains("names no parameters"));
+    assert!(wrong("parameters = 'natural'\noffset = '0'").contains("where points are"));
 }
 
 /// The scheme of THEOREMS 47: 0, …, 0, 1, 1, … has a difference of 2^k at level k.

@@ -3,6 +3,7 @@
 use super::table::LocatedReference;
 use crate::exact::Rational;
 use crate::formula::LocatedFormula;
+use crate::limit::Parametrisation;
 
 /// The names with a fixed meaning in every theorem about a bound or a depth: the spread of the
 /// control data (of nets also along each direction), the level, and the tolerance. In such a
@@ -64,6 +65,8 @@ pub struct Trial {
     /// The index offset at which the theorem compares polygon and limit; `None` for the schemes'
     /// own offsets.
     pub offset: Option<i64>,
+    /// Whether the points of a level are at their natural parameters, and not at i/n^k.
+    pub natural: bool,
     /// A ring L. With it, a step is |x^{k+1} − Lx^k|, and distances are compared only at points
     /// that L keeps. Without it, points of two levels are compared by their names.
     pub interpolant: Option<LocatedReference>,
@@ -74,6 +77,14 @@ pub struct Trial {
     pub rewritings: Vec<Rewriting>,
     /// The hypothesis that the first value is below the second.
     pub supposes: Option<(LocatedFormula, LocatedFormula)>,
+}
+
+impl Trial {
+    /// Where the points of a level are.
+    #[must_use]
+    pub fn parametrisation(&self) -> Parametrisation {
+        if self.natural { Parametrisation::Natural } else { Parametrisation::Indexed }
+    }
 }
 
 /// What a theorem states. P^k is the control polygon, or net, after k levels.

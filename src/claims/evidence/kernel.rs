@@ -40,8 +40,8 @@ pub fn kernel_findings(audit: &PaperAudit<'_>) -> Result<Vec<KernelFinding>, Dia
         let Some(refutation) = &finding.refutation else { continue };
         let Refutation { case, scheme, values, violation, .. } = refutation;
         let limit = rationals(&refutation.limit);
-        let indexed = (Parametrisation::Indexed, limit.as_deref());
-        found.extend(refuted(audit, finding, (case, scheme, values), violation, indexed)?);
+        let stated = (finding.theorem.tried.parametrisation(), limit.as_deref());
+        found.extend(refuted(audit, finding, (case, scheme, values), violation, stated)?);
         if let Some(Naturally::Refuted { case, scheme, values, violation, .. }) =
             &refutation.natural
         {

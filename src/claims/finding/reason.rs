@@ -108,6 +108,8 @@ reasons! {
         NoInterpolant "there is no interpolant",
         /// An interpolant that keeps nothing.
         NothingKept "the interpolant keeps no point",
+        /// Points have no natural parameters.
+        NoNaturalParameters "the scheme does not take lines to lines, so that its points have no natural parameters",
         /// No exact limits of a kind of scheme.
         NoLimits "the program has no exact limits of this kind of scheme",
         /// A theorem states no bound.

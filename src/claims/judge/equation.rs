@@ -56,7 +56,7 @@ fn compare(
         }
     }
     if identity.only || identity.real_index().is_some() {
-        return reals::judge(paper, identity, library, &given);
+        return reals::judge(paper, identity, (library, &shapes.used), &given);
     }
     let in_fields = Shapes::with_filters(library);
     let in_fields = &in_fields;

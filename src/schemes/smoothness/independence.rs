@@ -49,7 +49,10 @@ pub(super) struct Dependence<F> {
 }
 
 /// The next polynomial for which all of these symbols are reduced.
-pub(super) fn dependence<F: Real + PartialEq>(symbols: &[Vec<F>], n: usize) -> Option<Dependence<F>> {
+pub(super) fn dependence<F: Real + PartialEq>(
+    symbols: &[Vec<F>],
+    n: usize,
+) -> Option<Dependence<F>> {
     let all = || (0..n).flat_map(|e| symbols.iter().map(move |symbol| (e, symbol)));
     let part = |(e, symbol): (usize, &Vec<F>)| -> Vec<F> {
         symbol.iter().skip(e).step_by(n).cloned().collect()

@@ -7,7 +7,7 @@ use super::stated::{comment, masks, parameters, placed, ring};
 use super::statement::{Argument, Theorem};
 use crate::claims::Paper;
 use crate::data::{Points, Setting};
-use crate::kinds::theorem::instance::{Instance, first_level};
+use crate::kinds::theorem::instance::{Instance, first_level, points};
 use crate::kinds::theorem::sides::Stated;
 use crate::numbers::{Q, Value, int, read_rational};
 use crate::text::{At, Checked, Reason, Toml, compare, require};
@@ -44,6 +44,11 @@ fn one<'a>(paper: &'a Paper<'a>, claim: &'a Toml, theorem: &Theorem) -> Checked<
         Instance::new(paper, claim, &reference, values)?;
     require(level >= first_level(claim)?, Reason::Level)?;
     let quantity = if depth { "distance" } else { of("bounds") };
+    let stated = if quantity == "difference" { Points::Indexed } else { self::points(claim)? };
+    require(
+        stated == Points::Indexed || points == stated,
+        Reason::Malformed("natural parameters"),
+    )?;
     let stated = Stated { quantity, level, tolerance: tolerance.map(Value::from) };
     // The data of the statement have the spread 1.
     let bound = stated.bound(claim, scope, &[int(1), int(1)])?;

@@ -27,6 +27,8 @@ claim_table!(TheoremTable {
     pub(super) values: BTreeMap<Spanned<String>, Vec<Spanned<String>>>,
     /// Where polygon and limit are compared.
     offset: Option<Spanned<String>>,
+    /// Where the points of a level are: `natural`, or `indexed` at i/n^k.
+    parameters: Option<Spanned<String>>,
     /// Of rings: what the points of the next level are compared with.
     interpolant: Option<Spanned<String>>,
     /// A constant in `by` belongs to so many levels.
@@ -69,6 +71,7 @@ impl TheoremTable {
             schemes: &self.schemes,
             values: &self.values,
             offset: self.offset.as_ref(),
+            parameters: self.parameters.as_ref(),
             interpolant: self.interpolant.as_ref(),
             block: self.block.as_ref(),
             supposes: self.supposes.as_ref(),
@@ -88,7 +91,10 @@ impl Reader<'_> {
         self.known(&id, &table.proof_uses, "proof_uses", &self.ids[0])?;
         self.decided(&table.proof_uses, &self.ids[1])?;
         let rests = table.rests.iter().map(|premise| premise.get_ref().clone()).collect();
-        let (tried, by_hand) = (self.trial(table.trial())?, self.by_hand(table)?);
+        let (mut tried, by_hand) = (self.trial(table.trial())?, self.by_hand(table)?);
+        // Differences are the same wherever the points are.
+        tried.natural &=
+            !matches!(statement, Statement::Bound { quantity: Quantity::Difference, .. });
         Ok(Theorem { id, locus, title, scheme, statement, tried, by_hand, rests, note })
     }
 

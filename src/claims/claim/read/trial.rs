@@ -46,6 +46,7 @@ pub(super) struct TrialFields<'t> {
     pub(super) schemes: &'t [Spanned<String>],
     pub(super) values: &'t BTreeMap<Spanned<String>, Vec<Spanned<String>>>,
     pub(super) offset: Option<&'t Spanned<String>>,
+    pub(super) parameters: Option<&'t Spanned<String>>,
     pub(super) interpolant: Option<&'t Spanned<String>>,
     pub(super) block: Option<&'t Spanned<String>>,
     pub(super) supposes: Option<&'t SupposesTable>,
@@ -90,9 +91,21 @@ impl Reader<'_> {
                 Some((formula(self.source, value)?, formula(self.source, below)?))
             }
         };
+        let natural = match table.parameters {
+            None => false,
+            Some(text) => self.is_natural(text)?,
+        };
+        if let (true, Some(other)) = (natural, table.offset.or(table.interpolant)) {
+            return Err(self
+                .error(other.span(), "this says where points are, and so does `parameters`")
+                .with_help(
+                    "at natural parameters every point of a line stays on it; take one of the two",
+                ));
+        }
         Ok(Trial {
             schemes,
             values,
+            natural,
             offset: table.offset.map(|text| self.offset(text)).transpose()?,
             interpolant: table.interpolant.map(|text| self.located(text)).transpose()?,
             block: self.optional(table.block)?,
@@ -103,6 +116,16 @@ impl Reader<'_> {
                 .collect::<Result<_, Diagnostic>>()?,
             supposes,
         })
+    }
+
+    fn is_natural(&self, text: &Spanned<String>) -> Result<bool, Diagnostic> {
+        match text.get_ref().as_str() {
+            "natural" => Ok(true),
+            "indexed" => Ok(false),
+            other => Err(self
+                .error(text.span(), format!("`{other}` names no parameters"))
+                .with_help("write 'natural', or 'indexed' for the points of level k at i/n^k")),
+        }
     }
 
     fn offset(&self, text: &Spanned<String>) -> Result<i64, Diagnostic> {

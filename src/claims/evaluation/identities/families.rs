@@ -147,7 +147,8 @@ impl Families<'_> {
         call: &Call<'_, Polynomial>,
         options: &mut Options<'_>,
     ) -> Result<Option<RationalPolynomial>, CallError> {
-        let Some((change, added)) = change(call.function, family.arity()).zip(family.added()) else {
+        let Some((change, added)) = change(call.function, family.arity()).zip(family.added())
+        else {
             return Ok(None);
         };
         let first = Rational::from(family.first());

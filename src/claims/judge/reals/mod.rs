@@ -11,6 +11,7 @@ use crate::claim::{Comparison, Identity, Index, LocatedReference, Paper, Sign};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::evaluation::masks::{End, MAX_CLASSES};
+use crate::evaluation::reals::Used;
 use crate::evaluation::shape::{Coefficients, Own, Shapes, own_shape};
 use crate::exact::{
     IntegerPolynomial, Interval, IntervalSet, Place, QuotientAt, Rational, RealAlgebraic,
@@ -34,7 +35,7 @@ const MAX_CUTS: usize = 1_000;
 pub(super) fn judge(
     paper: &Paper,
     identity: &Identity,
-    library: &Library<'_>,
+    (library, used): (&Library<'_>, &Used),
     given: &BTreeMap<String, Rational>,
 ) -> Result<EquationVerdict, Diagnostic> {
     let (place, name, stated) = match (identity.real_index(), &identity.indices[..]) {
@@ -51,8 +52,8 @@ pub(super) fn judge(
         None => vec![Case::first()],
     };
     let found = others.into_iter().map(|case| {
-        let line =
-            Line { paper, identity, library, given, name, case: &case, roots: BTreeMap::new() };
+        let roots = BTreeMap::new();
+        let line = Line { paper, identity, library, used, given, name, case: &case, roots };
         let (truth, counterexample) = line.judged(&stated)?;
         let indices = case.values.iter().map(|(_, value)| value.clone()).collect();
         Ok(RealCase { at: case.text.clone(), indices, truth, counterexample })
@@ -73,6 +74,8 @@ struct Line<'a> {
     paper: &'a Paper,
     identity: &'a Identity,
     library: &'a Library<'a>,
+    /// The limits that the truths rest on.
+    used: &'a Used,
     given: &'a BTreeMap<String, Rational>,
     name: &'a str,
     case: &'a Case,
@@ -219,6 +222,7 @@ impl Line<'_> {
             Ok(found.or_else(|| self.at_number(comparison, number.as_ref()?)))
         });
         let truths = truths.collect::<Result<Vec<Option<bool>>, Diagnostic>>()?;
+        self.note(&shapes.used);
         Ok((truths, place.asked()))
     }
 
@@ -229,11 +233,8 @@ impl Line<'_> {
         let truths: Vec<Option<bool>> =
             comparisons.map(|comparison| self.at_number(comparison, &at)).collect();
         let fails = truths.iter().position(|truth| *truth == Some(false));
-        let refutes = if inside {
-            fails.is_some()
-        } else {
-            truths.iter().all(|truth| *truth == Some(true))
-        };
+        let refutes =
+            if inside { fails.is_some() } else { truths.iter().all(|truth| *truth == Some(true)) };
         refutes.then(|| Counterexample { value: at.into(), fails })
     }
 
@@ -253,7 +254,19 @@ impl Line<'_> {
         let left = comparison.left.formula(0);
         let value = |formula: &LocatedFormula| sides.side(formula, &case).ok();
         let rights = comparison.rights.iter().map(value).collect::<Option<Vec<SideValue>>>()?;
-        relation::decided(comparison, (left, &case.printed), &value(left)?, &rights).ok()?
+        let truth = relation::decided(comparison, (left, &case.printed), &value(left)?, &rights);
+        self.note(&shapes.used);
+        truth.ok()?
+    }
+
+    /// Adds limits to those that the truths rest on, each once.
+    fn note(&self, found: &Used) {
+        let mut used = self.used.borrow_mut();
+        for (name, limits) in found.take() {
+            if used.iter().all(|(_, known)| known.mask != limits.mask) {
+                used.push((name, limits));
+            }
+        }
     }
 
     fn own(

@@ -13,6 +13,7 @@ use crate::judge::distance::{LocalCap, MAX_LOCAL_SIZE, MAX_STEPS};
 use crate::judge::theorem::local_rules::AroundPoint;
 use crate::judge::theorem::setting::Setting;
 use crate::judge::theorem::uniform::Uniform;
+use crate::limit::natural_shift;
 use crate::scheme::{Instance, LocalRules, SchemeError};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -150,6 +151,14 @@ impl<'a> Case<'a> {
     /// Whether it is about a ring, which has no mask.
     pub(crate) fn is_ring(&self) -> bool {
         self.resolved.is_none() && self.beyond.is_none()
+    }
+
+    /// Whether the points have natural parameters: the points of a ring are there.
+    pub(crate) fn has_natural_parameters(&self) -> bool {
+        let keeps = |scheme: &Resolved| {
+            scheme.constants.iter().all(|axis| natural_shift(axis.mask()).keeps_lines)
+        };
+        self.resolved.as_ref().is_none_or(keeps)
     }
 
     /// Finds the scheme, and gives its name; `None` when its parameters have no values.

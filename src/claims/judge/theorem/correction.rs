@@ -69,6 +69,7 @@ pub(crate) fn corrections(
     let mut settings = cases.iter().filter_map(|case| case.setting.as_ref());
     let moves = settings.any(|setting| setting.centred().is_some());
     if moves
+        && !theorem.tried.natural
         && !matches!(&theorem.statement, Statement::Bound { quantity, .. } if *quantity == Quantity::Difference)
     {
         found.push(Correction::Centred);

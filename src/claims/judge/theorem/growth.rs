@@ -92,10 +92,18 @@ impl Reader<'_> {
             }
             Node::Negate(operand) => self.of(operand, depth + 1),
             Node::Power(base, exponent) if !self.depends(base) => {
+                let (exponent, inverse) = match &exponent.node {
+                    Node::Negate(operand) => (&**operand, true),
+                    _ => (&**exponent, false),
+                };
                 let (Some((period, step)), Some(base)) = (self.slope(exponent)?, self.value(base)?)
                 else {
                     return Ok(None);
                 };
+                if inverse && base.sign() == 0 {
+                    return Ok(None);
+                }
+                let base = if inverse { base.recip() } else { base };
                 let ratio = Growth { ratio: base, ..Growth::constant() }.power(step);
                 Ok(Some(Growth { period, ratio, spreads: 0 }))
             }

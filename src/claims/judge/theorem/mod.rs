@@ -29,7 +29,6 @@ use crate::judge::theorem::natural::{naturally, outcomes, placed, size};
 use crate::judge::theorem::setting::Setting;
 use crate::judge::theorem::shift::every_shift;
 use crate::judge::theorem::trial::Trial;
-use crate::limit::Parametrisation;
 use std::collections::BTreeSet;
 
 /// The precision of the supremum that is given beside a false bound: 1/1000 of it.
@@ -108,7 +107,7 @@ fn one<'a>(
         return Ok(finding);
     }
     let cases = Case::all(paper, theorem, library, stage)?;
-    let parametrisation = Parametrisation::Indexed;
+    let parametrisation = theorem.tried.parametrisation();
     let as_printed = Trial { paper, theorem, corrections: &[], parametrisation };
     for case in &cases {
         let outcome = as_printed.of(case)?;
@@ -119,7 +118,7 @@ fn one<'a>(
         Some((violation, case))
     });
     if let Some((violation, case)) = violations.min_by_key(|(violation, _)| size(violation)) {
-        let setting = case.setting.as_deref();
+        let setting = case.setting.as_deref().map(|setting| as_printed.placed(setting));
         let natural = outcomes(paper, theorem, &cases, &finding.cases)?;
         let every_shift = every_shift(theorem, &cases, &natural)?;
         let Violation { quantity, level, .. } = **violation;
@@ -128,7 +127,9 @@ fn one<'a>(
             scheme: case.scheme.clone(),
             values: case.chosen.clone(),
             limit: match quantity {
-                Quantity::Distance => setting.and_then(Setting::limit).unwrap_or_default().to_vec(),
+                Quantity::Distance if !theorem.tried.natural => {
+                    setting.and_then(Setting::limit).unwrap_or_default().to_vec()
+                }
                 _ => Vec::new(),
             },
             violation: (**violation).clone(),
@@ -137,7 +138,7 @@ fn one<'a>(
                 Quantity::Distance => setting.and_then(|setting| setting.sound(level)),
                 _ => None,
             },
-            natural: placed(theorem, &cases)
+            natural: (placed(theorem, &cases) && !theorem.tried.natural)
                 .then(|| naturally(&cases, &natural, every_shift.as_ref())),
             every_shift,
         });
@@ -150,7 +151,10 @@ fn one<'a>(
         if let [CaseFinding { outcome: Outcome::Proved, .. }] = &finding.cases[..] {
             finding.verdict = TheoremVerdict::Proved;
             finding.proof = Some("by exact suprema at finitely many levels, and T_c".to_owned());
-            finding.levels = as_printed.levels(&cases[0])?;
+            // The lines of a certificate are about points at i/n^k.
+            if !theorem.tried.natural {
+                finding.levels = as_printed.levels(&cases[0])?;
+            }
         }
     }
     Ok(finding)
@@ -183,7 +187,7 @@ fn repairs(
         if repairs.iter().any(larger) {
             continue;
         }
-        let parametrisation = Parametrisation::Indexed;
+        let parametrisation = theorem.tried.parametrisation();
         let trial = Trial { paper, theorem, corrections: &set, parametrisation };
         let (mut saved, mut proved) = (true, true);
         for case in order.iter().map(|&i| &cases[i]) {

@@ -31,7 +31,7 @@ pub(crate) fn outcomes(
     cases: &[Case<'_>],
     indexed: &[CaseFinding],
 ) -> Result<Vec<Outcome>, Diagnostic> {
-    if !placed(theorem, cases) {
+    if theorem.tried.natural || !placed(theorem, cases) {
         return Ok(indexed.iter().map(|case| case.outcome.clone()).collect());
     }
     let trial =

@@ -29,16 +29,23 @@ impl Trial<'_> {
         self.corrections.contains(&by)
     }
 
+    /// The setting with the points where they are in this trial.
+    pub(crate) fn placed<'s>(&self, setting: &'s dyn Setting) -> &'s dyn Setting {
+        match self.parametrisation {
+            Parametrisation::Indexed => setting,
+            Parametrisation::Natural => setting.natural().unwrap_or(setting),
+        }
+    }
+
     pub(crate) fn of(&self, case: &Case<'_>) -> Result<Outcome, Diagnostic> {
         let Some(setting) = &case.setting else {
             let cap = case.beyond.clone().map(Reason::Cap);
             return Ok(Outcome::Unknown(cap.unwrap_or(Reason::NoLimits)));
         };
-        let natural = match self.parametrisation {
-            Parametrisation::Indexed => None,
-            Parametrisation::Natural => setting.natural(),
-        };
-        let setting = natural.unwrap_or(&**setting);
+        if self.theorem.tried.natural && !case.has_natural_parameters() {
+            return Ok(Outcome::Unknown(Reason::NoNaturalParameters));
+        }
+        let setting = self.placed(&**setting);
         let centred = self.corrected(&Correction::Centred).then(|| setting.centred()).flatten();
         let setting = centred.unwrap_or(setting);
         let settings = settings(self.paper, self.theorem, self.corrections);

@@ -4,7 +4,7 @@ use super::function::beyond;
 use crate::audit::Failure;
 use crate::audit::{EquationFinding, EquationVerdict, OnReals};
 use crate::claim::{Comparison, EquationBody, Identity, Index, Sign};
-use crate::exact::{Rational, Rounding};
+use crate::exact::{Rational, Rounding, parse_decimal};
 
 /// How many cases a failing equation shows.
 const MAX_FAILURES: usize = 2;
@@ -47,6 +47,9 @@ pub(crate) fn outcome(finding: &EquationFinding<'_>) -> String {
             }];
             let shown = failures.iter().take(MAX_FAILURES);
             lines.extend(shown.map(|failure| difference(finding, failure)));
+            if compared(finding).is_empty() && failures.len() > MAX_FAILURES {
+                lines.push(format!("and {} more", failures.len() - MAX_FAILURES));
+            }
             lines.extend(rounded(&finding.verdict));
             lines.extend(mends.iter().map(|mend| format!("It holds with one side as {mend}")));
             lines.extend(finding.equation.note.clone());
@@ -104,6 +107,12 @@ pub(crate) fn values(finding: &EquationFinding<'_>, failure: &Failure) -> String
     match &identity.comparisons[..] {
         [comparison] if plain(comparison.sign) || stated(comparison) => {
             format!("the value is {}", failure.left)
+        }
+        [comparison] => {
+            let right = comparison.right().text.trim();
+            let printed = parse_decimal(right).is_ok();
+            let right = if printed { right.to_owned() } else { failure.right.to_string() };
+            format!("left = {}, right = {right}", failure.left)
         }
         _ => format!("left = {}, right = {}", failure.left, failure.right),
     }

@@ -49,7 +49,7 @@ impl<'a> Told<'a> for TheoremFinding<'a> {
         let own = self.theorem;
         let mut facts = Facts::new();
         facts.extend(own.scheme.as_ref().map(|s| ("scheme".to_owned(), s.reference.to_string())));
-        facts.push(("states".to_owned(), theorem::statement(&own.statement)));
+        facts.push(("states".to_owned(), theorem::statement(own)));
         if let Statement::Bound { by, .. } | Statement::Depth(by) = &own.statement {
             facts.extend(parts::definitions(audit, by));
         }
@@ -107,7 +107,7 @@ impl<'a> Told<'a> for TheoremFinding<'a> {
     fn erratum(&self) -> (Facts, Vec<String>) {
         let own = self.theorem;
         let mut facts = vec![
-            ("states".to_owned(), theorem::statement(&own.statement)),
+            ("states".to_owned(), theorem::statement(own)),
             ("verdict".to_owned(), self.outcome()),
         ];
         facts.extend(compared(self).map(|text| ("compared".to_owned(), text.to_owned())));
@@ -117,7 +117,7 @@ impl<'a> Told<'a> for TheoremFinding<'a> {
     fn difference(&self) -> [String; 2] {
         let outcome = self.outcome();
         let first = outcome.lines().next().unwrap_or_default();
-        [theorem::statement(&self.theorem.statement), first.to_owned()]
+        [theorem::statement(self.theorem), first.to_owned()]
     }
 
     fn contents(&self, context: &Context<'_, '_>) -> Result<Markup, Diagnostic> {

@@ -129,9 +129,11 @@ fn wrong(audit: &PaperAudit<'_>, (kind, count, all): Group, every: bool) -> Stri
         .collect();
     let otherwise = wrong.iter().filter(|one| told(**one).is_right_naturally()).count();
     let loci = wrong.iter().map(|finding| finding.claim().locus());
+    // Several claims of one place are one thing in words.
+    let named = loci.clone().collect::<BTreeSet<&str>>().len();
     let places = if every { all_places(loci) } else { places(loci, kind.one) };
     let naturally = naturally(otherwise, count, "not");
-    format!("{places} {}{naturally}: {count} of {all} {}.", is_wrong(kind, count), kind.several)
+    format!("{places} {}{naturally}: {count} of {all} {}.", is_wrong(kind, named), kind.several)
 }
 
 /// All of them: `Theorem 4; Theorem 5; (27), (28)`. Of a place with more than one name the first, where that is enough.

@@ -5,7 +5,7 @@ use crate::audit::{
     ByHand, Correction, EveryShift, KernelProof, Naturally, Outcome, Refutation, TheoremFinding,
     TheoremVerdict, Unshiftable, Violation, Word,
 };
-use crate::claim::Statement;
+use crate::claim::{Statement, Theorem};
 use crate::exact::{RealCyclotomic, format::short};
 use crate::report::words::kernel::CHECKED;
 
@@ -17,7 +17,7 @@ const DIGITS: u32 = 12;
 pub(crate) fn outcome(finding: &TheoremFinding<'_>) -> String {
     let name = finding.verdict.word();
     let mut lines = match (&finding.refutation, &finding.proof) {
-        (Some(refutation), _) => refuted(name, refutation, &finding.by_kernel),
+        (Some(refutation), _) => refuted(finding, refutation),
         (None, Some(proof)) => vec![format!("{name} · {proof}")],
         (None, None) => vec![tried(name, finding)],
     };
@@ -29,7 +29,12 @@ pub(crate) fn outcome(finding: &TheoremFinding<'_>) -> String {
 
 /// The parametrisations in which a theorem is refuted, where every shift of the parameter comes
 /// first.
-fn refuted(name: Word, refutation: &Refutation, by_kernel: &[KernelProof]) -> Vec<String> {
+fn refuted(finding: &TheoremFinding<'_>, refutation: &Refutation) -> Vec<String> {
+    let (name, by_kernel) = (finding.verdict.word(), &finding.by_kernel);
+    let (stated, place) = match finding.theorem.tried.natural {
+        true => ("at natural parameters", " at natural parameters"),
+        false => ("with points at i/n^k", ""),
+    };
     let Refutation { case, violation, natural, every_shift, .. } = refutation;
     let Violation { level, attained, bound, .. } = violation;
     let checked = |proof| if by_kernel.contains(&proof) { CHECKED } else { "" };
@@ -41,7 +46,7 @@ fn refuted(name: Word, refutation: &Refutation, by_kernel: &[KernelProof]) -> Ve
             let survives = exceeded(case, *level, &overshoot.gap().into(), bound);
             vec![
                 format!("{name} in every shift of the parameter · {survives}"),
-                format!("with points at i/n^k · {printed}"),
+                format!("{stated} · {printed}"),
             ]
         }
         (_, Some(Naturally::Holds)) => vec![
@@ -63,10 +68,10 @@ fn refuted(name: Word, refutation: &Refutation, by_kernel: &[KernelProof]) -> Ve
             "not known whether at natural parameters".to_owned(),
         ],
         (Some(EveryShift::Open), None) => vec![
-            format!("{name} · {printed}"),
+            format!("{name}{place} · {printed}"),
             "not known whether in every shift of the parameter".to_owned(),
         ],
-        (_, None) => vec![format!("{name} · {printed}")],
+        (_, None) => vec![format!("{name}{place} · {printed}")],
     }
 }
 
@@ -99,7 +104,8 @@ fn tried(name: Word, finding: &TheoremFinding<'_>) -> String {
         parts.push(format!("true in {proved} of {within} cases tried"));
     }
     if holds > 0 {
-        parts.push(format!("no counterexample in {holds}"));
+        let cases = if holds == 1 { "case" } else { "cases" };
+        parts.push(format!("no counterexample in {holds} {cases}"));
     }
     parts.join(" · ")
 }
@@ -144,7 +150,13 @@ fn premises(finding: &TheoremFinding<'_>) -> Option<String> {
 }
 
 /// The statement, in the formula language.
-pub(crate) fn statement(statement: &Statement) -> String {
+pub(crate) fn statement(theorem: &Theorem) -> String {
+    let place =
+        if theorem.tried.natural { ", with all points at their natural parameters" } else { "" };
+    format!("{}{place}", bound(&theorem.statement))
+}
+
+fn bound(statement: &Statement) -> String {
     match statement {
         Statement::Bound { quantity, by, from } => {
             format!("{} ≤ {} for k ≥ {from}", quantity.notation(), by.text)

@@ -14,7 +14,8 @@ use std::rc::Rc;
 
 const OTHER: Stop = Stop::Family("a factor that depends on the index is no power of σ(z)");
 const ENCLOSED: Stop = Stop::Family("the value for the first integer is not known to be rational");
-const CHANGES: Stop = Stop::Family("the value for the first integer may be another one for the next");
+const CHANGES: Stop =
+    Stop::Family("the value for the first integer may be another one for the next");
 const DIVERGES: Stop = Stop::Family("the scheme of the first integer diverges");
 
 /// What is known of a function of all members.

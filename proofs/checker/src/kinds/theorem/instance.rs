@@ -3,7 +3,7 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use crate::claims::{OF_THEOREMS, Paper};
-use crate::data::Setting;
+use crate::data::{Points, Setting};
 use crate::formulas::{Scope, formula, formula_of};
 use crate::numbers::Value;
 use crate::schemes::{LocalRules, MAX_OFFSET, Scheme};
@@ -106,5 +106,18 @@ pub fn first_level(claim: &Toml) -> Result<u32, Stop> {
         from => {
             from.and_then(|from| from.parse().ok()).ok_or(Stop::Wrong("`from` is no level".into()))
         }
+    }
+}
+
+/// Where a theorem has the points of a level.
+pub fn points(claim: &Toml) -> Checked<Points> {
+    match claim.text("parameters") {
+        None | Some("indexed") => Ok(Points::Indexed),
+        Some("natural") => {
+            let place = ["offset", "interpolant"].iter().find(|key| claim.get(key).is_some());
+            require(place.is_none(), Reason::Malformed("one place of the points"))?;
+            Ok(Points::Natural)
+        }
+        Some(_) => Err(Reason::Malformed("natural or indexed parameters").into()),
     }
 }

@@ -2,9 +2,9 @@
 //! (THEOREMS.md, 40).
 
 use super::growth::{MAX_PERIOD, growth};
-use super::instance::{Instance, first_level};
+use super::instance::{Instance, first_level, points};
 use crate::claims::Paper;
-use crate::data::Setting;
+use crate::data::{Points, Setting};
 use crate::formulas::formula_of;
 use crate::kinds::table::promise::{change, errors, flows, kept};
 use crate::kinds::table::sound::Promised;
@@ -25,6 +25,10 @@ pub fn check<'a>(
     let one = ["schemes", "values"].iter().all(|key| claim.get(key).is_none());
     require(one && claim.get("scheme").is_some(), Reason::Single)?;
     let bounds = claim.text("bounds").unwrap_or_default();
+    if points(claim)? == Points::Natural && bounds != "difference" {
+        // The lines are about points at i/n^k.
+        return Err(Reason::NotShown.into());
+    }
     let quantity = ["difference", "step", "distance"].contains(&bounds);
     require(quantity, Reason::Malformed("a theorem about a bound"))?;
     let by = formula_of(claim, "by")?;

@@ -11,14 +11,14 @@ use super::kind::{Citation, Kind, Proof};
 use crate::claims::{OF_THEOREMS, Paper};
 use crate::data::{Points, Witness};
 use crate::text::{Block, Checked, Reason, Toml, Verdict, require};
-use instance::Instance;
+use instance::{Instance, points};
 use sides::Stated;
 
 /// Claims of this kind.
 pub const KIND: Kind = Kind {
     name: "theorem",
     fields: "theorem: claim bounds=text by=text from=text says=text rests=*text schemes=*text values=%*text \
- offset=text interpolant=text supposes=supposes block=text corrections=*correction \
+ offset=text interpolant=text parameters=text supposes=supposes block=text corrections=*correction \
  proved_by=text refuted_by=text proof_uses=*text
 supposes: value=text below=text
 correction: of=text says=text value=text",
@@ -44,8 +44,10 @@ fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Ch
             if block.next_word() == "grows" {
                 return levels::check(paper, claim, block, instance).map(|()| Proof::Other);
             }
-            refuted(paper, claim, block, instance, Points::Indexed)?;
-            if block.next_word() == "naturally" {
+            let differences = claim.text("bounds") == Some("difference");
+            let points = if differences { Points::Indexed } else { points(claim)? };
+            refuted(paper, claim, block, instance, points)?;
+            if points == Points::Indexed && block.next_word() == "naturally" {
                 block.word("naturally")?;
                 let instance = Instance::read(paper, claim, block)?;
                 refuted(paper, claim, block, instance, Points::Natural)?;
