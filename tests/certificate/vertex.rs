@@ -64,7 +64,13 @@ const CLAIMS: [(&str, &str, &str, &str, bool); 24] = [
     // The valence stands in the reference.
     ("loop-weight:beta=3/(8*N)", "4..6", "continuous = '1'", "confirmed", true),
     ("loop-weight:beta=(n-3)/8", "4", "continuous = '1'", "confirmed", true),
-    ("loop-weight:beta=kronecker(N, 4)/16 + kronecker(N, 5)", "4..5", "continuous = '1'", "refuted", true),
+    (
+        "loop-weight:beta=kronecker(N, 4)/16 + kronecker(N, 5)",
+        "4..5",
+        "continuous = '1'",
+        "refuted",
+        true,
+    ),
 ];
 
 fn claims() -> String {

@@ -13,7 +13,7 @@ use proptest::prelude::*;
 use subcert::exact::Rational;
 use subcert::scheme::{LocalRules, Mask, Orbit, Rules, Scheme, parse_local_rules, parse_scheme};
 
-/// A quarter of so many random cases; all of them where `SUBCERT_CASES` is `all`, as in `.ci/run`.
+/// A quarter of so many random cases; all of them where `SUBCERT_CASES` is `all`, as in `.ci/defects.py`.
 pub fn cases(all: u32) -> ProptestConfig {
     let asked = std::env::var("SUBCERT_CASES").is_ok_and(|cases| cases == "all");
     ProptestConfig::with_cases(if asked { all } else { all.div_ceil(4) })

@@ -243,7 +243,8 @@ fn proofs_by_hand_stand_on_claims_that_hold() {
 #[test]
 fn theorems_about_natural_parameters_are_judged_there() {
     let found = |by: &str, more: &str| {
-        let of = format!("scheme = 'chaikin'\nbounds = 'distance'\nby = '{by}'\nfrom = '0'\n{more}");
+        let of =
+            format!("scheme = 'chaikin'\nbounds = 'distance'\nby = '{by}'\nfrom = '0'\n{more}");
         let paper = paper(&theorem(&of));
         let audit = judged(&paper);
         let report = check(&paper.source.text, &[&certificate(&audit).text]).expect("a claim file");

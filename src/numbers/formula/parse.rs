@@ -164,7 +164,13 @@ fn name_or_call(input: &mut Input<'_>) -> Parsed<Expr> {
         _ if name == ROOT => nested(root).parse_next(input)?,
         _ => nested(|input: &mut Input<'_>| call(input, name)).parse_next(input)?,
     };
-    required("`,` or `)`", ')').parse_next(input)?;
+    let has_options = matches!(&node, Node::Call { options, .. } if !options.is_empty());
+    let expected = if has_options {
+        "`,` or `)`, since the value of an option is a word, a name or a number,"
+    } else {
+        "`,` or `)`"
+    };
+    required(expected, ')').parse_next(input)?;
     let end = input.previous_token_end();
     space(input)?;
     Ok(Expr { node, span: start..end })

@@ -209,9 +209,9 @@ impl Line<'_> {
             })
         };
         let exact = |formula: &LocatedFormula| value(formula, &functions);
-        let end = |formula: &LocatedFormula, end: End| match is_bounded(formula) {
-            true => value(formula, &Bounded { coefficients: &functions, end }),
-            false => exact(formula),
+        let end = |formula: &LocatedFormula, end: End| {
+            let bounded = Bounded { coefficients: &functions, end };
+            if is_bounded(formula) { value(formula, &bounded) } else { exact(formula) }
         };
         let comparisons = self.identity.comparisons.iter();
         let truths = comparisons.map(|comparison| {

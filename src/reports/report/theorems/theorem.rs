@@ -31,9 +31,10 @@ pub(crate) fn outcome(finding: &TheoremFinding<'_>) -> String {
 /// first.
 fn refuted(finding: &TheoremFinding<'_>, refutation: &Refutation) -> Vec<String> {
     let (name, by_kernel) = (finding.verdict.word(), &finding.by_kernel);
-    let (stated, place) = match finding.theorem.tried.natural {
-        true => ("at natural parameters", " at natural parameters"),
-        false => ("with points at i/n^k", ""),
+    let (stated, place) = if finding.theorem.tried.natural {
+        ("at natural parameters", " at natural parameters")
+    } else {
+        ("with points at i/n^k", "")
     };
     let Refutation { case, violation, natural, every_shift, .. } = refutation;
     let Violation { level, attained, bound, .. } = violation;
