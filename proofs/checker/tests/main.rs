@@ -4,6 +4,7 @@
 
 mod altered;
 mod arithmetic;
+mod bounds_on_pieces;
 mod certificates;
 mod claims;
 mod command;
@@ -27,6 +28,7 @@ mod names;
 mod no_filters;
 mod opposites;
 mod radius;
+mod random_independence;
 mod random_reals;
 mod ratios;
 mod reals_of_index;

@@ -9,5 +9,5 @@ mod witness;
 pub use displacement::{best_offset, gather, moved, surface};
 pub use functional::Rules;
 pub use polygon::Polygon;
-pub use setting::{MAX_CLASSES, Setting, converges, converges_on};
+pub use setting::{MAX_CLASSES, Setting, contracts, converges, converges_on};
 pub use witness::{Points, Witness, violated};

@@ -57,7 +57,7 @@ pub fn converges_on(
 }
 
 /// Whether T_c < 1 for some c with so many residue classes.
-fn contracts(
+pub fn contracts(
     library: &Library<'_>,
     of: Sequence<'_>,
     most: usize,

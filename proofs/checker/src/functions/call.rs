@@ -199,7 +199,25 @@ impl<'c> Call<'c> {
         self.one_scheme(reference).map(Subject::Scheme)
     }
 
+    /// The scheme that the call is about, and whether its mask has the symbol of the piece. It is shorter where this is not so at
+    /// the ends.
+    pub fn scheme_on(&mut self) -> Result<(Rc<Scheme>, bool), Stop> {
+        let reference = self.reference()?;
+        let whole = self.whole_scheme(reference)?;
+        let depends = whole.numeric().is_err();
+        Ok((self.on_piece(&whole)?, depends))
+    }
+
     fn one_scheme(&self, reference: Option<String>) -> Result<Rc<Scheme>, Stop> {
+        self.on_piece(&self.whole_scheme(reference)?)
+    }
+
+    /// A scheme, without the ends of its mask that are 0 on the piece.
+    fn on_piece(&self, scheme: &Rc<Scheme>) -> Result<Rc<Scheme>, Stop> {
+        self.piece().map_or(Ok(Rc::clone(scheme)), |piece| scheme.shortened(piece))
+    }
+
+    fn whole_scheme(&self, reference: Option<String>) -> Result<Rc<Scheme>, Stop> {
         let scheme = match reference {
             None => self.scope.scheme.clone(),
             Some(reference) => self.library.resolve_any(&reference, self.scope)?.first().cloned(),
@@ -208,7 +226,7 @@ impl<'c> Call<'c> {
         let scheme =
             scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a {what}", self.function)))?;
         self.admits(&scheme)?;
-        self.piece().map_or(Ok(Rc::clone(&scheme)), |piece| scheme.shortened(piece))
+        Ok(scheme)
     }
 
     /// Checks that a scheme is no filter, or the function one of filters.

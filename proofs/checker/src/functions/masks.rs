@@ -230,7 +230,7 @@ impl Mask {
     }
 
     /// How often 1 + z + … + z^{n−1} divides a(z).
-    fn sum_rules(&self, meter: &Meter, piece: Option<&Piece<'_>>) -> Result<usize, Stop> {
+    pub fn sum_rules(&self, meter: &Meter, piece: Option<&Piece<'_>>) -> Result<usize, Stop> {
         let (mut rest, mut order) = (self.values.clone(), 0_usize);
         while let Some(quotient) = quotient(meter, &rest, self.arity, piece)? {
             rest = quotient;

@@ -51,6 +51,17 @@ impl<'m> Piece<'m> {
         low.is_some() && low == high
     }
 
+    /// This number, if it is one.
+    pub fn one(&self) -> Option<Root> {
+        let [low, high] = &*self.ends.borrow();
+        low.as_ref().filter(|_| low == high).cloned()
+    }
+
+    /// The symbol.
+    pub fn symbol(&self) -> &str {
+        &self.symbol
+    }
+
     /// The cuts, from below.
     pub fn cuts(&self) -> Vec<Root> {
         self.cuts.borrow().clone()

@@ -2,10 +2,14 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
+mod bounds;
 mod characteristic;
+mod euclid;
 mod independent;
+mod independent_on;
 mod known;
 mod logarithm;
+mod norms;
 mod printed;
 mod sobolev;
 
@@ -16,6 +20,7 @@ use crate::numbers::{Meter, Value};
 use crate::schemes::{Library, Scheme};
 use crate::text::Stop;
 
+pub use bounds::{Bounded, bounded, is_call};
 pub use characteristic::characteristic;
 pub use printed::{Bound, LogSum};
 pub use sobolev::sobolev;
@@ -32,7 +37,17 @@ pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
             let scheme = call.scheme()?;
             shown(call.library, call.function, &scheme)?
         }
-        ("independent", []) => Real::Exact(independent(call.library.meter, &*call.scheme()?)?),
+        ("independent", []) => {
+            let (meter, scheme) = (call.library.meter, call.scheme()?);
+            Real::Exact(match call.piece().filter(|_| scheme.numeric().is_err()) {
+                None => independent(meter, &scheme)?,
+                Some(piece) => {
+                    let mask = Mask::on(meter, &scheme, Some(piece))?;
+                    let is = independent_on::has_independent_shifts_on(meter, &mask, piece)?;
+                    Value::int(is.into())
+                }
+            })
+        }
         ("sobolev", []) => sobolev(call.library, &*call.scheme()?)?,
         _ => return Ok(None),
     }))

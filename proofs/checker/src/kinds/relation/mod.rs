@@ -1,6 +1,7 @@
 //! The rule `relation`: what is stated of formulas is true or false in every case.
 
 mod all;
+mod bounds;
 mod compare;
 mod ranges;
 mod reals;

@@ -2,7 +2,8 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::compare::judged;
+use super::bounds::{has_call, judged_on};
+use super::compare::{judged, judged_reals};
 use super::ranges::{Real, index, ranges, real};
 use super::states::{Comparison, Rest, Sign};
 use crate::claims::Paper;
@@ -34,8 +35,8 @@ pub fn check<'a>(
     block: &mut Block<'_>,
 ) -> Checked<()> {
     let lines = block.lines().iter().map(|line| line.word().0);
-    let constants = lines.into_iter().any(|word| matches!(word, "constant" | "limits"));
-    require(!constants, Reason::Malformed("no constants and limits beside real values"))?;
+    let constants = lines.into_iter().any(|word| word == "constant");
+    require(!constants, Reason::Malformed("no constants beside real values"))?;
     let claim = Claim::read(paper, claim, stated)?;
     let (verdict, reals) = block.any()?;
     require(reals == "reals", Reason::Malformed("a verdict on real values"))?;
@@ -132,14 +133,44 @@ impl<'c, 'a> Claim<'c, 'a> {
             let case = [&case[..], &[(self.name, value.clone())]].concat();
             return scope(self.paper, self.table, &case, &Rc::default());
         }
+        self.scope_on(case, ends)
+    }
+
+    /// The scope in which the index is a symbol.
+    fn scope_on(&self, case: &Case<'a>, ends: Ends) -> Result<Scope<'a>, Stop> {
         let piece = Piece::new(self.name, ends, self.paper.library.meter);
         scope_on(self.paper, self.table, case, (self.name, piece))
     }
 
+    /// Whether a comparison is false on a piece. For a rational number, all ways to see it count.
+    fn fails(
+        &self,
+        comparison: &Comparison,
+        (scope, case): (&Scope<'_>, &Case<'a>),
+        ends: &Ends,
+    ) -> Result<bool, Stop> {
+        let library = self.paper.library;
+        if scope.piece.is_some() {
+            return judged_on(library, comparison, scope);
+        }
+        let stop = match judged(comparison, scope) {
+            Ok((fails, _)) => return Ok(fails),
+            Err(stop) => stop,
+        };
+        let reals = judged_reals(library, comparison, scope);
+        if let Some(fails) = reals.ok().and_then(|found| found.fails) {
+            return Ok(fails);
+        }
+        if !has_call(comparison) {
+            return Err(stop);
+        }
+        judged_on(library, comparison, &self.scope_on(case, ends.clone())?)
+    }
+
     /// Whether all comparisons are true on a piece, or for a number. All of them need a value.
-    fn all_true(&self, scope: &Scope<'_>) -> Result<bool, Stop> {
+    fn all_true(&self, of: (&Scope<'_>, &Case<'a>), ends: &Ends) -> Result<bool, Stop> {
         self.stated.iter().try_fold(true, |all, comparison| {
-            let (fails, _) = judged(comparison, scope)?;
+            let fails = self.fails(comparison, of, ends)?;
             Ok(all && !fails)
         })
     }
@@ -154,8 +185,8 @@ impl<'c, 'a> Claim<'c, 'a> {
                     continue;
                 }
                 let found = on_parts(ends, |ends| {
-                    let scope = self.scope(case, ends)?;
-                    let found = self.all_true(&scope);
+                    let scope = self.scope(case, ends.clone())?;
+                    let found = self.all_true((&scope, case), &ends);
                     Ok((found, scope.piece.map_or(Vec::new(), |piece| piece.cuts())))
                 });
                 let right = found.map_err(open)? == Some(belongs);
@@ -185,8 +216,9 @@ impl<'c, 'a> Claim<'c, 'a> {
             (1..).zip(self.stated).find(|(place, _): &(usize, _)| place.to_string() == number);
         let (_, comparison) = found.ok_or(Reason::Case)?;
         require(words.next().is_none(), Reason::Malformed(WITNESS))?;
-        let scope = self.scope(&case, [Some(at.clone()), Some(at)]).map_err(open)?;
-        let (fails, _) = judged(comparison, &scope).map_err(open)?;
+        let ends = [Some(at.clone()), Some(at)];
+        let scope = self.scope(&case, ends.clone()).map_err(open)?;
+        let fails = self.fails(comparison, (&scope, &case), &ends).map_err(open)?;
         require(fails, Reason::NotFalse(said.to_owned()))
     }
 
@@ -195,8 +227,9 @@ impl<'c, 'a> Claim<'c, 'a> {
         let meter = self.paper.library.meter;
         let at = Root::read(said, meter)?.ok_or(Reason::Malformed(WITNESS))?;
         require(!self.line.has(&at, meter)?, Reason::Case)?;
-        let scope = self.scope(&Vec::new(), [Some(at.clone()), Some(at)]).map_err(open)?;
-        let holds = self.all_true(&scope).map_err(open)?;
+        let (case, ends) = (Vec::new(), [Some(at.clone()), Some(at)]);
+        let scope = self.scope(&case, ends.clone()).map_err(open)?;
+        let holds = self.all_true((&scope, &case), &ends).map_err(open)?;
         compare(holds, "true", "false", Reason::Said)
     }
 }
