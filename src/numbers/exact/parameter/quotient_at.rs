@@ -2,7 +2,7 @@
 
 use crate::exact::scalar::{Real, Scalar};
 use crate::exact::{Integer, IntegerPolynomial, Rational, RationalPolynomial, RealAlgebraic};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::fmt;
 use std::rc::Rc;
 
@@ -14,14 +14,19 @@ use std::rc::Rc;
 #[derive(Debug)]
 pub struct Place {
     at: RealAlgebraic,
+    /// A polynomial with this root, if the number is irrational.
+    modulus: Option<IntegerPolynomial>,
     asked: RefCell<Vec<IntegerPolynomial>>,
+    /// Whether one of these has the number as a root.
+    special: Cell<bool>,
 }
 
 impl Place {
     /// The place of this number.
     #[must_use]
     pub fn new(at: RealAlgebraic) -> Place {
-        Place { at, asked: RefCell::default() }
+        let modulus = at.as_rational().is_none().then(|| at.polynomial());
+        Place { at, modulus, asked: RefCell::default(), special: Cell::new(false) }
     }
 
     /// The number.
@@ -45,10 +50,19 @@ impl Place {
         if !asked.contains(p) {
             asked.push(p.clone());
         }
-        match self.at.as_rational() {
+        let sign = match self.at.as_rational() {
             Some(at) => p.sign_at(at),
             None => self.at.sign_of(p),
+        };
+        if sign == 0 {
+            self.special.set(true);
         }
+        sign
+    }
+
+    /// The number, if it is rational and stands for no interval any more: then functions are as well their values there.
+    fn alone(&self) -> Option<&Rational> {
+        self.at.as_rational().filter(|_| self.special.get())
     }
 }
 
@@ -131,6 +145,27 @@ impl QuotientAt {
         places: [&QuotientAt; 2],
     ) -> QuotientAt {
         let place = places.into_iter().find_map(|side| side.place.clone());
+        if let Some(at) = place.as_deref().and_then(Place::alone) {
+            return QuotientAt::from_rational(&(numerator.value_at(at) / denominator.value_at(at)));
+        }
+        if let Some(modulus) = place.as_deref().and_then(|place| place.modulus.as_ref())
+            && [numerator.degree(), denominator.degree()].into_iter().any(|d| d >= modulus.degree())
+        {
+            // Functions of equal values at the number do as well, and these stay small.
+            let below = rest(&RationalPolynomial::over(denominator, &Integer::one()), modulus);
+            let above = rest(numerator, modulus);
+            let numerator = above.times(&RationalPolynomial::constant(content(&below).recip()));
+            return QuotientAt::in_lowest_terms(&numerator, below.numerator(), place);
+        }
+        QuotientAt::in_lowest_terms(numerator, denominator, place)
+    }
+
+    /// The same, of polynomials that are small.
+    fn in_lowest_terms(
+        numerator: &RationalPolynomial,
+        denominator: &IntegerPolynomial,
+        place: Option<Rc<Place>>,
+    ) -> QuotientAt {
         let factor = |factor: Rational| numerator.times(&RationalPolynomial::constant(factor));
         if numerator.is_zero() || denominator.degree() == Some(0) {
             let numerator = factor(Rational::from(denominator.leading()).recip());
@@ -144,16 +179,29 @@ impl QuotientAt {
         };
         let below = over_common(denominator);
         let primitive = below.numerator().primitive();
-        let leading =
-            |p: &RationalPolynomial| p.coefficients().last().cloned().unwrap_or_else(Rational::one);
-        let of_integers = |p: &IntegerPolynomial| Rational::from(p.leading());
         // What the integers of the numerator lack, and what the denominator has too much.
-        let lacking = leading(numerator) / of_integers(numerator.numerator());
-        let excess = leading(&below) / of_integers(&primitive);
+        let lacking = content(numerator);
+        let leading = below.coefficients().last().cloned().unwrap_or_else(Rational::one);
+        let excess = leading / Rational::from(primitive.leading());
         let above = over_common(numerator.numerator());
         let numerator = above.times(&RationalPolynomial::constant(lacking / excess));
         QuotientAt { numerator, denominator: primitive, place }
     }
+}
+
+/// p modulo a polynomial over the integers.
+fn rest(p: &RationalPolynomial, modulus: &IntegerPolynomial) -> RationalPolynomial {
+    if p.is_zero() {
+        return p.clone();
+    }
+    let (scale, _, rest) = p.numerator().div_rem(modulus);
+    RationalPolynomial::over(&rest, &scale).times(&RationalPolynomial::constant(content(p)))
+}
+
+/// The number p/q, where q is the polynomial over the integers of which p ≠ 0 is a multiple.
+fn content(p: &RationalPolynomial) -> Rational {
+    let leading = p.coefficients().last().cloned().unwrap_or_else(Rational::one);
+    leading / Rational::from(p.numerator().leading())
 }
 
 fn one() -> IntegerPolynomial {
