@@ -359,7 +359,7 @@ fn what_is_no_claim() {
     }
 }
 
-/// No lines about constants and limits stand beside real values.
+/// No lines about constants stand beside real values.
 #[test]
 fn no_constants() {
     let constant = "constant hat contraction adjoint 1 0 1/2\n powers\n";
@@ -384,7 +384,6 @@ fn what_has_no_value_is_left_open() {
         (LEBESGUE, "'0 < v <= 1'", "limit_value(-1/2) = v"),
         ("bent:w=v", "'1 < v < 2'", "limit_value(0) = 1"),
         (FP, "'real v'", "limit_value(0) = 1"),
-        (FP, "'real v'", "independent()"),
         (FP, "'real v'", "eigenvalue(1) >= 0"),
         (FP, "'real v'", "riesz_lower() >= 0"),
         ("fp:w=1/v", "'v > 0'", "sum_rules() >= 2"),

@@ -22,6 +22,7 @@ pub use catalogue::catalogue;
 pub use convolution::{Convolution, MAX_LENGTH, Product, Sequence, Sums};
 pub use family::{Every, Factor, Family};
 pub use library::{Constant, Library, Named};
+pub use limits::Conditions;
 pub use local_rules::{LocalRules, VALENCE_NAMES, less};
 pub use powers::{Operator, PLACES};
 pub use reference::names;

@@ -106,8 +106,7 @@ impl Bounds<'_> {
             if self.exponent && !self.converges()? {
                 return Ok(false);
             }
-            Ok(self.has_unit()?
-                || has_independent_shifts_on(self.library.meter, &self.mask, self.piece)?)
+            Ok(self.has_unit()? || has_independent_shifts_on(self.library, &self.mask, self.piece)?)
         })
     }
 

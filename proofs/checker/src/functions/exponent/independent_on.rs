@@ -14,6 +14,7 @@ use crate::numbers::{
     Meter, Piece, Q, Root, Value, at, cyclotomic, divide, gcd, int, steps_of_gcd, trimmed,
 };
 use crate::radius::has_independent_shifts_over;
+use crate::schemes::{Conditions, Library};
 use crate::text::Stop;
 use num_integer::Integer as _;
 use num_traits::Zero as _;
@@ -21,56 +22,54 @@ use num_traits::Zero as _;
 /// The greatest order of roots of unity.
 const MAX_ORDER: u32 = 4_096;
 
-/// What is known of a condition for dependent shifts on a piece.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Dependent {
-    No,
-    Maybe,
-    Yes,
-}
-
 /// Whether they are. The ends of the mask are not 0 on the piece.
 pub fn has_independent_shifts_on(
-    meter: &Meter,
+    library: &Library<'_>,
     mask: &Mask,
     piece: &Piece<'_>,
 ) -> Result<bool, Stop> {
+    let meter = library.meter;
     let coefficients = |value: &Value| {
         let found = value.univariate(piece.symbol()).map(trimmed);
         found.ok_or(Stop::Undecided("independence over irrational numbers on a piece"))
     };
     let symbol = mask.values.iter().map(coefficients).collect::<Result<Polynomial, Stop>>()?;
-    let shifts = Shifts { meter, piece, symbol: &symbol, n: mask.arity };
-    let mut found = shifts.have_common_zero()?;
-    if found != Dependent::Yes {
-        found = match shifts.have_roots_of_unity()? {
-            Dependent::No => found,
-            other => other,
-        };
+    let find = |(symbol, n): &(Polynomial, usize)| Shifts { meter, symbol, n: *n }.conditions();
+    let conditions = library.limits.conditions((symbol.clone(), mask.arity), find)?;
+    let mut open = false;
+    for (p, dependent) in conditions.iter() {
+        // The piece is cut at the roots.
+        if Value::polynomial(piece.symbol(), p.clone()).is_zero_on(Some(piece))? {
+            if *dependent {
+                return Ok(false);
+            }
+            open = true;
+        }
     }
-    match (found, piece.one()) {
-        (Dependent::No, _) => Ok(true),
-        (Dependent::Yes, _) => Ok(false),
-        (Dependent::Maybe, Some(root)) => at_root(meter, &symbol, mask.arity, &root),
-        (Dependent::Maybe, None) => Euclid { meter, piece }.is_independent(&symbol, mask.arity),
+    match piece.one() {
+        _ if !open => Ok(true),
+        Some(root) => at_root(meter, &symbol, mask.arity, &root),
+        None => Euclid { meter, piece }.is_independent(&symbol, mask.arity),
     }
 }
 
-/// The symbol of a mask on a piece.
+/// The symbol of a mask, of which the first and the last coefficient are not 0.
 struct Shifts<'s> {
     meter: &'s Meter,
-    piece: &'s Piece<'s>,
     symbol: &'s Polynomial,
     n: usize,
 }
 
 impl Shifts<'_> {
-    /// Whether a polynomial in v is 0 on the piece, which is cut at its roots.
-    fn is_zero(&self, p: Coefficient) -> Result<bool, Stop> {
-        if p.len() < 2 {
-            return Ok(p.is_empty());
+    /// All conditions for dependent shifts that some number fulfils.
+    fn conditions(&self) -> Result<Conditions, Stop> {
+        let mut conditions = self.of_roots_of_unity()?;
+        conditions.extend(self.of_common_zeros()?);
+        let mut found = Vec::new();
+        for (p, dependent) in conditions.into_iter().filter(|(p, _)| p.len() != 1) {
+            found.push((self.simple(p)?, dependent));
         }
-        Value::polynomial(self.piece.symbol(), p).is_zero_on(Some(self.piece))
+        Ok(found)
     }
 
     /// A greatest common divisor of polynomials in v.
@@ -82,16 +81,16 @@ impl Shifts<'_> {
         Ok(gcd(&p, q))
     }
 
-    /// Whether the parts have a common zero z ≠ 0. The part with the last coefficient keeps its degree on the piece, and the first one is
-    /// not 0 at 0.
-    fn have_common_zero(&self) -> Result<Dependent, Stop> {
+    /// The condition for a common zero z ≠ 0 of the parts. The part with the last coefficient keeps its degree, and the first one is not
+    /// 0 at 0.
+    fn of_common_zeros(&self) -> Result<Option<(Coefficient, bool)>, Stop> {
         let last = self.symbol.len().saturating_sub(1).checked_rem(self.n).unwrap_or(0);
         let part = |e: usize| -> Polynomial {
             self.symbol.iter().skip(e).step_by(self.n).cloned().collect()
         };
         let (whole, mut common) = (part(last), Vec::new());
         if whole.len() == 1 {
-            return Ok(Dependent::No);
+            return Ok(None);
         }
         for e in (0..self.n).filter(|e| *e != last) {
             let mut other = part(e);
@@ -100,11 +99,7 @@ impl Shifts<'_> {
             }
             common = self.divisor(common, &norm(self.meter, &whole, &other)?)?;
         }
-        Ok(match self.is_zero(self.simple(common)?)? {
-            true if self.n == 2 => Dependent::Yes,
-            true => Dependent::Maybe,
-            false => Dependent::No,
-        })
+        Ok(Some((common, self.n == 2)))
     }
 
     /// The polynomial with the same roots, all simple.
@@ -130,9 +125,9 @@ impl Shifts<'_> {
         Ok(found)
     }
 
-    /// Whether A(wω) = 0 for all w = ζ^{n^j} and all ω ≠ 1, ω^n = 1, for a root of unity ζ ≠ 1 of some order M without a common divisor with
-    /// n. Each w has its own n − 1 zeros wω, which are none of σ.
-    fn have_roots_of_unity(&self) -> Result<Dependent, Stop> {
+    /// The conditions for A(wω) = 0 for all w = ζ^{n^j} and all ω ≠ 1, ω^n = 1, for a root of unity ζ ≠ 1 of some order M without a
+    /// common divisor with n. Each w has its own n − 1 zeros wω, which are none of σ.
+    fn of_roots_of_unity(&self) -> Result<Conditions, Stop> {
         let n = u32::try_from(self.n).unwrap_or(u32::MAX);
         let zeros = self.symbol.len().saturating_sub(self.n);
         let most = zeros.checked_div(self.n.saturating_sub(1)).unwrap_or(0);
@@ -140,26 +135,21 @@ impl Shifts<'_> {
         let half = u32::try_from(most / 2).unwrap_or(u32::MAX);
         let order = n.saturating_pow(half).saturating_add(1);
         if order > MAX_ORDER {
-            return Ok(Dependent::Maybe);
+            return Ok(vec![(Vec::new(), false)]);
         }
-        let mut found = Dependent::No;
+        let mut found = Vec::new();
         for m in (2..=order).filter(|m| m.gcd(&n) == 1) {
             let size = cycle(n, m);
-            if size > most {
-                continue;
-            }
-            self.meter.spend(u64::from(m).saturating_mul(u64::from(m)) / 16)?;
-            match self.have_roots_of_order(m, size)? {
-                Dependent::Yes => return Ok(Dependent::Yes),
-                Dependent::Maybe => found = Dependent::Maybe,
-                Dependent::No => {}
+            if size <= most {
+                self.meter.spend(u64::from(m).saturating_mul(u64::from(m)) / 16)?;
+                found.push(self.of_order(m, size)?);
             }
         }
         Ok(found)
     }
 
-    /// The same for one order, of which so many roots are the powers and conjugates of one.
-    fn have_roots_of_order(&self, m: u32, size: usize) -> Result<Dependent, Stop> {
+    /// The condition for one order, of which so many roots are the powers and conjugates of one.
+    fn of_order(&self, m: u32, size: usize) -> Result<(Coefficient, bool), Stop> {
         let minimal: Vec<Q> = cyclotomic(m).into_iter().map(Q::from_integer).collect();
         let all = size.saturating_add(1) == minimal.len();
         let mut common = Vec::new();
@@ -178,11 +168,7 @@ impl Shifts<'_> {
                 }
             }
         }
-        Ok(match self.is_zero(self.simple(common)?)? {
-            true if all => Dependent::Yes,
-            true => Dependent::Maybe,
-            false => Dependent::No,
-        })
+        Ok((common, all))
     }
 
     /// z^eA_e(z^n) − z^{e+1}A_{e+1}(z^n) modulo a cyclotomic polynomial of order m. A(wω) = 0 for all ω ≠ 1, ω^n = 1, if and only if all

@@ -38,12 +38,12 @@ pub fn real(call: &mut Call<'_>) -> Result<Option<Real>, Stop> {
             shown(call.library, call.function, &scheme)?
         }
         ("independent", []) => {
-            let (meter, scheme) = (call.library.meter, call.scheme()?);
+            let (library, scheme) = (call.library, call.scheme()?);
             Real::Exact(match call.piece().filter(|_| scheme.numeric().is_err()) {
-                None => independent(meter, &scheme)?,
+                None => independent(library.meter, &scheme)?,
                 Some(piece) => {
-                    let mask = Mask::on(meter, &scheme, Some(piece))?;
-                    let is = independent_on::has_independent_shifts_on(meter, &mask, piece)?;
+                    let mask = Mask::on(library.meter, &scheme, Some(piece))?;
+                    let is = independent_on::has_independent_shifts_on(library, &mask, piece)?;
                     Value::int(is.into())
                 }
             })

@@ -31,29 +31,30 @@ pub fn norm(meter: &Meter, p: &Polynomial, q: &Polynomial) -> Result<Coefficient
         let x = int(if i % 2 == 0 { half.saturating_neg() } else { half });
         let [p, q] = [p, q].map(|p| p.iter().map(|c| at(c, &x)).collect::<Vec<Q>>());
         let Some(leading) = p.last().filter(|c| !c.is_zero()).cloned() else { continue };
-        values.push(Pow::pow(&leading, l) * product(meter, p, trimmed(q))?);
+        values.push(Pow::pow(&leading, l) * product(meter, &p, trimmed(q))?);
         points.push(x);
     }
     interpolated(meter, &points, values)
 }
 
-/// Π q(α) over the roots α of p.
-fn product(meter: &Meter, mut p: Vec<Q>, mut q: Vec<Q>) -> Result<Q, Stop> {
-    let mut product = Q::one();
+/// Π q(α) over the roots α of p ≠ 0. With the leading coefficient 1 the fractions remain short.
+fn product(meter: &Meter, p: &[Q], mut q: Vec<Q>) -> Result<Q, Stop> {
+    let monic = |p: &[Q], leading: &Q| p.iter().map(|c| c / leading).collect::<Vec<Q>>();
+    let (mut p, mut product) = (p.last().map(|a| monic(p, a)).unwrap_or_default(), Q::one());
     while p.len() > 1 {
         let digits = p.iter().chain(&q).map(bits).max().unwrap_or(0) / 64;
         let pairs = p.len().saturating_mul(q.len()) as u64;
         meter
             .spend(pairs.saturating_mul((digits.saturating_mul(digits) / 16).saturating_add(1)))?;
         let rest = trimmed(divide(q, &p).1);
-        let (Some(a), Some(c)) = (p.last(), rest.last()) else { return Ok(Q::zero()) };
-        // With the roots β of the remainder: Π_α cΠ_β(α − β) = c^mΠ_β(−1)^m p(β)/a.
+        let Some(c) = rest.last().cloned() else { return Ok(Q::zero()) };
+        // With the roots β of the remainder: Π_α cΠ_β(α − β) = c^mΠ_β(−1)^m p(β).
         let (m, k) = (p.len().saturating_sub(1), rest.len().saturating_sub(1));
-        product *= Pow::pow(c, m) / Pow::pow(a, k);
+        product *= Pow::pow(&c, m);
         if m % 2 == 1 && k % 2 == 1 {
             product = -product;
         }
-        (q, p) = (p, rest);
+        (q, p) = (p, monic(&rest, &c));
     }
     Ok(product)
 }
