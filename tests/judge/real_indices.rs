@@ -80,7 +80,7 @@ fn bounds_of_smoothness_decide_on_intervals() {
         ),
         ("0 < v < 1/2", "smoothness(cut, w = v) >= 0", "smoothness(cut, w = v) = 0"),
         ("1/3 < v < 1/2", "smoothness(cut, w = v) = 0", "smoothness(cut, w = v) > 0"),
-        ("real v", "smoothness(three, w = v) <= 1", "smoothness(three, w = v) <= 0"),
+        ("1/4 < v < 1/2", "smoothness(three, w = v) <= 1", "smoothness(three, w = v) <= 0"),
         ("0 < v < 1", "independent(fp, w = v)", "not independent(fp, w = v)"),
         // At √2 there is one sum rule more, and only there.
         ("1 < v < 7/5", "smoothness(root, w = v) <= 0", "smoothness(root, w = v) >= 1"),

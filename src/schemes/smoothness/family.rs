@@ -40,7 +40,7 @@ pub struct SymbolFamily {
 }
 
 /// The polynomials in z over those in t; the coefficients from the constant term upwards.
-type Coefficients = Vec<RationalPolynomial>;
+pub(super) type Coefficients = Vec<RationalPolynomial>;
 
 impl SymbolFamily {
     /// The family of these powers; `None` where they are not shown to be masks of one arity.
@@ -231,7 +231,10 @@ impl<'a> Cumulants<'a> {
 }
 
 /// The quotient and the remainder on division by a monic polynomial.
-fn divided(dividend: &[RationalPolynomial], monic: &[Rational]) -> (Coefficients, Coefficients) {
+pub(super) fn divided(
+    dividend: &[RationalPolynomial],
+    monic: &[Rational],
+) -> (Coefficients, Coefficients) {
     let degree = monic.len() - 1;
     let mut rest = dividend.to_vec();
     let mut quotient = Vec::new();

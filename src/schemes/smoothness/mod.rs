@@ -26,6 +26,7 @@ mod family;
 mod formula;
 mod functions;
 mod independence;
+mod independence_on;
 mod parametric;
 mod plane;
 mod range;
@@ -48,6 +49,7 @@ pub use functions::{
     modulus, modulus_extremes, moments, riesz_bounds, sobolev_exponent, vanishing_moments,
 };
 pub use independence::is_independent;
+pub use independence_on::independence_conditions;
 pub use plane::{
     BestExponent, Certain, MAX_BOXES, MapBox, RegionProof, Sides, SmoothMap, best_exponent,
     plane_rules, polygon_contraction, smooth_map,

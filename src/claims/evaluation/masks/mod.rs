@@ -24,8 +24,8 @@ use crate::smoothness::{
     integral_symbol, is_independent, shape_kept,
 };
 use coefficients::of_coefficients;
-use common::{MAX_PLACES, as_rational, check_size, not_shown};
-use exponents::{Independent, SmoothnessBound};
+use common::{MAX_PLACES, as_rational, check_size, converted, not_shown};
+use exponents::{bound_at, is_independent_at};
 use generic::answered;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -132,10 +132,11 @@ pub(crate) fn of_mask<V: Value + PartialEq>(
         ("positive", []) => keeps(Shape::Positive)?,
         ("monotone", []) => keeps(Shape::Monotone)?,
         ("convex", []) => keeps(Shape::Convex)?,
-        ("independent", []) => match as_rational(mask) {
-            Some(mask) => truth(is_independent(&Symbol::of(&mask))),
-            None => answered(&Independent, &[mask], &[])?,
-        },
+        ("independent", []) => truth(match (as_rational(mask), converted(mask, V::at_place)) {
+            (Some(mask), _) => is_independent(&Symbol::of(&mask)),
+            (None, Some(mask)) => is_independent_at(&mask)?,
+            (None, None) => is_independent(&Symbol::of(&over_field(mask)?)),
+        }),
         ("same", []) => {
             let Some(name) = options.take("with") else {
                 let message = "name the other scheme: `same(with = NAME)`";
@@ -157,7 +158,8 @@ pub(crate) fn smoothness_bound<V: Value + PartialEq>(
     function: &str,
     end: End,
 ) -> Result<V, CallError> {
-    answered(&SmoothnessBound { of_exponent: function == "hoelder", end }, &[mask], &[])
+    let place = converted(mask, V::at_place).ok_or_else(not_shown)?;
+    V::of_place(bound_at(&place, function, end)?).ok_or_else(not_shown)
 }
 
 /// Σ_k a_k z^k.

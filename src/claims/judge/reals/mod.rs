@@ -98,7 +98,7 @@ impl Line<'_> {
         let ends = |at: usize| points.get(at).cloned();
         let mut rest: Vec<[Option<RealAlgebraic>; 2]> =
             (0..=points.len()).rev().map(|i| [i.checked_sub(1).and_then(ends), ends(i)]).collect();
-        let (mut cuts, mut cells) = (points.clone(), Vec::new());
+        let (mut cuts, mut cells, mut undecided) = (points.clone(), Vec::new(), None);
         while let Some(cell) = rest.pop() {
             let open = interval(&cell);
             let Some(at) = open.rational().filter(|_| within(&open)) else {
@@ -113,7 +113,10 @@ impl Line<'_> {
                     // One number may show already that the claim is false.
                     Err(error) => match self.refutes(&open, stated.covers(&open)) {
                         Some(counterexample) => return Ok((None, Some(counterexample))),
-                        None => return Err(error),
+                        None => {
+                            undecided = Some(error);
+                            cells.push((cell, Vec::new()));
+                        }
                     },
                 }
                 continue;
@@ -134,11 +137,13 @@ impl Line<'_> {
             found.push((interval(&cell), truths));
             if let Some(cut) = cuts.get(i) {
                 let alone = point(cut.clone());
-                let truths = if within(&alone) {
-                    self.all_decided(&self.truths(cut.clone(), true)?.0)?
-                } else {
-                    Vec::new()
-                };
+                let mut truths = Vec::new();
+                if within(&alone) {
+                    match self.all_decided(&self.truths(cut.clone(), true)?.0) {
+                        Ok(found) => truths = found,
+                        Err(error) => undecided = Some(error),
+                    }
+                }
                 found.push((alone, truths));
             }
         }
@@ -150,7 +155,11 @@ impl Line<'_> {
             (!truths.is_empty() && stated.covers(set) != holds(truths))
                 .then(|| Counterexample { value: number_in(set), fails })
         });
-        Ok((Some(truth), counterexample))
+        match (undecided, counterexample) {
+            (None, counterexample) => Ok((Some(truth), counterexample)),
+            (Some(_), Some(counterexample)) => Ok((None, Some(counterexample))),
+            (Some(error), None) => Err(error),
+        }
     }
 
     /// The truths, if all are known.

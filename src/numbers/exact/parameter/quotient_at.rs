@@ -102,6 +102,18 @@ impl QuotientAt {
         QuotientAt { numerator, denominator: one(), place }
     }
 
+    /// The polynomial that this is, if it is one.
+    #[must_use]
+    pub fn as_polynomial(&self) -> Option<&RationalPolynomial> {
+        self.is_polynomial().then_some(&self.numerator)
+    }
+
+    /// A polynomial at the place of this.
+    #[must_use]
+    pub fn with(&self, polynomial: &RationalPolynomial) -> QuotientAt {
+        QuotientAt { numerator: polynomial.clone(), denominator: one(), place: self.place.clone() }
+    }
+
     /// The number, if this does not depend on the parameter.
     #[must_use]
     pub fn as_constant(&self) -> Option<Rational> {
@@ -152,8 +164,8 @@ impl QuotientAt {
             && [numerator.degree(), denominator.degree()].into_iter().any(|d| d >= modulus.degree())
         {
             // Functions of equal values at the number do as well, and these stay small.
-            let below = rest(&RationalPolynomial::over(denominator, &Integer::one()), modulus);
-            let above = rest(numerator, modulus);
+            let below = RationalPolynomial::over(denominator, &Integer::one()).modulo(modulus);
+            let above = numerator.modulo(modulus);
             let numerator = above.times(&RationalPolynomial::constant(content(&below).recip()));
             return QuotientAt::in_lowest_terms(&numerator, below.numerator(), place);
         }
@@ -187,15 +199,6 @@ impl QuotientAt {
         let numerator = above.times(&RationalPolynomial::constant(lacking / excess));
         QuotientAt { numerator, denominator: primitive, place }
     }
-}
-
-/// p modulo a polynomial over the integers.
-fn rest(p: &RationalPolynomial, modulus: &IntegerPolynomial) -> RationalPolynomial {
-    if p.is_zero() {
-        return p.clone();
-    }
-    let (scale, _, rest) = p.numerator().div_rem(modulus);
-    RationalPolynomial::over(&rest, &scale).times(&RationalPolynomial::constant(content(p)))
 }
 
 /// The number p/q, where q is the polynomial over the integers of which p ≠ 0 is a multiple.
