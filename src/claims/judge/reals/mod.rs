@@ -110,14 +110,14 @@ impl Line<'_> {
             if inside.is_empty() {
                 match self.all_decided(&truths) {
                     Ok(truths) => cells.push((cell, truths)),
-                    // One number may show already that the claim is false.
-                    Err(error) => match self.refutes(&open, stated.covers(&open)) {
-                        Some(counterexample) => return Ok((None, Some(counterexample))),
-                        None => {
-                            undecided = Some(error);
-                            cells.push((cell, Vec::new()));
+                    Err(error) => {
+                        // One number may show already that the claim is false.
+                        if let Some(found) = self.refutes(&open, stated.covers(&open)) {
+                            return Ok((None, Some(found)));
                         }
-                    },
+                        undecided = Some(error);
+                        cells.push((cell, Vec::new()));
+                    }
                 }
                 continue;
             }
