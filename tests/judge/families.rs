@@ -11,6 +11,7 @@ const FAMILIES: &str = "[[scheme]]\nname = 'spline'\nparameters.k = {}\nsymbol =
     [[scheme]]\nname = 'vanish'\nparameters.k = {}\nsymbol = '2*((1+z)/2)^k*(k-30 + (61-2*k)*z + (k-30)*z^2)'\n\
     [[scheme]]\nname = 'more'\nparameters.k = {}\nsymbol = '2*((1+z)/2)^k*((k-30)*(1-z)^2/4 + z)'\n\
     [[scheme]]\nname = 'twice'\nparameters.k = {}\nsymbol = '(1+z)^(k+1)*(1+z^2)/2^(k+1)'\n\
+    [[scheme]]\nname = 'beside'\nparameters.k = {}\nsymbol = '(1+z)^k/2^(k-1)*(5*z^3-2)/3/z^3'\n\
     [[scheme]]\nname = 'unequal'\nparameters.k = {}\nsymbol = '2*((1+z)/2)^2*((1+z+z^2)/2)^k'\n";
 
 #[test]
@@ -52,6 +53,10 @@ fn what_is_so_for_all_integers_is_proved_and_the_contrary_refuted() {
         ("not monotone(four, k = n)", "all n", Word::Open),
         ("monotone(four, k = n)", "all n", Word::Fails),
         ("gibbs(four, k = n) > 1", "all n", Word::Open),
+        // The greatest value is beside z = 1, and so are the 17 zeros of a derivative.
+        ("modulus_upper(beside, k = n) = 2", "n = 12..20", Word::Fails),
+        ("modulus_upper(beside, k = n) > 2", "n = 12..20", Word::Holds),
+        ("modulus_upper(beside, k = n) = 2", "all n >= 15", Word::Fails),
         // Only the greatest value is known to stay.
         ("riesz_lower(spline, k = n) < 1", "all n", Word::Open),
         ("modulus_lower(spline, k = n) = 0", "all n", Word::Open),

@@ -41,8 +41,7 @@ pub(super) fn positive(p: &Coefficients, low: &Rational, high: &Rational) -> Opt
         return Some(all(sign > 0));
     }
     let mut roots: Vec<RealAlgebraic> = Vec::new();
-    for index in 1.. {
-        let Ok(root) = RealExpression::root(&p, index) else { break };
+    for root in RealExpression::roots(&p).ok()? {
         let beyond = |end: &Rational| root.minus(&RealExpression::from(end.clone())).sign();
         if beyond(low) > 0 && beyond(high) < 0 {
             roots.push(root.to_algebraic()?);

@@ -59,8 +59,7 @@ fn simple(
         1 => vec![real(Extension::number(-&polynomial[0]), multiplicity)],
         2 => quadratic(polynomial, multiplicity),
         _ => {
-            let root = |index: usize| RealExpression::root(polynomial, index).ok();
-            let found: Vec<RealExpression> = (1..=degree).map_while(root).collect();
+            let found = RealExpression::roots(polynomial).map_err(|_| Complex(degree))?;
             if let (3, [root]) = (degree, &found[..]) {
                 let [constant, _, square, _] = &polynomial[..] else { return Err(Complex(degree)) };
                 let pair = pair(constant, square, root, multiplicity).ok_or(Complex(degree))?;

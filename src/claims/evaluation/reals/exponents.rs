@@ -6,8 +6,8 @@ use crate::evaluation::masks::{
     KnownLimits, Results, numbers, once, over_field, rational, unlimited,
 };
 use crate::exact::{
-    Adjugate, Enclosed as _, Enclosure, LogSum, LogTerm, Rational, RealCyclotomic, RealExpression,
-    RootError, Scalar as _, divided, greatest_divisor,
+    Adjugate, Enclosed as _, Enclosure, LogSum, LogTerm, MAX_ROOT_DEGREE, Rational, RealCyclotomic,
+    RealExpression, Scalar as _, divided, greatest_divisor,
 };
 use crate::formula::{Call, CallError, RealValue, Value};
 use crate::limit::{greatest_of_bounded, greatest_of_step};
@@ -21,6 +21,9 @@ use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::rc::Rc;
 use std::sync::Arc;
+
+/// What is too much for the extremes of a cosine polynomial.
+const EXTREMES: &str = "the degree of the place where a cosine polynomial is extreme";
 
 /// The enclosures of exponents that are no rational numbers.
 const LEVEL: u32 = 2;
@@ -80,7 +83,7 @@ impl KnownReals {
         }
         if let "modulus_lower" | "modulus_upper" = call.function {
             let found = modulus_extremes(&Symbol::of(&numbers(mask)?));
-            let [lower, upper] = found.ok_or_else(|| beyond("the degree of a symbol", 48))?;
+            let [lower, upper] = found.ok_or_else(|| beyond(EXTREMES, 16))?;
             return Ok(if call.function == "modulus_lower" { lower } else { upper }.into());
         }
         let mask = match (rational(mask), call.function) {
@@ -118,8 +121,7 @@ impl KnownReals {
                         last.and_then(|last| usize::try_from(last).ok()).unwrap_or(usize::MAX);
                     let bounds = riesz_bounds(&products, last);
                     let bounds = bounds.map_err(|error| unlimited(&error))?;
-                    let what = "the degree of the cosine polynomial of inner products";
-                    bounds.map(|two| two.map(RealValue::from)).ok_or_else(|| beyond(what, 48))
+                    bounds.map(|two| two.map(RealValue::from)).ok_or_else(|| beyond(EXTREMES, 16))
                 })?;
                 let [lower, upper] = bounds;
                 Ok(if call.function == "riesz_lower" { lower } else { upper })
@@ -280,18 +282,9 @@ fn eigenvalues(mask: &Mask<RealCyclotomic>) -> Result<Rc<[RealExpression]>, Call
             .collect();
         let common = greatest_divisor(&rest, &slope);
         let (simple, _) = divided(&rest, &common);
-        for i in 1.. {
-            match RealExpression::root(&simple, i) {
-                Ok(root) => all.push(root),
-                Err(RootError::Index { .. }) => break,
-                Err(_) => {
-                    return Err(beyond(
-                        "the degree of a characteristic polynomial",
-                        MAX_ROWS as u64,
-                    ));
-                }
-            }
-        }
+        let what = "the degree of a characteristic polynomial without multiple roots";
+        let roots = RealExpression::roots(&simple);
+        all.extend(roots.map_err(|_| beyond(what, MAX_ROOT_DEGREE as u64))?);
         rest = common;
     }
     all.sort_by(|a, b| b.cmp(a));

@@ -1,12 +1,16 @@
 //! Cosine polynomials: their extremes, and the absolute value of a symbol on the unit circle.
 
-use crate::exact::{CosineError, Rational, RealCyclotomic, RealExpression, Scalar};
+use crate::exact::{
+    CosineError, Integer, IntegerPolynomial, MAX_ROOT_DEGREE, Rational, RealAlgebraic,
+    RealCyclotomic, RealExpression, Scalar,
+};
 use crate::smoothness::symbol::Symbol;
 
 /// The greatest degree of a cosine polynomial whose extremes are computed.
 pub(super) const MAX_DEGREE: usize = 48;
 
-/// The least and the greatest value of c_0 + 2·Σ_{k≥1} c_k cos(kξ) for real ξ; `None` beyond degree 48.
+/// The least and the greatest value of c_0 + 2·Σ_{k≥1} c_k cos(kξ) for real ξ; `None` beyond degree 48, or where
+/// a zero of the derivative has a degree above 16.
 ///
 /// With t = cos ξ, this is a polynomial in t on [−1, 1], since cos(kξ) = T_k(t); its extremes are at the ends, or where the
 /// derivative is 0.
@@ -37,8 +41,7 @@ pub(super) fn extremes(cosines: &[RealCyclotomic]) -> Option<[RealExpression; 2]
         .zip(polynomial.iter().skip(1))
         .map(|(k, c)| c.times(&RealCyclotomic::from(k)))
         .collect();
-    // A constant has no roots that count.
-    let roots = (1..=slope.len()).map_while(|i| RealExpression::root(&slope, i).ok());
+    let roots = roots(&slope)?.into_iter();
     for root in roots.filter(|root| ends[0] < *root && *root < ends[1]) {
         let value = value_at(&root);
         if value < least {
@@ -48,6 +51,30 @@ pub(super) fn extremes(cosines: &[RealCyclotomic]) -> Option<[RealExpression; 2]
         }
     }
     Some([least, greatest])
+}
+
+/// The real roots of a polynomial between −1 and 1, and perhaps others.
+fn roots(polynomial: &[RealCyclotomic]) -> Option<Vec<RealExpression>> {
+    if polynomial.len() <= MAX_ROOT_DEGREE + 1 {
+        return RealExpression::roots(polynomial).ok();
+    }
+    let rational = polynomial.iter().map(|c| c.as_rational().cloned());
+    let whole =
+        IntegerPolynomial::over_common_denominator(&rational.collect::<Option<Vec<Rational>>>()?);
+    if whole.degree().is_none() {
+        return Some(Vec::new());
+    }
+    let ends = [-1, 1].map(|end| RealAlgebraic::from(Rational::from(end)));
+    let of = |root: RealAlgebraic| {
+        let minimal = root.minimal_polynomial()?;
+        let place = RealAlgebraic::roots_of(&minimal).iter().position(|other| *other == root)?;
+        let integer = |c: &Integer| RealCyclotomic::from(Rational::from(c.clone()));
+        let coefficients: Vec<RealCyclotomic> =
+            minimal.coefficients().iter().map(integer).collect();
+        RealExpression::root(&coefficients, place + 1).ok()
+    };
+    let all = RealAlgebraic::roots_of(&whole.square_free()).into_iter();
+    all.filter(|root| ends[0] < *root && *root < ends[1]).map(of).collect()
 }
 
 /// T_{k+1} = 2t·T_k − T_{k−1}; T_1 = t.
@@ -101,7 +128,8 @@ pub fn modulus(
     Ok(root(&RealExpression::from(square)))
 }
 
-/// The least and the greatest value of |a(z)| on the unit circle; `None` beyond degree 48.
+/// The least and the greatest value of |a(z)| on the unit circle; `None` beyond degree 48, or where a place of an extreme has a
+/// cosine of a degree above 16.
 ///
 /// # Panics
 /// Never: a square of an absolute value is not negative.

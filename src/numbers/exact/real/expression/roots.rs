@@ -108,6 +108,36 @@ impl RealExpression {
     }
 }
 
+impl RealExpression {
+    /// The distinct real roots of Σ c_k x^k in ascending order; none of a constant.
+    ///
+    /// # Errors
+    /// When the degree is above [`MAX_ROOT_DEGREE`].
+    ///
+    /// # Panics
+    /// When the coefficients have no [`common_conductor`](crate::exact::common_conductor).
+    ///
+    /// ```
+    /// use subcert::exact::{RealCyclotomic, RealExpression};
+    ///
+    /// let of = |all: &[i64]| all.iter().copied().map(RealCyclotomic::from).collect::<Vec<_>>();
+    /// assert_eq!(RealExpression::roots(&of(&[2, -3, 1]))?, [1, 2].map(RealExpression::from));
+    /// // No answer is not the answer that there are no roots.
+    /// assert!(RealExpression::roots(&of(&[1; 18])).is_err());
+    /// # Ok::<(), subcert::exact::RootError>(())
+    /// ```
+    pub fn roots(coefficients: &[RealCyclotomic]) -> Result<Vec<RealExpression>, RootError> {
+        let mut found = Vec::new();
+        loop {
+            match RealExpression::root(coefficients, found.len() + 1) {
+                Ok(root) => found.push(root),
+                Err(RootError::Constant | RootError::Index { .. }) => return Ok(found),
+                Err(error) => return Err(error),
+            }
+        }
+    }
+}
+
 /// Bounds of the conjugates of q c_0, …, q c_d, for a common denominator q.
 fn integral_bounds(coefficients: &[RealCyclotomic]) -> Vec<Integer> {
     let bounds: Vec<(Integer, Integer)> =
