@@ -118,10 +118,11 @@ impl RealExpression {
     /// When the coefficients have no [`common_conductor`](crate::exact::common_conductor).
     ///
     /// ```
-    /// use subcert::exact::{RealCyclotomic, RealExpression};
+    /// use subcert::exact::{Rational, RealCyclotomic, RealExpression};
     ///
     /// let of = |all: &[i64]| all.iter().copied().map(RealCyclotomic::from).collect::<Vec<_>>();
-    /// assert_eq!(RealExpression::roots(&of(&[2, -3, 1]))?, [1, 2].map(RealExpression::from));
+    /// let found = RealExpression::roots(&of(&[2, -3, 1]))?;
+    /// assert_eq!(found, [1, 2].map(|n| RealExpression::from(Rational::from(n))));
     /// // No answer is not the answer that there are no roots.
     /// assert!(RealExpression::roots(&of(&[1; 18])).is_err());
     /// # Ok::<(), subcert::exact::RootError>(())
