@@ -44,7 +44,7 @@ fn one<'a>(paper: &'a Paper<'a>, claim: &'a Toml, theorem: &Theorem) -> Checked<
         Instance::new(paper, claim, &reference, values)?;
     require(level >= first_level(claim)?, Reason::Level)?;
     let quantity = if depth { "distance" } else { of("bounds") };
-    let stated = if quantity == "difference" { Points::Indexed } else { self::points(claim)? };
+    let stated = self::points(claim)?;
     require(
         stated == Points::Indexed || points == stated,
         Reason::Malformed("natural parameters"),

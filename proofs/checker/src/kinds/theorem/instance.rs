@@ -109,8 +109,11 @@ pub fn first_level(claim: &Toml) -> Result<u32, Stop> {
     }
 }
 
-/// Where a theorem has the points of a level.
+/// Where a theorem has the points of a level. Differences are the same wherever these are.
 pub fn points(claim: &Toml) -> Checked<Points> {
+    if claim.text("bounds") == Some("difference") {
+        return Ok(Points::Indexed);
+    }
     match claim.text("parameters") {
         None | Some("indexed") => Ok(Points::Indexed),
         Some("natural") => {

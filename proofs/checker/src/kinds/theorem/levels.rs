@@ -25,7 +25,7 @@ pub fn check<'a>(
     let one = ["schemes", "values"].iter().all(|key| claim.get(key).is_none());
     require(one && claim.get("scheme").is_some(), Reason::Single)?;
     let bounds = claim.text("bounds").unwrap_or_default();
-    if points(claim)? == Points::Natural && bounds != "difference" {
+    if points(claim)? == Points::Natural {
         // The lines are about points at i/n^k.
         return Err(Reason::NotShown.into());
     }

@@ -44,8 +44,7 @@ fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Ch
             if block.next_word() == "grows" {
                 return levels::check(paper, claim, block, instance).map(|()| Proof::Other);
             }
-            let differences = claim.text("bounds") == Some("difference");
-            let points = if differences { Points::Indexed } else { points(claim)? };
+            let points = points(claim)?;
             refuted(paper, claim, block, instance, points)?;
             if points == Points::Indexed && block.next_word() == "naturally" {
                 block.word("naturally")?;
