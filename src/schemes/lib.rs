@@ -7,6 +7,7 @@
 //! | [`limit`] | limits at rational parameters, distances of polygons from them in both parametrisations |
 //! | [`float`] | the same in f64, certified against the exact path |
 //! | [`joint`] | the joint spectral radius of matrices, from both sides |
+//! | [`lattice`] | masks on Z^d with a dilation matrix: facts, constants, smoothness |
 //! | [`smoothness`] | how smooth limits are: C^m, and the Hölder exponent |
 //! | [`spectrum`] | eigenvalues of the rules around a vertex or on a face, stencils of limits and tangents |
 //! | [`characteristic`] | whether surfaces are C¹ at an extraordinary vertex: the characteristic map |
@@ -22,6 +23,7 @@ pub mod characteristic;
 pub mod facts;
 pub mod float;
 pub mod joint;
+pub mod lattice;
 pub mod limit;
 pub mod scheme;
 pub mod smoothness;

@@ -12,6 +12,53 @@ use std::fmt;
 /// The name of the variable in the text of a symbol.
 pub const SYMBOL_VARIABLE: &str = "z";
 
+/// The names of the variables of a symbol of several variables, in order.
+pub const LATTICE_VARIABLES: [&str; 3] = ["x", "y", "z"];
+
+/// A power of the variables: one integer for z, or three for x, y and z.
+///
+/// Its order is that of sums: from a ≤ b follows a + c ≤ b + c.
+pub trait Power: Copy + Ord + fmt::Debug {
+    /// The power of 1.
+    const ZERO: Self;
+
+    /// The exponent of each variable, with its name.
+    fn exponents(&self) -> impl Iterator<Item = (&'static str, i64)>;
+
+    /// With each exponent mapped, together with that of another power.
+    fn with(self, other: Self, f: impl FnMut(i64, i64) -> i64) -> Self;
+
+    /// The power of a product.
+    fn plus(self, other: Self) -> Self {
+        self.with(other, |a, b| a + b)
+    }
+
+    /// The power of a quotient.
+    fn minus(self, other: Self) -> Self {
+        self.with(other, |a, b| a - b)
+    }
+}
+
+impl Power for i64 {
+    const ZERO: i64 = 0;
+    fn exponents(&self) -> impl Iterator<Item = (&'static str, i64)> {
+        std::iter::once((SYMBOL_VARIABLE, *self))
+    }
+    fn with(self, other: i64, mut f: impl FnMut(i64, i64) -> i64) -> i64 {
+        f(self, other)
+    }
+}
+
+impl Power for [i64; 3] {
+    const ZERO: [i64; 3] = [0; 3];
+    fn exponents(&self) -> impl Iterator<Item = (&'static str, i64)> {
+        LATTICE_VARIABLES.into_iter().zip(*self)
+    }
+    fn with(self, other: [i64; 3], mut f: impl FnMut(i64, i64) -> i64) -> [i64; 3] {
+        std::array::from_fn(|i| f(self[i], other[i]))
+    }
+}
+
 /// The greatest |k| of a power z^k: more coefficients than any mask has.
 pub const MAX_SYMBOL_POWER: u64 = 16_384;
 
@@ -25,7 +72,8 @@ const DIVISION: u64 = 8;
 const REMAINDER: &str = "this division leaves a remainder: a symbol has finitely many powers of z, so that a divisor is a number, a power \
      of z, or a factor of what stands before it, as in (1 - z^4)/(1 - z)";
 
-/// Σ_k c_k z^k over finitely many integers k, also negative ones: the symbol of a mask.
+/// Σ_k c_k z^k over finitely many powers k, also negative ones: the symbol of a mask. A power is one integer, or with `[i64; 3]` for P
+/// those of x, y and z.
 ///
 /// As a [`Value`] it has sums, products, powers, and those quotients that leave no remainder; every other function has
 /// a value only of constants.
@@ -42,38 +90,61 @@ const REMAINDER: &str = "this division leaves a remainder: a symbol has finitely
 /// # Ok::<(), subcert::formula::FormulaError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Laurent<V = Rational> {
+pub struct Laurent<V = Rational, P = i64> {
     /// The coefficients by powers. None of them is known to be 0.
-    terms: BTreeMap<i64, V>,
+    terms: BTreeMap<P, V>,
 }
 
 impl<V: Value> Laurent<V> {
-    /// The sum of these coefficients times powers of z.
-    pub fn of(terms: impl IntoIterator<Item = (i64, V)>) -> Laurent<V> {
+    /// z.
+    #[must_use]
+    pub fn variable() -> Laurent<V> {
+        Laurent::power(1)
+    }
+}
+
+impl<V: Value, P: Power> Laurent<V, P> {
+    /// The sum of these coefficients times powers of the variables.
+    pub fn of(terms: impl IntoIterator<Item = (P, V)>) -> Laurent<V, P> {
         Laurent { terms: terms.into_iter().filter(|(_, c)| !is_zero(c)).collect() }
     }
 
     /// c, which is c·z^0.
     #[must_use]
-    pub fn constant(c: V) -> Laurent<V> {
-        Laurent::of([(0, c)])
+    pub fn constant(c: V) -> Laurent<V, P> {
+        Laurent::of([(P::ZERO, c)])
     }
 
-    /// z.
+    /// This power of the variables.
     #[must_use]
-    pub fn variable() -> Laurent<V> {
-        Laurent::of([(1, V::from_rational(&Rational::one()))])
+    pub fn power(power: P) -> Laurent<V, P> {
+        Laurent::of([(power, V::from_rational(&Rational::one()))])
+    }
+
+    /// The coefficients that are not known to be 0, by powers.
+    pub fn terms(&self) -> impl Iterator<Item = (P, &V)> {
+        self.terms.iter().map(|(power, c)| (*power, c))
     }
 
     /// The lowest and the highest power with a coefficient; `None` of 0.
     #[must_use]
-    pub fn powers(&self) -> Option<(i64, i64)> {
+    pub fn powers(&self) -> Option<(P, P)> {
         Some((*self.terms.first_key_value()?.0, *self.terms.last_key_value()?.0))
     }
 
-    /// The coefficient of z^`power`, 0 where there is none.
+    /// The least and the greatest exponent of each variable; `None` of 0.
     #[must_use]
-    pub fn coefficient(&self, power: i64) -> V {
+    pub fn ranges(&self) -> Option<(P, P)> {
+        let mut powers = self.terms.keys().copied();
+        let first = powers.next()?;
+        Some(powers.fold((first, first), |(low, high), power| {
+            (low.with(power, i64::min), high.with(power, i64::max))
+        }))
+    }
+
+    /// The coefficient of this power, 0 where there is none.
+    #[must_use]
+    pub fn coefficient(&self, power: P) -> V {
         self.terms.get(&power).cloned().unwrap_or_else(V::zero)
     }
 
@@ -81,14 +152,15 @@ impl<V: Value> Laurent<V> {
     #[must_use]
     pub fn as_constant(&self) -> Option<V> {
         match self.powers() {
-            None | Some((0, 0)) => Some(self.coefficient(0)),
-            Some(_) => None,
+            Some((low, high)) if (low, high) != (P::ZERO, P::ZERO) => None,
+            _ => Some(self.coefficient(P::ZERO)),
         }
     }
 
-    /// The greatest |k|.
+    /// The greatest |k| of all exponents k.
     fn reach(&self) -> u64 {
-        self.powers().map_or(0, |(low, high)| low.unsigned_abs().max(high.unsigned_abs()))
+        let exponents = self.terms.keys().flat_map(Power::exponents);
+        exponents.map(|(_, k)| k.unsigned_abs()).max().unwrap_or(0)
     }
 
     /// Σ_k ±c_k z^k added to this.
@@ -101,34 +173,44 @@ impl<V: Value> Laurent<V> {
         Laurent::of(sum.terms)
     }
 
-    /// The quotient by a divisor of several terms: each step takes away the lowest power that is left, or the highest.
+    /// The quotient by a divisor of several terms: each step takes away the lowest power that is left, or the highest. The exponents of an exact
+    /// quotient are in known ranges, since the least ones of factors add up, and so do the greatest.
     ///
     /// # Errors
     /// When a remainder is left, or coefficients become too large.
     fn by_steps(&self, divisor: &Self) -> Result<Self, FormulaErrorKind> {
-        let (Some((low, high)), Some((first, last))) = (self.powers(), divisor.powers()) else {
+        let (Some((first, last)), Some((least, greatest))) = (divisor.powers(), divisor.ranges())
+        else {
             return Ok(self.clone());
         };
-        let steps: Vec<i64> = (low - first..=high - last).collect();
+        let Some((low, high)) = self.ranges() else { return Ok(self.clone()) };
+        let (low, high) = (low.minus(least), high.minus(greatest));
+        let fits = |k: P| low.with(k, i64::min) == low && high.with(k, i64::max) == high;
         // The power of the divisor whose coefficient can be divided by.
-        let divides = |power: &i64| divisor.coefficient(*power).vanishes() == Some(false);
+        let divides = |power: &P| divisor.coefficient(*power).vanishes() == Some(false);
         let end = [first, last].into_iter().find(divides).ok_or(FormulaErrorKind::Unsupported(
             "the lowest or the highest coefficient of a divisor has to be a number that is not 0",
         ))?;
         let lead = divisor.coefficient(end);
         let (mut rest, mut quotient) = (self.terms.clone(), BTreeMap::new());
+        let mut remainder = Vec::new();
         let mut left = DIVISION * MAX_BITS;
-        for step in 0..steps.len() {
-            let k = if end == first { steps[step] } else { steps[steps.len() - 1 - step] };
-            let Some(c) = rest.remove(&(k + end)) else { continue };
+        while let Some((power, c)) =
+            if end == first { rest.pop_first() } else { rest.pop_last() }
+        {
+            let k = power.minus(end);
+            if !fits(k) {
+                remainder.push(c);
+                continue;
+            }
             let c = apply(Operator::Divide, c, &lead)?;
             for (power, d) in divisor.terms.iter().filter(|(power, _)| **power != end) {
                 let product = apply(Operator::Multiply, c.clone(), d)?;
-                let known = rest.remove(&(power + k)).unwrap_or_else(V::zero);
+                let known = rest.remove(&power.plus(k)).unwrap_or_else(V::zero);
                 let value = apply(Operator::Subtract, known, &product)?;
                 left = left.saturating_sub(TERM_BITS + value.size());
                 if !is_zero(&value) {
-                    rest.insert(power + k, value);
+                    rest.insert(power.plus(k), value);
                 }
             }
             if left == 0 {
@@ -137,7 +219,7 @@ impl<V: Value> Laurent<V> {
             }
             quotient.insert(k, c);
         }
-        if rest.values().all(|c| c.vanishes() == Some(true)) {
+        if remainder.iter().all(|c| c.vanishes() == Some(true)) {
             Ok(Laurent::of(quotient))
         } else {
             Err(FormulaErrorKind::Undefined(REMAINDER.to_owned()))
@@ -152,15 +234,18 @@ fn is_zero<V: Value>(value: &V) -> bool {
 
 /// Both with all of their coefficients in one field, if there is one: where two are combined, [`Value::meets`] has found
 /// that there is.
-fn in_one_field<V: Value>(left: &Laurent<V>, right: &Laurent<V>) -> [Laurent<V>; 2] {
+fn in_one_field<V: Value, P: Power>(
+    left: &Laurent<V, P>,
+    right: &Laurent<V, P>,
+) -> [Laurent<V, P>; 2] {
     let both = [left.clone(), right.clone()];
-    match Value::together(both.to_vec()).map(<[Laurent<V>; 2]>::try_from) {
+    match Value::together(both.to_vec()).map(<[Laurent<V, P>; 2]>::try_from) {
         Ok(Ok(together)) => together,
         _ => both,
     }
 }
 
-impl<V: Value> fmt::Display for Laurent<V> {
+impl<V: Value, P: Power> fmt::Display for Laurent<V, P> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.terms.is_empty() {
             return f.write_str("0");
@@ -177,11 +262,12 @@ impl<V: Value> fmt::Display for Laurent<V> {
                 (_, false) => " + ",
                 (_, true) => " - ",
             })?;
-            let z = match power {
-                0 => String::new(),
-                1 => SYMBOL_VARIABLE.to_owned(),
-                _ => format!("{SYMBOL_VARIABLE}^{power}"),
+            let factor = |(name, exponent): (&str, i64)| match exponent {
+                0 => None,
+                1 => Some(name.to_owned()),
+                _ => Some(format!("{name}^{exponent}")),
             };
+            let z = power.exponents().filter_map(factor).collect::<Vec<String>>().join("*");
             let size = if size.contains(' ') { format!("({size})") } else { size.to_owned() };
             match (&size[..], &z[..]) {
                 (_, "") => f.write_str(&size)?,
@@ -193,7 +279,7 @@ impl<V: Value> fmt::Display for Laurent<V> {
     }
 }
 
-impl<V: Value> Scalar for Laurent<V> {
+impl<V: Value, P: Power> Scalar for Laurent<V, P> {
     fn from_rational(value: &Rational) -> Self {
         Laurent::constant(V::from_rational(value))
     }
@@ -205,17 +291,17 @@ impl<V: Value> Scalar for Laurent<V> {
     }
     fn times(&self, other: &Self) -> Self {
         let [left, right] = in_one_field(self, other);
-        let mut product: BTreeMap<i64, V> = BTreeMap::new();
+        let mut product: BTreeMap<P, V> = BTreeMap::new();
         for (p, a) in &left.terms {
             for (q, b) in &right.terms {
-                product.entry(p + q).or_insert_with(V::zero).accumulate(&a.times(b));
+                product.entry(p.plus(*q)).or_insert_with(V::zero).accumulate(&a.times(b));
             }
         }
         Laurent::of(product)
     }
 }
 
-impl<V: Value> Value for Laurent<V> {
+impl<V: Value, P: Power> Value for Laurent<V, P> {
     fn as_rational(&self) -> Option<Rational> {
         self.as_constant()?.as_rational()
     }
@@ -234,13 +320,15 @@ impl<V: Value> Value for Laurent<V> {
         self.terms.values().map(row).fold(terms, u64::saturating_add)
     }
     fn quotient_size(&self, divisor: &Self) -> u64 {
-        match (&divisor.terms.iter().collect::<Vec<_>>()[..], self.powers(), divisor.powers()) {
+        match (&divisor.terms.iter().collect::<Vec<_>>()[..], self.ranges(), divisor.ranges()) {
             ([(_, d)], ..) => {
                 let sizes = self.terms.values().map(|c| c.quotient_size(d));
                 sizes.fold(0, u64::saturating_add)
             }
             (_, Some((low, high)), Some((first, last))) => {
-                let steps = u64::try_from((high - last) - (low - first) + 1).unwrap_or(0);
+                let sizes = high.minus(last).minus(low.minus(first));
+                let steps = sizes.exponents().map(|(_, k)| u64::try_from(k + 1).unwrap_or(0));
+                let steps = steps.fold(1, u64::saturating_mul);
                 steps.saturating_mul(divisor.size()).saturating_add(self.size())
             }
             _ => 0,
@@ -253,8 +341,8 @@ impl<V: Value> Value for Laurent<V> {
         match (divisor.terms.first_key_value(), divisor.terms.len()) {
             (Some((power, d)), 1) => {
                 let over =
-                    |(k, c): (&i64, &V)| Ok((k - power, apply(Operator::Divide, c.clone(), d)?));
-                let terms: Result<Vec<(i64, V)>, FormulaErrorKind> =
+                    |(k, c): (&P, &V)| Ok((k.minus(*power), apply(Operator::Divide, c.clone(), d)?));
+                let terms: Result<Vec<(P, V)>, FormulaErrorKind> =
                     self.terms.iter().map(over).collect();
                 Ok(Laurent::of(terms?))
             }
@@ -290,12 +378,12 @@ impl<V: Value> Value for Laurent<V> {
         Value::together(vec![self.clone(), other.clone()]).map(|_| ())
     }
     fn together(values: Vec<Self>) -> Result<Vec<Self>, FormulaErrorKind> {
-        let powers: Vec<Vec<i64>> =
+        let powers: Vec<Vec<P>> =
             values.iter().map(|value| value.terms.keys().copied().collect()).collect();
         let all = values.into_iter().flat_map(|value| value.terms.into_values()).collect();
         let mut all = V::together(all)?.into_iter();
         let again =
-            |powers: Vec<i64>| Laurent { terms: powers.into_iter().zip(&mut all).collect() };
+            |powers: Vec<P>| Laurent { terms: powers.into_iter().zip(&mut all).collect() };
         Ok(powers.into_iter().map(again).collect())
     }
     fn conductor(&self) -> u32 {

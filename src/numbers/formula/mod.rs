@@ -75,7 +75,7 @@ pub use evaluate::evaluate;
 pub use evaluate::evaluate_with;
 pub use free::FreeNames;
 pub use hyphens::differences;
-pub use laurent::{Laurent, MAX_SYMBOL_POWER, SYMBOL_VARIABLE};
+pub use laurent::{LATTICE_VARIABLES, Laurent, MAX_SYMBOL_POWER, Power, SYMBOL_VARIABLE};
 pub use located::LocatedFormula;
 pub use parse::parse;
 pub use root_error::RootError;

@@ -126,6 +126,7 @@ impl Drawing {
                 let curve = Some(CurveDrawing::Rational(CurveShape::of(&mask, None)));
                 Ok(Drawing { curve, family: family(), ..none })
             }
+            Ok(AnyScheme::Lattice(_)) => Ok(none),
             Ok(AnyScheme::LocalRules(_)) => match SchemeFacts::of(scheme)? {
                 SchemeFacts::Surface(rings) => Ok(Drawing { rings, ..none }),
                 _ => Ok(none),
@@ -166,6 +167,7 @@ impl Drawing {
                 let shape = CurveShape::of(&mask, facts.smoothness.as_ref().ok());
                 curve = Some(CurveDrawing::Algebraic(shape));
             }
+            SchemeFacts::Lattice(_) => {}
             SchemeFacts::Surface(all) => {
                 let drawn = drawn(&all.iter().map(|(n, _)| *n).collect::<Vec<usize>>());
                 rings = all.iter().filter(|(n, _)| drawn.contains(n)).cloned().collect();

@@ -16,6 +16,7 @@
 mod curve;
 mod distance;
 mod drawing;
+mod lattice;
 mod ranges;
 mod scheme;
 mod shape;
@@ -25,6 +26,7 @@ pub use distance::{Depths, LimitFacts};
 pub use drawing::{
     CurveDrawing, CurveShape, Drawing, FamilyDrawing, LEVELS, MAX_DERIVATIVES, SAMPLE,
 };
+pub use lattice::{LatticeFacts, placement};
 pub use ranges::{FamilyFacts, ParameterFacts, parameter_facts};
 pub use scheme::{AtlasEntry, SchemeFacts, VALENCES, ValenceFacts, atlas_entry, atlas_references};
 pub use shape::{PointPlacement, centre, is_interpolating, kind, points};

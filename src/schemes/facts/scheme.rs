@@ -1,6 +1,7 @@
 //! The facts of whatever SCHEME names.
 
 use super::curve::CurveFacts;
+use super::lattice::LatticeFacts;
 use crate::characteristic::Vertex;
 use crate::exact::FieldElement;
 use crate::scheme::{
@@ -22,6 +23,8 @@ pub enum SchemeFacts {
     Rational(Box<CurveFacts>),
     /// A mask with irrational coefficients.
     Algebraic(Box<CurveFacts<FieldElement>>),
+    /// A mask on Z^d.
+    Lattice(Box<LatticeFacts>),
     /// Rules around a vertex or on a face.
     Surface(Vec<ValenceFacts>),
 }
@@ -45,6 +48,9 @@ impl SchemeFacts {
                 Ok(mask) => Ok(SchemeFacts::Rational(Box::new(CurveFacts::of_rational(&mask)))),
                 Err(_) => Err(SchemeError::TensorProduct { scheme: scheme.trim().to_owned() }),
             },
+            Ok(AnyScheme::Lattice(mask)) => {
+                Ok(SchemeFacts::Lattice(Box::new(LatticeFacts::of(&mask))))
+            }
             Ok(AnyScheme::LocalRules(ring)) => {
                 let valence = ring.orbits().iter().map(|orbit| orbit.count).max().unwrap_or(0);
                 Ok(SchemeFacts::Surface(vec![(valence, Vertex::of(scheme, None))]))

@@ -9,7 +9,7 @@ pub const MAX_SIZE: usize = 64;
 pub const MAX_MATRICES: usize = 64;
 
 /// A matrix, row by row.
-pub(super) type Matrix<F> = Vec<Vec<F>>;
+pub(crate) type Matrix<F> = Vec<Vec<F>>;
 
 /// Square matrices of one size, over the rationals or over one real field.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -86,6 +86,16 @@ impl<F: Real + PartialEq> MatrixSet<F> {
             }
         }
         Ok(MatrixSet { matrices })
+    }
+
+    /// The set of square matrices of one size, however large.
+    pub(crate) fn of_any_size(matrices: Vec<Matrix<F>>) -> MatrixSet<F> {
+        MatrixSet { matrices }
+    }
+
+    /// What becomes of the matrices.
+    pub(super) fn part(&self, of: &dyn Fn(&Matrix<F>) -> Matrix<F>) -> MatrixSet<F> {
+        MatrixSet { matrices: self.matrices.iter().map(of).collect() }
     }
 
     /// The matrices, row by row.

@@ -18,11 +18,13 @@
 //! # Ok::<(), subcert::joint::MatrixSetError>(())
 //! ```
 
+mod balance;
 mod convert;
 mod entry;
 mod extremal;
 mod hull;
 mod interval;
+mod invariant;
 mod lower;
 mod matrix_set;
 mod product;
@@ -39,5 +41,5 @@ pub use interval::{Closing, contracts, expanding_product, expands};
 pub use lower::MAX_ROWS;
 pub use matrix_set::{MAX_MATRICES, MAX_SIZE, MatrixSet, MatrixSetError};
 pub use product::{Eigenvalue, JordanBlock, LeadingEigenvalue, jordan_block};
-pub use radius::{JointRadius, MAX_FACTORS, extremal_rate, joint_radius, joint_radius_until};
+pub use radius::{JointRadius, MAX_FACTORS, extremal_rate, joint_radius, joint_radius_until, radius_of_blocks};
 pub use reduction::Reduction;

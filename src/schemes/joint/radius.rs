@@ -127,6 +127,17 @@ pub fn joint_radius_until<F: Entry>(set: &MatrixSet<F>, stop: &Stop) -> JointRad
     }
 }
 
+/// The same, with rational matrices reduced to blocks before anything else is looked for.
+#[must_use]
+pub fn radius_of_blocks(set: &MatrixSet, stop: &Stop) -> JointRadius {
+    let best = by_norm(set);
+    let radius = || match Reduction::fine(set) {
+        Some(reduction) => of_blocks(reduction.balanced()),
+        None => joint_radius(set),
+    };
+    stop.run(radius).unwrap_or(JointRadius { stopped: true, ..best })
+}
+
 /// The bounds of a set. `best` has what is known of them while they are looked for.
 fn searched<F: Entry>(set: &MatrixSet<F>, best: &mut JointRadius) -> JointRadius {
     if set.is_nilpotent() {

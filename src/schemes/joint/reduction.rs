@@ -4,7 +4,9 @@
 //! [`MAX_VECTORS`] rows, what a unit row generates, or an eigenrow of one matrix for a rational eigenvalue. The same is
 //! done for columns. So not every invariant subspace is found.
 
+use super::balance::{balance, changed};
 use super::hull::Hull;
+use super::invariant::by_kernels;
 use super::matrix_set::{Matrix, MatrixSet};
 use crate::exact::{
     IntegerPolynomial, Rational, RealAlgebraic, characteristic_coefficients, echelon, null_rows,
@@ -32,12 +34,44 @@ impl Reduction {
     /// The blocks of a set; `None` where no invariant subspace is found.
     #[must_use]
     pub fn of(set: &MatrixSet) -> Option<Reduction> {
-        let (basis, blocks) = flag(set);
+        Reduction::by(set, &invariant)
+    }
+
+    /// The same, with subspaces that kernels of elements of the algebra generate.
+    #[must_use]
+    pub fn fine(set: &MatrixSet) -> Option<Reduction> {
+        Reduction::by(set, &|set| invariant(set).or_else(|| by_elements(set)))
+    }
+
+    fn by(set: &MatrixSet, invariant: &Search<'_>) -> Option<Reduction> {
+        let (basis, blocks) = flag(set, invariant);
         if blocks.len() == 1 {
             return None;
         }
         let inverse = inverse(&basis)?;
         Some(Reduction { basis, inverse, blocks })
+    }
+
+    /// The same with each block in a basis in which its matrices are about as large as their radius.
+    #[must_use]
+    pub fn balanced(self) -> Reduction {
+        let Reduction { mut basis, mut inverse, mut blocks } = self;
+        let mut start = 0;
+        for block in &mut blocks {
+            let size = block.size();
+            if let Some((own, back)) = balance(block).filter(|_| size > 1) {
+                *block = changed(block, &own, &back);
+                let rows = own.iter().map(|row| row_times(row, &basis[start..start + size]));
+                let rows: Vec<Vec<Rational>> = rows.collect();
+                basis.splice(start..start + size, rows);
+                for row in &mut inverse {
+                    let part = row_times(&row[start..start + size], &back);
+                    row.splice(start..start + size, part);
+                }
+            }
+            start += size;
+        }
+        Reduction { basis, inverse, blocks }
     }
 
     /// The matrices with the blocks alone, in this basis.
@@ -50,7 +84,7 @@ impl Reduction {
         let matrix = |i: usize| {
             self.blocks.iter().fold(Vec::new(), |all, block| beside(all, &block.matrices()[i]))
         };
-        MatrixSet::new((0..count).map(matrix).collect()).expect("of the size of the set")
+        MatrixSet::of_any_size((0..count).map(matrix).collect())
     }
 
     /// A hull of the matrices with the blocks alone, of hulls of the blocks.
@@ -85,8 +119,11 @@ impl Reduction {
     }
 }
 
+/// A search for an invariant subspace, neither 0 nor all.
+type Search<'a> = dyn Fn(&MatrixSet) -> Option<Matrix<Rational>> + 'a;
+
 /// A basis, and the blocks on the diagonal.
-fn flag(set: &MatrixSet) -> (Matrix<Rational>, Vec<MatrixSet>) {
+fn flag(set: &MatrixSet, invariant: &Search<'_>) -> (Matrix<Rational>, Vec<MatrixSet>) {
     let Some(rows) = invariant(set) else { return (set.product(&[]), vec![set.clone()]) };
     let size = set.size();
     let (inside, pivots) = echelon(rows);
@@ -111,7 +148,7 @@ fn flag(set: &MatrixSet) -> (Matrix<Rational>, Vec<MatrixSet>) {
         others.iter().map(image).collect()
     };
     let part = |of: &dyn Fn(&Matrix<Rational>) -> Matrix<Rational>| {
-        flag(&MatrixSet::new(set.matrices().iter().map(of).collect()).expect("a part of the set"))
+        flag(&set.part(of), invariant)
     };
     let ((above, mut blocks), (below, more)) = (part(&first), part(&second));
     blocks.extend(more);
@@ -144,16 +181,27 @@ fn inverse(matrix: &Matrix<Rational>) -> Option<Matrix<Rational>> {
 
 /// Rows that span an invariant subspace, neither 0 nor all.
 fn invariant(set: &MatrixSet) -> Option<Matrix<Rational>> {
-    let transposed = MatrixSet::new(set.matrices().iter().map(transpose).collect()).ok()?;
-    of_rows(set).or_else(|| {
-        let mut columns = of_rows(&transposed)?;
-        columns.resize(set.size(), vec![Rational::zero(); set.size()]);
-        Some(null_rows(&transpose(&columns)))
-    })
+    of_rows(set).or_else(|| by_columns(set, of_rows))
+}
+
+/// The rows that vanish on an invariant subspace of columns.
+fn by_columns(
+    set: &MatrixSet,
+    search: impl Fn(&MatrixSet) -> Option<Matrix<Rational>>,
+) -> Option<Matrix<Rational>> {
+    let columns = search(&set.part(&transpose))?;
+    Some(null_rows(&transpose(&columns)))
+}
+
+/// Rows that span an invariant subspace, from kernels.
+fn by_elements(set: &MatrixSet) -> Option<Matrix<Rational>> {
+    let of = |set: &MatrixSet| by_kernels(set, &|row| orbit(set, row));
+    of(set).or_else(|| by_columns(set, of))
 }
 
 fn transpose(matrix: &Matrix<Rational>) -> Matrix<Rational> {
-    (0..matrix.len()).map(|j| matrix.iter().map(|row| row[j].clone()).collect()).collect()
+    let columns = matrix.first().map_or(0, Vec::len);
+    (0..columns).map(|j| matrix.iter().map(|row| row[j].clone()).collect()).collect()
 }
 
 fn of_rows(set: &MatrixSet) -> Option<Matrix<Rational>> {

@@ -1,7 +1,9 @@
 //! Scheme definitions: formulas over parameters, and the masks that they give.
 
-use super::composed::Composed;
+use super::composed::{Composed, SymbolOf};
 use super::error::{SchemeError, at_values};
+use super::lattice::formulas::LatticeFormulas;
+use super::lattice::mask::LatticeMask;
 use super::local::formulas::LocalFormulas;
 use super::mask::{Mask, MaskError};
 use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
@@ -70,7 +72,7 @@ pub struct SchemeDefinition {
     pub(super) others: BTreeMap<String, Arc<SchemeDefinition>>,
 }
 
-/// The three ways to define a mask, and the definition of a ring.
+/// The three ways to define a mask, a mask on Z^d, and the definition of a ring.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Coefficients {
     /// One formula for each coefficient.
@@ -80,6 +82,8 @@ pub(super) enum Coefficients {
     Rule(Box<RuleFormulas>),
     /// A Laurent polynomial, which has the offset.
     Symbol(Box<SymbolFormula>),
+    /// A mask on Z^d.
+    Lattice(Box<LatticeFormulas>),
     /// A ring: formulas for the weights between orbits of points.
     LocalRules(Box<LocalFormulas>),
 }
@@ -146,13 +150,54 @@ impl SchemeDefinition {
         self.is_filter
     }
 
-    /// The mask of a scheme whose symbol that of this one uses, of which so many are `left`.
-    pub(super) fn other<V: Value + PartialEq>(
+    /// Whether this is a mask on Z^d.
+    #[must_use]
+    pub fn is_lattice(&self) -> bool {
+        matches!(self.coefficients, Coefficients::Lattice(_))
+    }
+
+    /// The mask on Z^d at these values of the parameters.
+    ///
+    /// # Errors
+    /// When this is none, and as [`SchemeDefinition::mask`].
+    pub fn lattice<V: Value + PartialEq>(
+        &self,
+        values: &BTreeMap<String, V>,
+    ) -> Result<LatticeMask<V>, SchemeError> {
+        self.lattice_within(values, &Cell::new(MAX_OTHERS))
+    }
+
+    fn lattice_within<V: Value + PartialEq>(
+        &self,
+        values: &BTreeMap<String, V>,
+        left: &Cell<u64>,
+    ) -> Result<LatticeMask<V>, SchemeError> {
+        let Coefficients::Lattice(formulas) = &self.coefficients else {
+            return Err(SchemeError::NotLattice { scheme: self.name.clone() });
+        };
+        let parameters = self.complete(values)?;
+        let mask = formulas.mask(&self.definitions, &parameters, &self.composed(left));
+        mask.map_err(|error| SchemeError::File(Box::new(at_values(error, &parameters))))
+    }
+
+    /// The symbols of the schemes whose symbols that of this one uses.
+    pub(super) fn composed<'a, V: Value + PartialEq>(
+        &'a self,
+        left: &'a Cell<u64>,
+    ) -> Composed<'a, impl Fn(&str, &BTreeMap<String, V>) -> Result<SymbolOf<V>, SchemeError>> {
+        Composed {
+            names: self.others.keys().map(String::as_str).collect(),
+            symbol: |name: &str, values: &BTreeMap<String, V>| self.other(name, values, left),
+        }
+    }
+
+    /// The symbol of a scheme which that of this one uses, of which so many are `left`.
+    fn other<V: Value + PartialEq>(
         &self,
         name: &str,
         values: &BTreeMap<String, V>,
         left: &Cell<u64>,
-    ) -> Result<Mask<V>, SchemeError> {
+    ) -> Result<SymbolOf<V>, SchemeError> {
         let missing = || SchemeError::NoOther { name: name.to_owned() };
         let other = self.others.get(name).ok_or_else(missing)?;
         left.set(left.get().checked_sub(1).ok_or_else(|| {
@@ -161,7 +206,10 @@ impl SchemeDefinition {
             let diagnostic = Diagnostic::new(source, span, cap.to_string());
             SchemeError::File(Box::new(diagnostic.with_cap(Some(cap))))
         })?);
-        other.mask_within(values, left)
+        if other.is_lattice() {
+            return other.lattice_within(values, left).map(|mask| SymbolOf::lattice(&mask));
+        }
+        other.mask_within(values, left).map(|mask| SymbolOf::curve(&mask))
     }
 
     fn mask_within<V: Value + PartialEq>(
@@ -201,14 +249,14 @@ impl SchemeDefinition {
                 } else {
                     Arity::OfSum(stated)
                 };
-                let composed = Composed {
-                    names: self.others.keys().map(String::as_str).collect(),
-                    mask: |name: &str, values: &BTreeMap<String, V>| self.other(name, values, left),
-                };
+                let composed = self.composed(left);
                 let rules = symbol.rules(&self.definitions, &parameters, arity, &composed);
                 let rows;
                 (rows, offset) = rules.map_err(|error| SchemeError::File(Box::new(error)))?;
                 rows
+            }
+            Coefficients::Lattice(_) => {
+                return Err(SchemeError::Lattice { scheme: self.name.clone() });
             }
             Coefficients::LocalRules(_) => {
                 return Err(SchemeError::LocalRules { scheme: self.name.clone() });
@@ -279,6 +327,7 @@ impl SchemeDefinition {
             Coefficients::Rule(rule) => (&rule.entry.source, rule.entry.span.clone()),
             Coefficients::Listed(rows) => (&rows[0][0].source, extent(rows)),
             Coefficients::Symbol(symbol) => (&symbol.formula.source, symbol.formula.span.clone()),
+            Coefficients::Lattice(formulas) => (&formulas.source, formulas.span.clone()),
             Coefficients::LocalRules(ring) => ring.whole(),
         }
     }

@@ -53,7 +53,7 @@ impl ReferenceError {
     /// When there are more than two.
     pub fn check_factors(text: &str, count: usize) -> Result<(), ReferenceError> {
         if count > MAX_AXES {
-            return Err(ReferenceError::form(text, "a tensor product has two factors"));
+            return Err(ReferenceError::form(text, "a tensor product of this kind has two factors"));
         }
         Ok(())
     }
@@ -154,6 +154,24 @@ pub enum SchemeError {
          mask; commands such as `subcert constants`, `depth` and `smoothness` take it alone"
     )]
     LocalRules {
+        /// The scheme.
+        scheme: String,
+    },
+    /// A mask on Z^d, where the mask of a curve is needed.
+    #[error(
+        "`{scheme}` is a mask on Z^d or a product of three, and this needs the mask of curves, or a product of two; `subcert scheme`, \
+         `constants` and `smoothness` take it alone"
+    )]
+    Lattice {
+        /// The scheme.
+        scheme: String,
+    },
+    /// No mask on Z^d, where one is needed.
+    #[error(
+        "`{scheme}` is no mask on Z^d; one is typed by its symbol, as `(1+x)*(1+y)*(1+x*y)/2`, with `:dilation=[[1,1],[1,-1]]` behind it for other \
+         dilation matrices than 2I"
+    )]
+    NotLattice {
         /// The scheme.
         scheme: String,
     },

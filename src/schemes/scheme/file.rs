@@ -4,6 +4,7 @@ use super::composed::composed_of;
 use super::definition::{CatalogueFacts, Coefficients, ParameterSpec, SchemeDefinition};
 use super::error::SchemeError;
 use super::fields::{MaskTable, definitions, formula, identifier};
+use super::lattice::integers::VectorTable;
 use super::local::file::{EdgeTable, OrbitTable, WeightTable};
 use super::spanned::Spanned;
 use super::toml_file::from_toml;
@@ -55,8 +56,14 @@ pub struct SchemeTable {
     pub(super) orbits: Option<OrbitTable>,
     /// Of a ring: for each orbit of new points, the weights of the orbits of old points.
     pub(super) weights: Option<WeightTable>,
-    /// Of a ring: pairs of points.
+    /// Of a ring: pairs of points. Of a mask on Z^d: the vectors along which data are compared, if these are not the axes.
     pub(super) edges: Option<EdgeTable>,
+    /// Of a mask on Z^d: the dilation matrix, row by row; 2I if there is none.
+    pub(super) dilation: Option<VectorTable>,
+    /// Of a mask on Z^d that is a list of lists: the indices of the coefficient at 0, counted from 0.
+    pub(super) origin: Option<Spanned<Vec<Spanned<String>>>>,
+    /// The directions of a box spline: `[[1, 0], [0, 1], [1, 1]]`.
+    pub(super) r#box: Option<VectorTable>,
     /// The scheme that `name` is an alias of. Allowed in claim files only.
     pub(super) r#use: Option<Spanned<String>>,
 }
@@ -182,6 +189,9 @@ impl SchemeTable {
             || self.symbol.is_some()
             || self.filter.is_some()
             || self.is_ring()
+            || self.dilation.is_some()
+            || self.origin.is_some()
+            || self.r#box.is_some()
             || !self.parameters.is_empty()
             || !self.definitions.is_empty();
         self.r#use.as_ref().filter(|_| !own)
@@ -230,10 +240,13 @@ impl SchemeTable {
         definitions: &BTreeMap<String, LocatedFormula>,
         others: &OtherSchemes<'_>,
     ) -> Result<BTreeMap<String, Arc<SchemeDefinition>>, Diagnostic> {
-        let (Coefficients::Symbol(symbol), Some(text)) = (coefficients, &self.symbol) else {
-            return Ok(BTreeMap::new());
+        let Some(text) = &self.symbol else { return Ok(BTreeMap::new()) };
+        let own = match coefficients {
+            Coefficients::Symbol(symbol) => vec![&symbol.formula],
+            Coefficients::Lattice(lattice) => lattice.formulas(),
+            _ => Vec::new(),
         };
-        let formulas = definitions.values().chain([&symbol.formula]);
+        let formulas = definitions.values().chain(own);
         let names = formulas.flat_map(|formula| composed_of(&formula.expr));
         let other = |name: String| {
             let missing = || SchemeError::NoOther { name: name.clone() };
@@ -246,6 +259,11 @@ impl SchemeTable {
     }
 
     pub(super) fn is_ring(&self) -> bool {
-        self.orbits.is_some() || self.weights.is_some() || self.edges.is_some()
+        self.orbits.is_some() || self.weights.is_some() || (self.edges.is_some() && !self.is_mask())
+    }
+
+    /// Whether this has coefficients of a mask.
+    pub(super) fn is_mask(&self) -> bool {
+        self.mask.is_some() || self.symbol.is_some() || self.r#box.is_some()
     }
 }

@@ -35,6 +35,9 @@ impl SchemeTable {
             return Err(Diagnostic::new(source, filter.span(), message)
                 .with_help("write filter = true with symbol = '(1 - z)^2/4'"));
         }
+        if let Some(lattice) = self.lattice(source, definitions)? {
+            return Ok((None, Coefficients::Lattice(Box::new(lattice))));
+        }
         if self.is_ring() {
             let formulas = self.ring(source)?;
             return Ok((None, Coefficients::LocalRules(Box::new(formulas))));
@@ -68,7 +71,7 @@ impl SchemeTable {
             )
             .with_help(
                 "mask = '[1, 3, 3, 1]/4' is the mask in one text, and mask = [['3/4', '1/4'], \
-                 ['1/4', '3/4']] lists the rules; symbol = '(1 + z)^3/4' is the symbol; `entry` is one formula for all coefficients, in alpha = 0..arity-1 and r = 0..width-1; a ring has \
+                 ['1/4', '3/4']] lists the rules; symbol = '(1 + z)^3/4' is the symbol, in x, y and z that of a mask on Z^d; `entry` is one formula for all coefficients, in alpha = 0..arity-1 and r = 0..width-1; a ring has \
                  `orbits`, `weights` and `edges` instead",
             )),
         }

@@ -15,6 +15,7 @@ mod file;
 mod file_rules;
 mod foreign;
 mod interpolation;
+mod lattice;
 mod local;
 mod mask;
 mod parameters;
@@ -35,6 +36,10 @@ pub use error::{ReferenceError, SchemeError};
 pub use fields::{definitions, formula, identifier};
 pub use file::{OtherSchemes, SchemeTable};
 pub use interpolation::lagrange_mask;
+pub use lattice::dilation::{
+    Dilation, DilationError, MAX_DIMENSION, Point, difference, sum,
+};
+pub use lattice::mask::{LatticeError, LatticeMask};
 pub use local::definition::VALENCE_NAMES;
 pub use local::every::{EveryRing, EveryWeight};
 pub(crate) use local::rules::point_name;
@@ -46,7 +51,7 @@ pub use parse::{
     files_without_offset, find_definition, names_ring, parse_local_rules, parse_rules_of_valence,
     parse_scheme, read_scheme,
 };
-pub use parse_any::{AnyScheme, parse_algebraic, parse_any_scheme};
+pub use parse_any::{AnyScheme, parse_algebraic, parse_any_scheme, parse_lattice};
 pub use parse_open::{
     open_parameters, parse_in_parameters, parse_parametric, parse_rules_in_parameter,
 };

@@ -1,6 +1,10 @@
 //! Reads SCHEME as a scheme or a ring.
 
 use super::Scheme;
+use super::axes::MAX_AXES;
+use super::lattice::mask::LatticeMask;
+use super::rules::MAX_ARITY;
+use crate::cap::Cap;
 use super::catalogue;
 use super::definition::SchemeDefinition;
 use super::error::{ReferenceError, SchemeError};
@@ -191,13 +195,17 @@ impl Named<'_> {
         let mut defined = BTreeMap::new();
         for part in reference.parts() {
             let name = &part.name[..];
+            if let (Some(vectors), false) = (part.vectors.keys().next(), is_typed(name)) {
+                let reason = format!("`{vectors}` is stated of a mask that is typed, and is a part of the definition of others");
+                return Err(ReferenceError::form(&part.text, &reason).into());
+            }
             if let Some((path, own)) = in_file(name) {
                 // An error calls the scheme by what is typed: the name in the file is unknown outside of it.
                 let definition = read_file(path, own)?;
                 let definition = SchemeDefinition { name: name.to_owned(), ..definition };
                 defined.insert(name.to_owned(), definition);
             } else if is_typed(name) {
-                let definition = typed(name, &part.parameters, &other)
+                let definition = typed(name, &part.parameters, &part.vectors, &other)
                     .map_err(|error| SchemeError::File(Box::new(error)))?;
                 defined.insert(name.to_owned(), definition);
             }
@@ -273,11 +281,39 @@ impl Named<'_> {
         Ok(Factor { text: &part.text, definition, parameters: values })
     }
 
-    pub(super) fn scheme(&self) -> Result<Scheme<Rational>, SchemeError> {
+    /// The mask on Z^d, or the tensor product of two or three masks of curves.
+    pub(super) fn lattice(&self) -> Result<LatticeMask, SchemeError> {
+        let none = Parameters::default();
+        if let [part] = self.reference.parts() {
+            return self.factor_of(part, &none, None)?.lattice();
+        }
+        let masks = self.masks()?;
+        let arities = masks.iter().map(Mask::arity).product::<usize>();
+        if arities > MAX_ARITY {
+            return Err(SchemeError::File(Box::new(Diagnostic::new(
+                &SourceText::new("SCHEME", self.text),
+                0..self.text.len(),
+                format!("a product with {arities} rules; there are at most {MAX_ARITY}"),
+            ).with_cap(Some(Cap::new("the number of rules", MAX_ARITY as u64))))));
+        }
+        LatticeMask::product(&masks.iter().collect::<Vec<&Mask>>()).map_err(|error| {
+            let source = SourceText::new("SCHEME", self.text);
+            let diagnostic = Diagnostic::new(&source, 0..self.text.len(), error.to_string());
+            SchemeError::File(Box::new(diagnostic.with_cap(error.cap())))
+        })
+    }
+
+    fn masks(&self) -> Result<Vec<Mask>, SchemeError> {
         let none = Parameters::default();
         let mask = |part: &Part| self.factor_of(part, &none, None)?.mask();
-        let masks = self.reference.parts().iter().map(mask);
-        Ok(Scheme::of(masks.collect::<Result<Vec<Mask>, SchemeError>>()?))
+        self.reference.parts().iter().map(mask).collect()
+    }
+
+    pub(super) fn scheme(&self) -> Result<Scheme<Rational>, SchemeError> {
+        if self.reference.parts().len() > MAX_AXES {
+            return Err(SchemeError::Lattice { scheme: self.text.trim().to_owned() });
+        }
+        Ok(Scheme::of(self.masks()?))
     }
 
     pub(super) fn ring(
@@ -305,6 +341,10 @@ impl<V: Value + Eq + Hash> Factor<'_, V> {
 }
 
 impl<V: Value + PartialEq> Factor<'_, V> {
+    fn lattice(&self) -> Result<LatticeMask<V>, SchemeError> {
+        self.definition.lattice(&self.parameters).map_err(|error| error.of_scheme(self.text))
+    }
+
     pub(super) fn mask(&self) -> Result<Mask<V>, SchemeError> {
         self.definition.mask(&self.parameters).map_err(|error| error.of_scheme(self.text))
     }

@@ -1,6 +1,5 @@
 //! Symbols as products of powers whose exponents depend on an integer.
 
-use super::composed::Composed;
 use super::definition::{Coefficients, SchemeDefinition};
 use crate::exact::{Polynomial, Rational, RationalPolynomial, Scalar as _};
 use crate::formula::{
@@ -69,12 +68,7 @@ impl SchemeDefinition {
             above.is_nonnegative_line_from(first).then_some(())?;
         }
         let left = Cell::new(super::definition::MAX_OTHERS);
-        let functions = Composed {
-            names: self.others.keys().map(String::as_str).collect(),
-            mask: |name: &str, values: &BTreeMap<String, Polynomial>| {
-                self.other(name, values, &left)
-            },
-        };
+        let functions = self.composed(&left);
         let constants: BTreeMap<String, Laurent<Polynomial>> =
             parameters.into_iter().map(|(name, value)| (name, Laurent::constant(value))).collect();
         let scope = Scope::new(&self.definitions, &functions)

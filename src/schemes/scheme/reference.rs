@@ -2,6 +2,8 @@
 
 use super::error::ReferenceError;
 use crate::exact::Rational;
+use super::lattice::dilation::MAX_DIMENSION;
+use super::lattice::read::STATED;
 use crate::formula::{
     Context, Expr, FormulaError, FreeNames, Value, evaluate_with, is_identifier, parse,
 };
@@ -11,7 +13,7 @@ use std::fmt;
 /// The greatest length of SCHEME, in bytes.
 const MAX_REFERENCE_LENGTH: usize = 4_096;
 
-/// A scheme reference: one name with parameter formulas, or two for a tensor
+/// A scheme reference: one name with parameter formulas, or two or three for a tensor
 /// product.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reference {
@@ -31,6 +33,8 @@ pub(super) struct Part {
     pub(super) text: String,
     pub(super) name: String,
     pub(super) parameters: BTreeMap<String, Expr>,
+    /// What is stated of a mask on Z^d, as it is typed.
+    pub(super) vectors: BTreeMap<String, String>,
 }
 
 impl Reference {
@@ -39,8 +43,8 @@ impl Reference {
         self.parts.iter().flat_map(|part| part.parameters.values())
     }
 
-    /// Reads `name`, `name:p=formula,q=formula`, or two of these with ` x `
-    /// between them.
+    /// Reads `name`, `name:p=formula,q=formula`, or two or three of these with ` x `
+    /// between them. Behind a mask on Z^d, `dilation`, `edges` and `origin` are lists.
     ///
     /// # Errors
     /// When the text has another form, or a parameter's value is not a formula.
@@ -49,14 +53,16 @@ impl Reference {
         if text.len() > MAX_REFERENCE_LENGTH {
             return Err(form("it is too long"));
         }
-        let parts: Vec<&str> = text.split(" x ").collect();
-        ReferenceError::check_factors(text, parts.len())?;
+        let parts = factors(text);
+        if parts.len() > MAX_DIMENSION {
+            return Err(form("a tensor product has two or three factors"));
+        }
         let read = |part: &&str| -> Result<Part, ReferenceError> {
             let (name, arguments) = split_name(part.trim());
             if name.is_empty() {
                 return Err(form("the name is missing"));
             }
-            let mut parameters = BTreeMap::new();
+            let (mut parameters, mut vectors) = (BTreeMap::new(), BTreeMap::new());
             for argument in split_top_level(arguments) {
                 let Some((parameter, value)) = argument.split_once('=') else {
                     return Err(form("a parameter is given as name=value"));
@@ -68,13 +74,20 @@ impl Reference {
                 if value.is_empty() {
                     return Err(form(&format!("the value of `{parameter}` is missing")));
                 }
+                if STATED.contains(&parameter) && value.starts_with('[') {
+                    if vectors.insert(parameter.to_owned(), value.to_owned()).is_some() {
+                        return Err(form("a list is given twice"));
+                    }
+                    continue;
+                }
                 let expr = parse(value)
                     .map_err(|error| ReferenceError::Formula { text: value.to_owned(), error })?;
                 if parameters.insert(parameter.to_owned(), expr).is_some() {
                     return Err(form("a parameter is given twice"));
                 }
             }
-            Ok(Part { text: part.trim().to_owned(), name: name.to_owned(), parameters })
+            let (text, name) = (part.trim().to_owned(), name.to_owned());
+            Ok(Part { text, name, parameters, vectors })
         };
         let parts = parts.iter().map(read).collect::<Result<Vec<Part>, _>>()?;
         Ok(Reference { text: text.trim().to_owned(), parts })
@@ -191,6 +204,27 @@ pub(super) fn in_file(name: &str) -> Option<(&str, Option<&str>)> {
 
 /// How the path of a file of schemes ends.
 const TOML: &str = ".toml";
+
+/// The factors of a tensor product, between ` x ` outside all brackets. Beside a sign, x is the variable of a symbol.
+fn factors(text: &str) -> Vec<&str> {
+    const TIMES: &str = " x ";
+    let ends_open = |text: &str| text.trim_end().ends_with(['+', '-', '*', '/', '^', ',', '=']);
+    let starts_open = |text: &str| text.trim_start().starts_with(['+', '-', '*', '/', '^', ',']);
+    let depth = |text: &str| {
+        let count = |c: [char; 2]| text.matches(c).count();
+        count(['(', '[']) - count([')', ']']).min(count(['(', '[']))
+    };
+    let (mut pieces, mut start) = (Vec::new(), 0);
+    for (at, _) in text.match_indices(TIMES) {
+        let (before, after) = (&text[..at], &text[at + TIMES.len()..]);
+        if depth(before) == 0 && !ends_open(before) && !starts_open(after) && at >= start {
+            pieces.push(&text[start..at]);
+            start = at + TIMES.len();
+        }
+    }
+    pieces.push(&text[start..]);
+    pieces
+}
 
 /// Splits `text` at the commas outside all brackets.
 fn split_top_level(text: &str) -> Vec<&str> {

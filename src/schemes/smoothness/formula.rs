@@ -20,7 +20,7 @@ pub struct ExponentFormula {
 
 impl ExponentFormula {
     /// order − log_n(root)/degree, with powers of n taken out of a rational root.
-    pub(super) fn new(
+    pub(crate) fn new(
         order: usize,
         arity: usize,
         root: &RealAlgebraic,
@@ -139,7 +139,7 @@ fn rational_logarithm(x: &Rational, n: usize) -> Option<Rational> {
 }
 
 /// An enclosure of log_n of a positive number.
-pub(super) fn log_of(x: &impl Enclosed, arity: usize, level: u32) -> Enclosure {
+pub(crate) fn log_of(x: &impl Enclosed, arity: usize, level: u32) -> Enclosure {
     let bits = 64 << level;
     let x = x.enclosure(level);
     let ln = |x: &Rational| natural_logarithm(x, bits);

@@ -43,6 +43,7 @@ pub use contraction::contractions;
 pub use exponent::{Hoelder, Smoothness, SmoothnessError};
 pub use family::SymbolFamily;
 pub use formula::ExponentFormula;
+pub(crate) use formula::log_of;
 pub use functions::{
     BasicError, BasicValues, InnerProductError, InnerProducts, LimitValues, basic,
     derivative_symbol, integral_symbol, is_contractive, is_hurwitz, is_shape_kept, keeps_ratios,

@@ -3,25 +3,6 @@
 use super::elimination::row_times;
 use crate::exact::{IntegerPolynomial, Rational, Scalar};
 
-/// det(xI − M) times its least common denominator, for a square matrix M.
-///
-/// By the recursion of Faddeev and Le Verrier: N_1 = M, c_k = −tr(N_k)/k, N_{k+1} = M(N_k + c_k I);
-/// the polynomial is x^d + c_1 x^{d−1} + … + c_d.
-///
-/// # Panics
-/// When M is not square.
-///
-/// ```
-/// use subcert::exact::{Rational, characteristic_polynomial};
-///
-/// let rows = [[1, 1], [1, 0]].map(|row| row.map(Rational::from).to_vec());
-/// assert_eq!(characteristic_polynomial(&rows).to_string(), "x^2 - x - 1");
-/// ```
-#[must_use]
-pub fn characteristic_polynomial(rows: &[Vec<Rational>]) -> IntegerPolynomial {
-    IntegerPolynomial::over_common_denominator(&characteristic_coefficients(rows))
-}
-
 /// The polynomial of which the roots are the products λ_i λ_j, i ≤ j, of the eigenvalues of a square
 /// matrix, times a positive integer. The square of the spectral radius is one of its roots, and the
 /// greatest real one.
@@ -44,7 +25,10 @@ pub fn symmetric_square_polynomial(rows: &[Vec<Rational>]) -> IntegerPolynomial 
 }
 
 /// c_d, …, c_1, 1 of the characteristic polynomial of a square matrix over any field, from the constant term
-/// upwards; see [`characteristic_polynomial`].
+/// upwards; see [`characteristic_polynomial`](crate::exact::characteristic_polynomial).
+///
+/// By the recursion of Faddeev and Le Verrier: N_1 = M, c_k = −tr(N_k)/k, N_{k+1} = M(N_k + c_k I);
+/// the polynomial is x^d + c_1 x^{d−1} + … + c_d.
 ///
 /// # Panics
 /// When the matrix is not square.

@@ -49,11 +49,12 @@ pub fn only_solution<F: Real + PartialEq>(rows: Vec<Vec<F>>) -> Option<Vec<F>> {
     pivots.into_iter().eq(0..unknowns).then(|| rows.into_iter().map(right).collect())
 }
 
-/// A basis of the rows v with vM = 0 for a square matrix M.
+/// A basis of the rows v with vM = 0.
 #[must_use]
 pub fn null_rows<F: Real + PartialEq>(matrix: &[Vec<F>]) -> Vec<Vec<F>> {
     let size = matrix.len();
-    let transposed = (0..size).map(|j| matrix.iter().map(|row| row[j].clone()).collect()).collect();
+    let columns = matrix.first().map_or(0, Vec::len);
+    let transposed = (0..columns).map(|j| matrix.iter().map(|row| row[j].clone()).collect()).collect();
     let (rows, pivots) = echelon(transposed);
     let free = (0..size).filter(|column| !pivots.contains(column));
     let solution = |free: usize| {

@@ -5,3 +5,4 @@ pub(super) mod characteristic;
 pub(super) mod elimination;
 pub(super) mod linear;
 pub(super) mod matrix;
+pub(super) mod modular;

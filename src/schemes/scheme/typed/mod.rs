@@ -3,9 +3,14 @@
 use super::definition::{CatalogueFacts, Coefficients, ParameterSpec, ROUNDED, SchemeDefinition};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{AlgebraicNumber, Polynomial, Rational, Scalar as _};
-use crate::formula::{Expr, FreeNames, LocatedFormula, Scope, Value, evaluate};
+use crate::formula::{
+    Expr, FreeNames, LATTICE_VARIABLES, LocatedFormula, Scope, Value, evaluate, parse,
+};
 use crate::scheme::composed::composed_of;
 use crate::scheme::error::SchemeError;
+use crate::scheme::lattice::formulas::LatticeFormulas;
+use crate::scheme::lattice::integers::Vectors;
+use crate::scheme::lattice::read::{DILATION, EDGES, ORIGIN, Stated, has_lattice_variable};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
@@ -13,6 +18,7 @@ use sum::{EVERYWHERE, Sum};
 use symbol::SymbolFormula;
 use text::MASK;
 
+pub(super) mod nested;
 mod sum;
 pub(super) mod symbol;
 mod text;
@@ -32,19 +38,31 @@ const ANY: (i64, i64) = (355, 113);
 pub(super) fn typed(
     text: &str,
     given: &BTreeMap<String, Expr>,
+    vectors: &BTreeMap<String, String>,
     others: &dyn Fn(&str) -> Option<Arc<SchemeDefinition>>,
 ) -> Result<SchemeDefinition, Diagnostic> {
     let source = SourceText::new(SOURCE, text);
     let definitions = BTreeMap::new();
     let mut composed = BTreeMap::new();
-    let (offset, coefficients, names) = if text::is_symbol(text) {
-        let symbol = SymbolFormula::read(&source, 0..text.len(), text)?;
-        for name in composed_of(&symbol.formula.expr) {
+    let mut compose = |expr: &Expr| {
+        for name in composed_of(expr) {
             let missing = || SchemeError::NoOther { name: name.clone() }.to_string();
             let other =
                 others(&name).ok_or_else(|| Diagnostic::new(&source, 0..text.len(), missing()))?;
             composed.insert(name, other);
         }
+        Ok::<(), Diagnostic>(())
+    };
+    let (offset, coefficients, names) = if let Some(lattice) = lattice(&source, text, given, vectors)? {
+        let mut names = BTreeSet::new();
+        for formula in lattice.formulas() {
+            compose(&formula.expr)?;
+            names.extend(symbol::parameters(formula, &definitions, &LATTICE_VARIABLES));
+        }
+        (None, Coefficients::Lattice(Box::new(lattice)), names)
+    } else if text::is_symbol(text) {
+        let symbol = SymbolFormula::read(&source, 0..text.len(), text)?;
+        compose(&symbol.formula.expr)?;
         let names = symbol.names(&definitions);
         (None, Coefficients::Symbol(Box::new(symbol)), names)
     } else {
@@ -66,6 +84,45 @@ pub(super) fn typed(
         others: composed,
     })
 }
+
+/// The mask on Z^d of the text, if it is one: a symbol in x and y, which are not `given`, a list of lists, or `box` with directions.
+///
+/// # Errors
+/// When what is stated has another form, or states nothing of a mask on Z^d.
+fn lattice(
+    source: &Arc<SourceText>,
+    text: &str,
+    given: &BTreeMap<String, Expr>,
+    vectors: &BTreeMap<String, String>,
+) -> Result<Option<LatticeFormulas>, Diagnostic> {
+    let whole = || 0..text.len();
+    let stated = |name: &str| {
+        let list = |value: &String| {
+            Vectors::of_text(&SourceText::new(name, value), 0..value.len(), value)
+        };
+        vectors.get(name).map(list).transpose()
+    };
+    let stated =
+        Stated { dilation: stated(DILATION)?, edges: stated(EDGES)?, origin: stated(ORIGIN)? };
+    if let Some(directions) = text.trim().strip_prefix(BOX) {
+        let directions = Vectors::of_text(source, whole(), directions)?;
+        return stated.box_spline(source, &directions).map(Some);
+    }
+    if nested::is_nested(text) {
+        return stated.listed(source, whole(), nested::nested(source, whole())?).map(Some);
+    }
+    let names = parse(text).map(|expr| FreeNames::new(&BTreeMap::new()).of(&expr));
+    let variables = names.is_ok_and(|names| {
+        has_lattice_variable(&names, |name| given.contains_key(name)) && text::is_symbol(text)
+    });
+    if variables || !stated.is_empty() {
+        return stated.symbol(source, whole(), text, &BTreeMap::new()).map(Some);
+    }
+    Ok(None)
+}
+
+/// What stands before the directions of a box spline.
+const BOX: &str = "box";
 
 /// A mask that is one text.
 pub(super) struct Typed {

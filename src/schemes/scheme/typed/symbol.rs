@@ -60,12 +60,7 @@ impl SymbolFormula {
 
     /// The names of its parameters.
     pub(super) fn names(&self, definitions: &BTreeMap<String, LocatedFormula>) -> BTreeSet<String> {
-        let mut names = FreeNames::new(definitions).of(&self.formula.expr);
-        names.remove(SYMBOL_VARIABLE);
-        // The parts of names such as `four-point` are no parameters.
-        let others = composed_of(&self.formula.expr);
-        names.retain(|name| others.iter().all(|other| other.split('-').all(|part| part != name)));
-        names
+        parameters(&self.formula, definitions, &[SYMBOL_VARIABLE])
     }
 
     fn error(&self, message: impl Into<String>) -> Diagnostic {
@@ -143,6 +138,20 @@ impl SymbolFormula {
         let n = i64::try_from(arity).expect("a small arity");
         Ok(Rules::rows_of_symbol(n, (low, high), |power| value.coefficient(power)))
     }
+}
+
+/// The free names of a symbol but for its variables.
+pub(super) fn parameters(
+    formula: &LocatedFormula,
+    definitions: &BTreeMap<String, LocatedFormula>,
+    variables: &[&str],
+) -> BTreeSet<String> {
+    let mut names = FreeNames::new(definitions).of(&formula.expr);
+    // The parts of names such as `four-point` are no parameters.
+    let others = composed_of(&formula.expr);
+    let is_part = |name: &str| others.iter().any(|other| other.split('-').any(|part| part == name));
+    names.retain(|name| !variables.contains(&&name[..]) && !is_part(name));
+    names
 }
 
 /// What helps where a formula of a file has a name that is no parameter.

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{
-    LocatedFormula, Node, Operator, SYMBOL_VARIABLE, continues_name, starts_name,
+    LATTICE_VARIABLES, LocatedFormula, Node, Operator, continues_name, starts_name,
 };
 use std::ops::Range;
 use std::sync::Arc;
@@ -22,9 +22,9 @@ const TIMES: [char; 3] = ['*', '·', '×'];
 const OVER: [char; 3] = ['/', '\u{2044}', '\u{2215}'];
 
 /// A bracket that no other one holds, with its own bytes.
-struct Group {
+pub(super) struct Group {
     open: char,
-    span: Range<usize>,
+    pub(super) span: Range<usize>,
     /// Whether a name stands before it, as in `cos(x)` and `w[1]`.
     named: bool,
 }
@@ -38,19 +38,19 @@ pub(in crate::scheme) fn is_typed(name: &str) -> bool {
         || is_symbol(name)
 }
 
-/// Whether this is the symbol of a mask: no list, and a sum or product in `z`, maybe with a mistake. With hyphens alone, as in `a-z`, it is a name.
+/// Whether this is the symbol of a mask: no list, and a sum or product in a variable, maybe with a mistake. With hyphens alone, as in `a-z`, it is a name.
 pub(super) fn is_symbol(text: &str) -> bool {
     let is_list = text.trim_start().starts_with(['[', '{']) || list(text).is_ok();
     let composed = text.trim_start().starts_with("symbol(");
     !is_list && (composed || has_variable(text)) && text.contains(['^', '(', '*', '·', '×', '+'])
 }
 
-/// Whether `z` is a word in a text; a number may stand before it, as it does by mistake in `2z`.
+/// Whether `x`, `y` or `z` is a word in a text; a number may stand before it, as it does by mistake in `2z`.
 fn has_variable(text: &str) -> bool {
     let words = text.split(|c| !continues_name(c));
     words
         .map(|word| word.trim_start_matches(|c: char| c.is_ascii_digit()))
-        .any(|word| word == SYMBOL_VARIABLE)
+        .any(|word| LATTICE_VARIABLES.contains(&word))
 }
 
 /// The places of the coefficients of the mask that stands in this range, and the formula of each with the factors.
@@ -93,12 +93,12 @@ pub(super) fn coefficients(
     Ok(coefficients)
 }
 
-fn inner(group: &Group) -> Range<usize> {
+pub(super) fn inner(group: &Group) -> Range<usize> {
     group.span.start + 1..group.span.end - 1
 }
 
 /// The list: the bracket `[…]` or `{…}` behind no name, or else the round one with commas.
-fn list(text: &str) -> Result<Group, (Range<usize>, &'static str)> {
+pub(super) fn list(text: &str) -> Result<Group, (Range<usize>, &'static str)> {
     let whole = 0..text.len();
     let groups = groups(text)?;
     let angular = groups.iter().any(|group| group.open != '(');
@@ -168,7 +168,7 @@ fn split(text: &str, sign: char) -> Vec<usize> {
 }
 
 /// The places of the coefficients, between commas, semicolons or blanks.
-fn pieces(text: &str, inside: Range<usize>) -> Result<Vec<Range<usize>>, &'static str> {
+pub(super) fn pieces(text: &str, inside: Range<usize>) -> Result<Vec<Range<usize>>, &'static str> {
     let list = &text[inside.clone()];
     let [commas, semicolons] = [',', ';'].map(|sign| split(list, sign));
     let signs = match (commas.is_empty(), semicolons.is_empty()) {
@@ -205,7 +205,7 @@ fn pieces(text: &str, inside: Range<usize>) -> Result<Vec<Range<usize>>, &'stati
 }
 
 /// The factor before the list, in brackets and with `*`.
-fn factor_before(source: &Arc<SourceText>, span: Range<usize>) -> Result<String, Diagnostic> {
+pub(super) fn factor_before(source: &Arc<SourceText>, span: Range<usize>) -> Result<String, Diagnostic> {
     let before = &source.text[span.clone()];
     let wrong = |message: &str| Diagnostic::new(source, span.clone(), message).with_help(MASK);
     if before.trim().is_empty() {
@@ -224,7 +224,7 @@ fn factor_before(source: &Arc<SourceText>, span: Range<usize>) -> Result<String,
 }
 
 /// Checks that a product stands behind the list.
-fn factor_behind(source: &Arc<SourceText>, span: Range<usize>) -> Result<(), Diagnostic> {
+pub(super) fn factor_behind(source: &Arc<SourceText>, span: Range<usize>) -> Result<(), Diagnostic> {
     let behind = source.text[span.clone()].trim();
     let wrong = |message: &str| Diagnostic::new(source, span.clone(), message).with_help(MASK);
     if behind.is_empty() {

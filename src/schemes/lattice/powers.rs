@@ -1,0 +1,121 @@
+//! Several steps of a mask on Z^d in one.
+
+use crate::exact::{Rational, Scalar};
+use crate::scheme::{LatticeMask, Point, difference, sum};
+use std::collections::BTreeMap;
+
+/// A functional on data: the sum of its coefficients times the values at their places.
+pub type Functional<S> = BTreeMap<Point, S>;
+
+/// S^c: (S^c p)_α = Σ_β a_c(α − M^cβ) p_β, with the rows of one α of each class of Z^d/M^cZ^d.
+#[derive(Clone, Debug)]
+pub struct Steps<'m, S> {
+    mask: &'m LatticeMask<S>,
+    /// c.
+    count: u32,
+    /// a_c, by places.
+    coefficients: Functional<S>,
+}
+
+impl<'m, S: Scalar + PartialEq> Steps<'m, S> {
+    /// No step: the data themselves.
+    #[must_use]
+    pub fn none(mask: &'m LatticeMask<S>) -> Steps<'m, S> {
+        let one = S::from_rational(&Rational::one());
+        Steps { mask, count: 0, coefficients: BTreeMap::from([([0; 3], one)]) }
+    }
+
+    /// One step more: a_{c+1}(γ) = Σ_β a(γ − Mβ) a_c(β).
+    #[must_use]
+    pub fn next(&self) -> Steps<'m, S> {
+        let dilation = self.mask.dilation();
+        let mut coefficients: Functional<S> = BTreeMap::new();
+        for (place, value) in &self.coefficients {
+            let corner = dilation.times(*place);
+            for (at, c) in self.mask.coefficients() {
+                let place = sum(corner, *at);
+                coefficients.entry(place).or_insert_with(S::zero).accumulate(&c.times(value));
+            }
+        }
+        let zero = S::zero();
+        coefficients.retain(|_, c| *c != zero);
+        Steps { mask: self.mask, count: self.count + 1, coefficients }
+    }
+
+    /// c.
+    #[must_use]
+    pub fn count(&self) -> u32 {
+        self.count
+    }
+
+    /// a_c.
+    #[must_use]
+    pub fn coefficients(&self) -> &Functional<S> {
+        &self.coefficients
+    }
+
+    /// The class of a place γ and κ, γ = ε + M^cκ: a number for each of the m^c digits ε, which are those of one step in the order ε_0 + M(ε_1 + M(…)).
+    fn split(&self, place: Point) -> (usize, Point) {
+        let dilation = self.mask.dilation();
+        let (mut class, mut scale, mut rest) = (0, 1, place);
+        for _ in 0..self.count {
+            let (digit, quotient) = dilation.split(rest);
+            class += scale * digit;
+            scale *= dilation.class_count();
+            rest = quotient;
+        }
+        (class, rest)
+    }
+
+    /// The digit with this number.
+    fn digit(&self, class: usize) -> Point {
+        let dilation = self.mask.dilation();
+        let m = dilation.class_count();
+        let digits: Vec<usize> =
+            (0..self.count).scan(class, |rest, _| {
+                let digit = *rest % m;
+                *rest /= m;
+                Some(digit)
+            }).collect();
+        digits.into_iter().rev().fold([0; 3], |point, digit| {
+            sum(dilation.times(point), dilation.digits()[digit])
+        })
+    }
+
+    /// The rows: for each digit ε of M^c the functional p ↦ (S^c p)_ε.
+    #[must_use]
+    pub fn rows(&self) -> Vec<(Point, Functional<S>)> {
+        let classes = self.mask.dilation().class_count().pow(self.count);
+        let mut rows: Vec<(Point, Functional<S>)> =
+            (0..classes).map(|class| (self.digit(class), BTreeMap::new())).collect();
+        for (place, c) in &self.coefficients {
+            // ε − M^cβ = γ for β = −κ.
+            let (class, quotient) = self.split(*place);
+            rows[class].1.insert(difference([0; 3], quotient), c.clone());
+        }
+        rows
+    }
+
+    /// For each digit ε and each edge u, the functional p ↦ (S^c p)_{ε+u} − (S^c p)_ε.
+    #[must_use]
+    pub fn differences(&self) -> Vec<(Point, Point, Functional<S>)> {
+        let rows = self.rows();
+        let mut all = Vec::with_capacity(rows.len() * self.mask.edges().len());
+        for (digit, row) in &rows {
+            for edge in self.mask.edges() {
+                let (class, shift) = self.split(sum(*digit, *edge));
+                let mut functional: Functional<S> = BTreeMap::new();
+                for (place, c) in &rows[class].1 {
+                    functional.insert(sum(*place, shift), c.clone());
+                }
+                for (place, c) in row {
+                    functional.entry(*place).or_insert_with(S::zero).lessen(c);
+                }
+                let zero = S::zero();
+                functional.retain(|_, c| *c != zero);
+                all.push((*digit, *edge, functional));
+            }
+        }
+        all
+    }
+}

@@ -1,0 +1,229 @@
+//! The basic limit function of a mask on Z^d at rational points, and the space of its values near a tile.
+
+use super::monomials::{divided, of_degree, power_of};
+use super::span::Span;
+use super::tiling::{Motion, Tiling, inverse, turned};
+use super::window::{attractor, less_digits, of_tiling};
+use crate::cap::Cap;
+use crate::exact::{Rational, echelon, null_rows, short_echelon};
+use crate::scheme::{LatticeMask, Point, difference, sum};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The most dimensions of the space.
+const MAX_DIMENSION: usize = 160;
+
+/// φ at the integers, where the scheme converges: the only vector v with Σ_β a(Mα − β) v_β = v_α, Σ_α v_α = 1.
+///
+/// # Errors
+/// When the window is too large; `Ok(None)` where there is no such vector, or more than one, so that the scheme does not converge.
+pub fn values_at_integers(mask: &LatticeMask) -> Result<Option<BTreeMap<Point, Rational>>, Cap> {
+    let window = window(mask)?;
+    let entry = |alpha: &Point, beta: &Point| {
+        let place = difference(mask.dilation().times(*alpha), *beta);
+        mask.coefficients().get(&place).cloned().unwrap_or_else(Rational::zero)
+    };
+    let fixed = window.iter().enumerate().map(|(i, alpha)| {
+        let row = window.iter().enumerate().map(|(j, beta)| {
+            entry(alpha, beta) - Rational::from(i64::from(i == j))
+        });
+        row.chain([Rational::zero()]).collect::<Vec<Rational>>()
+    });
+    let total = vec![Rational::one(); window.len() + 1];
+    let (rows, pivots) = echelon(fixed.chain([total]).collect());
+    if !pivots.into_iter().eq(0..window.len()) {
+        return Ok(None);
+    }
+    let values = rows.into_iter().map(|mut row| row.pop().expect("a right side"));
+    Ok(Some(window.into_iter().zip(values).filter(|(_, value)| !value.is_zero()).collect()))
+}
+
+/// The integer points of the attractor of supp a − E.
+///
+/// # Errors
+/// When there are too many.
+pub fn window(mask: &LatticeMask) -> Result<Vec<Point>, Cap> {
+    attractor(mask.dilation(), &less_digits(mask.coefficients().keys().copied(), mask.dilation()))
+}
+
+/// The space U of the Φ(x) = (φ(x + α))_α for x near a tile, and in it the differences of high order.
+///
+/// With the parts (G_i, t_i) of the tiling, (T_i v)_α = Σ_β a(Mα + t_i − G_iβ) v_β takes Φ(x) to Φ(M^{−1}(G_i x + t_i)), and so U to itself.
+#[derive(Clone, Debug)]
+pub struct ValueSpace {
+    /// The number of dimensions of U.
+    pub dimension: usize,
+    /// K', the accuracy: Σ_i c_i x_i^μ, |μ| < K', depends only on Σ_i c_i Φ(x_i), and polynomials of degree below K' are sums of shifts of φ.
+    pub accuracy: u32,
+    /// For each part T_i on the Σ_i c_i Φ(x_i) with Σ_i c_i x_i^μ = 0, |μ| < K', in the reduced echelon basis of these: row i has the coordinates of the
+    /// image of vector i.
+    pub matrices: Vec<Vec<Vec<Rational>>>,
+}
+
+impl ValueSpace {
+    /// That of a mask whose scheme converges, near a tile of a tiling; the accuracy is looked for up to `most`.
+    ///
+    /// # Errors
+    /// When a cap is met; `Ok(None)` where φ has no values, so that the scheme does not converge.
+    pub fn of(
+        mask: &LatticeMask,
+        tiling: &Tiling,
+        most: u32,
+    ) -> Result<Option<ValueSpace>, Cap> {
+        let Some(values) = values_at_integers(mask)? else { return Ok(None) };
+        let window = of_tiling(mask, tiling)?;
+        // φ(gx + α) = φ(x + G^{−1}(α + t)).
+        let place = |motion: &Motion, at: Point| difference(turned(&motion.matrix, at), motion.shift);
+        let moved = tiling.neighbours.iter();
+        let moved = moved.flat_map(|motion| window.iter().map(move |at| place(motion, *at)));
+        let places: Vec<Point> = moved.collect::<BTreeSet<Point>>().into_iter().collect();
+        let steps = Transitions::new(mask, tiling, &places);
+        // Φ(0), and all that follows from it: the values at points of the tile.
+        let start: Vec<Rational> = places
+            .iter()
+            .map(|place| values.get(place).cloned().unwrap_or_else(Rational::zero))
+            .collect();
+        let origin = vec![Rational::zero(); mask.dimension()];
+        let tile = steps.generated(vec![(start, origin)])?;
+        // The same at the neighbours of the tile, and what is left of both after many steps.
+        let mut near = Vec::new();
+        for motion in &tiling.neighbours {
+            let back = inverse(&motion.matrix);
+            for (vector, point) in &tile {
+                let place = |place: &Point| {
+                    let at = places.binary_search(&turned(&back, sum(*place, motion.shift)));
+                    at.map_or_else(|_| Rational::zero(), |at| vector[at].clone())
+                };
+                let values = places.iter().map(place).collect::<Vec<Rational>>();
+                near.push((values, motion.of_point(point)));
+            }
+        }
+        let mut near = independent(near)?;
+        loop {
+            let images = near.iter().flat_map(|(vector, point)| steps.images(vector, point));
+            let next = independent(images.collect())?;
+            if next.len() == near.len() {
+                break;
+            }
+            near = next;
+        }
+        Ok(Some(ValueSpace::from_basis(&steps, &near, most)))
+    }
+
+    fn from_basis(steps: &Transitions<'_>, near: &[Values], most: u32) -> ValueSpace {
+        let exponents: Vec<(u32, [u32; 3])> = (0..most)
+            .flat_map(|k| of_degree(k, steps.mask.dimension()).into_iter().map(move |e| (k, e)))
+            .collect();
+        // (Φ(x), x^μ): the functionals Φ(x) ↦ x^μ are well defined on U if each row that is 0 in U is 0 beyond.
+        let joined = |(vector, point): &Values| -> Vec<Rational> {
+            let powers = exponents.iter().map(|(_, exponents)| power_of(point, *exponents));
+            vector.iter().cloned().chain(powers).collect()
+        };
+        let images = near.iter().flat_map(|(vector, point)| steps.images(vector, point));
+        let all = near.iter().map(joined).chain(images.map(|values| joined(&values)));
+        let (rows, pivots) = short_echelon(all.collect());
+        let width = steps.rules[0].len();
+        let dimension = pivots.iter().filter(|pivot| **pivot < width).count();
+        let undefined = pivots.iter().filter(|pivot| **pivot >= width);
+        let accuracy = undefined.map(|pivot| exponents[pivot - width].0).min().unwrap_or(most);
+        let kept = exponents.iter().filter(|(k, _)| *k < accuracy).count();
+        let moments: Vec<Vec<Rational>> =
+            rows[..dimension].iter().map(|row| row[width..width + kept].to_vec()).collect();
+        let vector = |combination: Vec<Rational>| {
+            let mut sum = vec![Rational::zero(); width];
+            for (c, row) in combination.iter().zip(&rows).filter(|(c, _)| !c.is_zero()) {
+                sum.iter_mut().zip(row).for_each(|(x, v)| *x += &(c * v));
+            }
+            sum
+        };
+        let (basis, pivots) = short_echelon(null_rows(&moments).into_iter().map(vector).collect());
+        let on = |rules: &Vec<Vec<(usize, Rational)>>| {
+            let row = |vector: &Vec<Rational>| {
+                pivots.iter().map(|at| applied(&rules[*at], vector)).collect()
+            };
+            basis.iter().map(row).collect()
+        };
+        let matrices = steps.rules.iter().map(on).collect();
+        ValueSpace { dimension, accuracy, matrices }
+    }
+}
+
+/// A vector and the point whose values it has.
+type Values = (Vec<Rational>, Vec<Rational>);
+
+/// Those of the values that are independent of those before them.
+fn independent(all: Vec<Values>) -> Result<Vec<Values>, Cap> {
+    let mut span = Span::default();
+    let mut kept = Vec::new();
+    for (vector, point) in all {
+        if span.insert(&vector) {
+            kept.push((vector, point));
+        }
+        if kept.len() > MAX_DIMENSION {
+            return Err(beyond());
+        }
+    }
+    Ok(kept)
+}
+
+fn beyond() -> Cap {
+    Cap::new("the number of dimensions of the space of values", MAX_DIMENSION as u64)
+}
+
+/// (T_i v)_α = Σ_β a(Mα + t_i − G_iβ) v_β for the parts (G_i, t_i) of a tiling, for v on given places.
+struct Transitions<'m> {
+    mask: &'m LatticeMask,
+    tiling: &'m Tiling,
+    /// For each part and each place α, the places β with a(Mα + t_i − G_iβ).
+    rules: Vec<Vec<Vec<(usize, Rational)>>>,
+}
+
+impl<'m> Transitions<'m> {
+    fn new(mask: &'m LatticeMask, tiling: &'m Tiling, places: &[Point]) -> Transitions<'m> {
+        let rule = |part: &Motion, alpha: &Point| {
+            let corner = sum(part.shift, mask.dilation().times(*alpha));
+            let back = inverse(&part.matrix);
+            let terms = mask.coefficients().iter();
+            let terms = terms.filter_map(|(place, c)| {
+                let beta = turned(&back, difference(corner, *place));
+                Some((places.binary_search(&beta).ok()?, c.clone()))
+            });
+            terms.collect::<Vec<(usize, Rational)>>()
+        };
+        let of = |part: &Motion| places.iter().map(|alpha| rule(part, alpha)).collect();
+        Transitions { mask, tiling, rules: tiling.parts.iter().map(of).collect() }
+    }
+
+    /// T_iΦ(x) = Φ(M^{−1}(G_i x + t_i)) for each part.
+    fn images(&self, vector: &[Rational], point: &[Rational]) -> Vec<Values> {
+        let dilation = self.mask.dilation();
+        let image = |(part, rules): (&Motion, &Vec<Vec<(usize, Rational)>>)| {
+            let value = |rule: &Vec<(usize, Rational)>| applied(rule, vector);
+            (rules.iter().map(value).collect(), divided(dilation, &part.of_point(point)))
+        };
+        self.tiling.parts.iter().zip(&self.rules).map(image).collect()
+    }
+
+    /// Values that span all that follow from some by steps.
+    fn generated(&self, mut waiting: Vec<Values>) -> Result<Vec<Values>, Cap> {
+        let mut span = Span::default();
+        let mut kept: Vec<Values> = Vec::new();
+        waiting.reverse();
+        while let Some((vector, point)) = waiting.pop() {
+            if !span.insert(&vector) {
+                continue;
+            }
+            if kept.len() >= MAX_DIMENSION {
+                return Err(beyond());
+            }
+            waiting.extend(self.images(&vector, &point));
+            kept.push((vector, point));
+        }
+        Ok(kept)
+    }
+}
+
+/// The value of a rule at a vector.
+fn applied(rule: &[(usize, Rational)], vector: &[Rational]) -> Rational {
+    let terms = rule.iter().filter(|(at, _)| !vector[*at].is_zero());
+    terms.map(|(at, c)| c * &vector[*at]).sum()
+}
