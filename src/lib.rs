@@ -81,7 +81,7 @@
 //! | crate | modules |
 //! |---|---|
 //! | [`subcert_numbers`] | [`cap`], [`exact`], [`formula`], [`diagnostic`], [`stop`], [`suggestion`] |
-//! | [`subcert_schemes`] | [`scheme`], [`bound`], [`limit`], [`float`], [`joint`], [`smoothness`], [`spectrum`], [`characteristic`], [`facts`] |
+//! | [`subcert_schemes`] | [`scheme`], [`bound`], [`limit`], [`float`], [`joint`], [`lattice`], [`smoothness`], [`spectrum`], [`characteristic`], [`facts`] |
 //! | [`subcert_geometry`] | [`mesh`], [`net`], [`solid`], [`patch`], [`oracle`] |
 //! | [`subcert_claims`] | [`literal`], [`claim`], [`shipped`], [`audit`] |
 //! | [`subcert_reports`] | [`certificate`], `report` (feature `cli`) |
@@ -95,7 +95,7 @@ pub use subcert_reports::certificate;
 #[cfg(feature = "cli")]
 pub use subcert_reports::report;
 pub use subcert_schemes::{
-    bound, characteristic, facts, float, joint, limit, scheme, smoothness, spectrum,
+    bound, characteristic, facts, float, joint, lattice, limit, scheme, smoothness, spectrum,
 };
 
 /// The examples of README.md, run as tests.

@@ -21,6 +21,7 @@ mod formula;
 mod fuzz;
 mod joint;
 mod judge;
+mod lattice;
 mod limit;
 mod literal;
 mod mesh;

@@ -17,7 +17,9 @@
 //! everywhere.
 
 use subcert_numbers::{cap, diagnostic, exact, formula, stop, suggestion};
-use subcert_schemes::{bound, characteristic, facts, float, limit, scheme, smoothness, spectrum};
+use subcert_schemes::{
+    bound, characteristic, facts, float, lattice, limit, scheme, smoothness, spectrum,
+};
 
 pub mod audit;
 pub mod claim;

@@ -12,7 +12,7 @@ use subcert_claims::{audit, claim, shipped};
 use subcert_numbers::{diagnostic, exact, formula};
 use subcert_schemes::{bound, characteristic, joint, limit, scheme, smoothness, spectrum};
 #[cfg(feature = "report")]
-use subcert_schemes::{facts, float};
+use subcert_schemes::{facts, float, lattice};
 
 #[cfg(feature = "report")]
 use subcert_geometry::{net, patch};

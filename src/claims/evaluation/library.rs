@@ -13,8 +13,8 @@ use crate::evaluation::series::Norms;
 use crate::exact::{Rational, RealCyclotomic, StoredForm};
 use crate::formula::{Context, LocatedFormula, Parameters, Value, evaluate};
 use crate::scheme::{
-    Axes, Instance, LocalRules, Mask, Reference, ReferenceError, Scheme, SchemeDefinition,
-    SchemeError, find_in_catalogue,
+    Axes, Instance, LatticeMask, LocalRules, Mask, Reference, ReferenceError, Scheme,
+    SchemeDefinition, SchemeError, find_in_catalogue,
 };
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
@@ -158,6 +158,16 @@ impl<'a> Library<'a> {
         let mask = |instance: &Instance<V>| self.define(&instance.name)?.mask(&instance.parameters);
         let masks = instances.iter().map(mask).collect::<Result<_, _>>();
         masks.map(Scheme::of).map_err(Unresolved::Scheme)
+    }
+
+    /// The mask on Z^d that this names, if it is one.
+    pub(crate) fn lattice<V: Value + PartialEq>(
+        &self,
+        scheme: &[Instance<V>],
+    ) -> Result<Option<LatticeMask<V>>, SchemeError> {
+        let [instance] = scheme else { return Ok(None) };
+        let definition = self.define(&instance.name)?;
+        definition.is_lattice().then(|| definition.lattice(&instance.parameters)).transpose()
     }
 
     /// The filter that this names, if it is one.

@@ -4,17 +4,19 @@ use crate::bound::{Constants, Recursion, convolution_coefficient, sequence};
 use crate::claim::LocatedReference;
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::arguments::{index, narrow, place, within};
-use crate::evaluation::functions::{QUANTITIES, check_name, name_of, takes_filters};
+use crate::evaluation::functions::{
+    QUANTITIES, check_name, is_about_scheme, name_of, takes_filters,
+};
 use crate::evaluation::library::Library;
 use crate::evaluation::masks::constants::{constant, constant_by_sums, no_level};
-use crate::evaluation::masks::{End, KnownLimits, of_mask, rational, smoothness_bound};
+use crate::evaluation::masks::{End, KnownLimits, of_lattice, of_mask, rational, smoothness_bound};
 use crate::evaluation::options::{Exponent, Options};
 use crate::evaluation::reals::{About, Used, about, as_value, is_of_mask_too, of_ring};
 use crate::evaluation::reference::{self, Unresolved, reference, unresolved};
 use crate::evaluation::series::{self, Norms};
 use crate::exact::Rational;
 use crate::formula::{Call, CallError, Context, Functions, RealValue, Value};
-use crate::scheme::{Instance, Mask, Reference, Rules};
+use crate::scheme::{Instance, LatticeMask, Mask, Reference, Rules};
 use std::borrow::Borrow;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
@@ -33,6 +35,8 @@ pub(crate) fn own_shape<V: Value + PartialEq>(
 pub(crate) enum Own<V> {
     /// A mask; of a tensor product, the first.
     Mask(Rc<Shape<V>>),
+    /// A mask on Z^d.
+    Lattice(Rc<LatticeMask<V>>),
     /// Rules around a vertex or on a face.
     Ring(Rc<[Instance<V>]>),
 }
@@ -74,6 +78,7 @@ impl<V> Clone for Own<V> {
     fn clone(&self) -> Own<V> {
         match self {
             Own::Mask(shape) => Own::Mask(Rc::clone(shape)),
+            Own::Lattice(mask) => Own::Lattice(Rc::clone(mask)),
             Own::Ring(ring) => Own::Ring(Rc::clone(ring)),
         }
     }
@@ -133,6 +138,9 @@ impl<'a, V: Value + PartialEq> Shapes<'a, V> {
         if self.library.is_ring(instances).map_err(Unresolved::Scheme)? {
             return Ok(Own::Ring(instances.into()));
         }
+        if let Some(mask) = self.library.lattice(instances).map_err(Unresolved::Scheme)? {
+            return Ok(Own::Lattice(Rc::new(mask)));
+        }
         if self.filters
             && let Some(filter) = self.library.filter(instances).map_err(Unresolved::Scheme)?
         {
@@ -174,6 +182,17 @@ impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
                 ([c], Exponent::Block) => level.times(c),
                 _ => return Err(usage(call)),
             };
+            return options.finished(value);
+        }
+        if is_about_scheme(call.function)
+            && let Ok(Own::Lattice(mask)) = self.scheme(&mut Options::new(call), context)
+        {
+            options.scheme()?;
+            let other = |name: &str| match self.shapes.named(name, context)? {
+                Own::Lattice(mask) => Ok((*mask).clone()),
+                _ => Err(CallError::Misuse(format!("`{name}` is no mask on Z^d"))),
+            };
+            let value = of_lattice(&mask, call, &mut options, other)?;
             return options.finished(value);
         }
         if about(call.function).is_some() {
@@ -305,6 +324,9 @@ fn of_mask_only<V>(what: &str, own: Own<V>) -> Result<Rc<Shape<V>>, CallError> {
             )))
         }
         Own::Mask(shape) => Ok(shape),
+        Own::Lattice(_) => Err(CallError::Misuse(format!(
+            "`{what}` is about masks of curves, and this is a mask on Z^d, of which this cannot be claimed yet"
+        ))),
         Own::Ring(_) => Err(CallError::Misuse(format!(
             "`{what}` is about a mask, and these are rules around a vertex or on a face; their functions are `eigenvalue`, \
              `subdominant`, `curvature`, `limit_weight` and `tangent_weight`"

@@ -74,6 +74,8 @@ reasons! {
         DividesByZero "it divides by zero",
         /// A promise without a scheme.
         NoScheme "no scheme is given",
+        /// Distances of a mask on Z^d are asked for.
+        Lattice "the distances of masks on Z^d are not computed",
         /// Distances of a ring are asked of another scheme.
         NoRing "this is no ring",
         /// A ring has no sound bound of a level.

@@ -5,6 +5,7 @@ pub(super) mod csv;
 pub(super) mod destination;
 pub(super) mod endings;
 pub(super) mod interrupt;
+pub(crate) mod lattice;
 pub(super) mod output;
 pub(super) mod progress;
 pub(super) mod quantity;

@@ -208,6 +208,20 @@ pub(crate) fn exponent(found: &HoelderForm) -> String {
     }
 }
 
+/// The longest exact value that is shown.
+pub(crate) const LONGEST: usize = 32;
+
+/// A Hölder exponent in a line.
+pub(crate) fn exponent_in_short(found: &HoelderForm) -> String {
+    let not = if found.attained == Some(false) { ", not attained" } else { "" };
+    match &found.exact {
+        Some(exact) if is_fraction(exact) => format!("{exact}{not}"),
+        Some(exact) if exact.len() <= LONGEST => format!("{exact} = {}…{not}", found.lower),
+        Some(_) => format!("{}…{not}", found.lower),
+        None => format!("open: from {} to {}", found.lower, found.upper),
+    }
+}
+
 /// Whether this is an integer or p/q.
 pub(crate) fn is_fraction(text: &str) -> bool {
     text.chars().all(|c| c.is_ascii_digit() || matches!(c, '-' | '/'))

@@ -12,11 +12,14 @@ use subcert::float::{
     shortest,
 };
 use subcert::report::{Grid, Sheet};
-use subcert::scheme::{AnyScheme, LocalRules, notes, parse_any_scheme};
+use subcert::scheme::{AnyScheme, LocalRules, SchemeError, notes, parse_any_scheme};
 
 pub(crate) fn certify(arguments: &CertifyArguments) -> Outcome {
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,
+        AnyScheme::Lattice(_) => {
+            return Err(SchemeError::Lattice { scheme: arguments.scheme.clone() }.into());
+        }
         AnyScheme::LocalRules(ring) => return ring_certificate(&ring, arguments),
     };
     let mut options = CertifyOptions {

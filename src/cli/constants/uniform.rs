@@ -3,6 +3,7 @@
 use super::columns::Wanted;
 use super::delta::{Delta, number_row};
 use super::direction::{Direction, Level};
+use super::lattice::lattice_constants;
 use super::offset::BetterOffset;
 use super::ring::local_constants;
 use crate::cli::arguments::{ConstantsArguments, Format};
@@ -17,6 +18,7 @@ use subcert::scheme::{AnyScheme, Scheme, parse_any_scheme};
 pub(crate) fn constants(arguments: &ConstantsArguments) -> Outcome {
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,
+        AnyScheme::Lattice(mask) => return lattice_constants(&mask, arguments),
         AnyScheme::LocalRules(_) if arguments.forward => {
             let problem = "--forward: the rules of a ring have no order; leave it out";
             return Err(Failure::Input(problem.to_owned()));

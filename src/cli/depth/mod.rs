@@ -28,7 +28,7 @@ use local_rules::ring_depth;
 pub(super) use masks::Depth;
 #[cfg(feature = "schema")]
 pub(super) use meshes::{ParametricDepth, SetDepth};
-use subcert::scheme::{AnyScheme, parse_any_scheme};
+use subcert::scheme::{AnyScheme, SchemeError, parse_any_scheme};
 
 pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     let to = Destination::of(&arguments.output, &page_name(arguments))?;
@@ -60,6 +60,9 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     }
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,
+        AnyScheme::Lattice(_) => {
+            return Err(SchemeError::Lattice { scheme: arguments.scheme.clone() }.into());
+        }
         AnyScheme::LocalRules(ring) => return ring_depth(&ring, arguments, &to),
     };
     deliver(&to, &Depth::of(&scheme, arguments)?)

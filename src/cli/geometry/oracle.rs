@@ -10,7 +10,7 @@ use subcert::oracle::{
     Boundary, Control, LocalRequest, MAX_VALUES, OracleError, OracleRequest, OracleValues,
     reference_values, ring_reference_values, to_csv, to_json, to_matlab, to_source, to_table,
 };
-use subcert::scheme::{AnyScheme, LocalRules, Scheme, parse_any_scheme};
+use subcert::scheme::{AnyScheme, LocalRules, Scheme, SchemeError, parse_any_scheme};
 use subcert::spectrum::table::Language;
 
 /// The largest control polygon that is read.
@@ -31,6 +31,9 @@ pub(crate) fn oracle(arguments: &OracleArguments) -> Outcome {
     let mut notes = subcert::scheme::notes(&arguments.scheme);
     let mut values = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => uniform(&scheme, arguments, &mut notes)?,
+        AnyScheme::Lattice(_) => {
+            return Err(SchemeError::Lattice { scheme: arguments.scheme.clone() }.into());
+        }
         AnyScheme::LocalRules(ring) => of_ring(&ring, arguments, &mut notes)?,
     };
     for told in &notes {

@@ -5,14 +5,14 @@ use super::flags::Flags;
 use crate::cli::console::answer::Answer;
 use crate::cli::console::output::{Failure, Outcome, json_text};
 use crate::cli::console::save::save_in;
-use crate::cli::constants::{Certification, Constants, RingConstants};
+use crate::cli::constants::{Certification, Constants, LatticeConstants, RingConstants};
 use crate::cli::depth::{Depth, LocalReport, ParametricDepth, SetDepth};
 use crate::cli::papers::{Audit, Coverage, Errata, Explanation, Listing, Projects, Shipped};
 use crate::cli::ranges::{
     BestContraction, BestExponentAnswer, Range, SmoothMap, SmoothRange, VertexRange,
 };
 use crate::cli::schemes::{Atlas, Catalogue, Comparison, Scheme};
-use crate::cli::smoothness::{JointRadius, Smoothness, Vertices};
+use crate::cli::smoothness::{JointRadius, LatticeSmoothness, Smoothness, Vertices};
 use crate::cli::spectrum::{Sector, Spectrum};
 use schemars::{JsonSchema, Schema, generate::SchemaSettings};
 use serde_json::Value;
@@ -41,6 +41,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         Certification<'_>,
         Constants<'_>,
         RingConstants<'_>,
+        LatticeConstants<'_>,
         Range<'_>,
         SmoothRange<'_>,
         SmoothMap<'_>,
@@ -48,6 +49,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         BestExponentAnswer<'_>,
         VertexRange<'_>,
         Smoothness<'_>,
+        LatticeSmoothness<'_>,
         Vertices<'_>,
         JointRadius<'_>,
         Spectrum<'_>,

@@ -1,8 +1,9 @@
 //! `subcert scheme` of several schemes: their facts side by side.
 
+use super::lattice::lattice_words;
 use super::words::{
-    CurveWords, VALENCE_HEADER, curve_words, depth_note, level, places, summary, valence_note,
-    valence_row,
+    CurveWords, VALENCE_HEADER, curve_words, depth_note, level, number, places, summary,
+    valence_note, valence_row,
 };
 use crate::cli::console::answer::{Answer, SCHEMA};
 use crate::cli::console::output::Failure;
@@ -10,7 +11,7 @@ use serde::Serialize;
 use std::collections::BTreeSet;
 use subcert::facts::SchemeFacts;
 use subcert::report::html::Picture;
-use subcert::report::json::{CurveForm, FactsForm, OpenForm, ValenceForm};
+use subcert::report::json::{CurveForm, FactsForm, LatticeForm, OpenForm, ValenceForm};
 use subcert::report::{Grid, Sheet};
 use subcert::smoothness::Symbol;
 
@@ -77,18 +78,24 @@ impl Comparison {
     ) -> Result<Comparison, Failure> {
         let schemes: Vec<FactsForm> =
             names.iter().zip(facts).map(|(name, facts)| FactsForm::of(name, facts)).collect();
-        let masks = schemes.iter().position(|one| one.curve.is_some());
-        let rings = schemes.iter().position(|one| one.curve.is_none());
-        if let (Some(mask), Some(ring)) = (masks, rings) {
+        let kind = |form: &FactsForm| (form.curve.is_some(), form.lattice.is_some());
+        if let Some(other) = schemes.iter().position(|one| kind(one) != kind(&schemes[0])) {
+            let words = |form: &FactsForm| match kind(form) {
+                (true, _) => "is a mask of curves",
+                (_, true) => "is a mask on Z^d",
+                _ => "has rules around a vertex or on a face",
+            };
             return Err(Failure::Input(format!(
-                "`{}` is a mask, and `{}` are rules around a vertex or on a face, which have other facts: compare schemes of \
-                 one kind",
-                names[mask], names[ring]
+                "`{}` {}, and `{}` {}, which has other facts: compare schemes of one kind",
+                names[0],
+                words(&schemes[0]),
+                names[other],
+                words(&schemes[other])
             )));
         }
         let symbol = |facts: &'f SchemeFacts| match facts {
             SchemeFacts::Rational(curve) => Some(&curve.symbol),
-            SchemeFacts::Algebraic(_) | SchemeFacts::Surface(_) => None,
+            _ => None,
         };
         let symbols = facts.iter().map(symbol).collect::<Option<Vec<&Symbol>>>();
         let masks = symbols.map(|symbols| Masks::of(&symbols));
@@ -130,6 +137,21 @@ impl Comparison {
             sheet.heading(2, "Open");
             sheet.facts(open);
         }
+    }
+
+    fn of_lattices(&self, lattices: &[&LatticeForm], sheet: &mut Sheet) {
+        let all: Vec<Vec<(String, String)>> = lattices
+            .iter()
+            .map(|one| {
+                let words = lattice_words(one).into_iter().flat_map(|(_, facts)| facts);
+                let levels = one.contraction.iter().zip(&one.norm).zip(1..);
+                let levels = levels.flat_map(|((contraction, norm), c)| {
+                    [(format!("T_{c}"), number(contraction)), (format!("Λ_{c}"), number(norm))]
+                });
+                words.chain(levels).collect()
+            })
+            .collect();
+        sheet.grid(self.side_by_side(&all));
     }
 
     /// A row for each fact, in the order in which they first occur.
@@ -187,9 +209,12 @@ impl Answer for Comparison {
         }
         let curves: Option<Vec<&CurveForm>> =
             self.schemes.iter().map(|one| one.curve.as_ref()).collect();
-        match curves {
-            Some(curves) => self.of_masks(&curves, &mut sheet),
-            None => self.of_rings(&mut sheet),
+        let lattices: Option<Vec<&LatticeForm>> =
+            self.schemes.iter().map(|one| one.lattice.as_ref()).collect();
+        match (curves, lattices) {
+            (Some(curves), _) => self.of_masks(&curves, &mut sheet),
+            (None, Some(lattices)) => self.of_lattices(&lattices, &mut sheet),
+            (None, None) => self.of_rings(&mut sheet),
         }
         sheet
     }

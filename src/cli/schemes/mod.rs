@@ -3,6 +3,7 @@
 mod atlas;
 mod atlas_pages;
 mod compare;
+mod lattice;
 mod list;
 mod plot;
 mod scheme;

@@ -5,7 +5,7 @@ use super::words::{sheet, summary};
 use crate::cli::arguments::SchemeArguments;
 use crate::cli::console::answer::{Answer, deliver};
 use crate::cli::console::destination::Destination;
-use crate::cli::console::output::{Failure, Outcome};
+use crate::cli::console::output::Outcome;
 use crate::cli::console::progress::Progress;
 use crate::cli::console::quantity::written;
 use subcert::facts::{Drawing, FamilyFacts, SchemeFacts};
@@ -18,8 +18,8 @@ pub(crate) fn scheme(arguments: &SchemeArguments) -> Outcome {
     let names = &arguments.schemes;
     let to = Destination::of(&arguments.output, &names.join(" "))?;
     let progress = Progress::of_search(true);
-    let of = |name: &String| SchemeFacts::of(name).map_err(|error| refused(name, error));
-    let facts = names.iter().map(of).collect::<Result<Vec<SchemeFacts>, Failure>>()?;
+    let facts = names.iter().map(|name| SchemeFacts::of(name));
+    let facts = facts.collect::<Result<Vec<SchemeFacts>, SchemeError>>()?;
     let mut pictures = Vec::new();
     if arguments.output.is_page() {
         for (name, facts) in names.iter().zip(&facts) {
@@ -34,15 +34,6 @@ pub(crate) fn scheme(arguments: &SchemeArguments) -> Outcome {
     let family = FamilyFacts::of(name);
     drop(progress);
     deliver(&to, &Scheme { facts: FactsForm::of(name, &facts[0]), family, pictures })
-}
-
-fn refused(name: &str, error: SchemeError) -> Failure {
-    match error {
-        SchemeError::TensorProduct { .. } => Failure::Input(format!(
-            "`{name}` is a tensor product; its facts are those of its factors: ask for them one by one"
-        )),
-        error => error.into(),
-    }
 }
 
 /// What is known of a scheme, and of its family.

@@ -1,6 +1,8 @@
 //! The facts of schemes in words.
 
-use crate::cli::console::quantity::{is_fraction, proved_continuity};
+use super::lattice::write_lattice;
+use crate::cli::console::lattice::sentence;
+use crate::cli::console::quantity::{LONGEST, exponent_in_short, is_fraction, proved_continuity};
 use crate::cli::ranges::sets::Set;
 use crate::cli::ranges::special::write_special;
 use std::collections::BTreeSet;
@@ -13,11 +15,14 @@ use subcert::report::{Grid, SCOPE, Sheet};
 /// How smooth its limits are, in a sentence.
 pub(crate) fn summary(form: &FactsForm) -> String {
     let name = &form.scheme;
-    match &form.curve {
-        Some(curve) => {
+    match (&form.curve, &form.lattice) {
+        (Some(curve), _) => {
             format!("{name}: {}; Hölder exponent: {}.", continuity(curve), hoelder(curve))
         }
-        None => format!("{name}: {}.", proved(form.valences.as_deref().unwrap_or_default()).1),
+        (None, Some(lattice)) => sentence(name, &lattice.smoothness),
+        (None, None) => {
+            format!("{name}: {}.", proved(form.valences.as_deref().unwrap_or_default()).1)
+        }
     }
 }
 
@@ -52,6 +57,9 @@ pub(crate) fn sheet(facts: &FactsForm, family: Option<&FamilyFacts>) -> Sheet {
     sheet.notes(&facts.notes);
     if let Some(curve) = &facts.curve {
         write_curve(curve, &mut sheet);
+    }
+    if let Some(lattice) = &facts.lattice {
+        write_lattice(lattice, &mut sheet);
     }
     if let Some(family) = family {
         write_family(family, &mut sheet);
@@ -182,9 +190,6 @@ fn stencil(stencil: &StencilForm) -> (String, String) {
     (format!("limit at {at}"), terms.collect::<Vec<String>>().join("\n"))
 }
 
-/// The longest exact value that is shown.
-const LONGEST: usize = 32;
-
 /// The digits of a decimal.
 const DIGITS: usize = 12;
 
@@ -220,15 +225,9 @@ pub(crate) fn continuity(curve: &CurveForm) -> String {
 
 /// The exponent in words.
 pub(crate) fn hoelder(curve: &CurveForm) -> String {
-    let Some(found) = &curve.hoelder else {
-        return if curve.continuity_fails == Some(0) { "none" } else { "open" }.to_owned();
-    };
-    let not = if found.attained == Some(false) { ", not attained" } else { "" };
-    match &found.exact {
-        Some(exact) if is_fraction(exact) => format!("{exact}{not}"),
-        Some(exact) if exact.len() <= LONGEST => format!("{exact} = {}…{not}", found.lower),
-        Some(_) => format!("{}…{not}", found.lower),
-        None => format!("open: from {} to {}", found.lower, found.upper),
+    match &curve.hoelder {
+        Some(found) => exponent_in_short(found),
+        None => if curve.continuity_fails == Some(0) { "none" } else { "open" }.to_owned(),
     }
 }
 

@@ -2,12 +2,15 @@
 
 use crate::cli::console::output::Failure;
 use subcert::exact::FieldElement;
-use subcert::scheme::{AnyScheme, Mask, parse_algebraic, parse_any_scheme};
+use subcert::scheme::{
+    AnyScheme, LatticeMask, Mask, parse_algebraic, parse_any_scheme, parse_lattice,
+};
 
-/// The mask of a scheme for curves.
+/// The mask of a scheme for curves, or on Z^d.
 pub(crate) enum Curve {
     Rational(Mask),
     Algebraic(Mask<FieldElement>),
+    Lattice(LatticeMask),
 }
 
 pub(crate) fn curve(name: &str) -> Result<Curve, Failure> {
@@ -18,10 +21,9 @@ pub(crate) fn curve(name: &str) -> Result<Curve, Failure> {
     let reason = match scheme {
         AnyScheme::Uniform(scheme) => match Mask::try_from(scheme) {
             Ok(mask) => return Ok(Curve::Rational(mask)),
-            Err(_) => {
-                "is a tensor product; its limits are as smooth as those of its factors, one by one"
-            }
+            Err(_) => return Ok(Curve::Lattice(parse_lattice(name)?)),
         },
+        AnyScheme::Lattice(mask) => return Ok(Curve::Lattice(mask)),
         AnyScheme::LocalRules(_) => {
             "has rules around one vertex or face, and `--certificate` here is for masks; `audit` writes certificates of \
              claims about such rules"

@@ -1,6 +1,7 @@
 //! `subcert smoothness`.
 
 use super::curve::{Curve, curve};
+use super::lattice;
 use super::radius::{Radius, apart, write_certificate};
 use super::vertex;
 use crate::cli::arguments::SmoothnessArguments;
@@ -28,6 +29,7 @@ pub(crate) fn smoothness(arguments: &SmoothnessArguments) -> Outcome {
     match curve(&arguments.scheme)? {
         Curve::Rational(mask) => answer(arguments, &mask, &to),
         Curve::Algebraic(mask) => answer(arguments, &mask, &to),
+        Curve::Lattice(mask) => lattice::smoothness(arguments, &mask, &to),
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod curve;
 mod jsr;
+mod lattice;
 mod mask;
 mod radius;
 mod vertex;
@@ -9,4 +10,4 @@ mod vertex;
 pub(super) use jsr::jsr;
 pub(super) use mask::smoothness;
 #[cfg(feature = "schema")]
-pub(super) use {jsr::JointRadius, mask::Smoothness, vertex::Vertices};
+pub(super) use {jsr::JointRadius, lattice::LatticeSmoothness, mask::Smoothness, vertex::Vertices};

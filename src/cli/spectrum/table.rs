@@ -11,7 +11,9 @@ use subcert::exact::Rational;
 use subcert::facts::VALENCES;
 use subcert::limit::Limit;
 use subcert::report::html::shell_word;
-use subcert::scheme::{AnyScheme, Mask, parse_algebraic, parse_any_scheme, parse_rules_of_valence};
+use subcert::scheme::{
+    AnyScheme, Mask, SchemeError, parse_algebraic, parse_any_scheme, parse_rules_of_valence,
+};
 use subcert::spectrum::table::{
     Language, Origin, RealType, Row, TableError, write_mask, write_sectors, write_without,
 };
@@ -145,6 +147,9 @@ pub(crate) fn of_mask(
     let origin = Origin { scheme, command: &command };
     Ok(Some(match parse_any_scheme(scheme) {
         Ok(AnyScheme::LocalRules(_)) => return Ok(None),
+        Ok(AnyScheme::Lattice(_)) => {
+            return Err(SchemeError::Lattice { scheme: scheme.to_owned() }.into());
+        }
         Ok(AnyScheme::Uniform(found)) => {
             let mask = Mask::try_from(found).map_err(|_| {
                 Failure::Input(format!(

@@ -56,13 +56,12 @@ pub use integers::function::IntegerFunction;
 pub use integers::turned::Turned;
 pub use matrices::adjugate::Adjugate;
 pub use matrices::characteristic::{
-    characteristic_coefficients, symmetric_square_coefficients,
-    symmetric_square_polynomial,
+    characteristic_coefficients, symmetric_square_coefficients, symmetric_square_polynomial,
 };
-pub use matrices::modular::{Modulus, Residues, characteristic_polynomial, short_echelon};
 pub use matrices::elimination::{echelon, null_rows, only_solution, row_times};
 pub use matrices::linear::{determinant, interpolated, solve};
 pub use matrices::matrix::{Matrix, Naming};
+pub use matrices::modular::{Modulus, Residues, characteristic_polynomial, short_echelon};
 pub use parameter::interval::Interval;
 pub use parameter::interval_set::IntervalSet;
 pub use parameter::parametric::Parametric;

@@ -195,9 +195,7 @@ impl<V: Value, P: Power> Laurent<V, P> {
         let (mut rest, mut quotient) = (self.terms.clone(), BTreeMap::new());
         let mut remainder = Vec::new();
         let mut left = DIVISION * MAX_BITS;
-        while let Some((power, c)) =
-            if end == first { rest.pop_first() } else { rest.pop_last() }
-        {
+        while let Some((power, c)) = if end == first { rest.pop_first() } else { rest.pop_last() } {
             let k = power.minus(end);
             if !fits(k) {
                 remainder.push(c);
@@ -340,8 +338,9 @@ impl<V: Value, P: Power> Value for Laurent<V, P> {
     fn divided(&self, divisor: &Self) -> Result<Self, FormulaErrorKind> {
         match (divisor.terms.first_key_value(), divisor.terms.len()) {
             (Some((power, d)), 1) => {
-                let over =
-                    |(k, c): (&P, &V)| Ok((k.minus(*power), apply(Operator::Divide, c.clone(), d)?));
+                let over = |(k, c): (&P, &V)| {
+                    Ok((k.minus(*power), apply(Operator::Divide, c.clone(), d)?))
+                };
                 let terms: Result<Vec<(P, V)>, FormulaErrorKind> =
                     self.terms.iter().map(over).collect();
                 Ok(Laurent::of(terms?))
@@ -382,8 +381,7 @@ impl<V: Value, P: Power> Value for Laurent<V, P> {
             values.iter().map(|value| value.terms.keys().copied().collect()).collect();
         let all = values.into_iter().flat_map(|value| value.terms.into_values()).collect();
         let mut all = V::together(all)?.into_iter();
-        let again =
-            |powers: Vec<P>| Laurent { terms: powers.into_iter().zip(&mut all).collect() };
+        let again = |powers: Vec<P>| Laurent { terms: powers.into_iter().zip(&mut all).collect() };
         Ok(powers.into_iter().map(again).collect())
     }
     fn conductor(&self) -> u32 {

@@ -5,8 +5,9 @@ use super::lattice::LatticeFacts;
 use crate::characteristic::Vertex;
 use crate::exact::FieldElement;
 use crate::scheme::{
-    AnyScheme, Mask, Reference, SchemeDefinition, SchemeError, catalogue, find_definition,
-    names_ring, parse_algebraic, parse_any_scheme, parse_rules_of_valence,
+    AnyScheme, LatticeMask, Mask, Reference, SchemeDefinition, SchemeError, catalogue,
+    find_definition, names_ring, parse_algebraic, parse_any_scheme, parse_lattice,
+    parse_rules_of_valence,
 };
 use crate::spectrum::SpectrumError;
 
@@ -23,7 +24,7 @@ pub enum SchemeFacts {
     Rational(Box<CurveFacts>),
     /// A mask with irrational coefficients.
     Algebraic(Box<CurveFacts<FieldElement>>),
-    /// A mask on Z^d.
+    /// A mask on Z^d, or a tensor product.
     Lattice(Box<LatticeFacts>),
     /// Rules around a vertex or on a face.
     Surface(Vec<ValenceFacts>),
@@ -34,7 +35,7 @@ impl SchemeFacts {
     /// the valence that SCHEME states, or for all of [`VALENCES`].
     ///
     /// # Errors
-    /// When there is no such scheme, or it is a tensor product: its facts are those of its factors.
+    /// When there is no such scheme.
     ///
     /// ```
     /// use subcert::facts::SchemeFacts;
@@ -46,11 +47,9 @@ impl SchemeFacts {
         match parse_any_scheme(scheme) {
             Ok(AnyScheme::Uniform(found)) => match Mask::try_from(found) {
                 Ok(mask) => Ok(SchemeFacts::Rational(Box::new(CurveFacts::of_rational(&mask)))),
-                Err(_) => Err(SchemeError::TensorProduct { scheme: scheme.trim().to_owned() }),
+                Err(_) => Ok(lattice(&parse_lattice(scheme)?)),
             },
-            Ok(AnyScheme::Lattice(mask)) => {
-                Ok(SchemeFacts::Lattice(Box::new(LatticeFacts::of(&mask))))
-            }
+            Ok(AnyScheme::Lattice(mask)) => Ok(lattice(&mask)),
             Ok(AnyScheme::LocalRules(ring)) => {
                 let valence = ring.orbits().iter().map(|orbit| orbit.count).max().unwrap_or(0);
                 Ok(SchemeFacts::Surface(vec![(valence, Vertex::of(scheme, None))]))
@@ -67,6 +66,10 @@ impl SchemeFacts {
             }
         }
     }
+}
+
+fn lattice(mask: &LatticeMask) -> SchemeFacts {
+    SchemeFacts::Lattice(Box::new(LatticeFacts::of(mask)))
 }
 
 /// Those of [`VALENCES`] that are not below the least one of rules without a valence; the error of SCHEME, or a better one, where there are

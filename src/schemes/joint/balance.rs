@@ -47,7 +47,11 @@ pub(super) fn balance(set: &MatrixSet) -> Option<(Matrix<Rational>, Matrix<Ratio
 }
 
 /// BMB^{−1} for each matrix.
-pub(super) fn changed(set: &MatrixSet, basis: &Matrix<Rational>, back: &Matrix<Rational>) -> MatrixSet {
+pub(super) fn changed(
+    set: &MatrixSet,
+    basis: &Matrix<Rational>,
+    back: &Matrix<Rational>,
+) -> MatrixSet {
     set.part(&|matrix| basis.iter().map(|row| row_times(&row_times(row, matrix), back)).collect())
 }
 
@@ -59,7 +63,8 @@ fn unit(size: usize) -> Whole {
 
 /// Σ_w M_w M_wᵀ, each length scaled so that its largest entry is 1; `None` where there is none.
 fn gram(matrices: &[Rows], size: usize) -> Option<Rows> {
-    let mut sum: Rows = (0..size).map(|i| (0..size).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+    let mut sum: Rows =
+        (0..size).map(|i| (0..size).map(|j| f64::from(u8::from(i == j))).collect()).collect();
     let mut level: Vec<Rows> = vec![sum.clone()];
     for _ in 0..LENGTH {
         if level.len() * matrices.len() > MOST {
@@ -67,9 +72,11 @@ fn gram(matrices: &[Rows], size: usize) -> Option<Rows> {
         }
         level = level
             .iter()
-            .flat_map(|left| matrices.iter().map(move |right| {
-                left.iter().map(|row| crate::float::extremal::row_times(row, right)).collect()
-            }))
+            .flat_map(|left| {
+                matrices.iter().map(move |right| {
+                    left.iter().map(|row| crate::float::extremal::row_times(row, right)).collect()
+                })
+            })
             .collect();
         let mut own: Rows = vec![vec![0.0; size]; size];
         for product in &level {

@@ -49,9 +49,8 @@ fn elements(set: &MatrixSet) -> impl Iterator<Item = Matrix<Rational>> {
     let single = all.iter().cloned();
     let whole = || all.iter().skip(1).fold(all[0].clone(), |sum, m| plus(&sum, m, 1));
     let sums = pairs().map(move |(i, j)| plus(&all[i], &all[j], 1));
-    let mixed = pairs().map(move |(i, j)| {
-        plus(&plus(&product(&all[i], &all[j]), &all[i], 1), &all[j], -2)
-    });
+    let mixed =
+        pairs().map(move |(i, j)| plus(&plus(&product(&all[i], &all[j]), &all[i], 1), &all[j], -2));
     single.chain(std::iter::once_with(whole)).chain(sums).chain(mixed)
 }
 

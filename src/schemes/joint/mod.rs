@@ -41,5 +41,7 @@ pub use interval::{Closing, contracts, expanding_product, expands};
 pub use lower::MAX_ROWS;
 pub use matrix_set::{MAX_MATRICES, MAX_SIZE, MatrixSet, MatrixSetError};
 pub use product::{Eigenvalue, JordanBlock, LeadingEigenvalue, jordan_block};
-pub use radius::{JointRadius, MAX_FACTORS, extremal_rate, joint_radius, joint_radius_until, radius_of_blocks};
+pub use radius::{
+    JointRadius, MAX_FACTORS, extremal_rate, joint_radius, joint_radius_until, radius_of_blocks,
+};
 pub use reduction::Reduction;

@@ -4,7 +4,7 @@ use super::convert::floats;
 use super::entry::Entry;
 use super::hull::Hull;
 use super::lower::{Exact, Lower, MAX_ROWS};
-use super::matrix_set::MatrixSet;
+use super::matrix_set::{MAX_SIZE, MatrixSet};
 use super::product::{Eigenvalue, shown};
 use super::proposal::beam;
 use super::reduction::Reduction;
@@ -133,6 +133,7 @@ pub fn radius_of_blocks(set: &MatrixSet, stop: &Stop) -> JointRadius {
     let best = by_norm(set);
     let radius = || match Reduction::fine(set) {
         Some(reduction) => of_blocks(reduction.balanced()),
+        None if set.size() > MAX_SIZE => by_norm(set),
         None => joint_radius(set),
     };
     stop.run(radius).unwrap_or(JointRadius { stopped: true, ..best })
@@ -197,7 +198,10 @@ fn power(degree: usize) -> i32 {
 
 /// The maximum of the radii of the blocks.
 fn of_blocks(reduction: Reduction) -> JointRadius {
-    let radii: Vec<JointRadius> = reduction.blocks.iter().map(joint_radius).collect();
+    let of = |block: &MatrixSet| {
+        if block.size() > MAX_SIZE { by_norm(block) } else { joint_radius(block) }
+    };
+    let radii: Vec<JointRadius> = reduction.blocks.iter().map(of).collect();
     let compared =
         |a: &JointRadius, b: &JointRadius| order((&a.root, a.degree), (&b.root, b.degree));
     let greater = |best: usize, i: usize| {

@@ -147,9 +147,7 @@ fn flag(set: &MatrixSet, invariant: &Search<'_>) -> (Matrix<Rational>, Vec<Matri
         };
         others.iter().map(image).collect()
     };
-    let part = |of: &dyn Fn(&Matrix<Rational>) -> Matrix<Rational>| {
-        flag(&set.part(of), invariant)
-    };
+    let part = |of: &dyn Fn(&Matrix<Rational>) -> Matrix<Rational>| flag(&set.part(of), invariant);
     let ((above, mut blocks), (below, more)) = (part(&first), part(&second));
     blocks.extend(more);
     let unit = set.product(&[]);

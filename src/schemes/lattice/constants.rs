@@ -56,7 +56,10 @@ impl<'m> LatticeConstants<'m> {
     pub fn advance(&mut self) -> Result<(), Cap> {
         let functionals = self.classes.saturating_pow(self.steps.count() + 1);
         if functionals.saturating_mul(self.edges.all().len()) > MAX_FUNCTIONALS {
-            return Err(Cap::new("the number of differences of one constant", MAX_FUNCTIONALS as u64));
+            return Err(Cap::new(
+                "the number of differences of one constant",
+                MAX_FUNCTIONALS as u64,
+            ));
         }
         let next = self.steps.next();
         if next.coefficients().len() > MAX_COEFFICIENTS {

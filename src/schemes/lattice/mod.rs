@@ -16,10 +16,13 @@
 //! ```
 
 mod constants;
+mod exponent;
 mod monomials;
 mod norm;
 mod polynomials;
 mod powers;
+mod product;
+mod radius;
 mod shape;
 mod smoothness;
 mod span;
@@ -31,8 +34,10 @@ pub use constants::{Contraction, LatticeConstants, MAX_FUNCTIONALS};
 pub use norm::{Edges, Norm, NormError, proves};
 pub use polynomials::{MAX_ORDER, mean, natural_shift, reproduction, sum_rules};
 pub use powers::{Functional, Steps};
-pub use smoothness::{LatticeRadius, LatticeSmoothness};
-pub use values::{ValueSpace, values_at_integers, window};
-pub use tiling::{Motion, Tiling};
-pub use window::{MAX_WINDOW, attractor};
+pub use product::factors;
+pub use radius::LatticeRadius;
 pub use shape::{is_interpolating, is_isotropic, support, symmetries};
+pub use smoothness::LatticeSmoothness;
+pub use tiling::{Motion, Tiling};
+pub use values::{ValueSpace, values_at_integers, window};
+pub use window::{MAX_WINDOW, attractor};

@@ -28,9 +28,10 @@ pub(super) fn power(place: Point, exponents: [u32; 3]) -> Rational {
 /// x^μ over any numbers.
 pub(super) fn power_of<S: Scalar>(place: &[S], exponents: [u32; 3]) -> S {
     let one = S::from_rational(&Rational::one());
-    place.iter().zip(exponents).fold(one, |product, (x, e)| {
-        (0..e).fold(product, |product, _| product.times(x))
-    })
+    place
+        .iter()
+        .zip(exponents)
+        .fold(one, |product, (x, e)| (0..e).fold(product, |product, _| product.times(x)))
 }
 
 fn raised(x: &Rational, e: u32) -> Rational {

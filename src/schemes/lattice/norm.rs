@@ -88,7 +88,8 @@ impl Edges {
             .iter()
             .map(|point| functional.get(point).cloned().unwrap_or_else(S::zero))
             .collect();
-        let found = transport_at_costs(&weights, &edges, &costs).expect("the edges join all points");
+        let found =
+            transport_at_costs(&weights, &edges, &costs).expect("the edges join all points");
         let zero = S::zero();
         let moved = edges.iter().zip(&costs).zip(found.flow).filter(|(_, flow)| *flow != zero);
         let flow = moved.map(|((&(a, b), cost), flow)| (points[a], points[b], *cost, flow));

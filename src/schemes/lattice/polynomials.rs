@@ -80,9 +80,9 @@ pub fn reproduction<S: Scalar + PartialEq>(mask: &LatticeMask<S>) -> u32 {
         .collect();
     let vanishes = |k: &u32| {
         of_degree(*k, mask.dimension()).into_iter().all(|exponents| {
-            let moment = centred.iter().fold(S::zero(), |sum, (place, c)| {
-                sum.plus(&c.times(&power_of(place, exponents)))
-            });
+            let moment = centred
+                .iter()
+                .fold(S::zero(), |sum, (place, c)| sum.plus(&c.times(&power_of(place, exponents))));
             moment == S::zero()
         })
     };

@@ -71,15 +71,17 @@ impl<'m, S: Scalar + PartialEq> Steps<'m, S> {
     fn digit(&self, class: usize) -> Point {
         let dilation = self.mask.dilation();
         let m = dilation.class_count();
-        let digits: Vec<usize> =
-            (0..self.count).scan(class, |rest, _| {
+        let digits: Vec<usize> = (0..self.count)
+            .scan(class, |rest, _| {
                 let digit = *rest % m;
                 *rest /= m;
                 Some(digit)
-            }).collect();
-        digits.into_iter().rev().fold([0; 3], |point, digit| {
-            sum(dilation.times(point), dilation.digits()[digit])
-        })
+            })
+            .collect();
+        digits
+            .into_iter()
+            .rev()
+            .fold([0; 3], |point, digit| sum(dilation.times(point), dilation.digits()[digit]))
     }
 
     /// The rows: for each digit ε of M^c the functional p ↦ (S^c p)_ε.

@@ -97,9 +97,8 @@ pub fn support(mask: &LatticeMask) -> Option<Vec<[Rational; 2]>> {
 /// The least number of steps after which M multiplies each coordinate by a positive number, with these numbers.
 fn period(dilation: &Dilation) -> Option<(u32, Vec<Rational>)> {
     let d = dilation.dimension();
-    let unit = |j: usize| -> Vec<Rational> {
-        (0..d).map(|i| Rational::from(i64::from(i == j))).collect()
-    };
+    let unit =
+        |j: usize| -> Vec<Rational> { (0..d).map(|i| Rational::from(i64::from(i == j))).collect() };
     let mut columns: Vec<Vec<Rational>> = (0..d).map(unit).collect();
     for step in 1..=MAX_STEPS {
         columns = columns.iter().map(|x| divided(dilation, x)).collect();
@@ -118,9 +117,11 @@ fn period(dilation: &Dilation) -> Option<(u32, Vec<Rational>)> {
 /// eigenvalues.
 #[must_use]
 pub fn is_isotropic(dilation: &Dilation) -> bool {
-    let powers = period(dilation).is_some_and(|(_, factors)| factors.iter().all(|c| *c == factors[0]));
-    powers || (dilation.dimension() == 2 && {
-        let trace: i64 = dilation.rows().enumerate().map(|(i, row)| row[i]).sum();
-        trace * trace < 4 * dilation.determinant()
-    })
+    let powers =
+        period(dilation).is_some_and(|(_, factors)| factors.iter().all(|c| *c == factors[0]));
+    powers
+        || (dilation.dimension() == 2 && {
+            let trace: i64 = dilation.rows().enumerate().map(|(i, row)| row[i]).sum();
+            trace * trace < 4 * dilation.determinant()
+        })
 }

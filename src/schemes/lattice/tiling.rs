@@ -4,7 +4,7 @@ use super::monomials::divided;
 use super::window::{attractor, less_digits};
 use crate::cap::Cap;
 use crate::exact::Rational;
-use crate::scheme::{Dilation, LatticeMask, Point, difference, sum};
+use crate::scheme::{Dilation, LatticeMask, Point, difference};
 
 /// The motion x ↦ Gx + t of R^d, which takes Z^d to itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,16 +21,6 @@ impl Motion {
     /// x ↦ x + t.
     pub(super) fn by(shift: Point) -> Motion {
         Motion { matrix: UNIT, shift }
-    }
-
-    /// Gα + t.
-    pub(super) fn of(&self, place: Point) -> Point {
-        sum(turned(&self.matrix, place), self.shift)
-    }
-
-    /// G^{−1}(α − t), for a G of determinant ±1.
-    pub(super) fn back(&self, place: Point) -> Point {
-        turned(&inverse(&self.matrix), difference(place, self.shift))
     }
 
     /// Gx + t at a rational point.
@@ -141,8 +131,7 @@ impl Tiling {
 
 /// The matrices that permute some directions and their opposites.
 fn group_of(directions: &[Point], dimension: usize) -> Vec<[Point; 3]> {
-    let both: Vec<Point> =
-        directions.iter().flat_map(|u| [*u, difference([0; 3], *u)]).collect();
+    let both: Vec<Point> = directions.iter().flat_map(|u| [*u, difference([0; 3], *u)]).collect();
     // The images of the unit vectors, which are directions.
     let mut all = vec![Vec::new()];
     for _ in 0..dimension {
@@ -192,9 +181,8 @@ fn alcoves(
     let reach = dilation.rows().flatten().map(|x| x.abs()).sum::<i64>() + 1;
     let motions = |reach: i64| {
         let range = move |axis: usize| if axis < d { -reach..=reach } else { 0..=0 };
-        let shifts = range(0).flat_map(move |x| {
-            range(1).flat_map(move |y| range(2).map(move |z| [x, y, z]))
-        });
+        let shifts = range(0)
+            .flat_map(move |x| range(1).flat_map(move |y| range(2).map(move |z| [x, y, z])));
         let group = &group;
         shifts.flat_map(move |shift| {
             group.iter().map(move |matrix| Motion { matrix: *matrix, shift })

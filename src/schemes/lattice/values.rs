@@ -23,9 +23,10 @@ pub fn values_at_integers(mask: &LatticeMask) -> Result<Option<BTreeMap<Point, R
         mask.coefficients().get(&place).cloned().unwrap_or_else(Rational::zero)
     };
     let fixed = window.iter().enumerate().map(|(i, alpha)| {
-        let row = window.iter().enumerate().map(|(j, beta)| {
-            entry(alpha, beta) - Rational::from(i64::from(i == j))
-        });
+        let row = window
+            .iter()
+            .enumerate()
+            .map(|(j, beta)| entry(alpha, beta) - Rational::from(i64::from(i == j)));
         row.chain([Rational::zero()]).collect::<Vec<Rational>>()
     });
     let total = vec![Rational::one(); window.len() + 1];
@@ -64,15 +65,12 @@ impl ValueSpace {
     ///
     /// # Errors
     /// When a cap is met; `Ok(None)` where φ has no values, so that the scheme does not converge.
-    pub fn of(
-        mask: &LatticeMask,
-        tiling: &Tiling,
-        most: u32,
-    ) -> Result<Option<ValueSpace>, Cap> {
+    pub fn of(mask: &LatticeMask, tiling: &Tiling, most: u32) -> Result<Option<ValueSpace>, Cap> {
         let Some(values) = values_at_integers(mask)? else { return Ok(None) };
         let window = of_tiling(mask, tiling)?;
         // φ(gx + α) = φ(x + G^{−1}(α + t)).
-        let place = |motion: &Motion, at: Point| difference(turned(&motion.matrix, at), motion.shift);
+        let place =
+            |motion: &Motion, at: Point| difference(turned(&motion.matrix, at), motion.shift);
         let moved = tiling.neighbours.iter();
         let moved = moved.flat_map(|motion| window.iter().map(move |at| place(motion, *at)));
         let places: Vec<Point> = moved.collect::<BTreeSet<Point>>().into_iter().collect();

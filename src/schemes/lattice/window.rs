@@ -1,9 +1,9 @@
 //! Windows of Z^d that steps of a mask do not leave.
 
 use super::monomials::divided;
+use super::tiling::{Tiling, inverse, turned};
 use crate::cap::Cap;
 use crate::exact::Rational;
-use super::tiling::{Tiling, inverse, turned};
 use crate::scheme::{Dilation, LatticeMask, Point, difference, sum};
 use std::collections::{BTreeSet, HashSet};
 
@@ -79,9 +79,8 @@ fn radius(dilation: &Dilation, places: &BTreeSet<Point>) -> Result<i64, Cap> {
     let d = dilation.dimension();
     let rational = |point: &[i64]| point.iter().map(|x| Rational::from(*x)).collect();
     let mut images: Vec<Vec<Rational>> = places.iter().map(|place| rational(&place[..d])).collect();
-    let mut units: Vec<Vec<Rational>> = (0..d)
-        .map(|j| (0..d).map(|i| Rational::from(i64::from(i == j))).collect())
-        .collect();
+    let mut units: Vec<Vec<Rational>> =
+        (0..d).map(|j| (0..d).map(|i| Rational::from(i64::from(i == j))).collect()).collect();
     let mut total = Rational::zero();
     const MOST: usize = 64;
     for _ in 0..MOST {
@@ -100,7 +99,10 @@ fn radius(dilation: &Dilation, places: &BTreeSet<Point>) -> Result<i64, Cap> {
 
 /// The differences of places and digits.
 #[must_use]
-pub fn less_digits(places: impl Iterator<Item = Point> + Clone, dilation: &Dilation) -> BTreeSet<Point> {
+pub fn less_digits(
+    places: impl Iterator<Item = Point> + Clone,
+    dilation: &Dilation,
+) -> BTreeSet<Point> {
     let digits = dilation.digits().iter();
     digits.flat_map(|digit| places.clone().map(|place| difference(place, *digit))).collect()
 }
@@ -116,15 +118,16 @@ pub(super) fn of_tiling(mask: &LatticeMask, tiling: &Tiling) -> Result<Vec<Point
         let shift = part.shift;
         places().map(move |place| difference(*place, shift))
     });
-    let turned: BTreeSet<Point> = moved
-        .flat_map(|place| tiling.group.iter().map(move |g| turned(g, place)))
-        .collect();
+    let turned: BTreeSet<Point> =
+        moved.flat_map(|place| tiling.group.iter().map(move |g| turned(g, place))).collect();
     let before = |image: Point, window: &HashSet<Point>| {
         tiling.parts.iter().any(|part| {
             // Gβ = Mα + t − γ.
             let back = inverse(&part.matrix);
             let corner = sum(image, part.shift);
-            places().any(|place| window.contains(&super::tiling::turned(&back, difference(corner, *place))))
+            places().any(|place| {
+                window.contains(&super::tiling::turned(&back, difference(corner, *place)))
+            })
         })
     };
     largest(mask.dilation(), radius(mask.dilation(), &turned)?, before)

@@ -6,8 +6,8 @@ use super::lattice::mask::LatticeMask;
 use super::mask::Mask;
 use crate::cap::Cap;
 use crate::formula::{
-    Call, CallError, Context, Expr, Functions, Laurent, MAX_SYMBOL_POWER, Node, Power, Value, differences,
-    evaluate, parse,
+    Call, CallError, Context, Expr, Functions, Laurent, MAX_SYMBOL_POWER, Node, Power, Value,
+    differences, evaluate, parse,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -66,7 +66,8 @@ pub(super) trait Whole: Power {
 }
 
 impl Whole for i64 {
-    const FORM: &'static str = "the place of a symbol is c*z^m, m not 0, as in symbol(NAME, z^2) or symbol(NAME, 1/z)";
+    const FORM: &'static str =
+        "the place of a symbol is c*z^m, m not 0, as in symbol(NAME, z^2) or symbol(NAME, 1/z)";
     fn whole<V>(symbol: SymbolOf<V>) -> Option<Laurent<V>> {
         if let SymbolOf::Curve(symbol) = symbol { Some(symbol) } else { None }
     }

@@ -53,7 +53,10 @@ impl ReferenceError {
     /// When there are more than two.
     pub fn check_factors(text: &str, count: usize) -> Result<(), ReferenceError> {
         if count > MAX_AXES {
-            return Err(ReferenceError::form(text, "a tensor product of this kind has two factors"));
+            return Err(ReferenceError::form(
+                text,
+                "a tensor product of this kind has two factors",
+            ));
         }
         Ok(())
     }

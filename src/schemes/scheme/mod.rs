@@ -36,9 +36,7 @@ pub use error::{ReferenceError, SchemeError};
 pub use fields::{definitions, formula, identifier};
 pub use file::{OtherSchemes, SchemeTable};
 pub use interpolation::lagrange_mask;
-pub use lattice::dilation::{
-    Dilation, DilationError, MAX_DIMENSION, Point, difference, sum,
-};
+pub use lattice::dilation::{Dilation, DilationError, MAX_DIMENSION, Point, difference, sum};
 pub use lattice::mask::{LatticeError, LatticeMask};
 pub use local::definition::VALENCE_NAMES;
 pub use local::every::{EveryRing, EveryWeight};

@@ -2,17 +2,17 @@
 
 use super::Scheme;
 use super::axes::MAX_AXES;
-use super::lattice::mask::LatticeMask;
-use super::rules::MAX_ARITY;
-use crate::cap::Cap;
 use super::catalogue;
 use super::definition::SchemeDefinition;
 use super::error::{ReferenceError, SchemeError};
 use super::file::{read_one_scheme, read_scheme_with};
+use super::lattice::mask::LatticeMask;
 use super::local::rules::LocalRules;
 use super::mask::Mask;
 use super::reference::{Part, Reference, in_file, split_name};
+use super::rules::MAX_ARITY;
 use super::typed::{is_typed, typed};
+use crate::cap::Cap;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{Expr, FreeNames, Parameters, Value, evaluate};
@@ -196,7 +196,9 @@ impl Named<'_> {
         for part in reference.parts() {
             let name = &part.name[..];
             if let (Some(vectors), false) = (part.vectors.keys().next(), is_typed(name)) {
-                let reason = format!("`{vectors}` is stated of a mask that is typed, and is a part of the definition of others");
+                let reason = format!(
+                    "`{vectors}` is stated of a mask that is typed, and is a part of the definition of others"
+                );
                 return Err(ReferenceError::form(&part.text, &reason).into());
             }
             if let Some((path, own)) = in_file(name) {
@@ -290,11 +292,14 @@ impl Named<'_> {
         let masks = self.masks()?;
         let arities = masks.iter().map(Mask::arity).product::<usize>();
         if arities > MAX_ARITY {
-            return Err(SchemeError::File(Box::new(Diagnostic::new(
-                &SourceText::new("SCHEME", self.text),
-                0..self.text.len(),
-                format!("a product with {arities} rules; there are at most {MAX_ARITY}"),
-            ).with_cap(Some(Cap::new("the number of rules", MAX_ARITY as u64))))));
+            return Err(SchemeError::File(Box::new(
+                Diagnostic::new(
+                    &SourceText::new("SCHEME", self.text),
+                    0..self.text.len(),
+                    format!("a product with {arities} rules; there are at most {MAX_ARITY}"),
+                )
+                .with_cap(Some(Cap::new("the number of rules", MAX_ARITY as u64))),
+            )));
         }
         LatticeMask::product(&masks.iter().collect::<Vec<&Mask>>()).map_err(|error| {
             let source = SourceText::new("SCHEME", self.text);

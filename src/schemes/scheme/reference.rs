@@ -1,9 +1,9 @@
 //! SCHEME as text: a catalogue name or a file, with parameters.
 
 use super::error::ReferenceError;
-use crate::exact::Rational;
 use super::lattice::dilation::MAX_DIMENSION;
 use super::lattice::read::STATED;
+use crate::exact::Rational;
 use crate::formula::{
     Context, Expr, FormulaError, FreeNames, Value, evaluate_with, is_identifier, parse,
 };

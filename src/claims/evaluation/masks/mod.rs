@@ -6,11 +6,13 @@ pub(crate) mod constants;
 mod exponents;
 mod field;
 mod generic;
+mod lattice;
 mod values;
 
 pub(crate) use common::{numbers, rational};
 pub(crate) use exponents::{End, MAX_CLASSES};
 pub(crate) use field::over_field;
+pub(crate) use lattice::of_lattice;
 
 use crate::cap::Cap;
 use crate::evaluation::arguments::index;

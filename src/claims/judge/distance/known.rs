@@ -180,6 +180,7 @@ impl AnyDistances {
                     SurfaceDistances::placed(&limits[0], &limits[1], parametrisation, budget);
                 AnyDistances::Surface(Box::new((distances.map_err(Reason::from)?, limits)))
             }
+            AnyScheme::Lattice(_) => return Err(Reason::Lattice),
             AnyScheme::LocalRules(ring) => {
                 let limit = LocalLimit::new(ring).map_err(Reason::from)?;
                 AnyDistances::LocalRules(Box::new(LocalDistances::new(limit)))

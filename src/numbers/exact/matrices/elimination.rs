@@ -54,7 +54,8 @@ pub fn only_solution<F: Real + PartialEq>(rows: Vec<Vec<F>>) -> Option<Vec<F>> {
 pub fn null_rows<F: Real + PartialEq>(matrix: &[Vec<F>]) -> Vec<Vec<F>> {
     let size = matrix.len();
     let columns = matrix.first().map_or(0, Vec::len);
-    let transposed = (0..columns).map(|j| matrix.iter().map(|row| row[j].clone()).collect()).collect();
+    let transposed =
+        (0..columns).map(|j| matrix.iter().map(|row| row[j].clone()).collect()).collect();
     let (rows, pivots) = echelon(transposed);
     let free = (0..size).filter(|column| !pivots.contains(column));
     let solution = |free: usize| {

@@ -126,8 +126,11 @@ impl Modulus {
         // The rows of (M | I), where those of M become 0.
         let size = matrix.len();
         let unit = |i: usize| (0..size).map(move |j| u64::from(i == j));
-        let mut rows: Residues =
-            matrix.iter().enumerate().map(|(i, row)| row.iter().copied().chain(unit(i)).collect()).collect();
+        let mut rows: Residues = matrix
+            .iter()
+            .enumerate()
+            .map(|(i, row)| row.iter().copied().chain(unit(i)).collect())
+            .collect();
         let columns = matrix.first().map_or(0, Vec::len);
         let mut done = 0;
         for column in 0..columns {
@@ -356,7 +359,9 @@ pub fn short_echelon(rows: Vec<Vec<Rational>>) -> (Vec<Vec<Rational>>, Vec<usize
 fn spans(reduced: &[Vec<Rational>], pivots: &[usize], rows: &[Vec<Rational>]) -> bool {
     rows.iter().all(|row| {
         let mut rest = row.clone();
-        for (of_pivot, pivot) in reduced.iter().zip(pivots).filter(|(_, pivot)| !row[**pivot].is_zero()) {
+        for (of_pivot, pivot) in
+            reduced.iter().zip(pivots).filter(|(_, pivot)| !row[**pivot].is_zero())
+        {
             let entries = rest.iter_mut().zip(of_pivot).filter(|(_, v)| !v.is_zero());
             entries.for_each(|(x, v)| *x -= &(&row[*pivot] * v));
         }

@@ -2,6 +2,7 @@
 
 use super::SCHEMA;
 use super::exact::Exact;
+use super::lattice::LatticeForm;
 use super::sets::{Interval, Number as RootNumber};
 use crate::exact::{Rational, RealAlgebraic};
 use crate::facts::{
@@ -58,7 +59,7 @@ pub struct Order {
     pub but_finitely_many: bool,
 }
 
-/// The facts of a scheme. One of `curve` and `valences` is there.
+/// The facts of a scheme. One of `curve`, `lattice` and `valences` is there.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FactsForm {
@@ -70,6 +71,9 @@ pub struct FactsForm {
     /// The facts of a mask.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub curve: Option<CurveForm>,
+    /// The facts of a mask on Z^d.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lattice: Option<LatticeForm>,
     /// The facts of rules around a vertex or on a face.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub valences: Option<Vec<ValenceForm>>,
@@ -265,12 +269,16 @@ impl FactsForm {
     /// The form of what is known.
     #[must_use]
     pub fn of(scheme: &str, facts: &SchemeFacts) -> FactsForm {
-        let (curve, valences) = match facts {
-            SchemeFacts::Rational(curve) => (Some(CurveForm::of(curve)), None),
-            SchemeFacts::Algebraic(curve) => (Some(CurveForm::of(curve)), None),
-            SchemeFacts::Surface(all) => (None, Some(all.iter().map(ValenceForm::of).collect())),
-        };
-        FactsForm { scheme: scheme.to_owned(), notes: notes(scheme), curve, valences }
+        let (mut curve, mut lattice, mut valences) = (None, None, None);
+        match facts {
+            SchemeFacts::Rational(facts) => curve = Some(CurveForm::of(facts)),
+            SchemeFacts::Algebraic(facts) => curve = Some(CurveForm::of(facts)),
+            SchemeFacts::Lattice(facts) => lattice = Some(LatticeForm::of(facts)),
+            SchemeFacts::Surface(all) => {
+                valences = Some(all.iter().map(ValenceForm::of).collect());
+            }
+        }
+        FactsForm { scheme: scheme.to_owned(), notes: notes(scheme), curve, lattice, valences }
     }
 }
 

@@ -11,6 +11,7 @@ mod errata;
 pub(crate) mod exact;
 mod explain;
 mod facts;
+mod lattice;
 mod offset;
 mod sets;
 mod shipped;
@@ -34,6 +35,7 @@ pub use facts::{
     CurveForm, DepthForm, Facts, FactsForm, OffsetForm, OpenForm, Order, Ranges, SpecialForm,
     StencilForm, ValenceForm, WeightForm,
 };
+pub use lattice::{LatticeForm, LatticeSmoothnessForm, vectors};
 pub use offset::BetterOffset;
 pub use sets::{Interval, Number as RootNumber};
 pub use shipped::{

@@ -46,7 +46,9 @@ pub enum DilationError {
     )]
     Determinant(i64),
     /// An eigenvalue that does not expand.
-    #[error("an eigenvalue of the dilation matrix has a modulus of 1 or less, so that its powers do not expand in all directions")]
+    #[error(
+        "an eigenvalue of the dilation matrix has a modulus of 1 or less, so that its powers do not expand in all directions"
+    )]
     Eigenvalue,
 }
 

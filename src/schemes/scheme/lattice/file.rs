@@ -39,9 +39,7 @@ impl SchemeTable {
                 self.refuse_variables(source)?;
                 stated.symbol(source, text.span(), text.get_ref(), definitions)
             }
-            (None, Some(mask), None) => {
-                stated.listed(source, mask.span(), list(source, mask)?)
-            }
+            (None, Some(mask), None) => stated.listed(source, mask.span(), list(source, mask)?),
             (None, None, Some(directions)) => {
                 stated.box_spline(source, &Vectors::of_table(source, directions)?)
             }
@@ -104,7 +102,8 @@ impl SchemeTable {
 
     fn refuse_variables(&self, source: &Arc<SourceText>) -> Result<(), Diagnostic> {
         let names = self.parameters.keys().chain(self.definitions.keys());
-        let is_variable = |name: &&Spanned<String>| LATTICE_VARIABLES.contains(&&name.get_ref()[..]);
+        let is_variable =
+            |name: &&Spanned<String>| LATTICE_VARIABLES.contains(&&name.get_ref()[..]);
         names.into_iter().find(is_variable).map_or(Ok(()), |name| {
             let message = format!("`{}` is a variable of the symbol", name.get_ref());
             Err(Diagnostic::new(source, name.span(), message).with_help("take another name"))
@@ -121,7 +120,10 @@ fn list(
         MaskTable::Rules(listed) => {
             let rows = rules(source, mask.span(), listed)?;
             let row = |(i, row): (i64, Vec<LocatedFormula>)| {
-                (0_i64..).zip(row).map(move |(j, formula)| (vec![i, j], formula)).collect::<Vec<_>>()
+                (0_i64..)
+                    .zip(row)
+                    .map(move |(j, formula)| (vec![i, j], formula))
+                    .collect::<Vec<_>>()
             };
             Ok((0..).zip(rows).flat_map(row).collect())
         }

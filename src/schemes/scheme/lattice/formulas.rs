@@ -76,8 +76,8 @@ impl LatticeFormulas {
             }
         };
         let values = terms.iter().map(|(_, c)| c.clone()).collect();
-        let values = V::together(values)
-            .map_err(|error| wrong(error.to_string()).with_cap(error.cap()))?;
+        let values =
+            V::together(values).map_err(|error| wrong(error.to_string()).with_cap(error.cap()))?;
         let places = terms.into_iter().map(|(place, _)| place);
         LatticeMask::new(self.dilation.clone(), places.zip(values), self.edges.clone()).map_err(
             |error| {
@@ -120,5 +120,4 @@ impl LatticeFormulas {
 }
 
 /// What helps where classes do not sum to 1.
-const OTHER_DILATION: &str =
-    "the dilation matrix is 2I where no other is given: dilation = [[1, 1], [1, -1]]; a factor may be missing";
+const OTHER_DILATION: &str = "the dilation matrix is 2I where no other is given: dilation = [[1, 1], [1, -1]]; a factor may be missing";

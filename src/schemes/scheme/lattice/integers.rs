@@ -106,7 +106,8 @@ impl Vectors {
         let wrong = |message: String| Diagnostic::new(source, self.span.clone(), message);
         let point = |row: &Vec<i64>| {
             if row.len() != dimension {
-                let message = format!("a vector of {} coordinates in {dimension} dimensions", row.len());
+                let message =
+                    format!("a vector of {} coordinates in {dimension} dimensions", row.len());
                 return Err(wrong(message));
             }
             if row.iter().all(|x| *x == 0) {

@@ -49,7 +49,9 @@ pub enum LatticeError {
         classes: usize,
     },
     /// Edges that do not join all points.
-    #[error("the edges {0:?} do not join all points of the lattice: their integer combinations must be all of it")]
+    #[error(
+        "the edges {0:?} do not join all points of the lattice: their integer combinations must be all of it"
+    )]
     Edges(Vec<Vec<i64>>),
 }
 
@@ -122,7 +124,8 @@ impl<S: Scalar + PartialEq + Display> LatticeMask<S> {
     pub fn product(masks: &[&Mask<S>]) -> Result<LatticeMask<S>, LatticeError> {
         let arity = |mask: &&Mask<S>| i64::try_from(mask.arity()).expect("a small arity");
         let arities: Vec<i64> = masks.iter().map(arity).collect();
-        let row = |i: usize| (0..masks.len()).map(|j| if i == j { arities[i] } else { 0 }).collect();
+        let row =
+            |i: usize| (0..masks.len()).map(|j| if i == j { arities[i] } else { 0 }).collect();
         let rows: Vec<Vec<i64>> = (0..masks.len()).map(row).collect();
         let dilation = Dilation::new(&rows).expect("arities of two or three masks within the cap");
         let one = ([0; 3], S::from_rational(&Rational::one()));
@@ -130,11 +133,13 @@ impl<S: Scalar + PartialEq + Display> LatticeMask<S> {
             let own: Vec<(i64, &S)> = places(mask, arities[axis]).collect();
             let next = |(place, c): &(Point, S)| {
                 let (place, c) = (*place, c.clone());
-                own.iter().map(move |(k, a)| {
-                    let mut place = place;
-                    place[axis] = *k;
-                    (place, c.times(a))
-                }).collect::<Vec<_>>()
+                own.iter()
+                    .map(move |(k, a)| {
+                        let mut place = place;
+                        place[axis] = *k;
+                        (place, c.times(a))
+                    })
+                    .collect::<Vec<_>>()
             };
             terms.iter().flat_map(next).collect()
         });
@@ -165,7 +170,8 @@ fn generate(edges: &[Point], dimension: usize) -> bool {
     for axis in 0..dimension {
         loop {
             let nonzero = |row: &&[i128; 3]| row[axis] != 0;
-            let Some(least) = rows.iter().filter(nonzero).min_by_key(|row| row[axis].abs()).copied()
+            let Some(least) =
+                rows.iter().filter(nonzero).min_by_key(|row| row[axis].abs()).copied()
             else {
                 return false;
             };
@@ -214,9 +220,9 @@ impl<S> LatticeMask<S> {
 
     /// The rule of the new point α: β with a(α − Mβ).
     pub fn rule(&self, place: Point) -> impl Iterator<Item = (Point, &S)> {
-        self.coefficients.iter().filter_map(move |(at, c)| {
-            Some((self.dilation.divided(difference(place, *at))?, c))
-        })
+        self.coefficients
+            .iter()
+            .filter_map(move |(at, c)| Some((self.dilation.divided(difference(place, *at))?, c)))
     }
 
     /// The least and the greatest coordinates of the places.

@@ -45,8 +45,10 @@ impl Stated {
                 .map_err(|error| Diagnostic::new(source, rows.span.clone(), error.to_string()))?,
         };
         if dilation.dimension() != dimension {
-            let (found, span) = (dilation.dimension(), self.dilation.as_ref().map_or(span, |d| &d.span));
-            let message = format!("a dilation matrix of {found} rows for a mask in {dimension} dimensions");
+            let (found, span) =
+                (dilation.dimension(), self.dilation.as_ref().map_or(span, |d| &d.span));
+            let message =
+                format!("a dilation matrix of {found} rows for a mask in {dimension} dimensions");
             return Err(Diagnostic::new(source, span.clone(), message));
         }
         let edges = self.edges.as_ref().map(|edges| edges.points(source, dimension));
@@ -65,7 +67,9 @@ impl Stated {
         definitions: &BTreeMap<String, LocatedFormula>,
     ) -> Result<LatticeFormulas, Diagnostic> {
         let formula = LocatedFormula::read(source, span.clone(), text).map_err(|error| {
-            error.with_help("write products with `*` and powers with `^`: (1 + x)^2*(1 + y)^2*(1 + x*y)^2/16")
+            error.with_help(
+                "write products with `*` and powers with `^`: (1 + x)^2*(1 + y)^2*(1 + x*y)^2/16",
+            )
         })?;
         let indices = formula.expr.indices();
         if let Some(name) = LATTICE_VARIABLES.into_iter().find(|name| indices.contains(*name)) {
@@ -76,7 +80,8 @@ impl Stated {
         self.refuse_origin(source)?;
         let names = FreeNames::new(definitions).of(&formula.expr);
         let of_dilation = self.dilation.as_ref().map(|rows| rows.rows.len());
-        let dimension = of_dilation.unwrap_or(if names.contains(LATTICE_VARIABLES[2]) { 3 } else { 2 });
+        let dimension =
+            of_dilation.unwrap_or(if names.contains(LATTICE_VARIABLES[2]) { 3 } else { 2 });
         let (dilation, edges) = self.common(source, &span, dimension)?;
         let coefficients = LatticeCoefficients::Symbol(Box::new(formula));
         Ok(LatticeFormulas { dilation, edges, coefficients, source: Arc::clone(source), span })
@@ -98,7 +103,8 @@ impl Stated {
             Some(Vectors { rows, span }) => match &rows[..] {
                 [origin] if origin.len() == dimension => origin.clone(),
                 _ => {
-                    let message = format!("the origin is one vector of {dimension} indices, counted from 0");
+                    let message =
+                        format!("the origin is one vector of {dimension} indices, counted from 0");
                     return Err(Diagnostic::new(source, span.clone(), message));
                 }
             },
@@ -134,9 +140,8 @@ impl Stated {
     fn refuse_origin(&self, source: &Arc<SourceText>) -> Result<(), Diagnostic> {
         self.origin.as_ref().map_or(Ok(()), |origin| {
             let message = "`origin` is the place of the coefficient at 0 in lists of lists";
-            Err(Diagnostic::new(source, origin.span.clone(), message).with_help(
-                "leave it out; a factor such as x^-1*y^-1 shifts a symbol",
-            ))
+            Err(Diagnostic::new(source, origin.span.clone(), message)
+                .with_help("leave it out; a factor such as x^-1*y^-1 shifts a symbol"))
         })
     }
 }

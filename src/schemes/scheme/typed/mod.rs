@@ -53,22 +53,23 @@ pub(super) fn typed(
         }
         Ok::<(), Diagnostic>(())
     };
-    let (offset, coefficients, names) = if let Some(lattice) = lattice(&source, text, given, vectors)? {
-        let mut names = BTreeSet::new();
-        for formula in lattice.formulas() {
-            compose(&formula.expr)?;
-            names.extend(symbol::parameters(formula, &definitions, &LATTICE_VARIABLES));
-        }
-        (None, Coefficients::Lattice(Box::new(lattice)), names)
-    } else if text::is_symbol(text) {
-        let symbol = SymbolFormula::read(&source, 0..text.len(), text)?;
-        compose(&symbol.formula.expr)?;
-        let names = symbol.names(&definitions);
-        (None, Coefficients::Symbol(Box::new(symbol)), names)
-    } else {
-        let Typed { offset, rows, names } = mask(&source, 0..text.len(), &definitions, given)?;
-        (Some(offset), Coefficients::Listed(rows), names)
-    };
+    let (offset, coefficients, names) =
+        if let Some(lattice) = lattice(&source, text, given, vectors)? {
+            let mut names = BTreeSet::new();
+            for formula in lattice.formulas() {
+                compose(&formula.expr)?;
+                names.extend(symbol::parameters(formula, &definitions, &LATTICE_VARIABLES));
+            }
+            (None, Coefficients::Lattice(Box::new(lattice)), names)
+        } else if text::is_symbol(text) {
+            let symbol = SymbolFormula::read(&source, 0..text.len(), text)?;
+            compose(&symbol.formula.expr)?;
+            let names = symbol.names(&definitions);
+            (None, Coefficients::Symbol(Box::new(symbol)), names)
+        } else {
+            let Typed { offset, rows, names } = mask(&source, 0..text.len(), &definitions, given)?;
+            (Some(offset), Coefficients::Listed(rows), names)
+        };
     let open = ParameterSpec { default: None, least: None, about: String::new() };
     Ok(SchemeDefinition {
         name: text.to_owned(),
@@ -97,9 +98,8 @@ fn lattice(
 ) -> Result<Option<LatticeFormulas>, Diagnostic> {
     let whole = || 0..text.len();
     let stated = |name: &str| {
-        let list = |value: &String| {
-            Vectors::of_text(&SourceText::new(name, value), 0..value.len(), value)
-        };
+        let list =
+            |value: &String| Vectors::of_text(&SourceText::new(name, value), 0..value.len(), value);
         vectors.get(name).map(list).transpose()
     };
     let stated =

@@ -38,7 +38,8 @@ pub(in crate::scheme) fn nested(
     let behind = text[list.span.end..].trim();
     let mut leaves = vec![(Vec::new(), list.span.clone())];
     for depth in 0..=MAX_DIMENSION {
-        let is_list = |(_, span): &(Vec<i64>, Range<usize>)| text[span.clone()].trim().starts_with('[');
+        let is_list =
+            |(_, span): &(Vec<i64>, Range<usize>)| text[span.clone()].trim().starts_with('[');
         if !leaves.iter().any(is_list) {
             if depth < 2 {
                 break;
@@ -61,7 +62,10 @@ pub(in crate::scheme) fn nested(
             let start = span.start + (piece.len() - piece.trim_start().len());
             let inside = piece.trim().strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
             let Some(inside) = inside else {
-                return Err(wrong(span, "a list stands beside a number, or it has something behind it"));
+                return Err(wrong(
+                    span,
+                    "a list stands beside a number, or it has something behind it",
+                ));
             };
             let inside = start + 1..start + 1 + inside.len();
             let parts = pieces(text, inside).map_err(|message| wrong(span.clone(), message))?;

@@ -205,7 +205,10 @@ pub(super) fn pieces(text: &str, inside: Range<usize>) -> Result<Vec<Range<usize
 }
 
 /// The factor before the list, in brackets and with `*`.
-pub(super) fn factor_before(source: &Arc<SourceText>, span: Range<usize>) -> Result<String, Diagnostic> {
+pub(super) fn factor_before(
+    source: &Arc<SourceText>,
+    span: Range<usize>,
+) -> Result<String, Diagnostic> {
     let before = &source.text[span.clone()];
     let wrong = |message: &str| Diagnostic::new(source, span.clone(), message).with_help(MASK);
     if before.trim().is_empty() {
@@ -224,7 +227,10 @@ pub(super) fn factor_before(source: &Arc<SourceText>, span: Range<usize>) -> Res
 }
 
 /// Checks that a product stands behind the list.
-pub(super) fn factor_behind(source: &Arc<SourceText>, span: Range<usize>) -> Result<(), Diagnostic> {
+pub(super) fn factor_behind(
+    source: &Arc<SourceText>,
+    span: Range<usize>,
+) -> Result<(), Diagnostic> {
     let behind = source.text[span.clone()].trim();
     let wrong = |message: &str| Diagnostic::new(source, span.clone(), message).with_help(MASK);
     if behind.is_empty() {

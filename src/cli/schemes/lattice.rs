@@ -1,0 +1,57 @@
+//! The facts of masks on Z^d in words.
+
+use super::words::{level, number};
+use crate::cli::console::lattice::{matrix, smoothness_words, vector};
+use subcert::report::json::{Exact, LatticeForm};
+use subcert::report::{Grid, Sheet};
+
+/// Facts of a mask on Z^d in words, under their headings; those without one first.
+pub(crate) fn lattice_words(form: &LatticeForm) -> Vec<(&'static str, Vec<(String, String)>)> {
+    let fact = |name: &str, text: String| (name.to_owned(), text);
+    let yes = |holds: bool| if holds { "yes" } else { "no" }.to_owned();
+    let support = form.support.as_ref().map_or("open".to_owned(), |axes| {
+        let axis = |[low, high]: &[Exact; 2]| format!("[{}, {}]", number(low), number(high));
+        axes.iter().map(axis).collect::<Vec<String>>().join(" × ")
+    });
+    let shift = form.natural_shift.iter().map(number).collect::<Vec<String>>().join(", ");
+    let reproduced = if form.generation == 0 {
+        "only constants: lines are not kept".to_owned()
+    } else {
+        format!("up to degree {}, with x^k_α at M^-k (α + τ), τ = ({shift})", form.reproduction)
+    };
+    let shape = vec![
+        fact("dilation matrix M", matrix(&form.dilation)),
+        fact("rules", form.arity.to_string()),
+        fact("coefficients", form.coefficients.to_string()),
+        fact("edges", form.edges.iter().map(|edge| vector(edge)).collect::<Vec<_>>().join(" ")),
+        fact("primal or dual", form.kind.unwrap_or("neither").to_owned()),
+        fact("interpolating", yes(form.interpolating)),
+        fact("support in", support),
+        fact("symmetries", form.symmetries.to_string()),
+    ];
+    let mut polynomials = vec![
+        fact("sum rules", format!("of order {}", form.sum_rules)),
+        fact("generated", format!("up to degree {}", form.generation)),
+        fact("reproduced", reproduced),
+    ];
+    polynomials.extend(smoothness_words(&form.smoothness, Some(form.sum_rules)));
+    vec![("", shape), ("Polynomials and smoothness", polynomials)]
+}
+
+pub(crate) fn write_lattice(form: &LatticeForm, sheet: &mut Sheet) {
+    for (title, facts) in lattice_words(form) {
+        if !title.is_empty() {
+            sheet.heading(2, title);
+        }
+        sheet.facts(facts);
+    }
+    sheet.heading(2, "Constants");
+    let longest = form.contraction.len().max(form.norm.len());
+    let row = |c: usize| vec![c.to_string(), level(&form.contraction, c), level(&form.norm, c)];
+    sheet.grid(Grid::of(["c", "T_c", "Λ_c"], (1..=longest).map(row), 0));
+    if !form.open.is_empty() {
+        sheet.heading(2, "Open");
+        let open = form.open.iter().map(|one| (one.fact.to_owned(), one.reason.clone()));
+        sheet.facts(open.collect());
+    }
+}

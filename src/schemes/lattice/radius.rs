@@ -1,0 +1,168 @@
+//! Joint spectral radii of the steps of a mask on Z^d.
+
+use super::exponent::{compared, small};
+use super::monomials::{of_degree, power};
+use super::polynomials::{natural_shift, sum_rules};
+use super::tiling::Tiling;
+use super::values::{ValueSpace, window};
+use crate::cap::Cap;
+use crate::exact::{Rational, echelon, null_rows, row_times};
+use crate::joint::{JointRadius, MatrixSet, radius_of_blocks};
+use crate::scheme::{LatticeMask, Point, difference, sum};
+use crate::stop::Stop;
+use std::cmp::Ordering;
+
+/// How far beyond the sum rules the accuracy is looked for.
+const BEYOND: u32 = 6;
+
+/// A joint spectral radius of the steps on a space.
+#[derive(Clone, Debug)]
+pub struct LatticeRadius {
+    /// The order of the differences in the space.
+    pub order: u32,
+    /// The number by which the matrices are multiplied.
+    pub factor: Rational,
+    /// The number of dimensions of the space before differences are taken.
+    pub dimension: usize,
+    /// One matrix for each digit.
+    pub matrices: MatrixSet,
+    /// Their radius.
+    pub radius: JointRadius,
+}
+
+impl LatticeRadius {
+    /// The accuracy K', and the steps on the combinations Σ_i c_i Φ(x_i), x_i near a tile, with Σ_i c_i x_i^μ = 0 for |μ| < K', multiplied by a number so that
+    /// the radius is at least 1: s^{K'}, or the next power of m. `None` where the scheme does not converge.
+    ///
+    /// # Errors
+    /// When a cap is met.
+    pub fn near_tile(
+        mask: &LatticeMask,
+        tiling: &Tiling,
+        stop: &Stop,
+    ) -> Result<Option<(u32, LatticeRadius)>, Cap> {
+        let Some(space) = ValueSpace::of(mask, tiling, sum_rules(mask) + BEYOND)? else {
+            return Ok(None);
+        };
+        let ValueSpace { dimension, accuracy, matrices } = space;
+        let factor = match mask.dilation().factor() {
+            Some(n) => Rational::from(n.abs()).pow(small(accuracy)),
+            None => {
+                let d = u32::try_from(mask.dimension()).expect("2 or 3");
+                Rational::from(mask.dilation().class_count()).pow(small(accuracy.div_ceil(d)))
+            }
+        };
+        let radius = LatticeRadius::of(matrices, accuracy, factor, dimension, stop);
+        Ok(Some((accuracy, radius)))
+    }
+
+    fn of(
+        matrices: Vec<Vec<Vec<Rational>>>,
+        order: u32,
+        factor: Rational,
+        dimension: usize,
+        stop: &Stop,
+    ) -> LatticeRadius {
+        let scaled = |matrix: Vec<Vec<Rational>>| {
+            let row = |row: Vec<Rational>| row.iter().map(|x| x * &factor).collect();
+            matrix.into_iter().map(row).collect()
+        };
+        let matrices = MatrixSet::of_any_size(matrices.into_iter().map(scaled).collect());
+        let radius = radius_of_blocks(&matrices, stop);
+        LatticeRadius { order, factor, dimension, matrices, radius }
+    }
+
+    /// Whether the radius of the steps is below a limit; `None` where its bounds do not tell.
+    pub(super) fn is_below(&self, limit: &Rational) -> Option<bool> {
+        self.power_is_below(&(limit * &self.factor), 1)
+    }
+
+    /// Whether ϱ < m^{−k/d}, that is ϱ^d < m^{−k}.
+    pub(super) fn is_below_root(&self, k: u32, m: usize, d: usize) -> Option<bool> {
+        let power = Rational::from(m).pow(-small(k)) * self.factor.pow(small(d));
+        self.power_is_below(&power, small(d))
+    }
+
+    /// Whether (factor·ϱ)^power is below a limit.
+    fn power_is_below(&self, limit: &Rational, power: i32) -> Option<bool> {
+        let JointRadius { root, degree, exact, .. } = &self.radius;
+        if self.radius.upper().pow(power) < *limit {
+            return Some(true);
+        }
+        // root^{power/degree} against the limit.
+        let degree = small(*degree);
+        let at_least = compared(root, power, &limit.pow(degree)) != Ordering::Less;
+        if at_least {
+            return Some(false);
+        }
+        exact.then_some(true)
+    }
+}
+
+/// The steps on the v on the window with Σ_β v_β β^μ = 0 for |μ| < k: their radius ϱ_k decides on convergence for all data, which is ϱ_1 < 1; and ϱ_1 is
+/// the greater of ϱ_K and of the radii of Sym^j(M^{−1}), 1 ≤ j < K, which are below 1.
+pub(super) fn differences(mask: &LatticeMask, k: u32, stop: &Stop) -> Result<LatticeRadius, Cap> {
+    let window = window(mask)?;
+    let degrees = (0..k).flat_map(|k| of_degree(k, mask.dimension()));
+    let exponents: Vec<[u32; 3]> = degrees.collect();
+    let moments = window
+        .iter()
+        .map(|place| exponents.iter().map(|e| power(*place, *e)).collect::<Vec<Rational>>());
+    let rows = null_rows(&moments.collect::<Vec<_>>());
+    let entry = |digit: &Point, alpha: &Point, beta: &Point| {
+        let place = difference(sum(*digit, mask.dilation().times(*alpha)), *beta);
+        mask.coefficients().get(&place).cloned().unwrap_or_else(Rational::zero)
+    };
+    let matrix = |digit: &Point| {
+        let row = |beta: &Point| window.iter().map(|alpha| entry(digit, alpha, beta)).collect();
+        window.iter().map(row).collect::<Vec<Vec<Rational>>>()
+    };
+    let matrices: Vec<Vec<Vec<Rational>>> = mask.dilation().digits().iter().map(matrix).collect();
+    let (rows, pivots) = echelon(rows);
+    let on = |matrix: &Vec<Vec<Rational>>| {
+        let row = |row: &Vec<Rational>| {
+            let image = row_times(row, matrix);
+            pivots.iter().map(|k| image[*k].clone()).collect()
+        };
+        rows.iter().map(row).collect::<Vec<Vec<Rational>>>()
+    };
+    let matrices = matrices.iter().map(on).collect();
+    Ok(LatticeRadius::of(matrices, k, Rational::one(), window.len(), stop))
+}
+
+/// The radius near a tile that has the nearest bounds: the alcove has the smaller matrices, and the tile of the digits at times an extremal hull.
+pub(super) fn nearest(
+    mask: &LatticeMask,
+    stop: &Stop,
+) -> Result<Option<(u32, LatticeRadius)>, Cap> {
+    let centred = centred(mask);
+    let alcove = centred.as_ref().and_then(|mask| Some((mask, Tiling::of_alcove(mask)?)));
+    let of_alcove = match &alcove {
+        Some((mask, tiling)) => LatticeRadius::near_tile(mask, tiling, stop)?,
+        None => None,
+    };
+    if of_alcove.as_ref().is_some_and(|(_, found)| found.radius.exact) {
+        return Ok(of_alcove);
+    }
+    let of_digits = Tiling::of_digits(mask.dilation())
+        .and_then(|tiling| LatticeRadius::near_tile(mask, &tiling, stop));
+    match (of_alcove, of_digits) {
+        (Some(first), Ok(Some(second))) => {
+            let nearer = second.1.radius.exact || second.1.radius.upper() < first.1.radius.upper();
+            Ok(Some(if nearer { second } else { first }))
+        }
+        (Some(first), _) => Ok(Some(first)),
+        (None, found) => found,
+    }
+}
+
+/// The mask of the same scheme with the basic limit function moved by −τ, if the natural shift τ is integer: a(γ + (M − I)τ).
+fn centred(mask: &LatticeMask) -> Option<LatticeMask> {
+    let mut shift = [0; 3];
+    for (at, x) in shift.iter_mut().zip(natural_shift(mask)) {
+        *at = x.numerator().to_i64().filter(|_| x.is_integer())?;
+    }
+    let by = difference(mask.dilation().times(shift), shift);
+    let moved = mask.coefficients().iter().map(|(place, c)| (difference(*place, by), c.clone()));
+    LatticeMask::new(mask.dilation().clone(), moved, mask.edges().to_vec()).ok()
+}

@@ -1,0 +1,6 @@
+//! Masks on Z^d.
+
+mod examples;
+mod laws;
+mod smoothness;
+mod typing;
