@@ -7,6 +7,7 @@ mod every_shift;
 mod families;
 mod functions_and_ranges;
 mod integers;
+mod lattice;
 mod lines;
 mod numbers;
 mod proportional;

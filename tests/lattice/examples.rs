@@ -3,7 +3,8 @@
 use crate::common::r;
 use subcert::exact::Rational;
 use subcert::lattice::{
-    Edges, LatticeConstants, natural_shift, proves, reproduction, sum_rules, symmetries,
+    Edges, LatticeConstants, displacement, natural_shift, proves, reproduction, sum_rules,
+    symmetries,
 };
 use subcert::scheme::parse_lattice;
 
@@ -79,6 +80,27 @@ fn other_dilation_matrices() {
     check(&kobbelt, [3, 1], "0,0", 12, &["2/3", "28/81", "649/2916", "503/4374"]);
     let unequal = "(1+x)^2*(1+y+y^2)^2/6:dilation=[[2,0],[0,3]]";
     check(unequal, [2, 1], "1,1", 4, &["1/2", "1/4", "1/8"]);
+}
+
+/// σ with the points of level k at M^{−k}α, and at their natural places.
+#[test]
+fn displacements() {
+    let check = |text: &str, expected: [&str; 2]| {
+        let mask = parse_lattice(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let origin = vec![Rational::zero(); mask.dimension()];
+        let found = [origin, natural_shift(&mask)].map(|shift| {
+            displacement(&mask, &shift).expect("few places").expect("in the plane").to_string()
+        });
+        assert_eq!(found, expected, "{text}");
+    };
+    // Points that are kept, and the mean of two where one is expected: nothing moves.
+    check(&format!("(1+x)*(1+y)*(1+x*y)/(2*x*y){TRIANGLES}"), ["0", "0"]);
+    check("(1+x)^2*(1+y)^2/(4*x*y)", ["0", "0"]);
+    check(&format!("1+(x+1/x+y+1/y+x/y+y/x)/3{OTHER_TRIANGLES}"), ["1/3", "1/3"]);
+    check("four-point:w=1/16 x four-point:w=1/16", ["9/32", "9/32"]);
+    check(&format!("{BUTTERFLY}:w=1/16,{}", &TRIANGLES[1..]), ["1/4", "1/4"]);
+    // The cubic B-spline moves points by a quarter of the second difference, which is at most 2, along both axes.
+    check("(1+x)^4*(1+y)^4/(64*x^2*y^2)", ["1/2", "1/2"]);
 }
 
 /// What looks right and is not: a dilation matrix of the other third direction, the wrong edges, digits of a part.

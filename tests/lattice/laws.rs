@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 use subcert::bound::{Order, power_norm};
 use subcert::exact::Rational;
 use subcert::lattice::{
-    Edges, Functional, LatticeConstants, Steps, attractor, factors, natural_shift, proves,
-    reproduction, sum_rules, window,
+    Edges, Functional, LatticeConstants, Steps, attractor, displacement, factors, natural_shift,
+    proves, reproduction, sum_rules, window,
 };
 use subcert::scheme::{Dilation, LatticeMask, Mask, Point, catalogue, parse_scheme, sum};
 use subcert::smoothness::{Symbol, reproduction_degree};
@@ -133,6 +133,22 @@ proptest! {
             let mean: Rational =
                 mask.coefficients().iter().map(|(at, c)| c * &Rational::from(at[i])).sum();
             prop_assert_eq!(image, &shift[i] + &(mean * scale));
+        }
+    }
+
+    /// No net moves by more than σ at any point, and σ is not less than what moves the points of level 1.
+    #[test]
+    fn displacements(mask in masks()) {
+        let edges = Edges::new(mask.edges(), 2);
+        let zero = vec![Rational::zero(), Rational::zero()];
+        let Some(sigma) = displacement(&mask, &zero).expect("few places") else { return Ok(()) };
+        // At the points of level 1 above those of level 0 the difference is a rule less a point.
+        for (place, row) in Steps::none(&mask).next().rows() {
+            let Some(under) = mask.dilation().divided(place) else { continue };
+            let mut functional = row;
+            *functional.entry(under).or_insert_with(Rational::zero) -= &Rational::one();
+            functional.retain(|_, c| !c.is_zero());
+            prop_assert!(edges.norm(&functional).expect("few places").value <= sigma);
         }
     }
 

@@ -32,7 +32,7 @@ pub const QUANTITIES: [(&str, &str); 54] = [
     ),
     ("arity()", "n"),
     ("width()", "N"),
-    ("coefficient(k)", "a_k, a coefficient of the symbol"),
+    ("coefficient(k)", "a_k, a coefficient of the symbol; of a mask on Z^d coefficient(i, j)"),
     ("symbol_at(z)", "Σ a_k z^k"),
     ("support()", "the length of the support of the basic limit function"),
     ("support_start()", "where this support begins"),

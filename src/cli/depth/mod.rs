@@ -5,6 +5,7 @@ mod certified;
 mod compared;
 mod distance;
 mod exact;
+mod lattice;
 mod local_rules;
 mod masks;
 mod meshes;
@@ -23,12 +24,14 @@ use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::geometry::commands::{Geometry, check_boundary};
 use crate::cli::geometry::net::NetInput;
 #[cfg(feature = "schema")]
+pub(super) use lattice::LatticeDepth;
+#[cfg(feature = "schema")]
 pub(super) use local_rules::LocalReport;
 use local_rules::ring_depth;
 pub(super) use masks::Depth;
 #[cfg(feature = "schema")]
 pub(super) use meshes::{ParametricDepth, SetDepth};
-use subcert::scheme::{AnyScheme, SchemeError, parse_any_scheme};
+use subcert::scheme::{AnyScheme, parse_any_scheme};
 
 pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     let to = Destination::of(&arguments.output, &page_name(arguments))?;
@@ -60,9 +63,7 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     }
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,
-        AnyScheme::Lattice(_) => {
-            return Err(SchemeError::Lattice { scheme: arguments.scheme.clone() }.into());
-        }
+        AnyScheme::Lattice(mask) => return lattice::lattice_depth(&mask, arguments, &to),
         AnyScheme::LocalRules(ring) => return ring_depth(&ring, arguments, &to),
     };
     deliver(&to, &Depth::of(&scheme, arguments)?)

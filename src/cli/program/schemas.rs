@@ -6,7 +6,7 @@ use crate::cli::console::answer::Answer;
 use crate::cli::console::output::{Failure, Outcome, json_text};
 use crate::cli::console::save::save_in;
 use crate::cli::constants::{Certification, Constants, LatticeConstants, RingConstants};
-use crate::cli::depth::{Depth, LocalReport, ParametricDepth, SetDepth};
+use crate::cli::depth::{Depth, LatticeDepth, LocalReport, ParametricDepth, SetDepth};
 use crate::cli::papers::{Audit, Coverage, Errata, Explanation, Listing, Projects, Shipped};
 use crate::cli::ranges::{
     BestContraction, BestExponentAnswer, Range, SmoothMap, SmoothRange, VertexRange,
@@ -36,6 +36,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         ParametricDepth<'_>,
         SetDepth<'_>,
         LocalReport<'_>,
+        LatticeDepth<'_>,
         Atlas<'_>,
         Catalogue<'_>,
         Certification<'_>,

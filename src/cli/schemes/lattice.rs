@@ -49,6 +49,12 @@ pub(crate) fn write_lattice(form: &LatticeForm, sheet: &mut Sheet) {
     let longest = form.contraction.len().max(form.norm.len());
     let row = |c: usize| vec![c.to_string(), level(&form.contraction, c), level(&form.norm, c)];
     sheet.grid(Grid::of(["c", "T_c", "Λ_c"], (1..=longest).map(row), 0));
+    if let (Some(indexed), Some(natural)) = (&form.displacement, &form.displacement_natural) {
+        sheet.facts(vec![
+            ("σ at M^-k α".to_owned(), number(indexed)),
+            ("σ at natural places".to_owned(), number(natural)),
+        ]);
+    }
     if !form.open.is_empty() {
         sheet.heading(2, "Open");
         let open = form.open.iter().map(|one| (one.fact.to_owned(), one.reason.clone()));

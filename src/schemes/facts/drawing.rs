@@ -126,7 +126,9 @@ impl Drawing {
                 let curve = Some(CurveDrawing::Rational(CurveShape::of(&mask, None)));
                 Ok(Drawing { curve, family: family(), ..none })
             }
-            Ok(AnyScheme::Lattice(_)) => Ok(none),
+            Ok(AnyScheme::Lattice(_)) => {
+                Err(SchemeError::Lattice { scheme: scheme.trim().to_owned() })
+            }
             Ok(AnyScheme::LocalRules(_)) => match SchemeFacts::of(scheme)? {
                 SchemeFacts::Surface(rings) => Ok(Drawing { rings, ..none }),
                 _ => Ok(none),

@@ -3,8 +3,8 @@
 use super::shape::PointPlacement;
 use crate::exact::Rational;
 use crate::lattice::{
-    LatticeConstants, LatticeSmoothness, is_interpolating, mean, natural_shift, reproduction,
-    sum_rules, support, symmetries,
+    LatticeConstants, LatticeSmoothness, displacement, is_interpolating, mean, natural_shift,
+    reproduction, sum_rules, support, symmetries,
 };
 use crate::scheme::LatticeMask;
 use crate::stop::Stop;
@@ -36,6 +36,8 @@ pub struct LatticeFacts {
     pub shift: Vec<Rational>,
     /// C^m and the Hölder exponent.
     pub smoothness: LatticeSmoothness,
+    /// σ with the points of level k at M^{−k}α, and at their natural places M^{−k}(α + τ); `None` in three dimensions with an M that is not diagonal.
+    pub displacement: Option<[Rational; 2]>,
     /// T_1, T_2, …
     pub contraction: Vec<Rational>,
     /// Λ_1, Λ_2, …
@@ -57,14 +59,18 @@ impl LatticeFacts {
             contraction.push(found.value);
             norm.push(constants.norm());
         }
+        let shift = natural_shift(mask);
+        let origin = vec![Rational::zero(); mask.dimension()];
+        let [indexed, natural] = [&origin, &shift].map(|at| displacement(mask, at).ok().flatten());
         LatticeFacts {
+            displacement: indexed.zip(natural).map(|(indexed, natural)| [indexed, natural]),
             support: support(mask),
             symmetries: symmetries(mask).len(),
             kind: placement(mask),
             interpolating: is_interpolating(mask),
             sum_rules: sum_rules(mask),
             reproduction: reproduction(mask),
-            shift: natural_shift(mask),
+            shift,
             smoothness: LatticeSmoothness::until(mask, &Stop::default()),
             contraction,
             norm,

@@ -16,6 +16,7 @@
 //! ```
 
 mod constants;
+mod displacement;
 mod exponent;
 mod monomials;
 mod norm;
@@ -31,6 +32,7 @@ mod values;
 mod window;
 
 pub use constants::{Contraction, LatticeConstants, MAX_FUNCTIONALS};
+pub use displacement::displacement;
 pub use norm::{Edges, Norm, NormError, proves};
 pub use polynomials::{MAX_ORDER, mean, natural_shift, reproduction, sum_rules};
 pub use powers::{Functional, Steps};

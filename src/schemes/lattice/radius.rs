@@ -45,6 +45,10 @@ impl LatticeRadius {
             return Ok(None);
         };
         let ValueSpace { dimension, accuracy, matrices } = space;
+        if accuracy == sum_rules(mask) + BEYOND {
+            let what = "how far the accuracy is beyond the order of the sum rules";
+            return Err(Cap::new(what, (BEYOND - 1).into()));
+        }
         let factor = match mask.dilation().factor() {
             Some(n) => Rational::from(n.abs()).pow(small(accuracy)),
             None => {

@@ -84,7 +84,7 @@ impl LatticeSmoothness {
     ///
     /// Convergence is shown by T_c < 1, or by the radius ϱ_K on differences of order K. Of an isotropic M the exponent is −log_s ϱ, s^d = m, with the radius
     /// ϱ of the steps on the differences of the order of the accuracy, of the values of φ near a tile: an alcove, where the mask has its symmetries, or the
-    /// tile of the digits. `proofs/THEOREMS.md`, 145 to 147.
+    /// tile of the digits. `proofs/THEOREMS.md`, 146 to 149.
     ///
     /// # Panics
     /// Never.
@@ -163,10 +163,9 @@ impl LatticeSmoothness {
         // s^{−k} for M with |det M| = m = s^d is a d-th root.
         let below = |k: u32| found.is_below_root(k, m, d);
         self.continuity = (0..accuracy).take_while(|k| below(*k) == Some(true)).last().or(Some(0));
-        // Below the accuracy C^k would take ϱ below s^{−k}; an exponent below it is not that of C^{K'}.
-        let least = exponent.as_ref().is_some_and(|e| e.upper < Rational::from(accuracy));
+        // No φ is C^{K'}.
         let fails = (1..accuracy).find(|k| below(*k) == Some(false));
-        self.continuity_fails = fails.or(least.then_some(accuracy));
+        self.continuity_fails = fails.or(Some(accuracy));
         self.hoelder = exponent;
         if self.hoelder.as_ref().is_some_and(|hoelder| hoelder.formula.is_none()) {
             self.open = Some("the bounds of the radius do not meet".to_owned());

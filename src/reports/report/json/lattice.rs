@@ -39,6 +39,10 @@ pub struct LatticeForm {
     /// What is proven of the limits; its fields stand here.
     #[serde(flatten)]
     pub smoothness: LatticeSmoothnessForm,
+    /// σ with x^k_α at M^{−k}α; null in three dimensions where M is not diagonal.
+    pub displacement: Option<Exact>,
+    /// σ with x^k_α at its natural place; null in the same cases.
+    pub displacement_natural: Option<Exact>,
     /// T_1, T_2, …, as far as they are found.
     pub contraction: Vec<Exact>,
     /// Λ_1, Λ_2, …
@@ -97,6 +101,11 @@ impl LatticeForm {
             reproduction: facts.reproduction,
             natural_shift: facts.shift.iter().map(Exact::of).collect(),
             smoothness: LatticeSmoothnessForm::of(&facts.smoothness),
+            displacement: facts.displacement.as_ref().map(|[indexed, _]| Exact::of(indexed)),
+            displacement_natural: facts
+                .displacement
+                .as_ref()
+                .map(|[_, natural]| Exact::of(natural)),
             contraction: facts.contraction.iter().map(Exact::of).collect(),
             norm: facts.norm.iter().map(Exact::of).collect(),
             open: facts.smoothness.open.iter().map(reason).collect(),
