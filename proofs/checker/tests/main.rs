@@ -19,6 +19,7 @@ mod filters;
 mod format;
 mod integers;
 mod kernel;
+mod lattices;
 mod limits;
 mod lists;
 mod masks;

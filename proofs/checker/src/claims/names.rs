@@ -1,6 +1,7 @@
 //! The names of a claim file. In a claim each name has one meaning (FORMAT.md, Names).
 
 use crate::formulas::is_name;
+use crate::schemes::{is_lattice, variables};
 use crate::text::Toml;
 use std::collections::BTreeSet;
 
@@ -31,9 +32,11 @@ pub fn misuse<'a>(file: &Toml, claims: impl Iterator<Item = Vec<&'a str>>) -> Re
     Ok(())
 }
 
-/// Checks that the parameters, named formulas and indices of a scheme have different names.
+/// Checks that the parameters, named formulas, variables and indices of a scheme have different names.
 fn of_scheme(scheme: &Toml) -> Result<(), String> {
+    let lattice = if is_lattice(scheme) { Some(variables(scheme)?) } else { None };
     let indices: &[&str] = match (scheme.get("entry"), scheme.get("orbits")) {
+        _ if lattice.is_some() => lattice.as_deref().unwrap_or_default(),
         _ if scheme.get("symbol").is_some() => &OF_SYMBOLS,
         (Some(_), _) => &OF_ENTRIES,
         (_, Some(_)) => &OF_WEIGHTS,

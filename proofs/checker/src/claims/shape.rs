@@ -11,7 +11,7 @@ file: claims key=text paper=any define=%text given=%text alternative=*alternativ
 alternative: of=text label=text value=text
 scheme: name=text title=text source=text parameters=%parameter let=%text offset=text arity=text \
  width=text entry=text mask=text|**text symbol=text orbits=%text weights=%%text edges=**text use=text \
- filter=flag
+ filter=flag dilation=**text origin=*text box=**text
 parameter: default=text least=text about=text
 claim: id=text locus=text title=text scheme=text note=text
 axis: name=text label=text values=*number schemes=*header from=text to=text

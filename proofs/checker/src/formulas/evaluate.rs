@@ -2,14 +2,15 @@
 
 use super::definitions::{Definitions, names as names_in};
 use super::formula::{Expr, Head, differences};
+use super::memory::{Indices, Memory};
 use super::range::{Range, of_nothing, range};
 use super::reading::Reading;
 use crate::numbers::{Meter, Piece, Value};
-use crate::schemes::{Every, Ring, Scheme};
+use crate::schemes::{Every, Lattice, Ring, Scheme};
 use crate::text::Stop;
 use std::borrow::Cow;
-use std::cell::{Cell, RefCell};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::cell::Cell;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// The greatest depth of an evaluation. Names that stand for formulas count.
@@ -17,21 +18,6 @@ const MAX_DEPTH: usize = 200;
 
 /// The greatest integer that indices and exponents are read as.
 pub const MAX_INTEGER: i64 = 1_000_000;
-
-/// The indices of the sums around a formula, the innermost last.
-pub type Indices = Vec<(String, Value)>;
-
-/// A cache of the values of definitions.
-#[derive(Default)]
-pub struct Memory {
-    values: RefCell<HashMap<Known, Value>>,
-    /// The names that occur in a definition or in those that it leads to.
-    names: RefCell<HashMap<String, BTreeSet<String>>>,
-}
-
-/// A definition and what its value depends on: the values of the names and indices that occur in
-/// it, and the scheme or the ring.
-type Known = (String, Indices, Option<*const Scheme>, Option<Rc<Ring>>);
 
 /// A function with its arguments and options.
 pub type Asked<'c> = (&'c str, &'c [Value], &'c [(String, String)]);
@@ -65,6 +51,8 @@ pub struct Scope<'a> {
     pub families: BTreeSet<String>,
     /// The scheme that functions are about.
     pub scheme: Option<Rc<Scheme>>,
+    /// The mask on Z^d that functions are about.
+    pub lattice: Option<Rc<Lattice>>,
     /// Whether filters may stand in functions: in relations and equations.
     pub filters: bool,
     /// The ring that functions are about, if it is none of a mask.
@@ -99,7 +87,7 @@ impl<'a> Scope<'a> {
     ) -> Scope<'a> {
         let (values, unstated, beyond, families) = Default::default();
         let (scheme, ring, piece, every, depth, angle) = Default::default();
-        let (memory, reserved, hidden) = Default::default();
+        let (memory, reserved, hidden, lattice) = Default::default();
         Scope {
             definitions,
             values,
@@ -107,6 +95,7 @@ impl<'a> Scope<'a> {
             beyond,
             families,
             scheme,
+            lattice,
             filters: false,
             ring,
             reserved,
@@ -259,7 +248,8 @@ impl<'a> Scope<'a> {
         }
         let definition = self.definitions.get(name);
         let definition = definition.ok_or_else(|| Stop::Wrong(format!("`{name}` is unknown")))?;
-        let scheme = self.scheme.as_ref().map(Rc::as_ptr);
+        let scheme = self.scheme.as_ref().map(|scheme| Rc::as_ptr(scheme).cast());
+        let scheme = scheme.or(self.lattice.as_ref().map(|mask| Rc::as_ptr(mask).cast()));
         let occurring = self.occurring(name, definition, indices);
         let key = (name.to_owned(), occurring, scheme, self.ring.clone());
         if let Some(known) = self.memory.values.borrow().get(&key) {

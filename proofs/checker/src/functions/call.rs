@@ -72,7 +72,7 @@ enum Subject {
     Family(Rc<Family>),
 }
 
-const NO_FUNCTION: Stop = Stop::Family("this function of a scheme that depends on the index");
+pub const NO_FUNCTION: Stop = Stop::Family("this function of a scheme that depends on the index");
 
 pub fn wrong<T>(what: impl Into<String>) -> Result<T, Stop> {
     Err(Stop::Wrong(what.into()))
@@ -120,8 +120,14 @@ impl<'c> Call<'c> {
         }
     }
 
+    /// The word that names a scheme, which the call keeps.
+    pub fn names(&self) -> Option<&'c str> {
+        let named = self.options.iter().find(|(option, _)| option == "scheme");
+        named.map(|(_, name)| &name[..])
+    }
+
     /// Takes an option.
-    fn option(&mut self, name: &str) -> Option<&'c str> {
+    pub fn option(&mut self, name: &str) -> Option<&'c str> {
         let at = self.options.iter().position(|(option, _)| option == name)?;
         Some(&self.options.remove(at).1)
     }
@@ -222,7 +228,8 @@ impl<'c> Call<'c> {
             None => self.scope.scheme.clone(),
             Some(reference) => self.library.resolve_any(&reference, self.scope)?.first().cloned(),
         };
-        let what = if self.scope.ring.is_some() { "mask" } else { "scheme" };
+        let curves = self.scope.ring.is_some() || self.scope.lattice.is_some();
+        let what = if curves { "mask of curves" } else { "scheme" };
         let scheme =
             scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a {what}", self.function)))?;
         self.admits(&scheme)?;

@@ -6,6 +6,7 @@ pub mod exponent;
 mod extremes;
 pub mod families;
 mod found;
+mod lattice;
 mod limits;
 mod masks;
 mod modulus;

@@ -6,7 +6,9 @@ use super::call::{Call, TERMS, entry, number, within, wrong};
 use super::depth::depth;
 use super::roots::{root, square_root};
 use super::sums::greatest;
-use super::{exponent, families, limits, masks, modulus, peaks, ratios, shape, vertices, zeros};
+use super::{
+    exponent, families, lattice, limits, masks, modulus, peaks, ratios, shape, vertices, zeros,
+};
 use crate::data::{best_offset, moved, surface};
 use crate::formulas::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::numbers::{Meter, Number, Q, Value, capped};
@@ -37,6 +39,9 @@ impl Functions for Library<'_> {
 fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
     let (library, scope, function) = (call.library, call.scope, call.function);
     let piece = scope.piece.as_ref();
+    if let Some(value) = lattice::of(call)? {
+        return Ok(value);
+    }
     if let Some(value) = families::of(call)? {
         return Ok(value);
     }

@@ -7,7 +7,7 @@ use super::known::{Digits, Known, is_zero};
 use crate::formulas::{Asked, MAX_INTEGER, formula, formulas};
 use crate::functions::call::{index, wrong};
 use crate::numbers::{Q, Value};
-use crate::schemes::{MAX_OFFSET, ROOTS};
+use crate::schemes::{MAX_OFFSET, ROOTS, is_lattice};
 use crate::text::Stop;
 
 /// The most coefficients.
@@ -80,7 +80,7 @@ impl<'m> Mask<'m> {
         let library = reals.library;
         let (name, table, parameters) = library.entry(name, reals.scope)?;
         let rows = table.list("mask");
-        if rows.is_empty() || table.is_set("filter") {
+        if rows.is_empty() || table.is_set("filter") || is_lattice(table) {
             return Err(ROOTS);
         }
         let definitions = formulas(table.entries("let"))?;

@@ -4,9 +4,10 @@
 
 use super::factors::{Factoring, open};
 use super::family::{Every, Factor, Family};
+use super::lattice::is_lattice;
 use super::library::{Entry, Library, is_filter};
 use super::scheme::{MAX_ARITY, Scheme};
-use super::symbol::Expansion;
+use super::symbol::{Expansion, Z};
 use crate::formulas::{Indices, Scope, formula, formulas};
 use crate::numbers::{Integers, Value, at, int};
 use crate::text::{Stop, Toml};
@@ -75,7 +76,10 @@ impl<'a> Library<'a> {
     ) -> Result<Vec<Factor>, Stop> {
         let others = ["mask", "width", "entry", "offset", "orbits", "use"];
         let symbol = table.text("symbol").ok_or(NO_SYMBOL)?;
-        if is_filter(name, table)? || others.iter().any(|key| table.get(key).is_some()) {
+        if is_lattice(table)
+            || is_filter(name, table)?
+            || others.iter().any(|key| table.get(key).is_some())
+        {
             return Err(NO_SYMBOL);
         }
         let longest = Cell::new(0);
@@ -84,9 +88,11 @@ impl<'a> Library<'a> {
             if with.iter().any(|(_, value)| depends(value)) {
                 return Err(OTHER);
             }
-            self.other((name, other), with, &longest)
+            self.other((name, other), with, &longest, &|reference, scope| {
+                self.curve(reference, scope)
+            })
         };
-        let expansion = Expansion { scope, others: &other };
+        let expansion = Expansion { scope, variables: &Z, others: &other };
         let factors = Factoring { expansion, integers }.of(&formula(symbol)?, 0)?;
         for factor in &factors {
             self.check(factor, integers)?;

@@ -1,5 +1,6 @@
 //! The library of the schemes that a claim file may name.
 
+use super::lattice::Lattice;
 use super::limits::Limits;
 use super::products::Products;
 use super::reference::{arguments_of, parameters_of, split};
@@ -20,10 +21,12 @@ pub struct Library<'a> {
     pub(super) own: BTreeMap<&'a str, usize>,
     tables: BTreeMap<&'a str, &'a Toml>,
     pub(super) schemes: RefCell<BTreeMap<String, Rc<Scheme>>>,
+    /// The masks on Z^d.
+    pub(super) lattices: RefCell<BTreeMap<String, Rc<Lattice>>>,
     /// How many symbols of other schemes are being multiplied out.
     pub(super) composing: Cell<usize>,
-    /// The lengths of the chains of schemes in whose symbols others stand.
-    pub(super) composed: RefCell<BTreeMap<*const Scheme, usize>>,
+    /// The lengths of the chains of schemes in whose symbols others stand, by the addresses of these schemes.
+    pub(super) composed: RefCell<BTreeMap<*const (), usize>>,
     /// The steps of the claim at hand.
     pub meter: &'a Meter,
     /// The products of sequences and the constants that are known.
@@ -65,7 +68,7 @@ pub(super) fn wrong<T>(of: &str, what: &str) -> Result<T, Stop> {
 impl<'a> Library<'a> {
     /// The library of a claim file's `[[scheme]]` tables.
     pub fn new(file: &'a [Toml], catalogue: &'a [Toml], meter: &'a Meter) -> Library<'a> {
-        let (schemes, composing, composed) = Default::default();
+        let (schemes, lattices, composing, composed) = Default::default();
         let (limits, nothing, as_printed, asked) = Default::default();
         let products = Products::new(meter);
         let named = |table: &'a Toml| table.text("name").map(|name| (name, table));
@@ -76,6 +79,7 @@ impl<'a> Library<'a> {
             own,
             tables,
             schemes,
+            lattices,
             composing,
             composed,
             meter,
@@ -105,6 +109,7 @@ impl<'a> Library<'a> {
     pub fn restart(&self) {
         self.meter.restart();
         self.schemes.borrow_mut().clear();
+        self.lattices.borrow_mut().clear();
         self.composed.borrow_mut().clear();
         self.limits.clear();
         self.products.clear();
@@ -225,13 +230,18 @@ impl<'a> Library<'a> {
 
     /// Whether a reference names a ring.
     pub fn is_ring(&self, reference: &str) -> bool {
+        self.behind(reference).is_some_and(|table| table.get("orbits").is_some())
+    }
+
+    /// The table behind the names that stand for the one of a reference.
+    pub(super) fn behind(&self, reference: &str) -> Option<&'a Toml> {
         let table = |reference: &str| self.named(split(reference).0);
         let mut found = table(reference);
         for _ in 0..MAX_ALIASES {
             let Some(other) = found.and_then(|table| table.text("use")) else { break };
             found = table(other);
         }
-        found.is_some_and(|table| table.get("orbits").is_some())
+        found
     }
 
     /// The table that a reference names, with the parameters that are given there.

@@ -187,6 +187,21 @@ impl Scheme {
         self.filter
     }
 
+    /// The coefficients that are not 0, by ascending powers: a_k is a_{α,j} for k = α − n(o + j).
+    pub fn coefficients(&self) -> Vec<(i64, Value)> {
+        let n = i64::try_from(self.arity()).unwrap_or(0);
+        let columns = (self.offset..).take(self.width()).zip(0..);
+        let of = |(point, j): (i64, usize)| {
+            let entry =
+                move |(alpha, rule): (i64, &Vec<Value>)| (alpha - n * point, rule[j].clone());
+            (0..).zip(&self.mask).map(entry)
+        };
+        let mut all: Vec<(i64, Value)> = columns.flat_map(of).collect();
+        all.retain(|(_, value)| !value.is_zero());
+        all.sort_by_key(|(k, _)| *k);
+        all
+    }
+
     /// The arity n.
     pub fn arity(&self) -> usize {
         self.mask.len()

@@ -1,6 +1,6 @@
 //! A mask by its symbol Σ_k a_k z^k: the formula is multiplied out.
 
-use super::laurent::{Laurent, POWER, add, constant, negated, sum};
+use super::laurent::{Laurent, Powers, add, negated, sum};
 use super::scheme::{MAX_ARITY, Scheme};
 use crate::formulas::{
     Expr, Head, Indices, MAX_INTEGER, Scope, formula, is_name, names, number_of, of_nothing, range,
@@ -12,22 +12,27 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 /// The variable.
-const Z: &str = "z";
+pub(super) const Z: [(&str, i64); 1] = [("z", 1)];
 
 /// The function that gives the symbol of another scheme.
 const OTHER: &str = "symbol";
 
-/// The greatest |exponent| of what has z in it.
-const MAX_EXPONENT: u64 = 64;
-
-/// How deep the formulas in z may be nested, with those that they name.
+/// How deep the formulas in variables may be nested, with those that they name.
 const MAX_DEPTH: usize = 200;
 
+/// What another scheme gives to a symbol.
+pub(super) enum Other<P> {
+    /// A mask of curves, whose symbol is taken at a monomial.
+    Curve(Rc<Scheme>),
+    /// The symbol of a mask in the same variables.
+    Whole(Laurent<P>),
+}
+
 /// What gives the other schemes whose symbols a symbol may name, with values of their parameters.
-pub(super) type Others<'o> = dyn Fn(&str, Indices) -> Result<Rc<Scheme>, Stop> + 'o;
+pub(super) type Others<'o, P> = dyn Fn(&str, Indices) -> Result<Other<P>, Stop> + 'o;
 
 /// What `symbol` takes besides a scheme.
-const MONOMIAL: &str = "`symbol` takes cz^m, c ≠ 0 ≠ m";
+const MONOMIAL: &str = "`symbol` takes one power cz^m of z, or of all variables, c ≠ 0 ≠ m";
 
 /// The offset and the rules of a symbol: a_k is in the rule α = k mod n, of the point (α − k)/n. The arity n is stated, or
 /// else the value at z = 1.
@@ -35,9 +40,10 @@ pub(super) fn mask(
     text: &str,
     stated: Option<&str>,
     scope: &Scope<'_>,
-    others: &Others<'_>,
+    others: &Others<'_, i64>,
 ) -> Result<(i64, Vec<Vec<Value>>), Stop> {
-    let symbol = Expansion { scope, others }.of(&formula(text)?, &mut Vec::new(), 0)?;
+    let expansion = Expansion { scope, variables: &Z, others };
+    let symbol = expansion.of(&formula(text)?, &mut Vec::new(), 0)?;
     let n = match stated {
         Some(arity) => scope.value(&formula(arity)?)?,
         None => Value::total(symbol.values())?,
@@ -57,37 +63,41 @@ pub(super) fn mask(
     Ok((first, (0..n).map(row).collect()))
 }
 
-fn wrong(what: &str) -> Stop {
+pub(super) fn wrong(what: &str) -> Stop {
     Stop::Wrong(format!("a symbol: {what}"))
 }
 
 /// What multiplies the formulas of a symbol out.
-pub(super) struct Expansion<'s> {
+pub(super) struct Expansion<'s, P = i64> {
     /// The meanings of names.
     pub(super) scope: &'s Scope<'s>,
+    /// The variables, with their exponents.
+    pub(super) variables: &'s [(&'s str, P)],
     /// The other schemes whose symbols may stand in it.
-    pub(super) others: &'s Others<'s>,
+    pub(super) others: &'s Others<'s, P>,
 }
 
-impl Expansion<'_> {
+impl<P: Powers> Expansion<'_, P> {
     /// The Laurent polynomial that a formula is.
     pub(super) fn of(
         &self,
         expr: &Expr,
         indices: &mut Indices,
         depth: usize,
-    ) -> Result<Laurent, Stop> {
+    ) -> Result<Laurent<P>, Stop> {
         if depth == MAX_DEPTH {
             return Err(Stop::Capped("the nesting of formulas"));
         }
         let found = names(expr, self.scope.definitions);
         self.scope.spend(1 + found.len() as u64)?;
         if !self.has_variable(expr, &found) {
-            return sum([(0, self.scope.evaluate(expr, indices)?)]);
+            return sum([(P::zero(), self.scope.evaluate(expr, indices)?)]);
         }
         match expr {
-            Expr::Name(name) if name == Z => sum([(1, Value::int(1))]),
             Expr::Name(name) => {
+                if let Some(power) = self.variable(name) {
+                    return sum([(power, Value::int(1))]);
+                }
                 let definition = self.scope.definitions.get(name);
                 let definition = definition.ok_or_else(|| wrong("a name is unknown"))?;
                 self.of(definition, indices, depth + 1)
@@ -123,7 +133,7 @@ impl Expansion<'_> {
             {
                 self.over_index((fold, index), parts, indices, depth)
             }
-            _ => Err(wrong("`z` stands where it has no meaning")),
+            _ => Err(wrong("a variable stands where it has no meaning")),
         }
     }
 
@@ -134,14 +144,14 @@ impl Expansion<'_> {
         parts: &[Expr],
         indices: &mut Indices,
         depth: usize,
-    ) -> Result<Laurent, Stop> {
+    ) -> Result<Laurent<P>, Stop> {
         let [from, to, term] = range(parts)?;
-        if index == Z {
-            return Err(wrong("`z` is an index"));
+        if self.variable(index).is_some() {
+            return Err(wrong("a variable is an index"));
         }
         self.scope.index(index)?;
         let [from, to] = [from, to].map(|end| self.scope.evaluate(end, indices));
-        let mut total = sum([(0, Value::int(of_nothing(fold).unwrap_or(0)))])?;
+        let mut total = sum([(P::zero(), Value::int(of_nothing(fold).unwrap_or(0)))])?;
         for i in from?.integer(MAX_INTEGER)?..=to?.integer(MAX_INTEGER)? {
             indices.push((index.to_owned(), Value::int(i)));
             let term = self.of(term, indices, depth + 1);
@@ -157,42 +167,53 @@ impl Expansion<'_> {
         Ok(total)
     }
 
-    /// Whether z or the symbol of another scheme is in a formula, or in what these names in it stand for.
-    fn has_variable(&self, expr: &Expr, found: &BTreeSet<String>) -> bool {
-        let definitions = found.iter().filter_map(|name| self.scope.definitions.get(name));
-        found.contains(Z) || names_other(expr) || definitions.into_iter().any(|of| names_other(of))
+    /// The exponents of a variable of this name.
+    fn variable(&self, name: &str) -> Option<P> {
+        self.variables.iter().find(|(known, _)| *known == name).map(|(_, power)| *power)
     }
 
-    /// b(u), u = cz^m: the symbol of another scheme.
+    /// Whether a variable or the symbol of another scheme is in a formula, or in what these names in it stand for.
+    fn has_variable(&self, expr: &Expr, found: &BTreeSet<String>) -> bool {
+        let definitions = found.iter().filter_map(|name| self.scope.definitions.get(name));
+        found.iter().any(|name| self.variable(name).is_some())
+            || names_other(expr)
+            || definitions.into_iter().any(|of| names_other(of))
+    }
+
+    /// b(u), u = cz^m: the symbol of another scheme. That of a mask in the same variables is taken as it is.
     fn other(
         &self,
         (head, parts): (&Head, &[Expr]),
         indices: &mut Indices,
         depth: usize,
-    ) -> Result<Laurent, Stop> {
+    ) -> Result<Laurent<P>, Stop> {
         let (arguments, options) = match (head, parts.first()) {
-            // `z` is the variable here, and no scheme.
-            (Head::Call(_, options), Some(Expr::Name(name))) if name == Z => {
+            // A variable is no scheme.
+            (Head::Call(_, options), Some(Expr::Name(name))) if self.variable(name).is_some() => {
                 (parts, Cow::Borrowed(&options[..]))
             }
             _ => self.scope.asked(head, parts, indices),
         };
-        let scheme = self.named(&options, indices)?;
-        let (m, c) = match arguments {
-            [] => (1, Value::int(1)),
-            [u] => {
-                let u = self.of(u, indices, depth + 1)?;
-                let term = u.into_iter().collect::<Vec<(i64, Value)>>().try_into();
-                let one: Option<[(i64, Value); 1]> = term.ok();
-                let [(m, c)] = one.filter(|[(m, _)]| *m != 0).ok_or_else(|| wrong(MONOMIAL))?;
-                (m, c)
+        let (scheme, m, c) = match (self.named(&options, indices)?, arguments, self.variables) {
+            (Other::Whole(symbol), [], _) => {
+                self.scope.spend(symbol.len() as u64)?;
+                return Ok(symbol);
             }
-            _ => return Err(wrong("`symbol` takes a scheme, and one more argument at most")),
+            (Other::Curve(scheme), [], [(_, z)]) => (scheme, *z, Value::int(1)),
+            (Other::Curve(scheme), [u], _) => {
+                let u = self.of(u, indices, depth + 1)?;
+                let term = u.into_iter().collect::<Vec<(P, Value)>>().try_into();
+                let one: Option<[(P, Value); 1]> = term.ok();
+                let one = one.filter(|[(m, _)]| *m != P::zero());
+                let [(m, c)] = one.ok_or_else(|| wrong(MONOMIAL))?;
+                (scheme, m, c)
+            }
+            _ => return Err(wrong("`symbol` takes a scheme, and of one of curves a power")),
         };
         c.number()?;
         let mut symbol = Laurent::new();
         let (mut power, mut at) = (Value::int(1), 0);
-        for (k, b) in coefficients(&scheme) {
+        for (k, b) in scheme.coefficients() {
             self.scope.spend(1)?;
             if c != Value::int(1) {
                 // The first k may be far from 0. The others follow.
@@ -208,18 +229,13 @@ impl Expansion<'_> {
                 at = k;
             }
             self.scope.spend(b.steps(&power))?;
-            let k = k.checked_mul(m).ok_or(POWER)?;
-            add(&mut symbol, k, &b.times(&power)?)?;
+            add(&mut symbol, P::zero().plus(k, m)?, &b.times(&power)?)?;
         }
         Ok(symbol)
     }
 
     /// The scheme of the option `scheme`. Other options give values to its parameters.
-    fn named(
-        &self,
-        options: &[(String, String)],
-        indices: &mut Indices,
-    ) -> Result<Rc<Scheme>, Stop> {
+    fn named(&self, options: &[(String, String)], indices: &mut Indices) -> Result<Other<P>, Stop> {
         let is_scheme = |option: &&(String, String)| option.0 == "scheme";
         let (schemes, options): (Vec<_>, Vec<_>) = options.iter().partition(is_scheme);
         let [(_, scheme)] = &schemes[..] else {
@@ -236,93 +252,10 @@ impl Expansion<'_> {
         }
         (self.others)(scheme, parameters)
     }
-
-    /// The product.
-    pub(super) fn times(&self, left: &Laurent, right: &Laurent) -> Result<Laurent, Stop> {
-        let mut product = Laurent::new();
-        for (p, a) in left {
-            for (q, b) in right {
-                self.scope.spend(a.cost(b))?;
-                add(&mut product, p + q, &a.times(b)?)?;
-            }
-        }
-        Ok(product)
-    }
-
-    fn power(&self, base: &Laurent, exponent: i64) -> Result<Laurent, Stop> {
-        if let Some(constant) = constant(base) {
-            let power = constant.power(exponent)?;
-            self.scope.spend(power.cost(&power))?;
-            return sum([(0, power)]);
-        }
-        if exponent.unsigned_abs() > MAX_EXPONENT {
-            return Err(Stop::Capped("the exponent of a symbol"));
-        }
-        let one = sum([(0, Value::int(1))])?;
-        let mut power = one.clone();
-        for _ in 0..exponent.unsigned_abs() {
-            power = self.times(&power, base)?;
-        }
-        if exponent < 0 { self.over(&one, &power) } else { Ok(power) }
-    }
-
-    /// The quotient, which leaves no remainder. By a number or one power of z each coefficient is divided; otherwise the
-    /// terms of one end of the dividend are taken away, one after the other.
-    pub(super) fn over(&self, left: &Laurent, divisor: &Laurent) -> Result<Laurent, Stop> {
-        let (Some((first, low)), Some((last, high))) =
-            (divisor.first_key_value(), divisor.last_key_value())
-        else {
-            return Err(Stop::Undefined("division by zero"));
-        };
-        if first == last {
-            let each = |(k, c): (&i64, &Value)| {
-                self.scope.spend(c.cost_of_quotient(low))?;
-                Ok((k - first, c.over(low)?))
-            };
-            return sum(left.iter().map(each).collect::<Result<Vec<_>, Stop>>()?);
-        }
-        let (from_above, end, lead) =
-            if high.number().is_ok() { (true, last, high) } else { (false, first, low) };
-        let (mut rest, mut quotient) = (left.clone(), Laurent::new());
-        while let (Some(least), Some(most)) = (rest.keys().next(), rest.keys().next_back()) {
-            // What is left is longer than the divisor, as a multiple of it is.
-            if most - least < last - first {
-                return Err(wrong("a division leaves a remainder"));
-            }
-            let at = if from_above { *most } else { *least };
-            let k = at - end;
-            let c = rest[&at].over(lead)?;
-            self.scope.spend(rest[&at].cost_of_quotient(lead))?;
-            for (power, d) in divisor {
-                self.scope.spend(c.cost(d))?;
-                let known = rest.remove(&(power + k)).unwrap_or_else(|| Value::int(0));
-                let value = known.minus(&c.times(d)?)?;
-                if !value.is_zero() {
-                    rest.insert(power + k, value);
-                }
-            }
-            quotient.insert(k, c);
-        }
-        sum(quotient)
-    }
 }
 
 /// Whether a symbol of another scheme is in a formula, without those that names in it stand for.
 fn names_other(expr: &Expr) -> bool {
     let is = |node: &&Expr| matches!(node, Expr::Of(Head::Call(name, _), _) if name == OTHER);
     expr.nodes().iter().any(is)
-}
-
-/// The coefficients of a scheme that are not 0, by ascending powers: a_k is a_{α,j} for k = α − n(o + j).
-fn coefficients(scheme: &Scheme) -> Vec<(i64, Value)> {
-    let n = i64::try_from(scheme.arity()).unwrap_or(0);
-    let columns = (scheme.offset..).take(scheme.width()).zip(0..);
-    let of = |(point, j): (i64, usize)| {
-        let entry = move |(alpha, rule): (i64, &Vec<Value>)| (alpha - n * point, rule[j].clone());
-        (0..).zip(&scheme.mask).map(entry)
-    };
-    let mut all: Vec<(i64, Value)> = columns.flat_map(of).collect();
-    all.retain(|(_, value)| !value.is_zero());
-    all.sort_by_key(|(k, _)| *k);
-    all
 }

@@ -1,9 +1,11 @@
 //! Schemes of the tables that give their masks, also by symbols in which other schemes stand.
 
+use super::lattice::is_lattice;
 use super::library::{Library, MAX_ALIASES, is_filter, wrong};
 use super::scheme::{MAX_ARITY, MAX_OFFSET, MAX_WIDTH, Scheme};
+use super::symbol::Other;
 use super::{symbol, typed};
-use crate::formulas::{Indices, formula, formulas};
+use crate::formulas::{Indices, Scope, formula, formulas};
 use crate::numbers::Value;
 use crate::text::{Stop, Toml};
 use std::cell::Cell;
@@ -13,15 +15,19 @@ use std::rc::Rc;
 /// Masks with such roots.
 pub const ROOTS: Stop = Stop::Capped("a mask with roots that lie in no field of cosines");
 
+/// What finds another scheme for a symbol, with its address.
+pub(super) type Find<'f, P> = dyn Fn(&str, &Scope<'_>) -> Result<(Other<P>, *const ()), Stop> + 'f;
+
 impl Library<'_> {
     /// The scheme, with these parameters, whose symbol stands in that of the scheme `of`. Chains of such schemes are as short as those of names,
     /// whatever schemes are known already.
-    pub(super) fn other(
+    pub(super) fn other<P>(
         &self,
         (of, name): (&str, &str),
         parameters: Indices,
         longest: &Cell<usize>,
-    ) -> Result<Rc<Scheme>, Stop> {
+        find: &Find<'_, P>,
+    ) -> Result<Other<P>, Stop> {
         let place = |name: &str| self.own.get(name);
         if place(name).is_some_and(|other| place(of).is_none_or(|own| own <= other)) {
             return wrong(of, "a scheme in its symbol does not stand before it");
@@ -36,17 +42,30 @@ impl Library<'_> {
         let given = parameters.iter().map(|(name, _)| format!("{name}={name}"));
         let given = given.collect::<Vec<String>>().join(",");
         scope.values.extend(parameters);
-        let found = self.resolve_any(&format!("{name}:{given}"), &scope);
+        let found = find(&format!("{name}:{given}"), &scope);
         self.composing.set(depth);
-        let Some(scheme) = found?.into_iter().next() else {
-            return wrong(name, "there is no such scheme");
-        };
-        let length = 1 + self.composed.borrow().get(&Rc::as_ptr(&scheme)).copied().unwrap_or(0);
+        let (found, address) = found?;
+        let length = 1 + self.composed.borrow().get(&address).copied().unwrap_or(0);
         if length > MAX_ALIASES {
             return Err(chain);
         }
         longest.set(longest.get().max(length));
-        Ok(scheme)
+        Ok(found)
+    }
+
+    /// Another scheme that is a mask of curves.
+    pub(super) fn curve<P>(
+        &self,
+        reference: &str,
+        scope: &Scope<'_>,
+    ) -> Result<(Other<P>, *const ()), Stop> {
+        match self.resolve_any(reference, scope)?.into_iter().next() {
+            Some(scheme) => {
+                let address = Rc::as_ptr(&scheme).cast();
+                Ok((Other::Curve(scheme), address))
+            }
+            None => wrong(reference, "there is no such scheme"),
+        }
     }
 
     /// The scheme of a table, with these parameters.
@@ -68,6 +87,9 @@ impl Library<'_> {
         table: &Toml,
         parameters: BTreeMap<String, Value>,
     ) -> Result<Rc<Scheme>, Stop> {
+        if is_lattice(table) {
+            return wrong(name, "a mask on Z^d stands in few functions, and not here");
+        }
         let parameters = self.complete(name, table, parameters)?;
         let key = format!("{name} {parameters:?}");
         if let Some(known) = self.schemes.borrow().get(&key) {
@@ -91,7 +113,11 @@ impl Library<'_> {
             (None, Some(text))
                 if ["mask", "width", "entry"].iter().all(|key| table.get(key).is_none()) =>
             {
-                let other = |other: &str, with: Indices| self.other((name, other), with, &longest);
+                let other = |other: &str, with: Indices| {
+                    self.other((name, other), with, &longest, &|reference, scope| {
+                        self.curve(reference, scope)
+                    })
+                };
                 let arity = table.text("arity").or(filter.then_some("2"));
                 Some(symbol::mask(text, arity, &scope, &other)?)
             }
@@ -102,7 +128,7 @@ impl Library<'_> {
                 if filter { Scheme::filter(mask, offset)? } else { Scheme::new(mask, offset)? };
             let of_symbol = table.get("symbol").is_some();
             let scheme = Rc::new(if of_symbol { scheme.of_symbol() } else { scheme });
-            self.composed.borrow_mut().insert(Rc::as_ptr(&scheme), longest.get());
+            self.composed.borrow_mut().insert(Rc::as_ptr(&scheme).cast(), longest.get());
             self.schemes.borrow_mut().insert(key, Rc::clone(&scheme));
             return Ok(scheme);
         }

@@ -9,9 +9,7 @@ use crate::text::Stop;
 /// and o = −⌊(L − h)/n⌋.
 pub(super) fn mask(text: &str, scope: &Scope<'_>) -> Result<(i64, Vec<Vec<Value>>), Stop> {
     let (before, list, behind) = parts(text).ok_or_else(|| wrong("there is no list in it"))?;
-    let before = before.trim_end().trim_end_matches(['*', '·', '×']).trim();
-    let before = if before.is_empty() { String::new() } else { format!("({before})*") };
-    let value = |piece: &str| scope.value(&formula(&format!("{before}({piece}){behind}"))?);
+    let value = |piece: &str| scope.value(&formula(&with_factors(before, piece, behind))?);
     let all = pieces(list).into_iter().map(value).collect::<Result<Vec<Value>, Stop>>()?;
     if all.is_empty() || all.len() > usize::from(MAX_ARITY) * usize::from(MAX_WIDTH) {
         return Err(Stop::Capped("the number of the coefficients of a mask"));
@@ -35,9 +33,16 @@ fn wrong(what: &str) -> Stop {
     Stop::Wrong(format!("a mask in one text: {what}"))
 }
 
+/// The formula of an entry, with what stands before its list and behind it.
+pub(super) fn with_factors(before: &str, piece: &str, behind: &str) -> String {
+    let before = before.trim_end().trim_end_matches(['*', '·', '×']).trim();
+    let before = if before.is_empty() { String::new() } else { format!("({before})*") };
+    format!("{before}({piece}){behind}")
+}
+
 /// What stands before the one list, in it and behind it. A list is in `[…]` or `{…}` outside of other brackets, or else in round
 /// brackets with commas.
-fn parts(text: &str) -> Option<(&str, &str, &str)> {
+pub(super) fn parts(text: &str) -> Option<(&str, &str, &str)> {
     let (mut depth, mut start, mut groups) = (0_usize, 0, Vec::new());
     for (at, c) in text.char_indices() {
         match c {
@@ -81,7 +86,7 @@ fn pieces(list: &str) -> Vec<&str> {
 }
 
 /// The parts between a sign outside of all brackets.
-fn split(text: &str, sign: char) -> Vec<&str> {
+pub(super) fn split(text: &str, sign: char) -> Vec<&str> {
     let mut depth = 0_i64;
     let parts = text.split(|c| {
         depth += i64::from(['(', '[', '{'].contains(&c)) - i64::from([')', ']', '}'].contains(&c));

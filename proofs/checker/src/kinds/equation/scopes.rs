@@ -104,6 +104,8 @@ fn resolve(paper: &Paper<'_>, claim: &Toml, scope: &mut Scope<'_>) -> Result<(),
             if let Some(every) = &mut scope.every {
                 every.family = Some(Rc::new(paper.library.family(entries, every)?));
             }
+        } else if paper.library.is_lattice(reference) {
+            scope.lattice = Some(paper.library.lattice(reference, scope)?);
         } else if paper.library.is_ring(reference) {
             scope.ring = Some(Rc::new(paper.library.ring(reference, scope)?));
         } else {
