@@ -1,5 +1,7 @@
 //! Masks on Z^d, against facts that are known from elsewhere.
 
+mod refused;
+
 use crate::masks::relation_of;
 use subcert_check::Outcome;
 
@@ -89,6 +91,18 @@ name = 'crooked'
 symbol = '(1+x)^2*(1+y)^2*(1+x*y)^2/16'
 edges = [[3, 1], [2, 1]]
 [[scheme]]
+name = 'skew'
+symbol = 'symbol(six) + (1 - 2*x^2 + x^2*y^2)/8 + (x*y^2 - x^3*y^4)/3 + 2/5*(y^3 - x^4*y)'
+[[scheme]]
+name = 'skew-steep'
+symbol = 'symbol(skew)'
+edges = [[1, 0], [0, 1], [1, 2]]
+dilation = [[2, 0], [0, 2]]
+[[scheme]]
+name = 'skew-steeper'
+symbol = 'symbol(skew)'
+edges = [[1, 0], [1, 1], [-2, -3], [2, 3]]
+[[scheme]]
 name = 'tall'
 box = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]
 dilation = [[2, 0, 0], [0, 2, 0], [0, 0, 2]]
@@ -171,8 +185,58 @@ fn other_values() {
     all("moved", "coefficient(3, 1) = 1; coefficient(2, 0) = 1/4; sum_rules() = 2");
     all("deep", "coefficient(1, 1, 0) = 1; coefficient(2, 0, 0) = 0; sum_rules() = 1; arity() = 8");
     all("tall", "same(with = cube) = 1; symmetric() = 1");
-    all("turned", "coefficient(0, 0) = 1/2; sum_rules() = 2; norm() = 1");
+    all(
+        "turned",
+        "coefficient(-1, 0) = 1/2; coefficient(-2, 1) = 1/2; sum_rules() = 2; norm() = 1",
+    );
     all("lines", "coefficient(4, 0) = 1/2; coefficient(1, 1) = 1/2; coefficient(2, 0) = 0");
 
     all("listed", "contraction() = 1/2; norm() = 1; reproduction() = 1; symmetric() = 1");
+}
+
+/// Values by another program, with flows on large parts of Z^d. Shortest ways along these edges leave the boxes around their ends.
+#[test]
+fn edges() {
+    all("stretched", "contraction() = 3/2; contraction(2) = 3/4");
+    all("crooked", "contraction() = 3/2");
+    all(
+        "skew",
+        "contraction() = 73/40; contraction(2) = 4241/3200; norm() = 9/5; norm(2) = 141/80",
+    );
+    all("skew-steep", "contraction() = 73/40; same(with = skew) = 1");
+    all("skew-steeper", "contraction() = 27/10");
+}
+
+/// Coefficients of any kind stand in `coefficient` alone, also in equations and on pieces.
+#[test]
+fn parameters() {
+    let of = |fields: &str, states: &str, lines: &str| outcome(fields, &[states], lines);
+    for (fields, states, lines) in [
+        ("symbols = ['u']", "coefficient(tension, 2, 2, w = u) = u + 1/2", "holds 1"),
+        ("symbols = ['u']", "coefficient(tension, 2, 0, w = u) = u", "fails 1\n case = -2*u"),
+        ("for = 'n = 1..3'", "coefficient(tension, 0, 0, w = n) = 1/2 + n", "holds 3"),
+        ("scheme = 'tension:w=1/2'", "contraction() <= 3", "holds 1"),
+        ("for = 'real v'", "coefficient(tension, 0, 0, w = v) > v", "holds reals"),
+        ("for = 'real v'", "v^2 + contraction(three) > 1/3", "holds reals"),
+        ("for = 'all n'", "n/2 >= contraction(three)", "holds all"),
+        ("", "coefficient(tension, 0, 0, w = 2) = 5/2", "holds 1"),
+        ("scheme = 'alias'", "sum_rules() = 4", "holds 1"),
+    ] {
+        assert_eq!(of(fields, states, lines), Outcome::Valid, "{fields}: {states}");
+    }
+    for (fields, states) in [
+        ("symbols = ['u']", "norm(tension, w = u) = norm(tension, w = u)"),
+        ("symbols = ['u']", "arity(tension, w = u) = 4"),
+        ("for = 'real v'", "arity(tension, w = v) = 4"),
+        ("for = 'real v'", "symmetric(tension, w = v)"),
+        ("for = 'all n'", "coefficient(tension, 0, 0, w = n) = 1/2 + n"),
+        ("for = 'all n'", "arity(tension, w = n) = 4"),
+        ("scheme = 'tension:w=n'\nfor = 'all n'", "n = n"),
+        ("", "sum_rules(tension) = 2"),
+        ("", "sum_rules(tension, v = 1) = 2"),
+    ] {
+        for lines in ["holds 1", "holds reals", "holds all"] {
+            assert_ne!(of(fields, states, lines), Outcome::Valid, "{fields}: {states}");
+        }
+    }
 }

@@ -9,6 +9,9 @@ use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::{Signed as _, Zero as _};
 
+/// The most pairs of a source and a sink.
+const MAX_PAIRS: usize = 1 << 22;
+
 /// A functional of data, by ascending places. No weight is 0.
 pub(super) type Functional = Vec<(Vector, BigInt)>;
 
@@ -26,6 +29,9 @@ pub(super) fn cost(
 ) -> Result<BigInt, Stop> {
     let (sources, sinks): (Vec<_>, Vec<_>) =
         functional.iter().partition(|(_, weight)| weight.is_positive());
+    if sources.len().saturating_mul(sinks.len()) > MAX_PAIRS {
+        return Err(Stop::Capped("the points of a functional"));
+    }
     let mut costs = Vec::with_capacity(sources.len());
     for (from, _) in &sources {
         meter.spend((sinks.len() as u64 / 8).saturating_add(1))?;

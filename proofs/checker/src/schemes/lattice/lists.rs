@@ -22,8 +22,11 @@ pub(super) fn depth(text: &str) -> usize {
     starts.map(depth).find(|depth| *depth > 1).unwrap_or(0)
 }
 
-/// The formulas of the entries with their indices. The outermost list has the first index.
-pub(super) fn entries(text: &str, d: usize) -> Result<Vec<(Vector, String)>, Stop> {
+/// What stands before and behind lists, and their entries with their indices.
+pub(super) type Lists<'t> = ([&'t str; 2], Vec<(Vector, &'t str)>);
+
+/// The lists of a text. The outermost one has the first index.
+pub(super) fn lists(text: &str, d: usize) -> Result<Lists<'_>, Stop> {
     let Some((before, list, behind)) = parts(text) else { return wrong("there is no list in it") };
     if !text[before.len()..].starts_with('[') || depth(text) != d {
         return wrong("its lists are in square brackets, and as deep as the dimension");
@@ -43,10 +46,8 @@ pub(super) fn entries(text: &str, d: usize) -> Result<Vec<(Vector, String)>, Sto
         _ => return wrong("what stands behind the lists are no factors"),
     }
     let (mut found, mut lengths) = (Vec::new(), [None; 3]);
-    level(list, (0, d), [0; 3], &mut lengths, &mut |index, piece| {
-        found.push((index, with_factors(before, piece, behind)));
-    })?;
-    Ok(found)
+    level(list, (0, d), [0; 3], &mut lengths, &mut found)?;
+    Ok(([before, behind], found))
 }
 
 fn is_product(signs: &[char]) -> bool {
@@ -54,12 +55,12 @@ fn is_product(signs: &[char]) -> bool {
 }
 
 /// Goes through the entries of lists of one depth, with the index of the list. All of this depth are equally long.
-fn level(
-    list: &str,
+fn level<'t>(
+    list: &'t str,
     (depth, d): (usize, usize),
     index: Vector,
     lengths: &mut [Option<usize>; 3],
-    take: &mut impl FnMut(Vector, &str),
+    found: &mut Vec<(Vector, &'t str)>,
 ) -> Result<(), Stop> {
     let pieces = split(list, ',');
     if *lengths[depth].get_or_insert(pieces.len()) != pieces.len() {
@@ -70,12 +71,12 @@ fn level(
         let mut index = index;
         index[depth] = i;
         if next == d {
-            take(index, piece.trim());
+            found.push((index, piece.trim()));
             continue;
         }
         let inner = piece.trim().strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
         let Some(inner) = inner else { return wrong("a list is missing in a list of lists") };
-        level(inner, (next, d), index, lengths, take)?;
+        level(inner, (next, d), index, lengths, found)?;
     }
     Ok(())
 }

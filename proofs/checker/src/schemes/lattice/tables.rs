@@ -12,6 +12,7 @@ use crate::numbers::Value;
 use crate::schemes::laurent::{Laurent, sum};
 use crate::schemes::library::{Entry, Library, wrong};
 use crate::schemes::symbol::{Expansion, Other};
+use crate::schemes::typed::with_factors;
 use crate::text::{Stop, Toml};
 use std::cell::Cell;
 use std::rc::Rc;
@@ -102,9 +103,9 @@ fn of_lists(
     scope: &Scope<'_>,
     d: usize,
 ) -> Result<Laurent<Vector>, Stop> {
-    let entries = match table.text("mask") {
-        Some(text) => lists::entries(text, d)?,
-        None if d == 2 => rows(name, table.list("mask"))?,
+    let ([before, behind], entries) = match table.text("mask") {
+        Some(text) => lists::lists(text, d)?,
+        None if d == 2 => ([""; 2], rows(name, table.list("mask"))?),
         None => return wrong(name, "a mask in three dimensions stands in one text"),
     };
     let greatest = |i: usize| entries.iter().map(|(index, _)| index[i]).max().unwrap_or(0);
@@ -117,7 +118,9 @@ fn of_lists(
         return Err(Stop::Capped("the size of an integer"));
     }
     let mut terms: Vec<(Vector, Value)> = Vec::new();
-    for (index, text) in entries {
+    for (index, piece) in entries {
+        let text = with_factors(before, piece, behind);
+        scope.spend(text.len() as u64 / 16)?;
         let a = scope.value(&formula(&text)?)?;
         // Where nothing stands, no place is too far away.
         if !a.is_zero() {
@@ -128,16 +131,14 @@ fn of_lists(
 }
 
 /// The entries of rows of texts.
-fn rows(name: &str, rows: &[Toml]) -> Result<Vec<(Vector, String)>, Stop> {
+fn rows<'t>(name: &str, rows: &'t [Toml]) -> Result<Vec<(Vector, &'t str)>, Stop> {
     let length = rows.first().map_or(0, |row| row.as_list().len());
     if length == 0 || rows.iter().any(|row| row.as_list().len() != length) {
         return wrong(name, "the lengths of its rows are wrong");
     }
-    let row = |(i, row): (i64, &Toml)| {
-        let entry = move |(j, entry): (i64, &Toml)| {
-            ([i, j, 0], entry.as_text().unwrap_or_default().to_owned())
-        };
-        (0..).zip(row.as_list()).map(entry).collect::<Vec<_>>()
+    let row = |(i, row): (i64, &'t Toml)| {
+        let entry = move |(j, entry): (i64, &'t Toml)| ([i, j, 0], entry.as_text().unwrap_or(""));
+        (0..).zip(row.as_list()).map(entry)
     };
     Ok((0..).zip(rows).flat_map(row).collect())
 }
