@@ -189,8 +189,9 @@ impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
         {
             options.scheme()?;
             let other = |name: &str| match self.shapes.named(name, context)? {
-                Own::Lattice(mask) => Ok((*mask).clone()),
-                _ => Err(CallError::Misuse(format!("`{name}` is no mask on Z^d"))),
+                Own::Lattice(mask) => Ok(Some((*mask).clone())),
+                Own::Mask(_) => Ok(None),
+                Own::Ring(_) => Err(CallError::Misuse(format!("`{name}` is no mask"))),
             };
             let value = of_lattice(&mask, call, &mut options, other)?;
             return options.finished(value);

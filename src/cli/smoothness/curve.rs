@@ -10,7 +10,7 @@ use subcert::scheme::{
 pub(crate) enum Curve {
     Rational(Mask),
     Algebraic(Mask<FieldElement>),
-    Lattice(LatticeMask),
+    Lattice(Box<LatticeMask>),
 }
 
 pub(crate) fn curve(name: &str) -> Result<Curve, Failure> {
@@ -21,9 +21,9 @@ pub(crate) fn curve(name: &str) -> Result<Curve, Failure> {
     let reason = match scheme {
         AnyScheme::Uniform(scheme) => match Mask::try_from(scheme) {
             Ok(mask) => return Ok(Curve::Rational(mask)),
-            Err(_) => return Ok(Curve::Lattice(parse_lattice(name)?)),
+            Err(_) => return Ok(Curve::Lattice(Box::new(parse_lattice(name)?))),
         },
-        AnyScheme::Lattice(mask) => return Ok(Curve::Lattice(mask)),
+        AnyScheme::Lattice(mask) => return Ok(Curve::Lattice(Box::new(mask))),
         AnyScheme::LocalRules(_) => {
             "has rules around one vertex or face, and `--certificate` here is for masks; `audit` writes certificates of \
              claims about such rules"

@@ -26,14 +26,17 @@ pub trait Power: Copy + Ord + fmt::Debug {
     fn exponents(&self) -> impl Iterator<Item = (&'static str, i64)>;
 
     /// With each exponent mapped, together with that of another power.
+    #[must_use]
     fn with(self, other: Self, f: impl FnMut(i64, i64) -> i64) -> Self;
 
     /// The power of a product.
+    #[must_use]
     fn plus(self, other: Self) -> Self {
         self.with(other, |a, b| a + b)
     }
 
     /// The power of a quotient.
+    #[must_use]
     fn minus(self, other: Self) -> Self {
         self.with(other, |a, b| a - b)
     }

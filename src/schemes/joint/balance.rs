@@ -41,7 +41,9 @@ pub(super) fn balance(set: &MatrixSet) -> Option<(Matrix<Rational>, Matrix<Ratio
         let exponent = (0..64).find(|e| length < f64::powi(2.0, e - 31))? - 32;
         let scale = Rational::from(2).pow(exponent);
         basis[i].iter_mut().for_each(|x| *x = &*x / &scale);
-        back.iter_mut().for_each(|row| row[i] = &row[i] * &scale);
+        for row in &mut back {
+            row[i] = &row[i] * &scale;
+        }
     }
     Some((basis, back))
 }
@@ -120,8 +122,9 @@ fn reduce(gram: &Rows, rows: &mut Whole, inverse: &mut Whole) -> Option<()> {
                     return None;
                 }
                 let q = q as i64;
-                for c in 0..size {
-                    rows[k][c] = rows[k][c].checked_sub(q.checked_mul(rows[j][c])?)?;
+                let before = rows[j].clone();
+                for (x, y) in rows[k].iter_mut().zip(before) {
+                    *x = x.checked_sub(q.checked_mul(y)?)?;
                 }
                 for row in inverse.iter_mut() {
                     row[j] = row[j].checked_add(q.checked_mul(row[k])?)?;
@@ -131,7 +134,9 @@ fn reduce(gram: &Rows, rows: &mut Whole, inverse: &mut Whole) -> Option<()> {
         }
         if squares[k] < (SHORTER - factors[k - 1] * factors[k - 1]) * squares[k - 1] {
             rows.swap(k, k - 1);
-            inverse.iter_mut().for_each(|row| row.swap(k, k - 1));
+            for row in inverse.iter_mut() {
+                row.swap(k, k - 1);
+            }
             k = (k - 1).max(1);
         } else {
             k += 1;

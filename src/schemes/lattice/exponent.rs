@@ -12,7 +12,7 @@ pub(super) fn exponent(found: &LatticeRadius, m: usize, d: usize) -> Option<Hoel
     let (whole, base, power) = match root_of(m, d) {
         Some(n) if *factor == Rational::from(n).pow(small(*order)) => (*order as usize, n, 1),
         _ => {
-            let j = (0..).find(|j| Rational::from(m).pow(*j) >= *factor)?;
+            let j = (0..=small(*order)).find(|j| Rational::from(m).pow(*j) >= *factor)?;
             (usize::try_from(j).ok()? * d, m, d)
         }
     };

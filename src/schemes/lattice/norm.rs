@@ -4,6 +4,7 @@ use super::powers::Functional;
 use crate::bound::transport_at_costs;
 use crate::exact::{Rational, Real};
 use crate::scheme::{Point, difference, sum};
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most points between which a functional is transported.
@@ -12,7 +13,7 @@ const MAX_POINTS: usize = 20_000;
 /// The edges along which data of a lattice differ by at most 1.
 #[derive(Clone, Debug)]
 pub struct Edges {
-    edges: Vec<Point>,
+    all: Vec<Point>,
     dimension: usize,
     /// Whether the shortest paths between points of a box stay in it.
     in_boxes: bool,
@@ -64,7 +65,7 @@ impl Edges {
                 && parts(edge).iter().all(|part| *part == zero || both.contains(part))
         });
         let forward = both.iter().filter(|edge| **edge > zero).copied().collect();
-        Edges { edges: forward, dimension, in_boxes }
+        Edges { all: forward, dimension, in_boxes }
     }
 
     /// max { Σ_β f_β p_β : |p_{β+u} − p_β| ≤ 1 for all β and edges u }, which is the least Σ|flow| of flows along edges that carry f_β out of each β.
@@ -131,7 +132,7 @@ impl Edges {
             Some(number)
         };
         let of = |(a, point): (usize, &Point)| {
-            let ends = self.edges.iter().filter_map(|edge| number(sum(*point, *edge)));
+            let ends = self.all.iter().filter_map(|edge| number(sum(*point, *edge)));
             ends.map(move |b| (a, b)).collect::<Vec<_>>()
         };
         let edges: Vec<(usize, usize)> = points.iter().enumerate().flat_map(of).collect();
@@ -162,10 +163,10 @@ impl Edges {
             length += 1;
             let mut next = Vec::new();
             for point in &front {
-                for edge in &self.edges {
+                for edge in &self.all {
                     for end in [sum(*point, *edge), difference(*point, *edge)] {
-                        if !known.contains_key(&end) {
-                            known.insert(end, length);
+                        if let Entry::Vacant(entry) = known.entry(end) {
+                            entry.insert(length);
                             wanted.remove(&end);
                             next.push(end);
                         }
@@ -183,7 +184,7 @@ impl Edges {
     /// The edges, one way.
     #[must_use]
     pub fn all(&self) -> &[Point] {
-        &self.edges
+        &self.all
     }
 
     /// d.
@@ -205,7 +206,7 @@ pub fn proves(functional: &Functional<Rational>, edges: &Edges, norm: &Norm<Rati
         .sum();
     let height = |place: &Point| norm.heights.get(place).copied();
     let steep = norm.heights.keys().any(|place| {
-        edges.edges.iter().any(|edge| {
+        edges.all.iter().any(|edge| {
             let ends = height(place).zip(height(&sum(*place, *edge)));
             ends.is_some_and(|(a, b)| a.abs_diff(b) > 1)
         })

@@ -30,7 +30,9 @@ pub fn factors(mask: &LatticeMask) -> Option<Vec<Mask>> {
             *sums.entry(place[axis]).or_insert_with(Rational::zero) += c;
         }
         let others = Rational::from(mask.dilation().class_count()) / Rational::from(*n);
-        sums.values_mut().for_each(|sum| *sum = &*sum / &others);
+        for sum in sums.values_mut() {
+            *sum = &*sum / &others;
+        }
         sums.retain(|_, sum| !sum.is_zero());
         sums
     };

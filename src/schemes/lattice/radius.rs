@@ -36,6 +36,9 @@ impl LatticeRadius {
     ///
     /// # Errors
     /// When a cap is met.
+    ///
+    /// # Panics
+    /// Never: there are two or three dimensions.
     pub fn near_tile(
         mask: &LatticeMask,
         tiling: &Tiling,
@@ -49,12 +52,11 @@ impl LatticeRadius {
             let what = "how far the accuracy is beyond the order of the sum rules";
             return Err(Cap::new(what, (BEYOND - 1).into()));
         }
-        let factor = match mask.dilation().factor() {
-            Some(n) => Rational::from(n.abs()).pow(small(accuracy)),
-            None => {
-                let d = u32::try_from(mask.dimension()).expect("2 or 3");
-                Rational::from(mask.dilation().class_count()).pow(small(accuracy.div_ceil(d)))
-            }
+        let factor = if let Some(n) = mask.dilation().factor() {
+            Rational::from(n.abs()).pow(small(accuracy))
+        } else {
+            let d = u32::try_from(mask.dimension()).expect("2 or 3");
+            Rational::from(mask.dilation().class_count()).pow(small(accuracy.div_ceil(d)))
         };
         let radius = LatticeRadius::of(matrices, accuracy, factor, dimension, stop);
         Ok(Some((accuracy, radius)))

@@ -7,6 +7,9 @@ use crate::scheme::{Dilation, LatticeMask, Point};
 
 /// The matrices G with entries −1, 0 and 1 and a determinant of ±1 for which a(m_1 + G(γ − m_1)) = a(γ) for all γ, with the mean m_1 of the
 /// places; the unit matrix among them.
+///
+/// # Panics
+/// Never: there are two or three dimensions.
 #[must_use]
 pub fn symmetries(mask: &LatticeMask) -> Vec<[Point; 3]> {
     let d = mask.dimension();
@@ -66,6 +69,9 @@ const MAX_STEPS: u32 = 24;
 
 /// The least box that has the convex hull of Σ_{j≥1} M^{−j} supp a, which contains the support of φ, the point x^k_α belonging to M^{−k}α. It is
 /// known where some power of M is a multiple of I, or M is diagonal.
+///
+/// # Panics
+/// Never: a mask has coefficients.
 #[must_use]
 pub fn support(mask: &LatticeMask) -> Option<Vec<[Rational; 2]>> {
     let dilation = mask.dilation();

@@ -15,7 +15,9 @@ impl Span {
         let mut rest = self.reduced(vector);
         let Some(column) = rest.iter().position(|x| !x.is_zero()) else { return false };
         let scale = rest[column].recip();
-        rest.iter_mut().for_each(|x| *x *= &scale);
+        for x in &mut rest {
+            *x *= &scale;
+        }
         self.rows.push((column, rest));
         true
     }

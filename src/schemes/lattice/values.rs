@@ -16,6 +16,9 @@ const MAX_DIMENSION: usize = 160;
 ///
 /// # Errors
 /// When the window is too large; `Ok(None)` where there is no such vector, or more than one, so that the scheme does not converge.
+///
+/// # Panics
+/// Never.
 pub fn values_at_integers(mask: &LatticeMask) -> Result<Option<BTreeMap<Point, Rational>>, Cap> {
     let window = window(mask)?;
     let entry = |alpha: &Point, beta: &Point| {

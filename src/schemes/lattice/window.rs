@@ -10,6 +10,9 @@ use std::collections::{BTreeSet, HashSet};
 /// The most points of the box in which a window is looked for.
 const MAX_BOX: u64 = 1 << 20;
 
+/// The most steps until one contracts.
+const MAX_STEPS: usize = 64;
+
 /// The most points of a window.
 pub const MAX_WINDOW: usize = 400;
 
@@ -82,8 +85,7 @@ fn radius(dilation: &Dilation, places: &BTreeSet<Point>) -> Result<i64, Cap> {
     let mut units: Vec<Vec<Rational>> =
         (0..d).map(|j| (0..d).map(|i| Rational::from(i64::from(i == j))).collect()).collect();
     let mut total = Rational::zero();
-    const MOST: usize = 64;
-    for _ in 0..MOST {
+    for _ in 0..MAX_STEPS {
         images = images.iter().map(|x| divided(dilation, x)).collect();
         units = units.iter().map(|x| divided(dilation, x)).collect();
         total += &images.iter().flatten().map(Rational::abs).max().unwrap_or_else(Rational::zero);
@@ -94,17 +96,14 @@ fn radius(dilation: &Dilation, places: &BTreeSet<Point>) -> Result<i64, Cap> {
             return radius.ceil().to_i64().ok_or_else(|| Cap::new("the size of a box", MAX_BOX));
         }
     }
-    Err(Cap::new("the number of steps until a step contracts", MOST as u64))
+    Err(Cap::new("the number of steps until a step contracts", MAX_STEPS as u64))
 }
 
 /// The differences of places and digits.
 #[must_use]
-pub fn less_digits(
-    places: impl Iterator<Item = Point> + Clone,
-    dilation: &Dilation,
-) -> BTreeSet<Point> {
-    let digits = dilation.digits().iter();
-    digits.flat_map(|digit| places.clone().map(|place| difference(place, *digit))).collect()
+pub fn less_digits(places: impl Iterator<Item = Point>, dilation: &Dilation) -> BTreeSet<Point> {
+    let less = |place: Point| dilation.digits().iter().map(move |digit| difference(place, *digit));
+    places.flat_map(less).collect()
 }
 
 /// The places α for which φ(x + α) may be other than 0 for some x of the tile: the largest set in which each α has a β with a(Mα + t − Gβ) among the

@@ -81,6 +81,17 @@ impl Whole for Point {
     }
 }
 
+/// The symbols of other schemes at values of their parameters, by name.
+pub(super) trait Symbols<V>:
+    Fn(&str, &BTreeMap<String, V>) -> Result<SymbolOf<V>, SchemeError>
+{
+}
+
+impl<V, F> Symbols<V> for F where
+    F: Fn(&str, &BTreeMap<String, V>) -> Result<SymbolOf<V>, SchemeError>
+{
+}
+
 /// The functions of a symbol: `symbol(NAME)` and `symbol(NAME, u)`, b(z) and b(u) of another scheme with the symbol b, u = c·z^m. Other options
 /// are the values of parameters of this scheme.
 pub(super) struct Composed<'a, F> {
@@ -94,7 +105,7 @@ impl<V, P, F> Functions<Laurent<V, P>> for Composed<'_, F>
 where
     V: Value + PartialEq,
     P: Whole,
-    F: Fn(&str, &BTreeMap<String, V>) -> Result<SymbolOf<V>, SchemeError>,
+    F: Symbols<V>,
 {
     fn call(
         &self,

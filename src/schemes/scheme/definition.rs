@@ -1,6 +1,6 @@
 //! Scheme definitions: formulas over parameters, and the masks that they give.
 
-use super::composed::{Composed, SymbolOf};
+use super::composed::{Composed, SymbolOf, Symbols};
 use super::error::{SchemeError, at_values};
 use super::lattice::formulas::LatticeFormulas;
 use super::lattice::mask::LatticeMask;
@@ -184,7 +184,7 @@ impl SchemeDefinition {
     pub(super) fn composed<'a, V: Value + PartialEq>(
         &'a self,
         left: &'a Cell<u64>,
-    ) -> Composed<'a, impl Fn(&str, &BTreeMap<String, V>) -> Result<SymbolOf<V>, SchemeError>> {
+    ) -> Composed<'a, impl Symbols<V>> {
         Composed {
             names: self.others.keys().map(String::as_str).collect(),
             symbol: |name: &str, values: &BTreeMap<String, V>| self.other(name, values, left),

@@ -8,7 +8,7 @@ use crate::formula::{Call, CallError, Value};
 use crate::lattice::{LatticeConstants, is_interpolating, reproduction, sum_rules, symmetries};
 use crate::scheme::LatticeMask;
 
-/// The value of a function of a mask on Z^d. `other` gives the mask that a name stands for.
+/// The value of a function of a mask on Z^d. `other` gives the mask that a name stands for, if it is one on Z^d.
 ///
 /// # Errors
 /// When there is no such value, or no such function of masks on Z^d.
@@ -16,7 +16,7 @@ pub(crate) fn of_lattice<V: Value + PartialEq>(
     mask: &LatticeMask<V>,
     call: &Call<'_, V>,
     options: &mut Options<'_>,
-    other: impl Fn(&str) -> Result<LatticeMask<V>, CallError>,
+    other: impl Fn(&str) -> Result<Option<LatticeMask<V>>, CallError>,
 ) -> Result<V, CallError> {
     let number = |value: u32| V::from_rational(&Rational::from(value));
     let truth = |holds: bool| number(u32::from(holds));
@@ -34,10 +34,9 @@ pub(crate) fn of_lattice<V: Value + PartialEq>(
                 let message = "name the other scheme: `same(with = NAME)`";
                 return Err(CallError::Misuse(message.to_owned()));
             };
-            let other = other(&name)?;
-            truth(
-                mask.dilation() == other.dilation() && mask.coefficients() == other.coefficients(),
-            )
+            truth(other(&name)?.is_some_and(|other| {
+                mask.dilation() == other.dilation() && mask.coefficients() == other.coefficients()
+            }))
         }
         ("interpolating", []) => truth(is_interpolating(&rational(mask)?)),
         ("symmetric", []) => truth(is_symmetric(&rational(mask)?)),

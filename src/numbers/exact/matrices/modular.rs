@@ -187,7 +187,9 @@ impl Modulus {
             }
             let Some(pivot) = row.iter().position(|x| *x != 0) else { continue };
             let inverse = self.inverse(row[pivot]);
-            row.iter_mut().for_each(|x| *x = *x * inverse % self.0);
+            for x in &mut row {
+                *x = *x * inverse % self.0;
+            }
             waiting.extend(matrices.iter().map(|matrix| self.row_times(&row, matrix)));
             basis.push((pivot, row));
         }
@@ -201,7 +203,9 @@ impl Modulus {
         for k in 1..n.saturating_sub(1) {
             let Some(pivot) = (k..n).find(|&i| m[i][k - 1] != 0) else { continue };
             m.swap(k, pivot);
-            m.iter_mut().for_each(|row| row.swap(k, pivot));
+            for row in &mut m {
+                row.swap(k, pivot);
+            }
             let inverse = self.inverse(m[k][k - 1]);
             let top = m[k].clone();
             for i in k + 1..n {
@@ -239,7 +243,7 @@ impl Modulus {
 
 /// Whether an odd number from 2^30 to 2^31 is prime.
 fn is_prime(n: u64) -> bool {
-    n % 2 == 1 && (3..).step_by(2).take_while(|d| d * d <= n).all(|d| n % d != 0)
+    n % 2 == 1 && (3..).step_by(2).take_while(|d| d * d <= n).all(|d| !n.is_multiple_of(d))
 }
 
 /// det(xI − M) times a positive integer, for a square matrix M.
@@ -277,7 +281,7 @@ pub fn characteristic_polynomial(rows: &[Vec<Rational>]) -> IntegerPolynomial {
             let step = (r + p.0 - u64::from(x.residue(prime))) % p.0 * inverse % p.0;
             *x = &*x + &(&modulus * &Integer::from(step));
         }
-        modulus = modulus * Integer::from(p.0);
+        modulus *= &Integer::from(p.0);
         if modulus > bound {
             break;
         }
@@ -302,6 +306,9 @@ const MAX_PRIMES: usize = 256;
 /// The form is computed modulo primes until the rational numbers of small size that it may stand for are the same for more of them. It is right if each row
 /// of the matrix is the combination of its rows with the entries at the pivots as coefficients, which is checked: its rank is not greater then, and not
 /// less than modulo a prime.
+///
+/// # Panics
+/// Never: primes are below 2^31.
 ///
 /// ```
 /// use subcert::exact::{Rational, echelon, short_echelon};

@@ -99,20 +99,17 @@ impl Stated {
     ) -> Result<LatticeFormulas, Diagnostic> {
         let dimension = list.first().map_or(0, |(at, _)| at.len());
         let (dilation, edges) = self.common(source, &span, dimension)?;
-        let origin = match &self.origin {
-            Some(Vectors { rows, span }) => match &rows[..] {
-                [origin] if origin.len() == dimension => origin.clone(),
-                _ => {
-                    let message =
-                        format!("the origin is one vector of {dimension} indices, counted from 0");
-                    return Err(Diagnostic::new(source, span.clone(), message));
-                }
-            },
-            None => {
-                let last = |axis: usize| list.iter().map(|(at, _)| at[axis]).max().unwrap_or(0);
-                (0..dimension).map(|axis| last(axis) / 2).collect()
+        let last = |axis: usize| list.iter().map(|(at, _)| at[axis]).max().unwrap_or(0);
+        let middle = || (0..dimension).map(|axis| last(axis) / 2).collect();
+        let stated = self.origin.as_ref().map(|Vectors { rows, span }| match &rows[..] {
+            [origin] if origin.len() == dimension => Ok(origin.clone()),
+            _ => {
+                let message =
+                    format!("the origin is one vector of {dimension} indices, counted from 0");
+                Err(Diagnostic::new(source, span.clone(), message))
             }
-        };
+        });
+        let origin: Vec<i64> = stated.transpose()?.unwrap_or_else(middle);
         let place = |at: &Vec<i64>| {
             padded(&at.iter().zip(&origin).map(|(i, o)| i - o).collect::<Vec<i64>>())
         };
