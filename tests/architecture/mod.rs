@@ -25,6 +25,7 @@ const CRATES: [(&str, &str, &[&str]); 7] = [
             "float",
             "joint",
             "smoothness",
+            "lattice",
             "spectrum",
             "characteristic",
             "facts",

@@ -1,7 +1,8 @@
 //! `subcert atlas`.
 
 use super::atlas_pages;
-use super::words::{VALENCE_HEADER, continuity, depth, hoelder, number, valence_note, valence_row};
+use super::numbers::number;
+use super::words::{VALENCE_HEADER, continuity, depth, hoelder, valence_note, valence_row};
 use crate::cli::arguments::AtlasArguments;
 use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::destination::no_page;

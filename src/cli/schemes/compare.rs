@@ -1,9 +1,9 @@
 //! `subcert scheme` of several schemes: their facts side by side.
 
 use super::lattice::lattice_words;
+use super::numbers::{level, number};
 use super::words::{
-    CurveWords, VALENCE_HEADER, curve_words, depth_note, level, number, places, summary,
-    valence_note, valence_row,
+    CurveWords, VALENCE_HEADER, curve_words, depth_note, places, summary, valence_note, valence_row,
 };
 use crate::cli::console::answer::{Answer, SCHEMA};
 use crate::cli::console::output::Failure;

@@ -1,6 +1,6 @@
 //! The facts of masks on Z^d in words.
 
-use super::words::{level, number};
+use super::numbers::{level, number};
 use crate::cli::console::lattice::{matrix, smoothness_words, vector};
 use subcert::report::json::{Exact, LatticeForm};
 use subcert::report::{Grid, Sheet};

@@ -5,6 +5,7 @@ mod atlas_pages;
 mod compare;
 mod lattice;
 mod list;
+mod numbers;
 mod plot;
 mod scheme;
 mod words;

@@ -1,8 +1,9 @@
 //! The facts of schemes in words.
 
 use super::lattice::write_lattice;
+use super::numbers::{decimal, level, number, shortened};
 use crate::cli::console::lattice::sentence;
-use crate::cli::console::quantity::{LONGEST, exponent_in_short, is_fraction, proved_continuity};
+use crate::cli::console::quantity::{exponent_in_short, proved_continuity};
 use crate::cli::ranges::sets::Set;
 use crate::cli::ranges::special::write_special;
 use std::collections::BTreeSet;
@@ -101,11 +102,6 @@ fn write_curve(curve: &CurveForm, sheet: &mut Sheet) {
     }
 }
 
-/// T_c or Λ_c.
-pub(crate) fn level(values: &[Exact], c: usize) -> String {
-    values.get(c - 1).map_or("open".to_owned(), decimal)
-}
-
 /// What the depths are those of.
 pub(crate) fn depth_note() -> String {
     format!(
@@ -188,34 +184,6 @@ fn stencil(stencil: &StencilForm) -> (String, String) {
     let terms = stencil.weights.iter().map(|one| format!("{} x_{}", number(&one.value), one.index));
     let at = number(&stencil.parameter);
     (format!("limit at {at}"), terms.collect::<Vec<String>>().join("\n"))
-}
-
-/// The digits of a decimal.
-const DIGITS: usize = 12;
-
-/// The exact value where that is a short fraction, or else a decimal.
-pub(crate) fn number(value: &Exact) -> String {
-    let fraction = is_fraction(&value.exact) && value.exact.len() <= LONGEST;
-    if fraction { value.exact.clone() } else { decimal(value) }
-}
-
-/// A decimal, cut to a few digits.
-fn decimal(value: &Exact) -> String {
-    shortened(&value.decimal)
-}
-
-/// A decimal without the digits beyond a few places, which are cut.
-fn shortened(decimal: &str) -> String {
-    if decimal.contains('e') {
-        return decimal.to_owned();
-    }
-    match decimal.split_once('.') {
-        Some((whole, places)) if places.len() > DIGITS => {
-            let places = places[..DIGITS].trim_end_matches('0');
-            format!("{whole}.{places}…")
-        }
-        _ => decimal.to_owned(),
-    }
 }
 
 /// C^m in words.

@@ -61,7 +61,8 @@ pub use matrices::characteristic::{
 pub use matrices::elimination::{echelon, null_rows, only_solution, row_times};
 pub use matrices::linear::{determinant, interpolated, solve};
 pub use matrices::matrix::{Matrix, Naming};
-pub use matrices::modular::{Modulus, Residues, characteristic_polynomial, short_echelon};
+pub use matrices::modular::{Modulus, Residues, characteristic_polynomial};
+pub use matrices::short_echelon::short_echelon;
 pub use parameter::interval::Interval;
 pub use parameter::interval_set::IntervalSet;
 pub use parameter::parametric::Parametric;

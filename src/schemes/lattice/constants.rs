@@ -96,7 +96,7 @@ impl<'m> LatticeConstants<'m> {
         let mut seen = BTreeSet::new();
         let mut best: Option<Contraction> = None;
         for (place, edge, functional) in self.steps.differences() {
-            if !seen.insert(normal_form(&functional)) {
+            if !seen.insert(normalised(&functional)) {
                 continue;
             }
             let norm = self.edges.norm(&functional)?;
@@ -111,7 +111,7 @@ impl<'m> LatticeConstants<'m> {
 }
 
 /// A functional up to a shift and the sign.
-fn normal_form(functional: &Functional<Rational>) -> Vec<(Point, Rational)> {
+fn normalised(functional: &Functional<Rational>) -> Vec<(Point, Rational)> {
     let Some((first, lead)) = functional.first_key_value() else { return Vec::new() };
     let sign = if lead.sign() < 0 { -Rational::one() } else { Rational::one() };
     functional.iter().map(|(place, c)| (difference(*place, *first), c * &sign)).collect()

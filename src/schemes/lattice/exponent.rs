@@ -1,18 +1,25 @@
 //! Exponents from radii of matrices.
 
-use super::radius::LatticeRadius;
 use crate::exact::{Enclosed as _, Integer, IntegerPolynomial, Rational, RealAlgebraic};
+use crate::joint::JointRadius;
 use crate::smoothness::{ExponentFormula, Hoelder, log_of};
 use std::cmp::Ordering;
 
 /// −log_s ϱ for the radius ϱ of the steps, s = m^{1/d}.
-pub(super) fn exponent(found: &LatticeRadius, m: usize, d: usize) -> Option<Hoelder> {
-    let LatticeRadius { order, factor, radius, .. } = found;
+///
+/// The radius is that of the steps times a factor, on differences of an order; m = |det M| in d dimensions.
+pub(super) fn exponent(
+    radius: &JointRadius,
+    (order, factor): (u32, &Rational),
+    (m, d): (usize, usize),
+) -> Option<Hoelder> {
     // The factor is f = n^K with s = n, or m^j; so −log_s ϱ = log_s f − log_s(fϱ).
     let (whole, base, power) = match root_of(m, d) {
-        Some(n) if *factor == Rational::from(n).pow(small(*order)) => (*order as usize, n, 1),
+        Some(n) if *factor == Rational::from(n).pow(small(order)) => {
+            (usize::try_from(order).ok()?, n, 1)
+        }
         _ => {
-            let j = (0..=small(*order)).find(|j| Rational::from(m).pow(*j) >= *factor)?;
+            let j = (0..=small(order)).find(|j| Rational::from(m).pow(*j) >= *factor)?;
             (usize::try_from(j).ok()? * d, m, d)
         }
     };

@@ -20,6 +20,7 @@ mod displacement;
 mod exponent;
 mod monomials;
 mod norm;
+mod places;
 mod polynomials;
 mod powers;
 mod product;

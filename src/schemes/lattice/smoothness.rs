@@ -159,7 +159,8 @@ impl LatticeSmoothness {
         let m = mask.dilation().class_count();
         let d = mask.dimension();
         self.accuracy = Some(accuracy);
-        let exponent = exponent(&found, m, d);
+        let scaled = (found.order, &found.factor);
+        let exponent = exponent(&found.radius, scaled, (m, d));
         // s^{−k} for M with |det M| = m = s^d is a d-th root.
         let below = |k: u32| found.is_below_root(k, m, d);
         self.continuity = (0..accuracy).take_while(|k| below(*k) == Some(true)).last().or(Some(0));

@@ -1,9 +1,10 @@
 //! The basic limit function of a mask on Z^d at rational points, and the space of its values near a tile.
 
 use super::monomials::{divided, of_degree, power_of};
+use super::places::of_tiling;
 use super::span::Span;
 use super::tiling::{Motion, Tiling, inverse, turned};
-use super::window::{attractor, less_digits, of_tiling};
+use super::window::{attractor, less_digits};
 use crate::cap::Cap;
 use crate::exact::{Rational, echelon, null_rows, short_echelon};
 use crate::scheme::{LatticeMask, Point, difference, sum};

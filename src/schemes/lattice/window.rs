@@ -1,10 +1,9 @@
 //! Windows of Z^d that steps of a mask do not leave.
 
 use super::monomials::divided;
-use super::tiling::{Tiling, inverse, turned};
 use crate::cap::Cap;
 use crate::exact::Rational;
-use crate::scheme::{Dilation, LatticeMask, Point, difference, sum};
+use crate::scheme::{Dilation, Point, difference};
 use std::collections::{BTreeSet, HashSet};
 
 /// The most points of the box in which a window is looked for.
@@ -43,7 +42,7 @@ pub fn attractor(dilation: &Dilation, places: &BTreeSet<Point>) -> Result<Vec<Po
 }
 
 /// The largest set of points of a box of which each has a point `before` it in the set, given what M makes of it.
-fn largest(
+pub(super) fn largest(
     dilation: &Dilation,
     radius: i64,
     before: impl Fn(Point, &HashSet<Point>) -> bool,
@@ -78,7 +77,7 @@ fn largest(
 
 /// A number that no coordinate of the attractor exceeds: with ‖M^{−j}‖_∞ = q < 1 and b_i the largest coordinate of M^{−i}D, it is at most
 /// (b_1 + … + b_j)/(1 − q).
-fn radius(dilation: &Dilation, places: &BTreeSet<Point>) -> Result<i64, Cap> {
+pub(super) fn radius(dilation: &Dilation, places: &BTreeSet<Point>) -> Result<i64, Cap> {
     let d = dilation.dimension();
     let rational = |point: &[i64]| point.iter().map(|x| Rational::from(*x)).collect();
     let mut images: Vec<Vec<Rational>> = places.iter().map(|place| rational(&place[..d])).collect();
@@ -104,30 +103,4 @@ fn radius(dilation: &Dilation, places: &BTreeSet<Point>) -> Result<i64, Cap> {
 pub fn less_digits(places: impl Iterator<Item = Point>, dilation: &Dilation) -> BTreeSet<Point> {
     let less = |place: Point| dilation.digits().iter().map(move |digit| difference(place, *digit));
     places.flat_map(less).collect()
-}
-
-/// The places α for which φ(x + α) may be other than 0 for some x of the tile: the largest set in which each α has a β with a(Mα + t − Gβ) among the
-/// coefficients, for a part (G, t) of the tiling.
-///
-/// # Errors
-/// As [`attractor`].
-pub(super) fn of_tiling(mask: &LatticeMask, tiling: &Tiling) -> Result<Vec<Point>, Cap> {
-    let places = || mask.coefficients().keys();
-    let moved = tiling.parts.iter().flat_map(|part| {
-        let shift = part.shift;
-        places().map(move |place| difference(*place, shift))
-    });
-    let turned: BTreeSet<Point> =
-        moved.flat_map(|place| tiling.group.iter().map(move |g| turned(g, place))).collect();
-    let before = |image: Point, window: &HashSet<Point>| {
-        tiling.parts.iter().any(|part| {
-            // Gβ = Mα + t − γ.
-            let back = inverse(&part.matrix);
-            let corner = sum(image, part.shift);
-            places().any(|place| {
-                window.contains(&super::tiling::turned(&back, difference(corner, *place)))
-            })
-        })
-    };
-    largest(mask.dilation(), radius(mask.dilation(), &turned)?, before)
 }

@@ -10,9 +10,7 @@ use super::lattice::mask::LatticeMask;
 use super::local::rules::LocalRules;
 use super::mask::Mask;
 use super::reference::{Part, Reference, in_file, split_name};
-use super::rules::MAX_ARITY;
 use super::typed::{is_typed, typed};
-use crate::cap::Cap;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{Expr, FreeNames, Parameters, Value, evaluate};
@@ -183,7 +181,7 @@ pub fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition, Scheme
 
 /// A reference, with the definitions in the files that it names, and of the masks in it.
 pub(super) struct Named<'a> {
-    text: &'a str,
+    pub(super) text: &'a str,
     pub(super) reference: Reference,
     defined: BTreeMap<String, SchemeDefinition>,
 }
@@ -237,7 +235,7 @@ impl Named<'_> {
 
     /// One factor with the values of its parameters. In the formula of a value, a name is one of these `parameters`, or
     /// another parameter of the same factor.
-    fn factor_of<'n, V: Value>(
+    pub(super) fn factor_of<'n, V: Value>(
         &'n self,
         part: &'n Part,
         parameters: &Parameters<V>,
@@ -283,32 +281,7 @@ impl Named<'_> {
         Ok(Factor { text: &part.text, definition, parameters: values })
     }
 
-    /// The mask on Z^d, or the tensor product of two or three masks of curves.
-    pub(super) fn lattice(&self) -> Result<LatticeMask, SchemeError> {
-        let none = Parameters::default();
-        if let [part] = self.reference.parts() {
-            return self.factor_of(part, &none, None)?.lattice();
-        }
-        let masks = self.masks()?;
-        let arities = masks.iter().map(Mask::arity).product::<usize>();
-        if arities > MAX_ARITY {
-            return Err(SchemeError::File(Box::new(
-                Diagnostic::new(
-                    &SourceText::new("SCHEME", self.text),
-                    0..self.text.len(),
-                    format!("a product with {arities} rules; there are at most {MAX_ARITY}"),
-                )
-                .with_cap(Some(Cap::new("the number of rules", MAX_ARITY as u64))),
-            )));
-        }
-        LatticeMask::product(&masks.iter().collect::<Vec<&Mask>>()).map_err(|error| {
-            let source = SourceText::new("SCHEME", self.text);
-            let diagnostic = Diagnostic::new(&source, 0..self.text.len(), error.to_string());
-            SchemeError::File(Box::new(diagnostic.with_cap(error.cap())))
-        })
-    }
-
-    fn masks(&self) -> Result<Vec<Mask>, SchemeError> {
+    pub(super) fn masks(&self) -> Result<Vec<Mask>, SchemeError> {
         let none = Parameters::default();
         let mask = |part: &Part| self.factor_of(part, &none, None)?.mask();
         self.reference.parts().iter().map(mask).collect()
@@ -346,7 +319,7 @@ impl<V: Value + Eq + Hash> Factor<'_, V> {
 }
 
 impl<V: Value + PartialEq> Factor<'_, V> {
-    fn lattice(&self) -> Result<LatticeMask<V>, SchemeError> {
+    pub(super) fn lattice(&self) -> Result<LatticeMask<V>, SchemeError> {
         self.definition.lattice(&self.parameters).map_err(|error| error.of_scheme(self.text))
     }
 

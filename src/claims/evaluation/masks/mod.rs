@@ -7,6 +7,7 @@ mod exponents;
 mod field;
 mod generic;
 mod lattice;
+pub(crate) mod rules;
 mod values;
 
 pub(crate) use common::{numbers, rational};

@@ -6,3 +6,4 @@ pub(super) mod elimination;
 pub(super) mod linear;
 pub(super) mod matrix;
 pub(super) mod modular;
+pub(super) mod short_echelon;

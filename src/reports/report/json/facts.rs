@@ -3,6 +3,7 @@
 use super::SCHEMA;
 use super::exact::Exact;
 use super::lattice::LatticeForm;
+use super::open::OpenForm;
 use super::sets::{Interval, Number as RootNumber};
 use crate::exact::{Rational, RealAlgebraic};
 use crate::facts::{
@@ -171,16 +172,6 @@ pub struct StencilForm {
     pub parameter: Exact,
     /// The weights of the points.
     pub weights: Vec<WeightForm>,
-}
-
-/// A fact that is open.
-#[derive(Debug, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct OpenForm {
-    /// Which one.
-    pub fact: &'static str,
-    /// Why.
-    pub reason: String,
 }
 
 /// The facts at a valence.

@@ -1,7 +1,7 @@
 //! The facts of a mask on Z^d, as JSON.
 
 use super::exact::Exact;
-use super::facts::OpenForm;
+use super::open::OpenForm;
 use super::smooth::smoothness::HoelderForm;
 use crate::facts::{LatticeFacts, PointPlacement};
 use crate::lattice::LatticeSmoothness;

@@ -13,6 +13,7 @@ mod explain;
 mod facts;
 mod lattice;
 mod offset;
+mod open;
 mod sets;
 mod shipped;
 pub(crate) mod smooth;
@@ -32,11 +33,12 @@ pub use errata::{
 pub use exact::{Exact, Named};
 pub use explain::Explained;
 pub use facts::{
-    CurveForm, DepthForm, Facts, FactsForm, OffsetForm, OpenForm, Order, Ranges, SpecialForm,
-    StencilForm, ValenceForm, WeightForm,
+    CurveForm, DepthForm, Facts, FactsForm, OffsetForm, Order, Ranges, SpecialForm, StencilForm,
+    ValenceForm, WeightForm,
 };
 pub use lattice::{LatticeForm, LatticeSmoothnessForm, vectors};
 pub use offset::BetterOffset;
+pub use open::OpenForm;
 pub use sets::{Interval, Number as RootNumber};
 pub use shipped::{
     ExplainedTable, Number, ProjectReport, ProjectsReport, ShippedTable, SplitValues, Sums,

@@ -253,7 +253,7 @@ fn expands(m: &[Point; 3], dimension: usize, determinant: i64) -> bool {
     let mut f: Vec<i128> = backwards.into_iter().map(i128::from).collect();
     while f.len() > 1 {
         let (first, last) = (f[0], f[f.len() - 1]);
-        if first.abs() >= last.abs() {
+        if first.unsigned_abs() >= last.unsigned_abs() {
             return false;
         }
         f = (1..f.len()).map(|i| last * f[i] - first * f[f.len() - 1 - i]).collect();

@@ -24,7 +24,10 @@ impl SchemeTable {
         definitions: &BTreeMap<String, LocatedFormula>,
     ) -> Result<Option<LatticeFormulas>, Diagnostic> {
         let stated = self.stated(source)?;
-        let symbol = self.symbol.as_ref().filter(|symbol| self.in_two_variables(symbol.get_ref()));
+        let symbol = self
+            .symbol
+            .as_ref()
+            .filter(|symbol| self.in_two_variables(symbol.get_ref(), definitions));
         let lists = match self.mask.as_ref().map(Spanned::get_ref) {
             Some(MaskTable::Text(text)) => is_nested(text),
             Some(MaskTable::Rules(_)) => !stated.is_empty(),
@@ -70,11 +73,10 @@ impl SchemeTable {
         })
     }
 
-    /// Whether a symbol has x or y, and these are no parameters.
-    fn in_two_variables(&self, text: &str) -> bool {
+    /// Whether a symbol, or a definition that it names, has x or y, and these are no parameters.
+    fn in_two_variables(&self, text: &str, definitions: &BTreeMap<String, LocatedFormula>) -> bool {
         let Ok(expr) = parse(text) else { return false };
-        let none = BTreeMap::new();
-        let names = FreeNames::new(&none).of(&expr);
+        let names = FreeNames::new(definitions).of(&expr);
         let own = || self.parameters.keys().chain(self.definitions.keys());
         has_lattice_variable(&names, |name| own().any(|known| known.get_ref() == name))
     }

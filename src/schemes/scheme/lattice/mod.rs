@@ -6,4 +6,5 @@ mod file;
 pub(super) mod formulas;
 pub(super) mod integers;
 pub(super) mod mask;
+mod named;
 pub(super) mod read;

@@ -34,7 +34,7 @@ pub(super) fn within(vectors: &[Vector], most: u64) -> bool {
     vectors.iter().flatten().all(|x| x.unsigned_abs() <= most)
 }
 
-/// A vector of d integers. What is beyond 64 binary digits is beyond all limits, as the last integers of 64 digits are.
+/// A vector of d integers; none beyond 64 binary digits.
 pub(super) fn vector(list: &[Toml], d: usize) -> Option<Vector> {
     let mut vector = [0; 3];
     if list.len() != d {
@@ -46,8 +46,7 @@ pub(super) fn vector(list: &[Toml], d: usize) -> Option<Vector> {
         if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
             return None;
         }
-        let beyond = if digits == text { i64::MAX } else { i64::MIN };
-        *place = text.parse().unwrap_or(beyond);
+        *place = text.parse().ok()?;
     }
     Some(vector)
 }
