@@ -39,7 +39,7 @@ fn schemes_and_their_parameters() {
         ("newton:j=1,n=1", &["the arity is 1", "from 2 to 64"]),
         ("newton:j=1/2,n=3", &["the offset is -1/2", "integer"]),
         ("newton:j=1,n=10^12", &["arity"]),
-        ("a x b x c", &["two factors"]),
+        ("a x b x c x d", &["two or three factors"]),
         ("", &["name is missing"]),
         ("nowhere.toml", &["cannot read `nowhere.toml`"]),
     ];

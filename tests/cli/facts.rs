@@ -108,7 +108,10 @@ fn schemes_side_by_side() {
     }
     let message = refused(["scheme", "chaikin", "examples/loop.toml"]);
     assert_parts(&message, &["`chaikin` is a mask", "`examples/loop.toml` are rules", "one kind"]);
-    assert_parts(&refused(["scheme", "chaikin", "haar x haar"]), &["`haar x haar` is a tensor"]);
+    assert_parts(
+        &refused(["scheme", "chaikin", "haar x haar"]),
+        &["`haar x haar` is a mask on Z^d"],
+    );
 }
 
 /// Rules of one's own may begin at a greater valence than 3.
@@ -136,7 +139,8 @@ fn bad_schemes() {
     assert_parts(&refused(["atlas", "no.toml"]), &["cannot read `no.toml`"]);
     assert_parts(&refused(["atlas", "haar x haar"]), &["tensor product"]);
     assert_parts(&refused(["atlas", "examples/primal.toml"]), &["needs its parameter `a`"]);
-    assert_parts(&refused(["scheme", "chaikin x chaikin"]), &["tensor product", "one by one"]);
+    let product = written(["scheme", "chaikin x chaikin"]);
+    assert_parts(&product, &["C¹, not C²", "[-2, 1] × [-2, 1]"]);
     assert_parts(&refused(["scheme", "six-point"]), &["`w`"]);
     assert_parts(&refused(["scheme", "[1, 2]/0"]), &["error"]);
     assert_parts(&refused(["scheme", "loop:N=2"]), &["N"]);

@@ -92,7 +92,7 @@ fn bad_input_of_these() {
     assert_parts(&jsr("sizes.txt", "1\n\n1 2\n3 4\n"), &["matrix 2 has 2 rows"]);
     assert_parts(&jsr("empty.txt", "# nothing\n"), &["0 matrices", "empty line between"]);
     assert_parts(&refused(["jsr", "nowhere.txt"]), &["nowhere.txt"]);
-    assert_parts(&refused(["smoothness", "chaikin x chaikin"]), &["tensor product"]);
+    assert_parts(&written(["smoothness", "chaikin x chaikin"]), &["C¹, not C²"]);
     assert_parts(&refused(["smoothness", "loop", "--valences", "3..100000"]), &["up to 100"]);
     assert_parts(&refused(["smoothness", "loop:N=2"]), &["needs N >= 3"]);
     assert_parts(

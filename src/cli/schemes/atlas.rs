@@ -1,17 +1,18 @@
 //! `subcert atlas`.
 
 use super::atlas_pages;
-use super::numbers::number;
+use super::numbers::{level, number};
 use super::words::{VALENCE_HEADER, continuity, depth, hoelder, valence_note, valence_row};
 use crate::cli::arguments::AtlasArguments;
 use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::destination::no_page;
+use crate::cli::console::lattice::{matrix, smoothness_words};
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
 use serde::Serialize;
 use subcert::audit::on_all_cores;
 use subcert::facts::{AtlasEntry, Depths, SchemeFacts, atlas_entry, atlas_references};
-use subcert::report::json::{CurveForm, FactsForm};
+use subcert::report::json::{CurveForm, FactsForm, LatticeForm};
 use subcert::report::{Grid, Sheet};
 use subcert::scheme::{SchemeError, catalogue};
 
@@ -115,6 +116,16 @@ impl Answer for Atlas<'_> {
             self.schemes.iter().filter_map(|entry| Some((entry, entry.facts.curve.as_ref()?)));
         let rows = curves.map(|(entry, curve)| curve_row(&entry.facts.scheme, curve));
         sheet.grid(Grid::of(header, rows, 1));
+        let lattices =
+            self.schemes.iter().filter_map(|entry| Some((entry, entry.facts.lattice.as_ref()?)));
+        let rows: Vec<Vec<String>> =
+            lattices.map(|(entry, form)| lattice_row(&entry.facts.scheme, form)).collect();
+        if !rows.is_empty() {
+            sheet.heading(2, "Masks on Z^d");
+            let header =
+                ["scheme", "M", "sum rules", "reproduces", "limits", "Hölder exponent", "T_1"];
+            sheet.grid(Grid::of(header, rows, 1));
+        }
         sheet.heading(2, "Rules around a vertex or on a face");
         let surfaces =
             self.schemes.iter().filter_map(|entry| Some((entry, entry.facts.valences.as_ref()?)));
@@ -130,6 +141,19 @@ impl Answer for Atlas<'_> {
         sheet.grid(Grid::of(header, rows, 1));
         sheet
     }
+}
+
+fn lattice_row(name: &str, form: &LatticeForm) -> Vec<String> {
+    let words = smoothness_words(&form.smoothness, form.smoothness.accuracy);
+    let mut row = vec![
+        name.to_owned(),
+        matrix(&form.dilation),
+        form.sum_rules.to_string(),
+        form.reproduction.to_string(),
+    ];
+    row.extend(words.into_iter().map(|(_, text)| text));
+    row.push(level(&form.contraction, 1));
+    row
 }
 
 fn curve_row(name: &str, curve: &CurveForm) -> Vec<String> {

@@ -83,10 +83,10 @@ impl Comparison {
             let words = |form: &FactsForm| match kind(form) {
                 (true, _) => "is a mask of curves",
                 (_, true) => "is a mask on Z^d",
-                _ => "has rules around a vertex or on a face",
+                _ => "are rules around a vertex or on a face",
             };
             return Err(Failure::Input(format!(
-                "`{}` {}, and `{}` {}, which has other facts: compare schemes of one kind",
+                "`{}` {}, and `{}` {}, with other facts: compare schemes of one kind",
                 names[0],
                 words(&schemes[0]),
                 names[other],

@@ -3,7 +3,7 @@
 use crate::cli::console::output::Failure;
 use subcert::exact::FieldElement;
 use subcert::scheme::{
-    AnyScheme, LatticeMask, Mask, parse_algebraic, parse_any_scheme, parse_lattice,
+    AnyScheme, LatticeMask, Mask, SchemeError, parse_algebraic, parse_any_scheme, parse_lattice,
 };
 
 /// The mask of a scheme for curves, or on Z^d.
@@ -14,9 +14,16 @@ pub(crate) enum Curve {
 }
 
 pub(crate) fn curve(name: &str) -> Result<Curve, Failure> {
-    let Ok(scheme) = parse_any_scheme(name) else {
+    let scheme = match parse_any_scheme(name) {
+        Ok(scheme) => scheme,
         // What is wrong with the scheme is wrong in any field.
-        return Ok(Curve::Algebraic(parse_algebraic(name)?));
+        Err(error) => {
+            return match parse_algebraic(name) {
+                Ok(mask) => Ok(Curve::Algebraic(mask)),
+                Err(SchemeError::Lattice { .. }) => Err(error.into()),
+                Err(error) => Err(error.into()),
+            };
+        }
     };
     let reason = match scheme {
         AnyScheme::Uniform(scheme) => match Mask::try_from(scheme) {

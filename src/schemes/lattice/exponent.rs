@@ -1,6 +1,9 @@
 //! Exponents from radii of matrices.
 
-use crate::exact::{Enclosed as _, Integer, IntegerPolynomial, Rational, RealAlgebraic};
+use crate::exact::{
+    Enclosed as _, Integer, IntegerPolynomial, Rational, RealAlgebraic, characteristic_polynomial,
+    row_times,
+};
 use crate::joint::JointRadius;
 use crate::smoothness::{ExponentFormula, Hoelder, log_of};
 use std::cmp::Ordering;
@@ -40,39 +43,40 @@ fn root_of(m: usize, d: usize) -> Option<usize> {
     (2..=m).find(|n| n.checked_pow(u32::try_from(d).unwrap_or(1)) == Some(m))
 }
 
-/// root^power, of irrational numbers up to the square.
+/// root^power: an eigenvalue of that power of the companion matrix of a polynomial of the root.
 fn raised(root: &RealAlgebraic, power: usize) -> Option<RealAlgebraic> {
     if let Some(value) = root.as_rational() {
         return Some(RealAlgebraic::from(value.pow(small(power))));
     }
-    match power {
-        1 => Some(root.clone()),
-        2 => {
-            // p(x) = e(x²) + x·o(x²): x² is a root of e(y)² − y·o(y)².
-            let p = root.polynomial();
-            let all = p.coefficients();
-            let part = |first: usize| {
-                all.iter().skip(first).step_by(2).map(|c| Rational::from(c.clone())).collect()
-            };
-            let (even, odd): (Vec<Rational>, Vec<Rational>) = (part(0), part(1));
-            let mut square = vec![Rational::zero(); all.len() + 1];
-            for (i, a) in even.iter().enumerate() {
-                even.iter().enumerate().for_each(|(j, b)| square[i + j] += &(a * b));
-            }
-            for (i, a) in odd.iter().enumerate() {
-                odd.iter().enumerate().for_each(|(j, b)| square[i + j + 1] -= &(a * b));
-            }
-            let square = IntegerPolynomial::over_common_denominator(&square);
-            let (low, high) = root.bounds();
-            RealAlgebraic::roots_of(&square).into_iter().find(|y| {
-                let above = |x: &Rational| compared(root, 2, x);
-                // Of the roots, the one that is neither above nor below the square.
-                let (a, b) = y.bounds();
-                above(&a).is_ge() && above(&b).is_le() && a <= &high * &high && b >= &low * &low
-            })
-        }
-        _ => None,
+    if power == 1 {
+        return Some(root.clone());
     }
+    let polynomial = root.polynomial();
+    let all = polynomial.coefficients();
+    let (lead, rest) = all.split_last()?;
+    let degree = rest.len();
+    let entry = |i: usize, j: usize| {
+        if i + 1 < degree {
+            return Rational::from(i64::from(j == i + 1));
+        }
+        -Rational::new(rest[j].clone(), lead.clone())
+    };
+    let companion: Vec<Vec<Rational>> =
+        (0..degree).map(|i| (0..degree).map(|j| entry(i, j)).collect()).collect();
+    let times = |m: &Vec<Vec<Rational>>| -> Vec<Vec<Rational>> {
+        m.iter().map(|row| row_times(row, &companion)).collect()
+    };
+    let matrix = (1..power).fold(companion.clone(), |m, _| times(&m));
+    let roots = RealAlgebraic::roots_of(&characteristic_polynomial(&matrix));
+    roots.into_iter().find(|y| is_power(root, power, y))
+}
+
+/// Whether a number is root^power, if it is known to be one of finitely many that are no nearer to each other than their bounds say.
+fn is_power(root: &RealAlgebraic, power: usize, value: &RealAlgebraic) -> bool {
+    let (low, high) = value.bounds();
+    low.sign() >= 0
+        && compared(root, small(power), &low).is_ge()
+        && compared(root, small(power), &high).is_le()
 }
 
 /// root^power against a positive number.

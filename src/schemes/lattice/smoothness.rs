@@ -114,7 +114,7 @@ impl LatticeSmoothness {
         }
         if !is_isotropic(mask.dilation()) {
             found.open = Some(
-                "the eigenvalues of the dilation matrix have several moduli: only C^0 is decided"
+                "the eigenvalues of the dilation matrix have several moduli, or it is not diagonalisable: only C^0 is decided"
                     .to_owned(),
             );
             return found;
@@ -168,7 +168,7 @@ impl LatticeSmoothness {
         let fails = (1..accuracy).find(|k| below(*k) == Some(false));
         self.continuity_fails = fails.or(Some(accuracy));
         self.hoelder = exponent;
-        if self.hoelder.as_ref().is_some_and(|hoelder| hoelder.formula.is_none()) {
+        if self.hoelder.as_ref().is_none_or(|hoelder| hoelder.formula.is_none()) {
             self.open = Some("the bounds of the radius do not meet".to_owned());
         }
         self.radius = Some(found);

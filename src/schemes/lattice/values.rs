@@ -11,7 +11,7 @@ use crate::scheme::{LatticeMask, Point, difference, sum};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most dimensions of the space.
-const MAX_DIMENSION: usize = 160;
+const MAX_DIMENSION: usize = 96;
 
 /// φ at the integers, where the scheme converges: the only vector v with Σ_β a(Mα − β) v_β = v_α, Σ_α v_α = 1.
 ///

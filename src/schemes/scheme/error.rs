@@ -53,10 +53,7 @@ impl ReferenceError {
     /// When there are more than two.
     pub fn check_factors(text: &str, count: usize) -> Result<(), ReferenceError> {
         if count > MAX_AXES {
-            return Err(ReferenceError::form(
-                text,
-                "a tensor product of this kind has two factors",
-            ));
+            return Err(ReferenceError::form(text, "here a tensor product has two factors"));
         }
         Ok(())
     }

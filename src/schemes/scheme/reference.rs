@@ -205,19 +205,18 @@ pub(super) fn in_file(name: &str) -> Option<(&str, Option<&str>)> {
 /// How the path of a file of schemes ends.
 const TOML: &str = ".toml";
 
-/// The factors of a tensor product, between ` x ` outside all brackets. Beside a sign, x is the variable of a symbol.
+/// The factors of a tensor product, between ` x ` outside all brackets. Behind a sign, x is the variable of a symbol.
 fn factors(text: &str) -> Vec<&str> {
     const TIMES: &str = " x ";
     let ends_open = |text: &str| text.trim_end().ends_with(['+', '-', '*', '/', '^', ',', '=']);
-    let starts_open = |text: &str| text.trim_start().starts_with(['+', '-', '*', '/', '^', ',']);
     let depth = |text: &str| {
         let count = |c: [char; 2]| text.matches(c).count();
         count(['(', '[']) - count([')', ']']).min(count(['(', '[']))
     };
     let (mut pieces, mut start) = (Vec::new(), 0);
     for (at, _) in text.match_indices(TIMES) {
-        let (before, after) = (&text[..at], &text[at + TIMES.len()..]);
-        if depth(before) == 0 && !ends_open(before) && !starts_open(after) && at >= start {
+        let before = &text[..at];
+        if depth(before) == 0 && !ends_open(before) && at >= start {
             pieces.push(&text[start..at]);
             start = at + TIMES.len();
         }

@@ -28,13 +28,18 @@ pub(crate) fn of_lattice<V: Value + PartialEq>(
             }
             mask.coefficients().get(&at).cloned().unwrap_or_else(V::zero)
         }
-        ("arity", []) => V::from_rational(&Rational::from(mask.dilation().class_count())),
+        ("arity", []) => {
+            V::from_rational(&Rational::from(rational(mask)?.dilation().class_count()))
+        }
         ("same", []) => {
             let Some(name) = options.take("with") else {
                 let message = "name the other scheme: `same(with = NAME)`";
                 return Err(CallError::Misuse(message.to_owned()));
             };
-            truth(other(&name)?.is_some_and(|other| {
+            rational(mask)?;
+            let other = other(&name)?;
+            other.as_ref().map(rational).transpose()?;
+            truth(other.is_some_and(|other| {
                 mask.dilation() == other.dilation() && mask.coefficients() == other.coefficients()
             }))
         }
@@ -67,8 +72,8 @@ pub(crate) fn of_lattice<V: Value + PartialEq>(
 /// The mask, whose coefficients are rational.
 fn rational<V: Value>(mask: &LatticeMask<V>) -> Result<LatticeMask, CallError> {
     let all = mask.coefficients().values().map(V::as_rational).collect::<Option<Vec<Rational>>>();
-    let what = "the degree of the coefficients of a mask on Z^d";
-    let mut all = all.ok_or(CallError::BeyondCap(Cap::new(what, 1)))?.into_iter();
+    let what = "the number of coefficients of a mask on Z^d that are no rational numbers";
+    let mut all = all.ok_or(CallError::BeyondCap(Cap::new(what, 0)))?.into_iter();
     Ok(mask.map(|_| all.next().unwrap_or_else(Rational::zero)))
 }
 

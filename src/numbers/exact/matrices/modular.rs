@@ -207,10 +207,11 @@ impl Modulus {
                 row.swap(k, pivot);
             }
             let inverse = self.inverse(m[k][k - 1]);
-            let top = m[k].clone();
             for i in k + 1..n {
                 let factor = m[i][k - 1] * inverse % p;
                 if factor != 0 {
+                    // The steps before have changed this row too.
+                    let top = m[k].clone();
                     self.subtract(&mut m[i], factor, &top);
                     for row in &mut m {
                         row[k] = (row[k] + factor * row[i]) % p;

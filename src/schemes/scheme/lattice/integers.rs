@@ -17,6 +17,7 @@ pub(in crate::scheme) type VectorTable = Spanned<Vec<Spanned<Vec<Spanned<String>
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::scheme) struct Vectors {
     pub(in crate::scheme) rows: Vec<Vec<i64>>,
+    source: Arc<SourceText>,
     pub(in crate::scheme) span: Range<usize>,
 }
 
@@ -34,7 +35,7 @@ impl Vectors {
             row.get_ref().iter().map(entry).collect::<Result<Vec<i64>, Diagnostic>>()
         };
         let rows = table.get_ref().iter().map(row).collect::<Result<Vec<_>, Diagnostic>>()?;
-        Vectors { rows, span: table.span() }.checked(source)
+        Vectors { rows, source: Arc::clone(source), span: table.span() }.checked()
     }
 
     /// The vectors of a text at this place: `[[1, 1], [1, -1]]`, or one of them, `[1, 1]`.
@@ -53,14 +54,14 @@ impl Vectors {
         let bracket = |text: &str| -> Option<String> {
             Some(text.trim().strip_prefix('[')?.strip_suffix(']')?.trim().to_owned())
         };
-        let inside = bracket(text).ok_or_else(form)?;
+        let inside = bracket(text).filter(|inside| !inside.is_empty()).ok_or_else(form)?;
         let numbers = |list: &str| {
             let number = |word: &str| integer(source, span.clone(), word);
             list.split(',').map(number).collect::<Result<Vec<i64>, Diagnostic>>()
         };
         if !inside.starts_with('[') {
             let rows = vec![numbers(&inside)?];
-            return Vectors { rows, span: span.clone() }.checked(source);
+            return Vectors { rows, source: Arc::clone(source), span }.checked();
         }
         let mut rows = Vec::new();
         for (at, piece) in inside.split(']').enumerate() {
@@ -78,11 +79,16 @@ impl Vectors {
         if inside.matches(']').count() != rows.len() || !inside.ends_with(']') {
             return Err(form());
         }
-        Vectors { rows, span: span.clone() }.checked(source)
+        Vectors { rows, source: Arc::clone(source), span }.checked()
     }
 
-    fn checked(self, source: &Arc<SourceText>) -> Result<Vectors, Diagnostic> {
-        let wrong = |message: String| Diagnostic::new(source, self.span.clone(), message);
+    /// An error at the place of the vectors.
+    pub(in crate::scheme) fn error(&self, message: impl Into<String>) -> Diagnostic {
+        Diagnostic::new(&self.source, self.span.clone(), message)
+    }
+
+    fn checked(self) -> Result<Vectors, Diagnostic> {
+        let wrong = |message: String| self.error(message);
         if self.rows.is_empty() || self.rows.len() > MAX_VECTORS {
             let count = self.rows.len();
             return Err(wrong(format!("{count} vectors; there are from 1 to {MAX_VECTORS}")));
@@ -98,12 +104,8 @@ impl Vectors {
     ///
     /// # Errors
     /// When they have another number of coordinates, or one is 0.
-    pub(in crate::scheme) fn points(
-        &self,
-        source: &Arc<SourceText>,
-        dimension: usize,
-    ) -> Result<Vec<Point>, Diagnostic> {
-        let wrong = |message: String| Diagnostic::new(source, self.span.clone(), message);
+    pub(in crate::scheme) fn points(&self, dimension: usize) -> Result<Vec<Point>, Diagnostic> {
+        let wrong = |message: String| self.error(message);
         let point = |row: &Vec<i64>| {
             if row.len() != dimension {
                 let message =

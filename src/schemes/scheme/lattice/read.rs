@@ -41,17 +41,17 @@ impl Stated {
         let dilation = match &self.dilation {
             None => Dilation::scalar(2, dimension)
                 .map_err(|error| Diagnostic::new(source, span.clone(), error.to_string()))?,
-            Some(rows) => Dilation::new(&rows.rows)
-                .map_err(|error| Diagnostic::new(source, rows.span.clone(), error.to_string()))?,
+            Some(rows) => {
+                Dilation::new(&rows.rows).map_err(|error| rows.error(error.to_string()))?
+            }
         };
-        if dilation.dimension() != dimension {
-            let (found, span) =
-                (dilation.dimension(), self.dilation.as_ref().map_or(span, |d| &d.span));
-            let message =
-                format!("a dilation matrix of {found} rows for a mask in {dimension} dimensions");
-            return Err(Diagnostic::new(source, span.clone(), message));
+        if let Some(rows) = self.dilation.as_ref().filter(|rows| rows.rows.len() != dimension) {
+            let found = rows.rows.len();
+            return Err(rows.error(format!(
+                "a dilation matrix of {found} rows for a mask in {dimension} dimensions"
+            )));
         }
-        let edges = self.edges.as_ref().map(|edges| edges.points(source, dimension));
+        let edges = self.edges.as_ref().map(|edges| edges.points(dimension));
         Ok((dilation, edges.transpose()?.unwrap_or_default()))
     }
 
@@ -77,7 +77,7 @@ impl Stated {
             return Err(Diagnostic::new(source, span, message)
                 .with_help("take another name for the index of the sum"));
         }
-        self.refuse_origin(source)?;
+        self.refuse_origin()?;
         let names = FreeNames::new(definitions).of(&formula.expr);
         let of_dilation = self.dilation.as_ref().map(|rows| rows.rows.len());
         let dimension =
@@ -101,13 +101,10 @@ impl Stated {
         let (dilation, edges) = self.common(source, &span, dimension)?;
         let last = |axis: usize| list.iter().map(|(at, _)| at[axis]).max().unwrap_or(0);
         let middle = || (0..dimension).map(|axis| last(axis) / 2).collect();
-        let stated = self.origin.as_ref().map(|Vectors { rows, span }| match &rows[..] {
+        let stated = self.origin.as_ref().map(|stated| match &stated.rows[..] {
             [origin] if origin.len() == dimension => Ok(origin.clone()),
-            _ => {
-                let message =
-                    format!("the origin is one vector of {dimension} indices, counted from 0");
-                Err(Diagnostic::new(source, span.clone(), message))
-            }
+            _ => Err(stated
+                .error(format!("the origin is one vector of {dimension} indices, counted from 0"))),
         });
         let origin: Vec<i64> = stated.transpose()?.unwrap_or_else(middle);
         let place = |at: &Vec<i64>| {
@@ -127,17 +124,18 @@ impl Stated {
         source: &Arc<SourceText>,
         directions: &Vectors,
     ) -> Result<LatticeFormulas, Diagnostic> {
-        self.refuse_origin(source)?;
+        self.refuse_origin()?;
         let (span, dimension) = (directions.span.clone(), directions.rows[0].len());
         let (dilation, edges) = self.common(source, &span, dimension)?;
-        let coefficients = LatticeCoefficients::Directions(directions.points(source, dimension)?);
+        let coefficients = LatticeCoefficients::Directions(directions.points(dimension)?);
         Ok(LatticeFormulas { dilation, edges, coefficients, source: Arc::clone(source), span })
     }
 
-    fn refuse_origin(&self, source: &Arc<SourceText>) -> Result<(), Diagnostic> {
+    fn refuse_origin(&self) -> Result<(), Diagnostic> {
         self.origin.as_ref().map_or(Ok(()), |origin| {
             let message = "`origin` is the place of the coefficient at 0 in lists of lists";
-            Err(Diagnostic::new(source, origin.span.clone(), message)
+            Err(origin
+                .error(message)
                 .with_help("leave it out; a factor such as x^-1*y^-1 shifts a symbol"))
         })
     }

@@ -67,6 +67,9 @@ pub(in crate::scheme) fn nested(
                     "a list stands beside a number, or it has something behind it",
                 ));
             };
+            if inside.trim_end().ends_with(',') {
+                return Err(wrong(span, "a list that ends with a comma"));
+            }
             let inside = start + 1..start + 1 + inside.len();
             let parts = pieces(text, inside).map_err(|message| wrong(span.clone(), message))?;
             if length.replace(parts.len()).is_some_and(|length| length != parts.len()) {
