@@ -36,7 +36,7 @@ fn what_is_not_a_scheme() {
         ("", "the name is missing"),
         ("chaikin x ", "the name is missing"),
         (":w=1", "the name is missing"),
-        ("chaikin x chaikin x chaikin", "two factors"),
+        ("chaikin x chaikin x chaikin x chaikin", "two or three factors"),
         ("six-point:3/256", "name=value"),
         ("six-point:w=1,,", "name=value"),
         ("six-point:w=", "the value of `w` is missing"),

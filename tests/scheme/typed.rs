@@ -130,7 +130,7 @@ fn what_is_no_mask_is_refused() {
         ("[1,, 1]", "a coefficient is missing"),
         ("[1, 3", "the list has no end"),
         ("[1, 1]x", "not a list of coefficients"),
-        ("[[1], [1]]", "not a list of coefficients"),
+        ("[[1], [1]]", "is a mask on Z^d"),
         ("{{1}, {1}}", "not a list of coefficients"),
         ("[1, 2; 3, 4]", "commas beside semicolons"),
         ("[0,125; 0,5]", "commas beside semicolons"),
