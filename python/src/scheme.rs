@@ -115,6 +115,10 @@ impl Native {
     fn named(text: &str) -> PyResult<Native> {
         match parse_any_scheme(text).map_err(|error| of_scheme(&error))? {
             AnyScheme::Uniform(scheme) => Ok(Native::of(scheme)),
+            AnyScheme::Lattice(_) => Err(with_remedy(
+                &format!("`{text}` is a mask on Z^d, or a product of three"),
+                "the command line takes it: subcert scheme, constants, depth and smoothness",
+            )),
             AnyScheme::LocalRules(_) => Err(with_remedy(
                 &format!("`{text}` is a scheme around a vertex or on a face"),
                 "spectrum, smoothness and sector are for it, and meshes take its name, as in mesh_depth",

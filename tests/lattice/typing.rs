@@ -82,7 +82,7 @@ fn refusals() {
         ("[[1,1],[1]]", "another length"),
         ("[[1,1],1]", "beside a number"),
         ("[[[[1]]]]", "2 deep, or 3"),
-        ("[[1,1],[1,]]", "another length"),
+        ("[[1,1],[1,]]", "ends with a comma"),
         ("box[[1,0],[0,0]]", "no direction"),
         ("box[[1,0],[0,1],[1,2]]:dilation=[[1,1],[1,-1]]", "multiples of directions"),
         ("(1+x)*(1+y)*(1+x*y)/(1+x^2)", "remainder"),

@@ -109,7 +109,7 @@ impl Level {
 }
 
 impl Answer for LatticeConstants<'_> {
-    const NAME: &'static str = "lattice-constants";
+    const NAME: &'static str = "constants-lattice";
 
     fn sheet(&self) -> Sheet {
         let mut sheet = Sheet::titled(self.scheme);

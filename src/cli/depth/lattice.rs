@@ -124,7 +124,7 @@ impl Placed {
 }
 
 impl Answer for LatticeDepth<'_> {
-    const NAME: &'static str = "lattice-depth";
+    const NAME: &'static str = "depth-lattice";
 
     fn sheet(&self) -> Sheet {
         let mut sheet = Sheet::titled(self.scheme);

@@ -77,7 +77,7 @@ pub(crate) struct LatticeSmoothness<'a> {
 }
 
 impl Answer for LatticeSmoothness<'_> {
-    const NAME: &'static str = "lattice-smoothness";
+    const NAME: &'static str = "smoothness-lattice";
 
     fn sheet(&self) -> Sheet {
         let mut sheet = Sheet::titled(self.scheme);
