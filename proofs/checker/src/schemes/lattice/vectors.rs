@@ -34,7 +34,7 @@ pub(super) fn within(vectors: &[Vector], most: u64) -> bool {
     vectors.iter().flatten().all(|x| x.unsigned_abs() <= most)
 }
 
-/// A vector of d integers; none beyond 64 binary digits.
+/// A vector of d integers. What is beyond 64 binary digits is beyond all limits, as the last integers of 64 digits are.
 pub(super) fn vector(list: &[Toml], d: usize) -> Option<Vector> {
     let mut vector = [0; 3];
     if list.len() != d {
@@ -46,7 +46,11 @@ pub(super) fn vector(list: &[Toml], d: usize) -> Option<Vector> {
         if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
             return None;
         }
-        *place = text.parse().ok()?;
+        *place = match text.parse::<i64>() {
+            Ok(number) => number,
+            Err(_) if digits == text => i64::MAX,
+            Err(_) => i64::MIN,
+        };
     }
     Some(vector)
 }
