@@ -32,8 +32,7 @@ pub(super) fn lattice_depth(
     let d = mask.dimension();
     let (mut constants, mut all) = (LatticeConstants::new(mask), vec![Rational::one()]);
     loop {
-        let next = mask.dilation().class_count().saturating_pow(constants.steps().count() + 1);
-        let many = next.saturating_mul(mask.edges().len()) > MAX_DIFFERENCES;
+        let many = constants.next_count() > MAX_DIFFERENCES;
         if all.len() > 1 && many || constants.advance().is_err() {
             break;
         }

@@ -50,9 +50,8 @@ impl LatticeFacts {
     pub fn of(mask: &LatticeMask) -> LatticeFacts {
         let (mut contraction, mut norm) = (Vec::new(), Vec::new());
         let mut constants = LatticeConstants::new(mask);
-        for c in 1..=MAX_LEVELS {
-            let count = mask.dilation().class_count().saturating_pow(c) * mask.edges().len();
-            if count > MAX_DIFFERENCES || constants.advance().is_err() {
+        for _ in 1..=MAX_LEVELS {
+            if constants.next_count() > MAX_DIFFERENCES || constants.advance().is_err() {
                 break;
             }
             let Ok(found) = constants.contraction() else { break };

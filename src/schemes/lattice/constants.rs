@@ -49,6 +49,13 @@ impl<'m> LatticeConstants<'m> {
         }
     }
 
+    /// How many differences there are after one step more.
+    #[must_use]
+    pub fn next_count(&self) -> usize {
+        let classes = self.classes.saturating_pow(self.steps.count() + 1);
+        classes.saturating_mul(self.steps.mask().edges().len())
+    }
+
     /// One step more.
     ///
     /// # Errors

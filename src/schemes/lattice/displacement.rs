@@ -39,16 +39,11 @@ enum Between {
 /// ```
 pub fn displacement(mask: &LatticeMask, shift: &[Rational]) -> Result<Option<Rational>, NormError> {
     let edges = Edges::new(mask.edges(), mask.dimension());
-    let is_diagonal = mask
-        .dilation()
-        .rows()
-        .enumerate()
-        .all(|(i, row)| row.iter().enumerate().all(|(j, x)| i == j || *x == 0));
     let has = |edge: Point| edges.all().contains(&edge);
     let between = match mask.dimension() {
         2 if has([1, 1, 0]) => Between::Triangles,
         2 if has([1, -1, 0]) => Between::OtherTriangles,
-        _ if is_diagonal => Between::Boxes,
+        _ if mask.dilation().diagonal().is_some() => Between::Boxes,
         2 => Between::Triangles,
         _ => return Ok(None),
     };

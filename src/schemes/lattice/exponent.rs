@@ -2,9 +2,8 @@
 
 use crate::exact::{
     Enclosed as _, Integer, IntegerPolynomial, Rational, RealAlgebraic, characteristic_polynomial,
-    row_times,
 };
-use crate::joint::JointRadius;
+use crate::joint::{JointRadius, MatrixSet};
 use crate::smoothness::{ExponentFormula, Hoelder, log_of};
 use std::cmp::Ordering;
 
@@ -63,10 +62,7 @@ fn raised(root: &RealAlgebraic, power: usize) -> Option<RealAlgebraic> {
     };
     let companion: Vec<Vec<Rational>> =
         (0..degree).map(|i| (0..degree).map(|j| entry(i, j)).collect()).collect();
-    let times = |m: &Vec<Vec<Rational>>| -> Vec<Vec<Rational>> {
-        m.iter().map(|row| row_times(row, &companion)).collect()
-    };
-    let matrix = (1..power).fold(companion.clone(), |m, _| times(&m));
+    let matrix = MatrixSet::of_any_size(vec![companion]).product(&vec![0; power]);
     let roots = RealAlgebraic::roots_of(&characteristic_polynomial(&matrix));
     roots.into_iter().find(|y| is_power(root, power, y))
 }

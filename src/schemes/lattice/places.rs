@@ -1,9 +1,9 @@
 //! The places of the values of φ that are seen from a tile.
 
-use super::tiling::{Tiling, inverse, turned};
+use super::tiling::{Tiling, inverse};
 use super::window::{largest, radius};
 use crate::cap::Cap;
-use crate::scheme::{LatticeMask, Point, difference, sum};
+use crate::scheme::{LatticeMask, Point, apply, difference, sum};
 use std::collections::{BTreeSet, HashSet};
 
 /// The places α for which φ(x + α) may be other than 0 for some x of the tile: the largest set in which each α has a β with a(Mα + t − Gβ) among the
@@ -18,13 +18,13 @@ pub(super) fn of_tiling(mask: &LatticeMask, tiling: &Tiling) -> Result<Vec<Point
         places().map(move |place| difference(*place, shift))
     });
     let images: BTreeSet<Point> =
-        moved.flat_map(|place| tiling.group.iter().map(move |g| turned(g, place))).collect();
+        moved.flat_map(|place| tiling.group.iter().map(move |g| apply(g, place))).collect();
     let before = |image: Point, window: &HashSet<Point>| {
         tiling.parts.iter().any(|part| {
             // Gβ = Mα + t − γ.
             let back = inverse(&part.matrix);
             let corner = sum(image, part.shift);
-            places().any(|place| window.contains(&turned(&back, difference(corner, *place))))
+            places().any(|place| window.contains(&apply(&back, difference(corner, *place))))
         })
     };
     largest(mask.dilation(), radius(mask.dilation(), &images)?, before)

@@ -42,6 +42,12 @@ impl<'m, S: Scalar + PartialEq> Steps<'m, S> {
         Steps { mask: self.mask, count: self.count + 1, coefficients }
     }
 
+    /// The mask.
+    #[must_use]
+    pub fn mask(&self) -> &'m LatticeMask<S> {
+        self.mask
+    }
+
     /// c.
     #[must_use]
     pub fn count(&self) -> u32 {

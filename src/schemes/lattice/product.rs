@@ -18,11 +18,7 @@ use std::collections::BTreeMap;
 /// ```
 #[must_use]
 pub fn factors(mask: &LatticeMask) -> Option<Vec<Mask>> {
-    let arity = |(i, row): (usize, &[i64])| {
-        let diagonal = row.iter().enumerate().all(|(j, x)| i == j || *x == 0);
-        Some(row[i]).filter(|n| diagonal && *n > 1)
-    };
-    let arities: Vec<i64> = mask.dilation().rows().enumerate().map(arity).collect::<Option<_>>()?;
+    let arities = mask.dilation().diagonal().filter(|all| all.iter().all(|n| *n > 1))?;
     // The sums over all other axes are multiples of the factors.
     let sums = |(axis, n): (usize, &i64)| {
         let mut sums: BTreeMap<i64, Rational> = BTreeMap::new();

@@ -3,12 +3,12 @@
 use super::exponent::{compared, small};
 use super::monomials::{of_degree, power};
 use super::polynomials::{natural_shift, sum_rules};
-use super::tiling::Tiling;
-use super::values::{ValueSpace, window};
+use super::tiling::{Motion, Tiling};
+use super::values::{Transitions, ValueSpace, window};
 use crate::cap::Cap;
-use crate::exact::{Rational, echelon, null_rows, row_times};
+use crate::exact::{Rational, null_rows};
 use crate::joint::{JointRadius, MatrixSet, radius_of_blocks};
-use crate::scheme::{LatticeMask, Point, difference, sum};
+use crate::scheme::{LatticeMask, difference};
 use crate::stop::Stop;
 use std::cmp::Ordering;
 
@@ -115,24 +115,8 @@ pub(super) fn differences(mask: &LatticeMask, k: u32, stop: &Stop) -> Result<Lat
         .iter()
         .map(|place| exponents.iter().map(|e| power(*place, *e)).collect::<Vec<Rational>>());
     let rows = null_rows(&moments.collect::<Vec<_>>());
-    let entry = |digit: &Point, alpha: &Point, beta: &Point| {
-        let place = difference(sum(*digit, mask.dilation().times(*alpha)), *beta);
-        mask.coefficients().get(&place).cloned().unwrap_or_else(Rational::zero)
-    };
-    let matrix = |digit: &Point| {
-        let row = |beta: &Point| window.iter().map(|alpha| entry(digit, alpha, beta)).collect();
-        window.iter().map(row).collect::<Vec<Vec<Rational>>>()
-    };
-    let matrices: Vec<Vec<Vec<Rational>>> = mask.dilation().digits().iter().map(matrix).collect();
-    let (rows, pivots) = echelon(rows);
-    let on = |matrix: &Vec<Vec<Rational>>| {
-        let row = |row: &Vec<Rational>| {
-            let image = row_times(row, matrix);
-            pivots.iter().map(|k| image[*k].clone()).collect()
-        };
-        rows.iter().map(row).collect::<Vec<Vec<Rational>>>()
-    };
-    let matrices = matrices.iter().map(on).collect();
+    let digits: Vec<Motion> = mask.dilation().digits().iter().copied().map(Motion::by).collect();
+    let matrices = Transitions::new(mask, &digits, &window).on(rows);
     Ok(LatticeRadius::of(matrices, k, Rational::one(), window.len(), stop))
 }
 

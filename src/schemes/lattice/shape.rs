@@ -3,7 +3,7 @@
 use super::monomials::divided;
 use super::polynomials::mean;
 use crate::exact::{Rational, Scalar};
-use crate::scheme::{Dilation, LatticeMask, Point};
+use crate::scheme::{Dilation, LatticeMask, Point, apply, determinant, sum};
 
 /// The matrices G with entries −1, 0 and 1 and a determinant of ±1 for which a(m_1 + G(γ − m_1)) = a(γ) for all γ, with the mean m_1 of the
 /// places; the unit matrix among them.
@@ -42,16 +42,9 @@ fn is_symmetry(mask: &LatticeMask, mean: &[Rational], rows: &[Point; 3]) -> bool
             None => return false,
         }
     }
-    mask.coefficients().iter().all(|(place, c)| {
-        let image: Point =
-            std::array::from_fn(|i| shift[i] + (0..3).map(|j| rows[i][j] * place[j]).sum::<i64>());
-        mask.coefficients().get(&image) == Some(c)
-    })
-}
-
-fn determinant(m: &[Point; 3]) -> i64 {
-    let minor = |a: usize, b: usize| m[1][a] * m[2][b] - m[1][b] * m[2][a];
-    m[0][0] * minor(1, 2) - m[0][1] * minor(0, 2) + m[0][2] * minor(0, 1)
+    mask.coefficients()
+        .iter()
+        .all(|(place, c)| mask.coefficients().get(&sum(apply(rows, *place), shift)) == Some(c))
 }
 
 /// Whether one class has a single coefficient: it is 1, and all points are kept.

@@ -179,11 +179,10 @@ impl LatticeSmoothness {
 fn contraction(mask: &LatticeMask) -> Option<(u32, Rational)> {
     let mut constants = LatticeConstants::new(mask);
     loop {
-        constants.advance().ok()?;
-        let functionals = mask.dilation().class_count().pow(constants.steps().count());
-        if functionals * mask.edges().len() > MAX_FUNCTIONALS {
+        if constants.next_count() > MAX_FUNCTIONALS {
             return None;
         }
+        constants.advance().ok()?;
         let found = constants.contraction().ok()?;
         if found.value < Rational::one() {
             return Some((found.count, found.value));

@@ -4,7 +4,7 @@ use super::monomials::divided;
 use super::window::{attractor, less_digits};
 use crate::cap::Cap;
 use crate::exact::Rational;
-use crate::scheme::{Dilation, LatticeMask, Point, difference};
+use crate::scheme::{Dilation, LatticeMask, Point, adjugate, apply, determinant, difference};
 
 /// The motion x ↦ Gx + t of R^d, which takes Z^d to itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,20 +33,10 @@ impl Motion {
     }
 }
 
-/// Gα.
-pub(super) fn turned(matrix: &[Point; 3], place: Point) -> Point {
-    std::array::from_fn(|i| (0..3).map(|j| matrix[i][j] * place[j]).sum())
-}
-
 /// The inverse of a matrix of determinant ±1.
 pub(super) fn inverse(m: &[Point; 3]) -> [Point; 3] {
-    let minor = |i: usize, j: usize| {
-        let [a, b] = [(i + 1) % 3, (i + 2) % 3];
-        let [c, d] = [(j + 1) % 3, (j + 2) % 3];
-        m[a][c] * m[b][d] - m[a][d] * m[b][c]
-    };
-    let determinant: i64 = (0..3).map(|k| m[0][k] * minor(0, k)).sum();
-    std::array::from_fn(|i| std::array::from_fn(|j| determinant * minor(j, i)))
+    let determinant = determinant(m);
+    adjugate(m).map(|row| row.map(|x| determinant * x))
 }
 
 fn times(a: &[Point; 3], b: &[Point; 3]) -> [Point; 3] {
@@ -121,7 +111,7 @@ impl Tiling {
             let fixes = |g: &[Point; 3]| {
                 mask.coefficients()
                     .iter()
-                    .all(|(place, c)| mask.coefficients().get(&turned(g, *place)) == Some(c))
+                    .all(|(place, c)| mask.coefficients().get(&apply(g, *place)) == Some(c))
             };
             (group.iter().all(fixes) && normalises(dilation, &group))
                 .then(|| alcoves(dilation, group, corners))?
@@ -147,7 +137,7 @@ fn group_of(directions: &[Point], dimension: usize) -> Vec<[Point; 3]> {
         std::array::from_fn(|i| std::array::from_fn(|j| column(j)[i]))
     };
     let permutes = |g: &[Point; 3]| {
-        let mut images: Vec<Point> = both.iter().map(|u| turned(g, *u)).collect();
+        let mut images: Vec<Point> = both.iter().map(|u| apply(g, *u)).collect();
         let mut own = both.clone();
         images.sort_unstable();
         own.sort_unstable();

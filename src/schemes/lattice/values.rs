@@ -3,11 +3,11 @@
 use super::monomials::{divided, of_degree, power_of};
 use super::places::of_tiling;
 use super::span::Span;
-use super::tiling::{Motion, Tiling, inverse, turned};
+use super::tiling::{Motion, Tiling, inverse};
 use super::window::{attractor, less_digits};
 use crate::cap::Cap;
 use crate::exact::{Rational, echelon, null_rows, short_echelon};
-use crate::scheme::{LatticeMask, Point, difference, sum};
+use crate::scheme::{LatticeMask, Point, apply, difference, sum};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most dimensions of the space.
@@ -74,11 +74,11 @@ impl ValueSpace {
         let window = of_tiling(mask, tiling)?;
         // φ(gx + α) = φ(x + G^{−1}(α + t)).
         let place =
-            |motion: &Motion, at: Point| difference(turned(&motion.matrix, at), motion.shift);
+            |motion: &Motion, at: Point| difference(apply(&motion.matrix, at), motion.shift);
         let moved = tiling.neighbours.iter();
         let moved = moved.flat_map(|motion| window.iter().map(move |at| place(motion, *at)));
         let places: Vec<Point> = moved.collect::<BTreeSet<Point>>().into_iter().collect();
-        let steps = Transitions::new(mask, tiling, &places);
+        let steps = Transitions::new(mask, &tiling.parts, &places);
         // Φ(0), and all that follows from it: the values at points of the tile.
         let start: Vec<Rational> = places
             .iter()
@@ -92,7 +92,7 @@ impl ValueSpace {
             let back = inverse(&motion.matrix);
             for (vector, point) in &tile {
                 let place = |place: &Point| {
-                    let at = places.binary_search(&turned(&back, sum(*place, motion.shift)));
+                    let at = places.binary_search(&apply(&back, sum(*place, motion.shift)));
                     at.map_or_else(|_| Rational::zero(), |at| vector[at].clone())
                 };
                 let values = places.iter().map(place).collect::<Vec<Rational>>();
@@ -137,14 +137,7 @@ impl ValueSpace {
             }
             sum
         };
-        let (basis, pivots) = short_echelon(null_rows(&moments).into_iter().map(vector).collect());
-        let on = |rules: &Vec<Vec<(usize, Rational)>>| {
-            let row = |vector: &Vec<Rational>| {
-                pivots.iter().map(|at| applied(&rules[*at], vector)).collect()
-            };
-            basis.iter().map(row).collect()
-        };
-        let matrices = steps.rules.iter().map(on).collect();
+        let matrices = steps.on(null_rows(&moments).into_iter().map(vector).collect());
         ValueSpace { dimension, accuracy, matrices }
     }
 }
@@ -172,27 +165,43 @@ fn beyond() -> Cap {
 }
 
 /// (T_i v)_α = Σ_β a(Mα + t_i − G_iβ) v_β for the parts (G_i, t_i) of a tiling, for v on given places.
-struct Transitions<'m> {
+pub(super) struct Transitions<'m> {
     mask: &'m LatticeMask,
-    tiling: &'m Tiling,
+    parts: &'m [Motion],
     /// For each part and each place α, the places β with a(Mα + t_i − G_iβ).
     rules: Vec<Vec<Vec<(usize, Rational)>>>,
 }
 
 impl<'m> Transitions<'m> {
-    fn new(mask: &'m LatticeMask, tiling: &'m Tiling, places: &[Point]) -> Transitions<'m> {
+    pub(super) fn new(
+        mask: &'m LatticeMask,
+        parts: &'m [Motion],
+        places: &[Point],
+    ) -> Transitions<'m> {
         let rule = |part: &Motion, alpha: &Point| {
             let corner = sum(part.shift, mask.dilation().times(*alpha));
             let back = inverse(&part.matrix);
             let terms = mask.coefficients().iter();
             let terms = terms.filter_map(|(place, c)| {
-                let beta = turned(&back, difference(corner, *place));
+                let beta = apply(&back, difference(corner, *place));
                 Some((places.binary_search(&beta).ok()?, c.clone()))
             });
             terms.collect::<Vec<(usize, Rational)>>()
         };
         let of = |part: &Motion| places.iter().map(|alpha| rule(part, alpha)).collect();
-        Transitions { mask, tiling, rules: tiling.parts.iter().map(of).collect() }
+        Transitions { mask, parts, rules: parts.iter().map(of).collect() }
+    }
+
+    /// The T_i on the invariant space that these vectors span, in its reduced echelon basis: row j has the coordinates of the image of vector j.
+    pub(super) fn on(&self, vectors: Vec<Vec<Rational>>) -> Vec<Vec<Vec<Rational>>> {
+        let (basis, pivots) = short_echelon(vectors);
+        let on = |rules: &Vec<Vec<(usize, Rational)>>| {
+            let row = |vector: &Vec<Rational>| {
+                pivots.iter().map(|at| applied(&rules[*at], vector)).collect()
+            };
+            basis.iter().map(row).collect()
+        };
+        self.rules.iter().map(on).collect()
     }
 
     /// T_iΦ(x) = Φ(M^{−1}(G_i x + t_i)) for each part.
@@ -202,7 +211,7 @@ impl<'m> Transitions<'m> {
             let value = |rule: &Vec<(usize, Rational)>| applied(rule, vector);
             (rules.iter().map(value).collect(), divided(dilation, &part.of_point(point)))
         };
-        self.tiling.parts.iter().zip(&self.rules).map(image).collect()
+        self.parts.iter().zip(&self.rules).map(image).collect()
     }
 
     /// Values that span all that follow from some by steps.

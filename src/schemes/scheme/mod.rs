@@ -38,6 +38,7 @@ pub use file::{OtherSchemes, SchemeTable};
 pub use interpolation::lagrange_mask;
 pub use lattice::dilation::{Dilation, DilationError, MAX_DIMENSION, Point, difference, sum};
 pub use lattice::mask::{LatticeError, LatticeMask};
+pub(crate) use lattice::matrices::{adjugate, apply, determinant};
 pub use local::definition::VALENCE_NAMES;
 pub use local::every::{EveryRing, EveryWeight};
 pub(crate) use local::rules::point_name;

@@ -56,7 +56,7 @@ impl Modulus {
     }
 
     /// a^{−1}, of a ≠ 0.
-    pub(super) fn inverse(self, a: u64) -> u64 {
+    fn inverse(self, a: u64) -> u64 {
         let (mut result, mut base, mut exponent) = (1, a, self.0 - 2);
         while exponent > 0 {
             if exponent & 1 == 1 {
@@ -66,6 +66,18 @@ impl Modulus {
             exponent >>= 1;
         }
         result
+    }
+
+    /// The number x + tm that is r modulo p, for the inverse of m modulo p.
+    pub(super) fn lifted(self, x: &Integer, r: u64, (m, inverse): (&Integer, u64)) -> Integer {
+        let prime = u32::try_from(self.0).expect("below 2^31");
+        let step = (r + self.0 - u64::from(x.residue(prime))) % self.0 * inverse % self.0;
+        x + &(m * &Integer::from(step))
+    }
+
+    /// The inverse of an integer.
+    pub(super) fn inverse_of(self, m: &Integer) -> u64 {
+        self.inverse(m.residue(u32::try_from(self.0).expect("below 2^31")).into())
     }
 
     /// x − c·y, entry by entry.
@@ -276,11 +288,9 @@ pub fn characteristic_polynomial(rows: &[Vec<Rational>]) -> IntegerPolynomial {
         let prime = u32::try_from(p.0).expect("below 2^31");
         let reduce = |row: &Vec<Integer>| row.iter().map(|x| x.residue(prime).into()).collect();
         let residues = p.characteristic(numerators.iter().map(reduce).collect());
-        // From x modulo the primes before to x + tm, t = (r − x)/m modulo p.
-        let inverse = p.inverse(modulus.residue(prime).into());
+        let before = (&modulus, p.inverse_of(&modulus));
         for (x, r) in found.iter_mut().zip(residues) {
-            let step = (r + p.0 - u64::from(x.residue(prime))) % p.0 * inverse % p.0;
-            *x = &*x + &(&modulus * &Integer::from(step));
+            *x = p.lifted(x, r, before);
         }
         modulus *= &Integer::from(p.0);
         if modulus > bound {

@@ -36,15 +36,10 @@ pub fn short_echelon(rows: Vec<Vec<Rational>>) -> (Vec<Vec<Rational>>, Vec<usize
         tried += 1;
         known = match known {
             Some((before, modulus, values)) if before == pivots => {
-                let prime = u32::try_from(p.prime()).expect("below 2^31");
-                let inverse = p.inverse(modulus.residue(prime).into());
-                let lift = |x: Integer, r: u64| {
-                    let step = (r + p.prime() - u64::from(x.residue(prime))) % p.prime() * inverse
-                        % p.prime();
-                    if step == 0 { x } else { x + &modulus * &Integer::from(step) }
-                };
+                let inverse = p.inverse_of(&modulus);
                 let row = |(row, more): (Vec<Integer>, Vec<u64>)| {
-                    row.into_iter().zip(more).map(|(x, r)| lift(x, r)).collect()
+                    let pairs = row.iter().zip(more);
+                    pairs.map(|(x, r)| p.lifted(x, r, (&modulus, inverse))).collect()
                 };
                 let values = values.into_iter().zip(reduced).map(row).collect();
                 Some((before, modulus.clone() * Integer::from(p.prime()), values))

@@ -1,5 +1,6 @@
 //! Dilation matrices: how the indices of a mask on Z^d grow by one step.
 
+use super::matrices::{adjugate, apply, determinant};
 use crate::scheme::rules::MAX_ARITY;
 use std::collections::BTreeMap;
 
@@ -84,7 +85,7 @@ impl Dilation {
         };
         let matrix = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
         let adjugate = adjugate(&matrix);
-        let determinant = (0..3).map(|k| matrix[0][k] * adjugate[k][0]).sum::<i64>();
+        let determinant = determinant(&matrix);
         if !(2..=MAX_ARITY as u64).contains(&determinant.unsigned_abs()) {
             return Err(DilationError::Determinant(determinant));
         }
@@ -142,26 +143,33 @@ impl Dilation {
         &self.digits
     }
 
+    /// The diagonal of M, if all other entries are 0.
+    #[must_use]
+    pub fn diagonal(&self) -> Option<Vec<i64>> {
+        let entry = |(i, row): (usize, &[i64])| {
+            let diagonal = row.iter().enumerate().all(|(j, x)| i == j || *x == 0);
+            diagonal.then_some(row[i])
+        };
+        self.rows().enumerate().map(entry).collect()
+    }
+
     /// n, where M = nI.
     #[must_use]
     pub fn factor(&self) -> Option<i64> {
-        let n = self.matrix[0][0];
-        let scalar = |(i, row): (usize, &[i64])| {
-            row.iter().enumerate().all(|(j, x)| *x == if i == j { n } else { 0 })
-        };
-        self.rows().enumerate().all(scalar).then_some(n)
+        let diagonal = self.diagonal()?;
+        diagonal.iter().all(|n| *n == diagonal[0]).then_some(diagonal[0])
     }
 
     /// Mα.
     #[must_use]
     pub fn times(&self, point: Point) -> Point {
-        product(&self.matrix, point)
+        apply(&self.matrix, point)
     }
 
     /// det(M)·M^{−1}α.
     #[must_use]
     pub fn adjugate_times(&self, point: Point) -> Point {
-        product(&self.adjugate, point)
+        apply(&self.adjugate, point)
     }
 
     /// M^{−1}α, if it is integer.
@@ -222,19 +230,6 @@ pub fn sum(a: Point, b: Point) -> Point {
 #[must_use]
 pub fn difference(a: Point, b: Point) -> Point {
     std::array::from_fn(|i| a[i] - b[i])
-}
-
-fn product(matrix: &[Point; 3], point: Point) -> Point {
-    std::array::from_fn(|i| (0..3).map(|j| matrix[i][j] * point[j]).sum())
-}
-
-fn adjugate(m: &[Point; 3]) -> [Point; 3] {
-    let minor = |i: usize, j: usize| {
-        let [a, b] = [(i + 1) % 3, (i + 2) % 3];
-        let [c, d] = [(j + 1) % 3, (j + 2) % 3];
-        m[a][c] * m[b][d] - m[a][d] * m[b][c]
-    };
-    std::array::from_fn(|i| std::array::from_fn(|j| minor(j, i)))
 }
 
 /// Whether all eigenvalues have moduli above 1: the roots of the characteristic polynomial, read backwards, are then inside the unit circle, which the

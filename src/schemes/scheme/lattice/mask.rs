@@ -250,16 +250,4 @@ impl<S> LatticeMask<S> {
             edges: self.edges.clone(),
         }
     }
-
-    /// The same mask with other edges.
-    ///
-    /// # Errors
-    /// When they do not join all points.
-    pub fn with_edges(self, edges: Vec<Point>) -> Result<LatticeMask<S>, LatticeError> {
-        let d = self.dimension();
-        if !generate(&edges, d) {
-            return Err(LatticeError::Edges(edges.iter().map(|edge| edge[..d].to_vec()).collect()));
-        }
-        Ok(LatticeMask { edges, ..self })
-    }
 }

@@ -6,5 +6,6 @@ mod file;
 pub(super) mod formulas;
 pub(super) mod integers;
 pub(super) mod mask;
+pub(super) mod matrices;
 mod named;
 pub(super) mod read;
