@@ -47,8 +47,18 @@ def test_irrational_masks_and_surfaces():
     assert [row["valence"] for row in subcert.scheme("loop", N=7).valences] == [7]
 
 
+def test_masks_of_several_variables():
+    mask = subcert.scheme("1+(x+1/x+y+1/y)/4:dilation=[[1,1],[1,-1]]")
+    assert mask.curve is None and mask.lattice["arity"] == 2
+    # 4 - 2 log_2(1 + √5).
+    assert mask.lattice["hoelder"]["lower"].startswith("0.61151617")
+    net = subcert.scheme("four-point x four-point")
+    assert net.lattice["contraction"][0]["exact"] == "49/64"
+    assert "[-3, 3] × [-3, 3]" in net._repr_html_() and "T_c" in net._repr_html_()
+
+
 def test_what_is_refused():
-    for bad in ("no such scheme", "chaikin x chaikin", "", "four-point:w="):
+    for bad in ("no such scheme", "chaikin x", "", "four-point:w=", "(1+x)*(1+y)/3"):
         with pytest.raises(SubcertError):
             subcert.scheme(bad)
     with pytest.raises(SubcertError):

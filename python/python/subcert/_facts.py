@@ -17,20 +17,23 @@ from ._scheme import Scheme, _text
 class Facts:
     """All that is known of a scheme, as ``subcert scheme --format json`` has it; None is what is open.
 
-    ``curve`` has the facts of a mask, ``valences`` those of rules around a vertex or on a face, one for
-    each valence, and ``ranges`` where in the only parameter of a family the limits are C^m. Exact numbers
-    are texts, beside decimals.
+    ``curve`` has the facts of a mask, ``lattice`` those of a mask on Z^d or of a tensor product, ``valences``
+    those of rules around a vertex or on a face, one for each valence, and ``ranges`` where in the only
+    parameter of a family the limits are C^m. Exact numbers are texts, beside decimals.
 
     >>> found = scheme("four-point", w="1/16")
     >>> found.curve["continuity"], found.curve["hoelder"]["exact"], found.curve["contraction"][0]["exact"]
     (1, '2', '5/8')
     >>> [order["smoothness"] for order in found.ranges["orders"]]
     [0, 1]
+    >>> scheme("(1+x)*(1+y)*(1+x*y)/2").lattice["hoelder"]["exact"]
+    '1'
     """
 
     #: The scheme as it was given.
     scheme: str
     curve: Optional[Dict[str, Any]] = field(repr=False)
+    lattice: Optional[Dict[str, Any]] = field(repr=False)
     valences: Optional[List[Dict[str, Any]]] = field(repr=False)
     ranges: Optional[Dict[str, Any]] = field(repr=False)
     #: All that the program says.
@@ -40,6 +43,8 @@ class Facts:
         parts = []
         if self.curve is not None:
             parts = _curve(self.scheme, self.curve)
+        if self.lattice is not None:
+            parts = _lattice(self.scheme, self.lattice)
         if self.valences is not None:
             parts.append(_surface(self.scheme, self.valences))
         if self.ranges is not None:
@@ -48,7 +53,7 @@ class Facts:
 
 
 def scheme(name: Union[str, PathLike[str], Scheme], **parameters: Number) -> Facts:
-    """All facts of a scheme of the catalogue, a file, or a mask as text; or of a ``Scheme``.
+    """All facts of a scheme of the catalogue, a file, or a mask as text, also on Z^d; or of a ``Scheme``.
 
     >>> scheme("chaikin").curve["stencils"][0]["weights"][0]["exact"]
     '1/2'
@@ -64,7 +69,8 @@ def scheme(name: Union[str, PathLike[str], Scheme], **parameters: Number) -> Fac
         data = json.loads(found._native.facts_json(repr(found)))
     else:
         data = json.loads(_native.facts_json(_text(found._text, parameters)))
-    return Facts(data["scheme"], data.get("curve"), data.get("valences"), data["ranges"], data)
+    kinds = (data.get(kind) for kind in ("curve", "lattice", "valences"))
+    return Facts(data["scheme"], *kinds, data["ranges"], data)
 
 
 @dataclass(frozen=True)
@@ -144,10 +150,46 @@ def _orders(curve: Dict[str, Any]) -> str:
     return said if fails is None else f"{said}, not C^{fails}"
 
 
+def _exponent(found: Dict[str, Any]) -> Any:
+    """The Hölder exponent.
+
+    >>> _exponent({"hoelder": {"lower": "1.5", "upper": "2", "exact": None}})
+    '1.5 to 2'
+    """
+    hoelder = found["hoelder"]
+    return hoelder and (hoelder["exact"] or _between(hoelder["lower"], hoelder["upper"]))
+
+
+def _constants(found: Dict[str, Any]) -> str:
+    rows = zip(range(1, 9), map(_shown, found["contraction"]), map(_shown, found["norm"]))
+    return _html.table("Constants", ["c", "T_c", "Λ_c"], rows)
+
+
+def _lattice(name: str, mask: Dict[str, Any]) -> List[str]:
+    support = mask["support"] and " × ".join(
+        f"[{low}, {high}]" for low, high in (map(_shown, ends) for ends in mask["support"])
+    )
+    known = _html.facts(
+        name,
+        [
+            ("dilation matrix", mask["dilation"]),
+            ("rules", mask["arity"]),
+            ("kind", mask["kind"]),
+            ("interpolating", "yes" if mask["interpolating"] else "no"),
+            ("support in", support),
+            ("sum rules", mask["sum_rules"]),
+            ("reproduces degree", mask["reproduction"]),
+            ("limits", _orders(mask)),
+            ("Hölder exponent", _exponent(mask)),
+            ("σ", _shown(mask["displacement"])),
+            ("open", ", ".join(one["fact"] for one in mask["open"]) or None),
+        ],
+    )
+    return [known, _constants(mask)]
+
+
 def _curve(name: str, curve: Dict[str, Any]) -> List[str]:
     low, high = map(_shown, curve["support"])
-    hoelder = curve["hoelder"]
-    exponent = hoelder and (hoelder["exact"] or _between(hoelder["lower"], hoelder["upper"]))
     depth = curve["depth_natural"]
     known = _html.facts(
         name,
@@ -160,14 +202,13 @@ def _curve(name: str, curve: Dict[str, Any]) -> List[str]:
             ("sum rules", curve["sum_rules"]),
             ("reproduces degree", curve["reproduction"]),
             ("limits", _orders(curve)),
-            ("Hölder exponent", exponent),
+            ("Hölder exponent", _exponent(curve)),
             ("σ", _shown(curve["displacement"])),
             ("depth for 1/100, natural", depth and _between(depth["lower"], depth["upper"])),
             ("open", ", ".join(one["fact"] for one in curve["open"]) or None),
         ],
     )
-    rows = zip(range(1, 9), map(_shown, curve["contraction"]), map(_shown, curve["norm"]))
-    return [known, _html.table("Constants", ["c", "T_c", "Λ_c"], rows)]
+    return [known, _constants(curve)]
 
 
 def _surface(name: str, valences: List[Dict[str, Any]]) -> str:

@@ -1,7 +1,7 @@
 //! Claims about smoothness that contradict each other.
 
 use crate::claim::{SmoothnessBody, SmoothnessStatement};
-use crate::finding::{KnownLimits, PaperAudit, SmoothnessFinding};
+use crate::finding::{PaperAudit, SmoothnessFinding};
 
 /// Two claims about the limits of one mask, of which at most one is true.
 #[derive(Clone, Copy, Debug)]
@@ -49,12 +49,8 @@ impl<'a> PaperAudit<'a> {
             let Some(m) = orders(smooth).0 else { continue };
             found.extend(self.smoothness.iter().filter_map(|rough| {
                 let fails = orders(rough).1.filter(|fails| *fails <= m)?;
-                let (KnownLimits::Limits(one), KnownLimits::Limits(other)) =
-                    (&smooth.known, &rough.known)
-                else {
-                    return None;
-                };
-                (one.mask == other.mask).then_some(Opposed { smooth, m, rough, fails })
+                let same = smooth.known.is_of_mask_of(&rough.known);
+                same.then_some(Opposed { smooth, m, rough, fails })
             }));
         }
         found

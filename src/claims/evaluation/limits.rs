@@ -9,7 +9,7 @@ use crate::exact::{
     BivariatePolynomial, Parametric, Polynomial, Rational, RationalPolynomial, RealCyclotomic,
 };
 use crate::formula::{Context, LocatedFormula, Lookup, Scope, Value};
-use crate::scheme::{Instance, LocalRules, Mask, Rules, SchemeError, VALENCE_NAMES};
+use crate::scheme::{Instance, LatticeMask, LocalRules, Mask, Rules, SchemeError, VALENCE_NAMES};
 use crate::smoothness::plane_rules;
 use std::collections::BTreeMap;
 use std::hash::Hash;
@@ -39,6 +39,22 @@ impl LimitScheme<'_> {
     /// Whether the scheme is a ring: the rules around a vertex or on a face.
     pub(crate) fn is_ring<V: Value>(&self, instances: &[Instance<V>]) -> Result<bool, Diagnostic> {
         self.library.is_ring(instances).map_err(|error| scheme_error(self.located, &error))
+    }
+
+    /// The mask on Z^d that the scheme is, if it is one; its coefficients are rational.
+    pub(crate) fn lattice<V: Value + PartialEq>(
+        &self,
+        instances: &[Instance<V>],
+    ) -> Result<Option<LatticeMask>, Diagnostic> {
+        let mask = self.library.lattice(instances);
+        let Some(mask) = mask.map_err(|error| scheme_error(self.located, &error))? else {
+            return Ok(None);
+        };
+        mask.rational().map(Some).ok_or_else(|| {
+            self.error("a coefficient of this mask on Z^d is no rational number").with_help(
+                "the limits of masks on Z^d are decided where all coefficients are rational",
+            )
+        })
     }
 
     /// The ring at this valence; without one, as its parameters stand. The variable of a range, if there is one, has this value.

@@ -46,8 +46,8 @@ pub use reason::Reason;
 pub(crate) use recovered::values;
 pub use recovered::{Fitting, Recovered, RecoveredFrom};
 pub use smoothness::{
-    Contraction, KnownLimits, RangeAtValence, RangeOfLimits, RegionOfLimits, SmoothnessFinding,
-    SmoothnessVerdict, VertexWitness, Vertices, Witness,
+    Contraction, KnownLimits, LatticeLimits, Proven, RangeAtValence, RangeOfLimits, RegionOfLimits,
+    SmoothnessFinding, SmoothnessVerdict, VertexWitness, Vertices, Witness,
 };
 pub use table::TableFinding;
 pub use theorem::{

@@ -8,7 +8,9 @@ use crate::evaluation::Limits;
 use crate::exact::{IntervalSet, Rational};
 use crate::finding::cell::Direction;
 use crate::finding::reason::Reason;
-use crate::smoothness::{RegionProof, SmoothRange};
+use crate::lattice::LatticeSmoothness;
+use crate::scheme::LatticeMask;
+use crate::smoothness::{Hoelder, RegionProof, SmoothRange, Smoothness};
 use crate::verdict::Word;
 
 /// The finding about a claim of smoothness.
@@ -80,6 +82,8 @@ impl SmoothnessFinding<'_> {
 pub enum KnownLimits {
     /// The limits of one mask.
     Limits(Box<Limits>),
+    /// The limits of one mask on Z^d.
+    Lattice(Box<LatticeLimits>),
     /// The limits for all values of a parameter.
     Range(Box<RangeOfLimits>),
     /// The limits for values of two parameters.
@@ -94,6 +98,84 @@ pub enum KnownLimits {
     Capped(Reason),
     /// Nothing: a value that the claim needs is beyond a cap.
     BeyondCap(Cap),
+}
+
+/// A mask on Z^d, and what is proved of its limits.
+#[derive(Clone, Debug)]
+pub struct LatticeLimits {
+    /// The mask.
+    pub mask: LatticeMask,
+    /// What is proved.
+    pub smoothness: LatticeSmoothness,
+}
+
+/// What is proved of the limits of one mask, of any kind.
+#[derive(Clone, Copy, Debug)]
+pub struct Proven<'k> {
+    /// All limits are C^m for this m.
+    pub continuity: Option<usize>,
+    /// Not all limits are C^m for this m.
+    pub continuity_fails: Option<usize>,
+    /// The Hölder exponent.
+    pub hoelder: Option<&'k Hoelder>,
+}
+
+impl<'k> Proven<'k> {
+    /// Whether all limits are C^m, where that is decided.
+    #[must_use]
+    pub fn is_continuous(&self, m: usize) -> Option<bool> {
+        if self.continuity.is_some_and(|proved| m <= proved) {
+            return Some(true);
+        }
+        self.continuity_fails.is_some_and(|fails| fails <= m).then_some(false)
+    }
+
+    /// What is proved of the limits of a mask of curves.
+    #[must_use]
+    pub fn of_curve(found: &'k Smoothness) -> Proven<'k> {
+        let Smoothness { continuity, continuity_fails, hoelder, .. } = found;
+        Proven {
+            continuity: *continuity,
+            continuity_fails: *continuity_fails,
+            hoelder: hoelder.as_ref(),
+        }
+    }
+
+    /// What is proved of the limits of a mask on Z^d.
+    #[must_use]
+    pub fn of_lattice(found: &'k LatticeSmoothness) -> Proven<'k> {
+        let order = |m: Option<u32>| m.and_then(|m| usize::try_from(m).ok());
+        Proven {
+            continuity: order(found.continuity),
+            continuity_fails: order(found.continuity_fails),
+            hoelder: found.hoelder.as_ref(),
+        }
+    }
+}
+
+impl KnownLimits {
+    /// What is proved of the limits, where they are those of one mask.
+    #[must_use]
+    pub fn proven(&self) -> Option<Proven<'_>> {
+        match self {
+            KnownLimits::Limits(limits) => Some(Proven::of_curve(&limits.smoothness)),
+            KnownLimits::Lattice(limits) => Some(Proven::of_lattice(&limits.smoothness)),
+            _ => None,
+        }
+    }
+
+    /// Whether both are of one and the same mask.
+    #[must_use]
+    pub fn is_of_mask_of(&self, other: &KnownLimits) -> bool {
+        match (self, other) {
+            (KnownLimits::Limits(one), KnownLimits::Limits(other)) => one.mask == other.mask,
+            (KnownLimits::Lattice(one), KnownLimits::Lattice(other)) => {
+                one.mask.dilation() == other.mask.dilation()
+                    && one.mask.coefficients() == other.mask.coefficients()
+            }
+            _ => false,
+        }
+    }
 }
 
 /// What is known of the surfaces at a vertex or on a face.

@@ -29,7 +29,8 @@ pub(super) fn smoothness(
     let interrupt = Interrupt::stops_search(&stop);
     let found = lattice::LatticeSmoothness::until(mask, &stop);
     drop((interrupt, progress));
-    let radius = found.radius.as_ref().map(|one| {
+    let decides = found.radius.as_ref().or(found.differences.as_ref());
+    let radius = decides.map(|one| {
         let order = usize::try_from(one.order).ok();
         Radius::of(&one.matrices, 'T', order, &one.radius)
     });

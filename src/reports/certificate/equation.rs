@@ -1,8 +1,8 @@
 //! Equations and other relations: whether they hold, and the difference of the sides where they do not.
 
 use super::block::{Block, Certified, closed};
-use super::limits::radius;
 use super::parametric::place;
+use super::radius::radius;
 use crate::audit::{EquationFinding, EquationVerdict, Failure, Limits, OnReals, SideValue};
 use crate::claim::{EquationBody, Identity, Paper};
 use crate::exact::{Integer, Rational};

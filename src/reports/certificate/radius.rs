@@ -1,5 +1,7 @@
 //! Certificates of joint spectral radii, and of the smoothness that follows. `proofs/format/radius.md`.
 
+use super::block::Block;
+use crate::audit::Limits;
 use crate::exact::Rational;
 use crate::joint::{Entry, Hull, JointRadius, LeadingEigenvalue, MatrixSet};
 use crate::scheme::Mask;
@@ -53,6 +55,16 @@ pub(super) struct LimitLines {
     pub(super) continuous: Option<usize>,
     /// Not all limits are C^m for this m.
     pub(super) not_continuous: Option<usize>,
+}
+
+/// Writes the lines about the limits of a mask into the block of a claim.
+pub(super) fn radius(block: &mut Block, known: &Limits) -> Option<LimitLines> {
+    let found = limits(&known.mask, &known.smoothness);
+    match &found {
+        Some(lines) => lines.text.lines().for_each(|line| block.line(line)),
+        None => block.give_up("no invariant hull is found"),
+    }
+    found
 }
 
 /// The lines about the limits of a mask; `None` where no hull is found.
@@ -112,7 +124,7 @@ fn limit(arity: usize, order: usize, m: usize) -> Rational {
 }
 
 /// Writes both bounds, and gives the lower one.
-fn write_radius<F: Entry>(
+pub(super) fn write_radius<F: Entry>(
     text: &mut String,
     set: &MatrixSet<F>,
     radius: &JointRadius,

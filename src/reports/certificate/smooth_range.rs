@@ -1,8 +1,8 @@
 //! Ranges of one parameter or two for which limits are C^m: a contraction, or values that refute the range.
 
 use super::block::Block;
-use super::limits::radius;
 use super::parametric::pieces;
+use super::radius::radius;
 use crate::audit::{RangeOfLimits, RegionOfLimits, SmoothnessVerdict, Witness, Word};
 use crate::claim::{SmoothRangeStatement, SmoothRegionStatement};
 use crate::exact::Rational;

@@ -1,15 +1,12 @@
 //! Claims about smoothness: the joint spectral radius of the matrices, and what it shows.
 
 use super::block::{Block, Certified};
-use super::limits::radius;
-use super::radius::LimitLines;
+use super::lattice::lattice_limits;
+use super::radius::radius;
+use super::shown::Shown;
 use super::{smooth_range, vertex};
-use crate::audit::{Direction, KnownLimits, Limits, SmoothnessFinding, SmoothnessVerdict};
-use crate::claim::{
-    ExponentStatement, Paper, PrintedExponent, SmoothnessBody, SmoothnessStatement,
-};
-use crate::exact::{Decimal, LogSum, LogTerm, Rational};
-use std::cmp::Ordering;
+use crate::audit::{Direction, KnownLimits, SmoothnessFinding, SmoothnessVerdict};
+use crate::claim::{ExponentStatement, Paper, SmoothnessBody, SmoothnessStatement};
 
 /// Why a finding has no certificate: the radius is enclosed by rational numbers.
 const NOT_SHOWN: &str = "the rational bounds of the joint spectral radius do not show this";
@@ -57,7 +54,21 @@ impl Certified for SmoothnessFinding<'_> {
             (_, KnownLimits::Limits(known)) => {
                 block.restate("scheme", &scheme);
                 restate(&mut block, statement);
-                of_limits(&mut block, statement, known, self.verdict);
+                if let Some(lines) = radius(&mut block, known) {
+                    let shown = Shown::of_curve(&lines, known.mask.arity());
+                    of_limits(&mut block, statement, &shown, self.verdict);
+                }
+            }
+            (_, KnownLimits::Lattice(known)) => {
+                block.restate("scheme", &scheme);
+                restate(&mut block, statement);
+                match lattice_limits(&known.mask, &known.smoothness) {
+                    Ok((lines, shown)) => {
+                        lines.lines().for_each(|line| block.line(line));
+                        of_limits(&mut block, statement, &shown, self.verdict);
+                    }
+                    Err(why) => block.give_up(why),
+                }
             }
             _ => block.give_up("nothing is known of the limits"),
         }
@@ -91,40 +102,28 @@ fn restate(block: &mut Block, statement: &SmoothnessStatement) {
     }
 }
 
+/// The verdict on a claim about the limits of one mask, if it is shown.
 fn of_limits(
     block: &mut Block,
     statement: &SmoothnessStatement,
-    known: &Limits,
+    shown: &Shown,
     verdict: SmoothnessVerdict,
 ) {
-    let Some(lines) = radius(block, known) else { return };
-    let shown = match statement {
+    let found = match statement {
         SmoothnessStatement::Continuity { continuous, not_continuous, .. } => {
-            let [yes, no] = [continuous, not_continuous].map(|m| {
-                m.map(|m| {
-                    let yes = lines.continuous.is_some_and(|shown| m <= shown);
-                    (yes, lines.not_continuous.is_some_and(|shown| shown <= m))
-                })
-            });
-            let refuted = yes.is_some_and(|(_, fails)| fails) || no.is_some_and(|(holds, _)| holds);
-            let confirmed = yes.is_none_or(|(holds, _)| holds) && no.is_none_or(|(_, fails)| fails);
-            judged(refuted, confirmed)
+            shown.continuity(*continuous, *not_continuous)
         }
         SmoothnessStatement::Exponent { exponent, attained } => {
-            let arity = known.mask.arity();
-            let found = Exponent::of(&lines, arity).judged(exponent);
-            let diverges = lines.not_continuous == Some(0);
-            let found = if diverges { Some(SmoothnessVerdict::Refuted) } else { found };
-            found.filter(|found| attained.is_none() || *found == SmoothnessVerdict::Refuted)
+            if !shown.compares(exponent) {
+                block.give_up(
+                    "logarithms to another base than that of the scheme are not certified",
+                );
+            }
+            shown.exponent(exponent, *attained)
         }
         SmoothnessStatement::Range(_) | SmoothnessStatement::Region(_) => None,
     };
-    if let SmoothnessStatement::Exponent { exponent, .. } = statement
-        && bases(exponent).any(|base| base != known.mask.arity())
-    {
-        block.give_up("logarithms to another base than the arity are not certified");
-    }
-    if shown != Some(verdict) {
+    if found != Some(verdict) {
         let attained = matches!(statement, SmoothnessStatement::Exponent { attained: Some(_), .. });
         block.give_up(if attained {
             "whether an exponent is attained is not certified"
@@ -137,88 +136,4 @@ fn of_limits(
         SmoothnessVerdict::Rounding(_) => "rounding away".to_owned(),
         other => other.word().into(),
     });
-}
-
-fn judged(refuted: bool, confirmed: bool) -> Option<SmoothnessVerdict> {
-    let confirmed = confirmed.then_some(SmoothnessVerdict::Confirmed);
-    if refuted { Some(SmoothnessVerdict::Refuted) } else { confirmed }
-}
-
-/// The bases of the logarithms of a printed exponent.
-fn bases(exponent: &ExponentStatement) -> impl Iterator<Item = usize> {
-    let printed = match exponent {
-        ExponentStatement::Value(value) => [Some(value), None],
-        ExponentStatement::Bounds { at_least, at_most } => [at_least.as_ref(), at_most.as_ref()],
-        ExponentStatement::Decimal { .. } => [None, None],
-    };
-    printed.into_iter().flatten().flat_map(|value| &value.value.terms).map(|term| term.base)
-}
-
-/// The bounds of an exponent that the lines show.
-struct Exponent {
-    lower: Option<LogSum>,
-    upper: Option<LogSum>,
-}
-
-impl Exponent {
-    fn of(lines: &LimitLines, arity: usize) -> Exponent {
-        let bound = |of: &Rational, degree: usize| {
-            let factor = -Rational::from(degree).recip();
-            let term = LogTerm { factor, base: arity, of: of.clone() };
-            LogSum { rational: Rational::from(lines.order), terms: vec![term] }
-        };
-        Exponent {
-            lower: lines.continuous.map(|_| bound(&lines.at_most, 1)),
-            upper: lines.at_least.as_ref().map(|(of, degree)| bound(of, *degree)),
-        }
-    }
-
-    /// Whether the exponent is at least this number; with `strictly`, greater.
-    fn at_least(&self, value: &LogSum, strictly: bool) -> bool {
-        let order = self.lower.as_ref().and_then(|lower| lower.compare(value));
-        order == Some(Ordering::Greater) || !strictly && order == Some(Ordering::Equal)
-    }
-
-    /// Whether the exponent is at most this number; with `strictly`, less.
-    fn at_most(&self, value: &LogSum, strictly: bool) -> bool {
-        let order = self.upper.as_ref().and_then(|upper| upper.compare(value));
-        order == Some(Ordering::Less) || !strictly && order == Some(Ordering::Equal)
-    }
-
-    fn judged(&self, statement: &ExponentStatement) -> Option<SmoothnessVerdict> {
-        let bounds = |low: Option<&PrintedExponent>, high: Option<&PrintedExponent>| {
-            let refuted = low.is_some_and(|value| self.at_most(&value.value, true))
-                || high.is_some_and(|value| self.at_least(&value.value, true));
-            let confirmed = low.is_none_or(|value| self.at_least(&value.value, false))
-                && high.is_none_or(|value| self.at_most(&value.value, false));
-            judged(refuted, confirmed)
-        };
-        match statement {
-            ExponentStatement::Value(value) => bounds(Some(value), Some(value)),
-            ExponentStatement::Bounds { at_least, at_most } => {
-                bounds(at_least.as_ref(), at_most.as_ref())
-            }
-            ExponentStatement::Decimal { decimal, .. } => self.rounded(decimal),
-        }
-    }
-
-    fn rounded(&self, decimal: &Decimal) -> Option<SmoothnessVerdict> {
-        let half = decimal.unit() / Rational::from(2);
-        let place = |halves: i64| LogSum::from(decimal.value() + &half * Rational::from(halves));
-        let between = |low, high, strictly| {
-            self.at_least(&place(low), strictly) && self.at_most(&place(high), strictly)
-        };
-        // Of an exponent that is cut some digit is left, and none is below half a unit and rounded to one.
-        let above = if decimal.mantissa().is_zero() { (1, true) } else { (2, false) };
-        let below = if decimal.is_one_unit() { (-1, true) } else { (-2, false) };
-        if self.at_least(&place(above.0), above.1) || self.at_most(&place(below.0), below.1) {
-            Some(SmoothnessVerdict::Refuted)
-        } else if between(-1, 1, false) {
-            Some(SmoothnessVerdict::Confirmed)
-        } else if between(1, 2, true) {
-            Some(SmoothnessVerdict::Rounding(Direction::Cut))
-        } else {
-            between(-2, -1, true).then_some(SmoothnessVerdict::Rounding(Direction::Away))
-        }
-    }
 }

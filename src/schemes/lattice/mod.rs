@@ -41,6 +41,6 @@ pub use product::factors;
 pub use radius::LatticeRadius;
 pub use shape::{is_interpolating, is_isotropic, support, symmetries};
 pub use smoothness::LatticeSmoothness;
-pub use tiling::{Motion, Tiling};
+pub use tiling::{Figure, Motion, Tiling};
 pub use values::{ValueSpace, values_at_integers, window};
 pub use window::{MAX_WINDOW, attractor};

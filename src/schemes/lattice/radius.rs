@@ -3,7 +3,7 @@
 use super::exponent::{compared, small};
 use super::monomials::{of_degree, power};
 use super::polynomials::{natural_shift, sum_rules};
-use super::tiling::{Motion, Tiling};
+use super::tiling::{Figure, Motion, Tiling};
 use super::values::{Transitions, ValueSpace, window};
 use crate::cap::Cap;
 use crate::exact::{Rational, null_rows};
@@ -18,6 +18,10 @@ const BEYOND: u32 = 6;
 /// A joint spectral radius of the steps on a space.
 #[derive(Clone, Debug)]
 pub struct LatticeRadius {
+    /// The parts of the tile, one for each matrix.
+    pub parts: Vec<Motion>,
+    /// The figure of whose alcoves the tile is one; none of digits.
+    pub figure: Option<Figure>,
     /// The order of the differences in the space.
     pub order: u32,
     /// The number by which the matrices are multiplied.
@@ -59,7 +63,10 @@ impl LatticeRadius {
             Rational::from(mask.dilation().class_count()).pow(small(accuracy.div_ceil(d)))
         };
         let radius = LatticeRadius::of(matrices, accuracy, factor, dimension, stop);
-        Ok(Some((accuracy, radius)))
+        Ok(Some((
+            accuracy,
+            LatticeRadius { parts: tiling.parts.clone(), figure: tiling.figure, ..radius },
+        )))
     }
 
     fn of(
@@ -75,7 +82,8 @@ impl LatticeRadius {
         };
         let matrices = MatrixSet::of_any_size(matrices.into_iter().map(scaled).collect());
         let radius = radius_of_blocks(&matrices, stop);
-        LatticeRadius { order, factor, dimension, matrices, radius }
+        let (parts, figure) = (Vec::new(), None);
+        LatticeRadius { parts, figure, order, factor, dimension, matrices, radius }
     }
 
     /// Whether the radius of the steps is below a limit; `None` where its bounds do not tell.
@@ -117,7 +125,8 @@ pub(super) fn differences(mask: &LatticeMask, k: u32, stop: &Stop) -> Result<Lat
     let rows = null_rows(&moments.collect::<Vec<_>>());
     let digits: Vec<Motion> = mask.dilation().digits().iter().copied().map(Motion::by).collect();
     let matrices = Transitions::new(mask, &digits, &window).on(rows);
-    Ok(LatticeRadius::of(matrices, k, Rational::one(), window.len(), stop))
+    let radius = LatticeRadius::of(matrices, k, Rational::one(), window.len(), stop);
+    Ok(LatticeRadius { parts: digits, ..radius })
 }
 
 /// The radius near a tile that has the nearest bounds: the alcove has the smaller matrices, and the tile of the digits at times an extremal hull.

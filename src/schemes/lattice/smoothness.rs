@@ -25,8 +25,10 @@ pub struct LatticeSmoothness {
     pub contraction: Option<(u32, Rational)>,
     /// Whether the scheme converges for all data; `None` where that is open.
     pub converges: Option<bool>,
-    /// The exponents of the factors, where the mask is a product of masks of curves.
-    pub factors: Option<Vec<Option<Hoelder>>>,
+    /// The factors and what is proven of their limits, where the mask is a product of masks of curves.
+    pub factors: Option<Vec<(Mask, Smoothness)>>,
+    /// The radius that decides on convergence, where no T_c does.
+    pub differences: Option<LatticeRadius>,
     /// The radius that decides on the smoothness; of an isotropic M, where the mask is no product.
     pub radius: Option<LatticeRadius>,
     /// The largest m for which the limits are proven to be C^m.
@@ -72,6 +74,7 @@ impl LatticeSmoothness {
             contraction: None,
             converges: None,
             factors: None,
+            differences: None,
             radius: None,
             continuity: None,
             continuity_fails: None,
@@ -99,7 +102,7 @@ impl LatticeSmoothness {
             match differences(mask, sum_rules, stop) {
                 Ok(differences) => {
                     found.converges = differences.is_below(&Rational::one());
-                    found.radius = Some(differences);
+                    found.differences = Some(differences);
                 }
                 Err(cap) => found.open = Some(cap.to_string()),
             }
@@ -150,9 +153,9 @@ impl LatticeSmoothness {
         };
         let accuracy = all.iter().map(|one| one.deciding().order).min();
         self.accuracy = order(accuracy).filter(|_| self.converges == Some(true));
-        let exponents: Vec<Option<Hoelder>> = all.into_iter().map(|one| one.hoelder).collect();
+        let exponents: Vec<Option<Hoelder>> = all.iter().map(|one| one.hoelder.clone()).collect();
         self.hoelder = least(&exponents);
-        self.factors = Some(exponents);
+        self.factors = Some(masks.iter().cloned().zip(all).collect());
     }
 
     fn decide(&mut self, mask: &LatticeMask, accuracy: u32, found: LatticeRadius) {

@@ -43,6 +43,51 @@ fn times(a: &[Point; 3], b: &[Point; 3]) -> [Point; 3] {
     std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
 }
 
+/// The figures whose reflections have alcoves: simplices that their mirrors cut out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Figure {
+    /// The square, with the directions (1, 0) and (0, 1).
+    Square,
+    /// The hexagon with the third direction (1, 1).
+    HexagonSum,
+    /// The hexagon with the third direction (1, −1).
+    HexagonDifference,
+    /// The cube.
+    Cube,
+}
+
+impl Figure {
+    /// The figures of a space of d dimensions.
+    fn all(d: usize) -> &'static [Figure] {
+        match d {
+            2 => &[Figure::HexagonSum, Figure::HexagonDifference, Figure::Square],
+            _ => &[Figure::Cube],
+        }
+    }
+
+    /// Its directions, up to the sign.
+    fn directions(self) -> Vec<Point> {
+        let [x, y, z] = UNIT;
+        match self {
+            Figure::Square => vec![x, y],
+            Figure::HexagonSum => vec![x, y, [1, 1, 0]],
+            Figure::HexagonDifference => vec![x, y, [1, -1, 0]],
+            Figure::Cube => vec![x, y, z],
+        }
+    }
+
+    /// The corners of its alcove at 0.
+    fn alcove(self) -> Vec<Vec<Rational>> {
+        let sixths: &[&[i64]] = match self {
+            Figure::Square => &[&[0, 0], &[3, 0], &[3, 3]],
+            Figure::HexagonSum => &[&[0, 0], &[3, 0], &[4, 2]],
+            Figure::HexagonDifference => &[&[0, 0], &[3, 0], &[2, 2]],
+            Figure::Cube => &[&[0, 0, 0], &[3, 0, 0], &[3, 3, 0], &[3, 3, 3]],
+        };
+        sixths.iter().map(|corner| corner.iter().map(|x| Rational::new(*x, 6)).collect()).collect()
+    }
+}
+
 /// A tile A whose images under a group of motions cover R^d, with MA = ∪_i g_i(A) for m = |det M| motions g_i of the group.
 #[derive(Clone, Debug)]
 pub struct Tiling {
@@ -52,8 +97,8 @@ pub struct Tiling {
     pub neighbours: Vec<Motion>,
     /// The linear parts of the group.
     pub group: Vec<[Point; 3]>,
-    /// The corners of A, where it is an alcove; none of the tile of digits.
-    pub corners: Vec<Vec<Rational>>,
+    /// The figure of whose alcoves it is one; none of the tile of digits.
+    pub figure: Option<Figure>,
 }
 
 impl Tiling {
@@ -68,7 +113,7 @@ impl Tiling {
             parts: digits.map(Motion::by).collect(),
             neighbours: neighbours.into_iter().map(Motion::by).collect(),
             group: vec![UNIT],
-            corners: Vec::new(),
+            figure: None,
         })
     }
 
@@ -78,43 +123,15 @@ impl Tiling {
     pub fn of_alcove(mask: &LatticeMask) -> Option<Tiling> {
         let dilation = mask.dilation();
         let d = mask.dimension();
-        let third = |n: i64| Rational::new(n, 3);
-        let half = |n: i64| Rational::new(n, 2);
-        let zero = Rational::zero;
-        let figures: Vec<(Vec<Point>, Vec<Vec<Rational>>)> = match d {
-            2 => vec![
-                (
-                    vec![[1, 0, 0], [0, 1, 0], [1, 1, 0]],
-                    vec![vec![zero(), zero()], vec![half(1), zero()], vec![third(2), third(1)]],
-                ),
-                (
-                    vec![[1, 0, 0], [0, 1, 0], [1, -1, 0]],
-                    vec![vec![zero(), zero()], vec![half(1), zero()], vec![third(1), third(1)]],
-                ),
-                (
-                    vec![[1, 0, 0], [0, 1, 0]],
-                    vec![vec![zero(), zero()], vec![half(1), zero()], vec![half(1), half(1)]],
-                ),
-            ],
-            _ => vec![(
-                UNIT.to_vec(),
-                vec![
-                    vec![zero(), zero(), zero()],
-                    vec![half(1), zero(), zero()],
-                    vec![half(1), half(1), zero()],
-                    vec![half(1), half(1), half(1)],
-                ],
-            )],
-        };
-        figures.into_iter().find_map(|(directions, corners)| {
-            let group = group_of(&directions, d);
+        Figure::all(d).iter().find_map(|figure| {
+            let group = group_of(&figure.directions(), d);
             let fixes = |g: &[Point; 3]| {
                 mask.coefficients()
                     .iter()
                     .all(|(place, c)| mask.coefficients().get(&apply(g, *place)) == Some(c))
             };
             (group.iter().all(fixes) && normalises(dilation, &group))
-                .then(|| alcoves(dilation, group, corners))?
+                .then(|| alcoves(dilation, group, *figure))?
         })
     }
 }
@@ -158,12 +175,8 @@ fn normalises(dilation: &Dilation, group: &[[Point; 3]]) -> bool {
 }
 
 /// The tiling by the images of a simplex.
-fn alcoves(
-    dilation: &Dilation,
-    group: Vec<[Point; 3]>,
-    corners: Vec<Vec<Rational>>,
-) -> Option<Tiling> {
-    let d = dilation.dimension();
+fn alcoves(dilation: &Dilation, group: Vec<[Point; 3]>, figure: Figure) -> Option<Tiling> {
+    let (d, corners) = (dilation.dimension(), figure.alcove());
     let images = |motion: &Motion| -> Vec<Vec<Rational>> {
         corners.iter().map(|corner| motion.of_point(corner)).collect()
     };
@@ -184,7 +197,12 @@ fn alcoves(
     let parts: Vec<Motion> = motions(reach).filter(inside).collect();
     let meets = |motion: &Motion| images(motion).iter().any(|corner| corners.contains(corner));
     let neighbours: Vec<Motion> = motions(2).filter(meets).collect();
-    (parts.len() == dilation.class_count()).then_some(Tiling { parts, neighbours, group, corners })
+    (parts.len() == dilation.class_count()).then_some(Tiling {
+        parts,
+        neighbours,
+        group,
+        figure: Some(figure),
+    })
 }
 
 /// Whether a point is in a simplex: its barycentric coordinates are not negative.

@@ -1,11 +1,11 @@
 //! Claims about smoothness that are true where more is true.
 
 use crate::claim::{Ends, ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
-use crate::evaluation::Limits;
 use crate::exact::{Enclosed as _, Interval, IntervalSet, LogSum};
 use crate::finding::{
     KnownLimits, PaperAudit, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
 };
+use crate::smoothness::Hoelder;
 use std::ops::Bound;
 
 /// The level of the enclosures that are compared.
@@ -61,15 +61,12 @@ impl<'a> PaperAudit<'a> {
 
 fn beyond(finding: &SmoothnessFinding<'_>) -> Option<Beyond> {
     match (stated(finding.claim)?, &finding.known) {
-        (
-            SmoothnessStatement::Continuity { continuous, not_continuous: None, .. },
-            KnownLimits::Limits(limits),
-        ) => {
-            let proved = limits.smoothness.continuity?;
+        (SmoothnessStatement::Continuity { continuous, not_continuous: None, .. }, known) => {
+            let proved = known.proven()?.continuity?;
             (proved > (*continuous)?).then_some(Beyond::Continuous(proved))
         }
-        (SmoothnessStatement::Exponent { exponent, .. }, KnownLimits::Limits(limits)) => {
-            apart(exponent, limits).then_some(Beyond::Exponent)
+        (SmoothnessStatement::Exponent { exponent, .. }, known) => {
+            apart(exponent, known.proven()?.hoelder?).then_some(Beyond::Exponent)
         }
         (SmoothnessStatement::Range(range), KnownLimits::Range(known)) => {
             let RangeOfLimits { sets, .. } = &**known;
@@ -94,9 +91,8 @@ fn is_one_number(part: &Interval) -> bool {
 }
 
 /// Whether a bound of the exponent is certainly not the exponent.
-fn apart(exponent: &ExponentStatement, limits: &Limits) -> bool {
+fn apart(exponent: &ExponentStatement, hoelder: &Hoelder) -> bool {
     let ExponentStatement::Bounds { at_least, at_most } = exponent else { return false };
-    let Some(hoelder) = &limits.smoothness.hoelder else { return false };
     let enclosed = |value: &LogSum| value.enclosure(LEVEL);
     let above = |value: &LogSum| *enclosed(value).upper() < hoelder.lower;
     let below = |value: &LogSum| *enclosed(value).lower() > hoelder.upper;

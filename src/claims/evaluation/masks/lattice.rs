@@ -71,10 +71,8 @@ pub(crate) fn of_lattice<V: Value + PartialEq>(
 
 /// The mask, whose coefficients are rational.
 fn rational<V: Value>(mask: &LatticeMask<V>) -> Result<LatticeMask, CallError> {
-    let all = mask.coefficients().values().map(V::as_rational).collect::<Option<Vec<Rational>>>();
     let what = "the number of coefficients of a mask on Z^d that are no rational numbers";
-    let mut all = all.ok_or(CallError::BeyondCap(Cap::new(what, 0)))?.into_iter();
-    Ok(mask.map(|_| all.next().unwrap_or_else(Rational::zero)))
+    mask.rational().ok_or(CallError::BeyondCap(Cap::new(what, 0)))
 }
 
 /// Whether −I is among the symmetries.

@@ -2,8 +2,8 @@
 
 use crate::claim::{ExponentStatement, PrintedExponent};
 use crate::exact::{Decimal, Enclosed as _, Enclosure, LogSum, Rounding};
-use crate::finding::{Direction, SmoothnessVerdict};
-use crate::smoothness::{Hoelder, Smoothness};
+use crate::finding::{Direction, Proven, SmoothnessVerdict};
+use crate::smoothness::Hoelder;
 use std::cmp::Ordering;
 
 /// The level of the finest enclosures that are compared: 64·2^3 binary digits.
@@ -11,13 +11,13 @@ const MAX_LEVEL: u32 = 3;
 
 /// Judges what a paper says of the exponent.
 pub(super) fn judge(
-    smoothness: &Smoothness,
+    proven: &Proven<'_>,
     exponent: &ExponentStatement,
     attained: Option<bool>,
 ) -> SmoothnessVerdict {
-    let Some(hoelder) = &smoothness.hoelder else {
+    let Some(hoelder) = proven.hoelder else {
         // Without limits there is no exponent.
-        let diverges = smoothness.continuity_fails == Some(0);
+        let diverges = proven.continuity_fails == Some(0);
         return if diverges { SmoothnessVerdict::Refuted } else { SmoothnessVerdict::Open };
     };
     let as_said = attained.map_or(Some(true), |said| Some(hoelder.attained? == said));

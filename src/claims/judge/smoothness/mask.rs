@@ -20,11 +20,3 @@ pub(super) fn limits(mask: Mask) -> Result<Limits, Reason> {
     let smoothness = Smoothness::of(&mask)?;
     Ok(Limits { mask, smoothness })
 }
-
-/// Whether all limits are C^m, where that is decided.
-pub(super) fn is_continuous(smoothness: &Smoothness, m: usize) -> Option<bool> {
-    if smoothness.continuity.is_some_and(|proved| m <= proved) {
-        return Some(true);
-    }
-    smoothness.continuity_fails.is_some_and(|fails| fails <= m).then_some(false)
-}

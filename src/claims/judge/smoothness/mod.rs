@@ -13,9 +13,11 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::evaluation::limits::LimitScheme;
 use crate::exact::RealCyclotomic;
-use crate::finding::{KnownLimits, SmoothnessFinding, SmoothnessVerdict};
+use crate::finding::{KnownLimits, LatticeLimits, SmoothnessFinding, SmoothnessVerdict};
 use crate::judge::kind::JudgeAlone;
-use mask::{is_continuous, limits, no_valences};
+use crate::lattice::LatticeSmoothness;
+use crate::stop::Stop;
+use mask::{limits, no_valences};
 
 impl<'a> JudgeAlone<'a> for SmoothnessClaim {
     type Finding = SmoothnessFinding<'a>;
@@ -67,29 +69,35 @@ fn of(
     if scheme.is_ring(&instances)? {
         return vertices::judge(scheme, &instances, statement);
     }
-    let limits = match limits(scheme.mask(&[])?) {
-        Ok(limits) => limits,
-        Err(capped) => return Ok((SmoothnessVerdict::NotCheckable, KnownLimits::Capped(capped))),
+    let known = if let Some(mask) = scheme.lattice(&instances)? {
+        let smoothness = LatticeSmoothness::until(&mask, &Stop::default());
+        KnownLimits::Lattice(Box::new(LatticeLimits { mask, smoothness }))
+    } else {
+        match limits(scheme.mask(&[])?) {
+            Ok(limits) => KnownLimits::Limits(Box::new(limits)),
+            Err(capped) => {
+                return Ok((SmoothnessVerdict::NotCheckable, KnownLimits::Capped(capped)));
+            }
+        }
     };
-    let smoothness = &limits.smoothness;
+    let proven = known.proven().expect("they are those of one mask");
     let verdict = match statement {
         SmoothnessStatement::Continuity { valences: Some(valences), .. } => {
             return Err(no_valences(scheme, valences));
         }
         SmoothnessStatement::Continuity { continuous, not_continuous, valences: None } => {
             SmoothnessVerdict::of_all(&[
-                continuous.map_or(Some(true), |m| is_continuous(smoothness, m)),
-                not_continuous.map_or(Some(true), |m| {
-                    is_continuous(smoothness, m).map(|continuous| !continuous)
-                }),
+                continuous.map_or(Some(true), |m| proven.is_continuous(m)),
+                not_continuous
+                    .map_or(Some(true), |m| proven.is_continuous(m).map(|continuous| !continuous)),
             ])
         }
         SmoothnessStatement::Exponent { exponent, attained } => {
-            exponent::judge(smoothness, exponent, *attained)
+            exponent::judge(&proven, exponent, *attained)
         }
         SmoothnessStatement::Range(_) | SmoothnessStatement::Region(_) => {
             unreachable!("ranges are judged above")
         }
     };
-    Ok((verdict, KnownLimits::Limits(Box::new(limits))))
+    Ok((verdict, known))
 }

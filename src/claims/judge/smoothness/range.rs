@@ -1,6 +1,6 @@
 //! Judging the values of a parameter for which the limits are said to be C^m.
 
-use super::mask::{is_continuous, limits, no_valences};
+use super::mask::{limits, no_valences};
 use super::trial::{Judged, Sides, Trial};
 use super::vertex_range;
 use crate::bound::{Order, norm_function};
@@ -8,7 +8,9 @@ use crate::claim::{Ends, SmoothRangeStatement};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::limits::LimitScheme;
 use crate::exact::{IntervalSet, Parametric, PiecewisePolynomial, Rational, RationalPolynomial};
-use crate::finding::{Contraction, KnownLimits, RangeOfLimits, Reason, SmoothnessVerdict, Witness};
+use crate::finding::{
+    Contraction, KnownLimits, Proven, RangeOfLimits, Reason, SmoothnessVerdict, Witness,
+};
 use crate::scheme::Rules;
 use crate::smoothness::{SmoothRange, SmoothRangeError, smooth_range};
 
@@ -40,7 +42,9 @@ pub(super) fn judge(
     };
     let at = |at: &Rational| {
         let Ok(limits) = limits(scheme.mask(&[(variable, at)])?) else { return Ok(None) };
-        Ok(is_continuous(&limits.smoothness, statement.m).map(|smooth| (smooth, limits)))
+        Ok(Proven::of_curve(&limits.smoothness)
+            .is_continuous(statement.m)
+            .map(|smooth| (smooth, limits)))
     };
     let sides = |sets: &SmoothRange| Sides {
         inside: sets.inside.clone(),

@@ -2,8 +2,8 @@
 
 use super::cells;
 use crate::audit::{
-    Beyond, CellErratum, CellFinding, Erratum, Harm, KnownLimits, NotSharp, PaperAudit,
-    SmoothnessFinding, SmoothnessVerdict, Subject, Word,
+    Beyond, CellErratum, CellFinding, Erratum, Harm, NotSharp, PaperAudit, SmoothnessFinding,
+    SmoothnessVerdict, Subject, Word,
 };
 use crate::claim::{ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
 use crate::exact::{Enclosed as _, format::fixed};
@@ -133,8 +133,8 @@ impl Line {
             (Beyond::Range(_), _) => {
                 known.iter().take(2).cloned().collect::<Vec<String>>().join("; ")
             }
-            (Beyond::Exponent, KnownLimits::Limits(limits)) => {
-                let exponent = limits.smoothness.hoelder.as_ref().map(exponent);
+            (Beyond::Exponent, known) => {
+                let exponent = known.proven().and_then(|proven| proven.hoelder).map(exponent);
                 format!("the exponent is {}", exponent.unwrap_or_default())
             }
             _ => known.first().cloned().unwrap_or_default(),

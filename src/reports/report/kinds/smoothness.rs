@@ -47,6 +47,7 @@ impl<'a> Told<'a> for SmoothnessFinding<'a> {
             KnownLimits::Capped(reason) => Some(reason.to_string()),
             KnownLimits::BeyondCap(cap) => Some(cap.to_string()),
             KnownLimits::Limits(_)
+            | KnownLimits::Lattice(_)
             | KnownLimits::Range(_)
             | KnownLimits::Region(_)
             | KnownLimits::Vertices(_)

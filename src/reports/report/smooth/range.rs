@@ -1,7 +1,7 @@
 //! What is known of the limits for values of parameters, in words.
 
 use super::limits::{not_smooth, of_limits, smooth};
-use crate::audit::{RangeOfLimits, RegionOfLimits, SmoothnessFinding, SmoothnessVerdict};
+use crate::audit::{Proven, RangeOfLimits, RegionOfLimits, SmoothnessFinding, SmoothnessVerdict};
 use crate::claim::SmoothRangeStatement;
 use crate::exact::{IntervalSet, Rational, RationalPolynomial};
 use crate::report::words::set::{proved_text, roots, set_text};
@@ -54,7 +54,7 @@ pub(super) fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -
     if let Some(witness) = &range.witness {
         let place =
             if witness.inside { "in the printed range" } else { "beyond the printed range" };
-        let limits = of_limits(&witness.limits);
+        let limits = of_limits(&Proven::of_curve(&witness.limits.smoothness));
         lines.push(format!("At {variable} = {}, {place}, {limits}.", witness.at));
     }
     lines
@@ -79,7 +79,7 @@ pub(super) fn of_region(finding: &SmoothnessFinding<'_>, region: &RegionOfLimits
     match &region.witness {
         Some(witness) => {
             let place = if witness.inside { "in the region" } else { "outside of it" };
-            let limits = of_limits(&witness.limits);
+            let limits = of_limits(&Proven::of_curve(&witness.limits.smoothness));
             lines.push(format!("At ({x}, {y}) = {}, {place}, {limits}.", point(&witness.at)));
         }
         None if finding.verdict == SmoothnessVerdict::Open => {

@@ -1,11 +1,12 @@
 //! Findings about the smoothness of limits.
 
-use super::limits::{not_smooth, of_limits, smooth};
+use super::limits::{not_smooth, of_lattice, of_limits, smooth};
 use super::range::{of_range, of_region};
 use super::regularity;
 use super::vertex::{SCOPE, verdict_name, verdict_reason, vertex_facts, vertices_outcome};
 use crate::audit::{
-    KnownLimits, PaperAudit, RangeAtValence, SmoothnessFinding, SmoothnessVerdict, VertexWitness,
+    KnownLimits, PaperAudit, Proven, RangeAtValence, SmoothnessFinding, SmoothnessVerdict,
+    VertexWitness,
 };
 use crate::claim::{
     ExponentStatement, PrintedValences, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim,
@@ -139,7 +140,11 @@ pub(crate) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
         }
         KnownLimits::Capped(reason) => vec![beyond(reason)],
         KnownLimits::BeyondCap(cap) => vec![beyond(cap)],
-        KnownLimits::Limits(limits) => vec![of_limits(limits)],
+        KnownLimits::Limits(limits) => vec![of_limits(&Proven::of_curve(&limits.smoothness))],
+        KnownLimits::Lattice(limits) => {
+            let open = limits.smoothness.open.iter().cloned();
+            [of_limits(&Proven::of_lattice(&limits.smoothness))].into_iter().chain(open).collect()
+        }
         KnownLimits::Range(range) => of_range(finding, range),
         KnownLimits::Region(region) => of_region(finding, region),
         KnownLimits::Vertices(found) => {
@@ -171,6 +176,7 @@ pub(crate) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
 pub(crate) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
     let limits = match &finding.known {
         KnownLimits::Limits(limits) => limits,
+        KnownLimits::Lattice(limits) => return of_lattice(&limits.smoothness),
         KnownLimits::Range(range) => match &range.witness {
             Some(witness) => &witness.limits,
             None => return Vec::new(),

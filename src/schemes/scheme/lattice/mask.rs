@@ -3,6 +3,7 @@
 use super::dilation::{Dilation, Point, difference};
 use crate::cap::Cap;
 use crate::exact::{Rational, Scalar};
+use crate::formula::Value;
 use crate::scheme::mask::Mask;
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -249,5 +250,16 @@ impl<S> LatticeMask<S> {
             coefficients: self.coefficients.iter().map(|(place, c)| (*place, map(c))).collect(),
             edges: self.edges.clone(),
         }
+    }
+}
+
+impl<V: Value> LatticeMask<V> {
+    /// The same mask, if all its coefficients are rational.
+    #[must_use]
+    pub fn rational(&self) -> Option<LatticeMask> {
+        let rational = |(place, c): (&Point, &V)| Some((*place, c.as_rational()?));
+        let coefficients = self.coefficients.iter().map(rational).collect::<Option<_>>()?;
+        let (dilation, edges) = (self.dilation.clone(), self.edges.clone());
+        Some(LatticeMask { dilation, coefficients, edges })
     }
 }

@@ -4,6 +4,7 @@ use super::vertex::{VertexForm, VerticesForm};
 use crate::audit::{KnownLimits, Limits, RangeAtValence, RangeOfLimits, RegionOfLimits};
 use crate::exact::Rational;
 use crate::report::json::exact::decimal;
+use crate::report::json::lattice::LatticeSmoothnessForm;
 use crate::report::smooth::limits::decimals;
 use crate::smoothness::Hoelder;
 use serde::Serialize;
@@ -14,6 +15,9 @@ use serde::Serialize;
 pub struct SmoothnessDetails {
     /// What is proved of the limits; null for a range without a value that refutes it.
     pub limits: Option<LimitsForm>,
+    /// What is proved of the limits of a mask on Z^d; only of such a mask.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lattice: Option<LatticeSmoothnessForm>,
     /// What is proved for all values of the parameter; null unless the claim is a range.
     pub parameter: Option<RangeForm>,
     /// What is known of surfaces at a vertex or on a face; only of rules there.
@@ -121,6 +125,10 @@ impl SmoothnessDetails {
             KnownLimits::Limits(limits) => {
                 SmoothnessDetails { limits: Some(LimitsForm::of(limits)), ..Default::default() }
             }
+            KnownLimits::Lattice(limits) => SmoothnessDetails {
+                lattice: Some(LatticeSmoothnessForm::of(&limits.smoothness)),
+                ..Default::default()
+            },
             KnownLimits::Range(range) => {
                 let limits = range.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
                 let parameter = Some(RangeForm::of(range));
@@ -146,7 +154,9 @@ impl SmoothnessDetails {
 
     /// The exponent as a formula.
     pub(crate) fn exact(&self) -> Option<&String> {
-        self.limits.as_ref()?.hoelder.as_ref()?.exact.as_ref()
+        let of_curve = self.limits.as_ref().and_then(|limits| limits.hoelder.as_ref());
+        let of_lattice = self.lattice.as_ref().and_then(|limits| limits.hoelder.as_ref());
+        of_curve.or(of_lattice)?.exact.as_ref()
     }
 }
 

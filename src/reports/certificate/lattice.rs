@@ -1,0 +1,145 @@
+//! Certificates of the limits of masks on Z^d. `proofs/format/lattice.md`.
+
+use super::radius::{limits, line, write_radius};
+use super::shown::Shown;
+use crate::exact::{LogSum, LogTerm, Rational};
+use crate::lattice::{Figure, LatticeRadius, LatticeSmoothness, Motion};
+use crate::scheme::{LatticeMask, Mask};
+use crate::smoothness::Smoothness;
+use std::fmt::Write as _;
+
+/// The lines about the limits of a mask on Z^d, and what they show; or why there are none.
+pub(super) fn lattice_limits(
+    mask: &LatticeMask,
+    known: &LatticeSmoothness,
+) -> Result<(String, Shown), &'static str> {
+    if let Some(factors) = &known.factors {
+        return of_factors(factors);
+    }
+    let mut text = String::new();
+    let d = mask.dimension();
+    if let Some((c, _)) = &known.contraction {
+        line(&mut text, "contraction", &c.to_string());
+    } else {
+        let found = known.differences.as_ref().ok_or("convergence is open")?;
+        text.push_str("differences\n");
+        let bounds = write_bounds(&mut text, found, d)?;
+        if known.converges == Some(false) && bounds.lower.is_some_and(|q| q >= Rational::one()) {
+            text.push_str("end\n");
+            return Ok((text, Shown { not_continuous: Some(0), ..Shown::default() }));
+        }
+        if bounds.upper >= Rational::one() {
+            return Err("the rational bounds of the joint spectral radius do not show this");
+        }
+    }
+    let (n, power) = base(mask);
+    let mut shown = Shown { continuous: Some(0), bases: vec![n], ..Shown::default() };
+    if let Some(found) = &known.radius {
+        let figure = match found.figure {
+            None => "digits",
+            Some(Figure::Square) => "square",
+            Some(Figure::HexagonSum) => "hexagon +",
+            Some(Figure::HexagonDifference) => "hexagon -",
+            Some(Figure::Cube) => "cube",
+        };
+        line(&mut text, "tile", figure);
+        parts(&mut text, &found.parts, d);
+        line(&mut text, "accuracy", &found.order.to_string());
+        let bounds = write_radius_of(&mut text, found)?;
+        bounds.conclude(&mut shown, found, (n, power), mask);
+    }
+    text.push_str("end\n");
+    Ok((text, shown))
+}
+
+/// n and 1 if m = n^d, and otherwise m and d: log_s x = power·log_base x.
+fn base(mask: &LatticeMask) -> (usize, usize) {
+    let (m, d) = (mask.dilation().class_count(), mask.dimension());
+    let power = u32::try_from(d).expect("2 or 3");
+    let root = (2..=m).find(|n| n.checked_pow(power) == Some(m));
+    root.map_or((m, d), |n| (n, 1))
+}
+
+/// The bounds that the lines of a radius show.
+struct Bounds {
+    /// The radius is not above it.
+    upper: Rational,
+    /// It is not above the radius to this power.
+    lower: Option<Rational>,
+    degree: usize,
+}
+
+impl Bounds {
+    /// What follows for the limits, with the radius of the steps times a factor.
+    fn conclude(
+        &self,
+        shown: &mut Shown,
+        found: &LatticeRadius,
+        (base, power): (usize, usize),
+        mask: &LatticeMask,
+    ) {
+        let (m, d) = (mask.dilation().class_count(), mask.dimension());
+        let accuracy = usize::try_from(found.order).expect("a small number");
+        let raised = |x: &Rational, k: usize| x.pow(i32::try_from(k).expect("a small number"));
+        let below = |k: usize| raised(&(&self.upper / &found.factor), d) * raised(&m.into(), k);
+        let above = |k: usize| {
+            let lower = self.lower.as_ref()? / &raised(&found.factor, self.degree);
+            Some(raised(&lower, d) * raised(&m.into(), k * self.degree) >= Rational::one())
+        };
+        shown.continuous = (0..accuracy).take_while(|k| below(*k) < Rational::one()).last();
+        shown.continuous = shown.continuous.or(Some(0));
+        shown.not_continuous = (1..accuracy).find(|k| above(*k) == Some(true)).or(Some(accuracy));
+        let exponent = |of: &Rational, degree: usize| {
+            let factor =
+                -Rational::new(i64::try_from(power).unwrap_or(1), 1) / Rational::from(degree);
+            let whole = (0..).find(|j| raised(&base.into(), *j) >= found.factor).unwrap_or(0);
+            LogSum {
+                rational: Rational::from(whole * power),
+                terms: vec![LogTerm { factor, base, of: of.clone() }],
+            }
+        };
+        shown.lower = vec![exponent(&self.upper, 1)];
+        let upper = self.lower.as_ref().map(|of| exponent(of, self.degree));
+        let most = LogSum { rational: Rational::from(accuracy), terms: Vec::new() };
+        shown.upper = upper.into_iter().chain([most]).collect();
+    }
+}
+
+fn write_bounds(
+    text: &mut String,
+    found: &LatticeRadius,
+    dimension: usize,
+) -> Result<Bounds, &'static str> {
+    parts(text, &found.parts, dimension);
+    write_radius_of(text, found)
+}
+
+fn write_radius_of(text: &mut String, found: &LatticeRadius) -> Result<Bounds, &'static str> {
+    let hull = found.radius.hull.as_ref().ok_or("no invariant hull is found")?;
+    let lower = write_radius(text, &found.matrices, &found.radius, hull);
+    Ok(Bounds { upper: hull.bound.clone(), lower, degree: found.radius.degree })
+}
+
+/// The motions x ↦ Gx + t: the rows of G, and t.
+fn parts(text: &mut String, parts: &[Motion], d: usize) {
+    for part in parts {
+        let rows = part.matrix[..d].iter().chain([&part.shift]);
+        let all = rows.flat_map(|row| &row[..d]).fold(String::new(), |mut all, x| {
+            write!(all, " {x}").expect("a text in memory");
+            all
+        });
+        line(text, "part", all.trim_start());
+    }
+}
+
+/// The lines about a product of masks of curves.
+fn of_factors(factors: &[(Mask, Smoothness)]) -> Result<(String, Shown), &'static str> {
+    let mut text = String::from("factors\n");
+    let mut all = Vec::new();
+    for (mask, smoothness) in factors {
+        let lines = limits(mask, smoothness).ok_or("no invariant hull is found")?;
+        text.push_str(&lines.text);
+        all.push(Shown::of_curve(&lines, mask.arity()));
+    }
+    Ok((text, Shown::of_factors(all)))
+}
