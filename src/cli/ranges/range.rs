@@ -4,7 +4,7 @@ use super::best::best;
 use super::level::{Function, Level};
 use super::sets::{Set, write_irrational};
 use super::smooth_map::smooth_map;
-use super::smooth_range::smooth_range;
+use super::smooth_range::{of_lattice, smooth_range};
 use super::special::write_special;
 use super::vertex_range::of_rules;
 use crate::cli::arguments::RangeArguments;
@@ -15,7 +15,9 @@ use subcert::bound::{Order, ParameterRange, RangeError, norm_function, polynomia
 use subcert::exact::Polynomial;
 use subcert::report::json::SpecialForm;
 use subcert::report::{Grid, Sheet};
-use subcert::scheme::{Mask, open_parameters, parse_parametric};
+use subcert::scheme::{
+    Mask, find_definition, open_parameters, parse_lattice_in_parameter, parse_parametric,
+};
 use subcert::smoothness::SpecialValues;
 use subcert::suggestion::known;
 
@@ -46,6 +48,14 @@ pub(crate) fn range(arguments: &RangeArguments) -> Outcome {
     if arguments.valences.is_some() {
         let message = "`--valences` belongs to rules around a vertex or on a face";
         return Err(Failure::Input(message.to_owned()));
+    }
+    if find_definition(&arguments.scheme)?.is_lattice() {
+        if arguments.function {
+            let message = "`--function` belongs to masks of curves";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        let mask = parse_lattice_in_parameter(&arguments.scheme, parameter)?;
+        return of_lattice(arguments, parameter, &mask);
     }
     let mask = parse_parametric(&arguments.scheme, parameter).map_err(|error| {
         let open = open_parameters(&arguments.scheme).unwrap_or_default();

@@ -9,10 +9,11 @@ use crate::cli::console::output::{Failure, Outcome, quoted};
 use crate::cli::console::progress::Progress;
 use serde::Serialize;
 use subcert::bound::polynomial_rules;
-use subcert::exact::{IntervalSet, Polynomial, Rational};
+use subcert::exact::{IntervalSet, Polynomial, Rational, RationalPolynomial};
+use subcert::lattice::lattice_range;
 use subcert::report::json::SpecialForm;
 use subcert::report::{Grid, Sheet, reduction, up};
-use subcert::scheme::Mask;
+use subcert::scheme::{LatticeMask, Mask};
 use subcert::smoothness::{SmoothRangeError, SpecialValues, smooth_range as computed};
 
 pub(crate) fn smooth_range(
@@ -55,6 +56,34 @@ pub(crate) fn smooth_range(
     show(&arguments.output, &answer)
 }
 
+/// The same of a mask on Z^d.
+pub(crate) fn of_lattice(
+    arguments: &RangeArguments,
+    parameter: &str,
+    mask: &LatticeMask<RationalPolynomial>,
+) -> Outcome {
+    let m = arguments.smoothness.unwrap_or(0);
+    let order = u32::try_from(m).map_err(|error| Failure::Input(error.to_string()))?;
+    let progress = Progress::of_search(true);
+    let range = lattice_range(mask, order).map_err(|error| Failure::Input(error.to_string()))?;
+    drop(progress);
+    let answer = SmoothRange {
+        schema: SCHEMA,
+        scheme: &arguments.scheme,
+        parameter,
+        smoothness: m,
+        inside: Set::of(&range.inside, parameter),
+        outside: Set::of(&range.outside, parameter),
+        but_finitely_many: range.but_finitely_many,
+        gap: range.gap.as_ref().map(up),
+        levels: Vec::new(),
+        is_complete: range.gap.as_ref().is_some_and(Rational::is_zero),
+        special: Vec::new(),
+        reduction: None,
+    };
+    show(&arguments.output, &answer)
+}
+
 /// Where in a parameter the limits are C^m.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -75,7 +104,7 @@ pub(crate) struct SmoothRange<'a> {
     but_finitely_many: bool,
     /// The length of what is in neither, a decimal that is rounded upwards; null where it is unbounded.
     gap: Option<String>,
-    /// For c = 1, 2, … the part of `inside` where the differences contract in c levels.
+    /// For c = 1, 2, … the part of `inside` where the differences contract in c levels; none of masks on Z^d.
     levels: Vec<Level>,
     /// The values at which the sum rules are of a higher order, or the support is shorter.
     special: Vec<SpecialForm>,
@@ -107,11 +136,15 @@ impl Answer for SmoothRange<'_> {
             fact("outside", outside.found()),
             fact("open", open),
         ]);
-        sheet.heading(2, "By contraction");
-        let rows = levels.iter().map(|level| vec![level.c.to_string(), level.intervals.words()]);
-        let what = if *m == 0 { "the scheme".to_owned() } else { format!("derived scheme {m}") };
-        let header = vec!["c".to_owned(), format!("the differences of {what} contract")];
-        sheet.grid(Grid::of(header, rows, 2));
+        if !levels.is_empty() {
+            sheet.heading(2, "By contraction");
+            let rows =
+                levels.iter().map(|level| vec![level.c.to_string(), level.intervals.words()]);
+            let what =
+                if *m == 0 { "the scheme".to_owned() } else { format!("derived scheme {m}") };
+            let header = vec!["c".to_owned(), format!("the differences of {what} contract")];
+            sheet.grid(Grid::of(header, rows, 2));
+        }
         let sets = [inside, outside].into_iter().chain(levels.iter().map(|level| &level.intervals));
         write_special(&mut sheet, &self.special, parameter);
         write_irrational(&mut sheet, parameter, sets, self.special.iter().map(|one| &one.place));

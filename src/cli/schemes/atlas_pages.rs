@@ -4,6 +4,7 @@
 use super::words::{continuity, hoelder, proved, sheet};
 use crate::cli::arguments::{AtlasArguments, BOXES};
 use crate::cli::console::destination::plain;
+use crate::cli::console::lattice::smoothness_words;
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
 use crate::cli::papers::judged::{judge_all, papers};
@@ -105,7 +106,7 @@ fn page(
 fn family(name: &str) -> Vec<Picture> {
     let side = || [-1, 1].map(Rational::from);
     let Some(found) = FamilyDrawing::of(name, &[side(), side()], BOXES) else { return Vec::new() };
-    let drawing = Drawing { curve: None, family: Some(found), rings: Vec::new() };
+    let drawing = Drawing { curve: None, lattice: None, family: Some(found), rings: Vec::new() };
     Plot::of(name, &drawing).pictures()
 }
 
@@ -141,6 +142,26 @@ fn cells(form: &FactsForm) -> Vec<(String, String)> {
             (continuity(curve), order),
             (hoelder(curve), exponent.unwrap_or_default()),
             ("curves".to_owned(), "curves".to_owned()),
+        ];
+    }
+    if let Some(mask) = &form.lattice {
+        let kind = if mask.interpolating { "interpolating" } else { "approximating" };
+        let order = match (mask.smoothness.continuity, mask.smoothness.continuity_fails) {
+            (Some(m), _) => m.to_string(),
+            (None, Some(0)) => "-1".to_owned(),
+            (None, _) => String::new(),
+        };
+        let exponent = mask.smoothness.hoelder.as_ref().map(|found| found.lower.clone());
+        let words = smoothness_words(&mask.smoothness, mask.smoothness.accuracy);
+        let [limits, hoelder] = [0, 1].map(|i: usize| words[i].1.clone());
+        let dimension = format!("Z^{}", mask.dilation.len());
+        return vec![
+            number(mask.arity),
+            number(mask.coefficients),
+            (kind.to_owned(), kind.to_owned()),
+            (limits, order),
+            (hoelder, exponent.unwrap_or_default()),
+            (dimension.clone(), dimension),
         ];
     }
     let valences = form.valences.as_deref().unwrap_or_default();

@@ -1,18 +1,22 @@
 //! What is drawn of a scheme, with exact coordinates: values of the basic limit function, a refined polygon, maps of
 //! parameters, rings.
 
+use super::lattice_shape::LatticeShape;
 use super::ranges::{ParameterFacts, parameter_facts};
 use super::scheme::{SchemeFacts, valences};
 use crate::characteristic::Vertex;
 use crate::exact::{FieldElement, Polynomial, Rational};
+use crate::lattice::{LatticeRange, LatticeSmoothness, lattice_range};
 use crate::scheme::{
-    AnyScheme, Mask, SchemeError, names_ring, open_parameters, parse_algebraic, parse_any_scheme,
-    parse_in_parameters, parse_scheme,
+    AnyScheme, LatticeMask, Mask, Scheme, SchemeError, find_definition, names_ring,
+    open_parameters, parse_algebraic, parse_any_scheme, parse_in_parameters,
+    parse_lattice_in_parameter, parse_scheme,
 };
 use crate::smoothness::{
     BasicError, BasicValues, Coefficient, Sides, SmoothMap, Smoothness, smooth_map,
 };
 use crate::spectrum::SpectrumError;
+use crate::stop::Stop;
 use std::sync::atomic::AtomicUsize;
 
 /// The least number of values of a function that is drawn, where a cap does not stop it.
@@ -42,11 +46,16 @@ const VALENCES: [usize; 3] = [3, 5, 7];
 /// The orders of smoothness of maps of two parameters.
 const MAP_ORDERS: std::ops::RangeInclusive<usize> = 0..=2;
 
+/// The orders of smoothness of masks on Z^d, in one parameter.
+const LATTICE_ORDERS: std::ops::RangeInclusive<u32> = 0..=1;
+
 /// What is drawn of a scheme.
 #[derive(Clone, Debug)]
 pub struct Drawing {
     /// Of a mask, with rational or with irrational coefficients.
     pub curve: Option<CurveDrawing>,
+    /// Of a mask on Z^d, or why nothing is drawn.
+    pub lattice: Option<Result<LatticeShape, String>>,
     /// Where in its open parameters the limits are smooth.
     pub family: Option<FamilyDrawing>,
     /// The characteristic rings of rules around a vertex or on a face, with their valences.
@@ -118,16 +127,21 @@ impl Drawing {
     /// ```
     pub fn of(scheme: &str, region: &Sides, boxes: usize) -> Result<Drawing, SchemeError> {
         let family = || FamilyDrawing::of(scheme, region, boxes);
-        let none = Drawing { curve: None, family: None, rings: Vec::new() };
+        let none = Drawing { curve: None, lattice: None, family: None, rings: Vec::new() };
         match parse_any_scheme(scheme) {
-            Ok(AnyScheme::Uniform(found)) => {
-                let mask = Mask::try_from(found)
-                    .map_err(|_| SchemeError::TensorProduct { scheme: scheme.trim().to_owned() })?;
+            Ok(AnyScheme::Uniform(Scheme::Tensor(first, second))) => {
+                let product = LatticeMask::product(&[&first, &second]);
+                let drawn = product.map_err(|error| error.to_string());
+                let lattice = Some(drawn.and_then(|mask| lattice_shape(&mask, None)));
+                Ok(Drawing { lattice, ..none })
+            }
+            Ok(AnyScheme::Uniform(Scheme::Curve(mask))) => {
                 let curve = Some(CurveDrawing::Rational(CurveShape::of(&mask, None)));
                 Ok(Drawing { curve, family: family(), ..none })
             }
-            Ok(AnyScheme::Lattice(_)) => {
-                Err(SchemeError::Lattice { scheme: scheme.trim().to_owned() })
+            Ok(AnyScheme::Lattice(mask)) => {
+                let lattice = Some(lattice_shape(&mask, None));
+                Ok(Drawing { lattice, family: family(), ..none })
             }
             Ok(AnyScheme::LocalRules(_)) => match SchemeFacts::of(scheme)? {
                 SchemeFacts::Surface(rings) => Ok(Drawing { rings, ..none }),
@@ -156,7 +170,7 @@ impl Drawing {
     /// # Errors
     /// When there is no such scheme.
     pub fn of_facts(scheme: &str, facts: &SchemeFacts) -> Result<Drawing, SchemeError> {
-        let (mut curve, mut rings) = (None, Vec::new());
+        let (mut curve, mut lattice, mut rings) = (None, None, Vec::new());
         match facts {
             SchemeFacts::Rational(facts) => {
                 let mask = Mask::try_from(parse_scheme(scheme)?)
@@ -169,13 +183,25 @@ impl Drawing {
                 let shape = CurveShape::of(&mask, facts.smoothness.as_ref().ok());
                 curve = Some(CurveDrawing::Algebraic(shape));
             }
-            SchemeFacts::Lattice(_) => {}
+            SchemeFacts::Lattice(facts) => {
+                lattice = Some(lattice_shape(&facts.mask, facts.smoothness.converges));
+            }
             SchemeFacts::Surface(all) => {
                 let drawn = drawn(&all.iter().map(|(n, _)| *n).collect::<Vec<usize>>());
                 rings = all.iter().filter(|(n, _)| drawn.contains(n)).cloned().collect();
             }
         }
-        Ok(Drawing { curve, family: None, rings })
+        Ok(Drawing { curve, lattice, family: None, rings })
+    }
+}
+
+/// What is drawn of a mask on Z^d; `converges` says whether its scheme does, where that is known.
+fn lattice_shape(mask: &LatticeMask, converges: Option<bool>) -> Result<LatticeShape, String> {
+    let found = converges.or_else(|| LatticeSmoothness::until(mask, &Stop::default()).converges);
+    match found {
+        Some(true) => LatticeShape::of(mask),
+        Some(false) => Err("the scheme diverges for some data".to_owned()),
+        None => Err("it is open whether the scheme converges".to_owned()),
     }
 }
 
@@ -292,6 +318,9 @@ impl FamilyDrawing {
     pub fn of(scheme: &str, region: &Sides, boxes: usize) -> Option<FamilyDrawing> {
         match &open_parameters(scheme).ok()?[..] {
             [parameter] => {
+                if find_definition(scheme).is_ok_and(|found| found.is_lattice()) {
+                    return lattice_family(scheme, parameter);
+                }
                 let (ranges, end) = parameter_facts(scheme, parameter).ok()?;
                 let parameter = parameter.clone();
                 (!ranges.is_empty()).then_some(FamilyDrawing::One { parameter, ranges, end })
@@ -322,4 +351,31 @@ impl FamilyDrawing {
             _ => None,
         }
     }
+}
+
+/// Where in a parameter the limits of a mask on Z^d are smooth.
+fn lattice_family(scheme: &str, parameter: &str) -> Option<FamilyDrawing> {
+    let mask = parse_lattice_in_parameter(scheme, parameter).ok()?;
+    let mut ranges = Vec::new();
+    let mut end = format!("C^m is asked for up to m = {}", LATTICE_ORDERS.end());
+    for m in LATTICE_ORDERS {
+        match lattice_range(&mask, m) {
+            Ok(LatticeRange { inside, outside, but_finitely_many, .. }) => {
+                let m = usize::try_from(m).ok()?;
+                ranges.push(ParameterFacts {
+                    m,
+                    valence: None,
+                    inside,
+                    outside,
+                    but_finitely_many,
+                });
+            }
+            Err(error) => {
+                end = error.to_string();
+                break;
+            }
+        }
+    }
+    let parameter = parameter.to_owned();
+    (!ranges.is_empty()).then_some(FamilyDrawing::One { parameter, ranges, end })
 }

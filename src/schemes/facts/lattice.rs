@@ -3,11 +3,12 @@
 use super::shape::PointPlacement;
 use crate::exact::Rational;
 use crate::lattice::{
-    LatticeConstants, LatticeSmoothness, displacement, is_interpolating, mean, natural_shift,
-    reproduction, sum_rules, support, symmetries,
+    LatticeConstants, LatticeSmoothness, displacement, is_interpolating, limit_values, mean,
+    natural_shift, reproduction, sum_rules, support, symmetries,
 };
-use crate::scheme::LatticeMask;
+use crate::scheme::{LatticeMask, Point};
 use crate::stop::Stop;
+use std::collections::BTreeMap;
 
 /// The constants are those of c = 1, …, this many levels.
 const MAX_LEVELS: u32 = 4;
@@ -36,6 +37,8 @@ pub struct LatticeFacts {
     pub shift: Vec<Rational>,
     /// C^m and the Hölder exponent.
     pub smoothness: LatticeSmoothness,
+    /// φ at the integers where it is not 0, if the scheme is known to converge: the limit of data p at α is Σ_β φ(α − β)p_β.
+    pub values: Option<BTreeMap<Point, Rational>>,
     /// σ with the points of level k at M^{−k}α, and at their natural places M^{−k}(α + τ); `None` in three dimensions with an M that is not diagonal.
     pub displacement: Option<[Rational; 2]>,
     /// T_1, T_2, …
@@ -61,7 +64,10 @@ impl LatticeFacts {
         let shift = natural_shift(mask);
         let origin = vec![Rational::zero(); mask.dimension()];
         let [indexed, natural] = [&origin, &shift].map(|at| displacement(mask, at).ok().flatten());
+        let smoothness = LatticeSmoothness::until(mask, &Stop::default());
+        let values = (smoothness.converges == Some(true)).then(|| limit_values(mask, 0).ok());
         LatticeFacts {
+            values: values.flatten().flatten(),
             displacement: indexed.zip(natural).map(|(indexed, natural)| [indexed, natural]),
             support: support(mask),
             symmetries: symmetries(mask).len(),
@@ -70,7 +76,7 @@ impl LatticeFacts {
             sum_rules: sum_rules(mask),
             reproduction: reproduction(mask),
             shift,
-            smoothness: LatticeSmoothness::until(mask, &Stop::default()),
+            smoothness,
             contraction,
             norm,
             mask: mask.clone(),

@@ -17,6 +17,7 @@ mod curve;
 mod distance;
 mod drawing;
 mod lattice;
+mod lattice_shape;
 mod ranges;
 mod scheme;
 mod shape;
@@ -27,6 +28,7 @@ pub use drawing::{
     CurveDrawing, CurveShape, Drawing, FamilyDrawing, LEVELS, MAX_DERIVATIVES, SAMPLE,
 };
 pub use lattice::{LatticeFacts, placement};
+pub use lattice_shape::LatticeShape;
 pub use ranges::{FamilyFacts, ParameterFacts, parameter_facts};
 pub use scheme::{AtlasEntry, SchemeFacts, VALENCES, ValenceFacts, atlas_entry, atlas_references};
 pub use shape::{PointPlacement, centre, is_interpolating, kind, points};

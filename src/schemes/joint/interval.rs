@@ -1,5 +1,6 @@
 //! Whether a radius is below 1, quickly: for many sets along an interval of a parameter.
 
+use super::balance::{balance, changed};
 use super::convert::{floats, scaled};
 use super::hull::Hull;
 use super::lower::eigenvectors;
@@ -10,10 +11,13 @@ use crate::exact::{Rational, RealAlgebraic};
 use crate::float::extremal::{Candidates, Rows, candidates, row_times};
 
 /// The cost of the searches on whole intervals of a parameter.
-const QUICK: (u32, usize, usize) = (8, 40, 400);
+const QUICK: (u32, usize) = (8, 40);
 
-/// The most work of a hull there.
-const QUICK_WORK: u64 = 60_000_000;
+/// The most rows and the most work of a hull there.
+const HULL: (usize, u64) = (400, 60_000_000);
+
+/// The same for matrices in a basis of their own, which are larger and fewer.
+const LARGE_HULL: (usize, u64) = (1_000, 1_000_000_000);
 
 /// How near to its beginning a cycle of eigenvectors ends. Its first row has the length 1.
 const CLOSED: f64 = 1e-6;
@@ -41,7 +45,17 @@ pub fn contracts(
     ends: &[MatrixSet],
     closing: Closing,
 ) -> bool {
-    let (factors, width, rows) = QUICK;
+    contracts_within(set, middle, ends, closing, HULL)
+}
+
+fn contracts_within(
+    set: &MatrixSet,
+    middle: &MatrixSet,
+    ends: &[MatrixSet],
+    closing: Closing,
+    most: (usize, u64),
+) -> bool {
+    let (factors, width) = QUICK;
     let found = candidates(&floats(middle), factors, beam(middle, width));
     if found.words.is_empty() {
         return Hull::norm(set).bound < Rational::one();
@@ -59,8 +73,24 @@ pub fn contracts(
         Closing::Middle => (middle, found.rate),
     };
     let excess = 0.95 * (1.0 / rate - 1.0);
-    let hull = hull(set, near, &seeds, &unit, (rate, excess), (rows, QUICK_WORK));
+    let hull = hull(set, near, &seeds, &unit, (rate, excess), most);
     hull.is_some_and(|hull| hull.bound < Rational::one())
+}
+
+/// The same in a basis in which the matrices in the middle are about as large as their radius.
+#[must_use]
+pub fn contracts_when_balanced(
+    set: &MatrixSet,
+    middle: &MatrixSet,
+    ends: &[MatrixSet],
+    closing: Closing,
+) -> bool {
+    let Some((basis, back)) = balance(middle) else {
+        return contracts_within(set, middle, ends, closing, LARGE_HULL);
+    };
+    let changed = |set: &MatrixSet| changed(set, &basis, &back);
+    let ends: Vec<MatrixSet> = ends.iter().map(changed).collect();
+    contracts_within(&changed(set), &changed(middle), &ends, closing, LARGE_HULL)
 }
 
 /// The cycle of eigenvectors of the first of these products whose largest eigenvalue is real, as far as f64 can tell:
@@ -82,7 +112,7 @@ fn seeds(middle: &MatrixSet, found: &Candidates) -> Vec<Vec<f64>> {
 /// A product whose spectral radius is 1 or more as far as f64 can tell.
 #[must_use]
 pub fn expanding_product(set: &MatrixSet) -> Option<Vec<usize>> {
-    let (factors, width, _) = QUICK;
+    let (factors, width) = QUICK;
     let found = candidates(&floats(set), factors, beam(set, width));
     let shortest = found.words.into_iter().min_by_key(Vec::len);
     shortest.filter(|_| found.rate >= 1.0)

@@ -1,7 +1,7 @@
 //! Monomials of several variables, and rational matrices of the size of a dilation.
 
 use crate::exact::{Rational, Scalar};
-use crate::scheme::{Dilation, Point};
+use crate::scheme::Point;
 
 /// The exponents μ of total degree k in d variables, the first variable with the highest power first.
 pub(super) fn of_degree(k: u32, dimension: usize) -> Vec<[u32; 3]> {
@@ -36,17 +36,4 @@ pub(super) fn power_of<S: Scalar>(place: &[S], exponents: [u32; 3]) -> S {
 
 fn raised(x: &Rational, e: u32) -> Rational {
     x.pow(i32::try_from(e).expect("a small exponent"))
-}
-
-/// M^{−1}x.
-pub(super) fn divided(dilation: &Dilation, x: &[Rational]) -> Vec<Rational> {
-    let d = dilation.dimension();
-    let inverse = Rational::from(dilation.determinant()).recip();
-    let unit = |j: usize| std::array::from_fn(|i| i64::from(i == j));
-    let columns: Vec<Point> = (0..d).map(|j| dilation.adjugate_times(unit(j))).collect();
-    let entry = |i: usize| {
-        let terms = columns.iter().zip(x).map(|(column, x)| x * &Rational::from(column[i]));
-        terms.sum::<Rational>() * &inverse
-    };
-    (0..d).map(entry).collect()
 }

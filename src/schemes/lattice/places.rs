@@ -11,7 +11,7 @@ use std::collections::{BTreeSet, HashSet};
 ///
 /// # Errors
 /// As [`attractor`](super::attractor).
-pub(super) fn of_tiling(mask: &LatticeMask, tiling: &Tiling) -> Result<Vec<Point>, Cap> {
+pub(super) fn of_tiling<S>(mask: &LatticeMask<S>, tiling: &Tiling) -> Result<Vec<Point>, Cap> {
     let places = || mask.coefficients().keys();
     let moved = tiling.parts.iter().flat_map(|part| {
         let shift = part.shift;

@@ -8,7 +8,7 @@ use super::values::{Transitions, ValueSpace, window};
 use crate::cap::Cap;
 use crate::exact::{Rational, null_rows};
 use crate::joint::{JointRadius, MatrixSet, radius_of_blocks};
-use crate::scheme::{LatticeMask, difference};
+use crate::scheme::{LatticeMask, Point, difference};
 use crate::stop::Stop;
 use std::cmp::Ordering;
 
@@ -117,16 +117,20 @@ impl LatticeRadius {
 /// the greater of ϱ_K and of the radii of Sym^j(M^{−1}), 1 ≤ j < K, which are below 1.
 pub(super) fn differences(mask: &LatticeMask, k: u32, stop: &Stop) -> Result<LatticeRadius, Cap> {
     let window = window(mask)?;
-    let degrees = (0..k).flat_map(|k| of_degree(k, mask.dimension()));
-    let exponents: Vec<[u32; 3]> = degrees.collect();
-    let moments = window
-        .iter()
-        .map(|place| exponents.iter().map(|e| power(*place, *e)).collect::<Vec<Rational>>());
-    let rows = null_rows(&moments.collect::<Vec<_>>());
+    let rows = without_moments(&window, k, mask.dimension());
     let digits: Vec<Motion> = mask.dilation().digits().iter().copied().map(Motion::by).collect();
     let matrices = Transitions::new(mask, &digits, &window).on(rows);
     let radius = LatticeRadius::of(matrices, k, Rational::one(), window.len(), stop);
     Ok(LatticeRadius { parts: digits, ..radius })
+}
+
+/// A basis of the v on some places with Σ_β v_β β^μ = 0 for |μ| < k.
+pub(super) fn without_moments(places: &[Point], k: u32, dimension: usize) -> Vec<Vec<Rational>> {
+    let degrees = (0..k).flat_map(|k| of_degree(k, dimension));
+    let exponents: Vec<[u32; 3]> = degrees.collect();
+    let moments =
+        |place: &Point| exponents.iter().map(|e| power(*place, *e)).collect::<Vec<Rational>>();
+    null_rows(&places.iter().map(moments).collect::<Vec<_>>())
 }
 
 /// The radius near a tile that has the nearest bounds: the alcove has the smaller matrices, and the tile of the digits at times an extremal hull.
@@ -156,12 +160,15 @@ pub(super) fn nearest(
 }
 
 /// The mask of the same scheme with the basic limit function moved by −τ, if the natural shift τ is integer: a(γ + (M − I)τ).
-fn centred(mask: &LatticeMask) -> Option<LatticeMask> {
+pub(super) fn centred(mask: &LatticeMask) -> Option<LatticeMask> {
+    moved(mask, &natural_shift(mask))
+}
+
+/// The mask a(γ + (M − I)τ), if τ is integer.
+pub(super) fn moved<S: Clone>(mask: &LatticeMask<S>, by: &[Rational]) -> Option<LatticeMask<S>> {
     let mut shift = [0; 3];
-    for (at, x) in shift.iter_mut().zip(natural_shift(mask)) {
+    for (at, x) in shift.iter_mut().zip(by) {
         *at = x.numerator().to_i64().filter(|_| x.is_integer())?;
     }
-    let by = difference(mask.dilation().times(shift), shift);
-    let moved = mask.coefficients().iter().map(|(place, c)| (difference(*place, by), c.clone()));
-    LatticeMask::new(mask.dilation().clone(), moved, mask.edges().to_vec()).ok()
+    Some(mask.moved(difference(shift, mask.dilation().times(shift))))
 }

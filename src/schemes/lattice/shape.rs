@@ -1,6 +1,5 @@
 //! What one sees of a mask on Z^d: symmetries, the support, interpolating or not.
 
-use super::monomials::divided;
 use super::polynomials::mean;
 use crate::exact::{Rational, Scalar};
 use crate::scheme::{Dilation, LatticeMask, Point, apply, determinant, sum};
@@ -78,7 +77,7 @@ pub fn support(mask: &LatticeMask) -> Option<Vec<[Rational; 2]>> {
     let mut sums = vec![[Rational::zero(), Rational::zero()]; d];
     let mut images = places;
     for _ in 0..period {
-        images = images.iter().map(|x| divided(dilation, x)).collect();
+        images = images.iter().map(|x| dilation.inverse_times(x)).collect();
         for (axis, [low, high]) in sums.iter_mut().enumerate() {
             let of = images.iter().map(|x| &x[axis]);
             *low += of.clone().min().expect("a mask has coefficients");
@@ -100,7 +99,7 @@ fn period(dilation: &Dilation) -> Option<(u32, Vec<Rational>)> {
         |j: usize| -> Vec<Rational> { (0..d).map(|i| Rational::from(i64::from(i == j))).collect() };
     let mut columns: Vec<Vec<Rational>> = (0..d).map(unit).collect();
     for step in 1..=MAX_STEPS {
-        columns = columns.iter().map(|x| divided(dilation, x)).collect();
+        columns = columns.iter().map(|x| dilation.inverse_times(x)).collect();
         let diagonal = (0..d).all(|j| {
             let column = &columns[j];
             (0..d).all(|i| if i == j { column[i].sign() > 0 } else { column[i].is_zero() })

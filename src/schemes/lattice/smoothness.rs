@@ -8,7 +8,7 @@ use super::radius::{LatticeRadius, differences, nearest};
 use super::shape::is_isotropic;
 use crate::exact::Rational;
 use crate::scheme::{LatticeMask, Mask};
-use crate::smoothness::{Hoelder, Smoothness, SmoothnessError};
+use crate::smoothness::{Hoelder, Smoothness, SmoothnessError, log_of};
 use crate::stop::Stop;
 
 /// The most functionals of a constant that is to show convergence.
@@ -171,6 +171,15 @@ impl LatticeSmoothness {
         let fails = (1..accuracy).find(|k| below(*k) == Some(false));
         self.continuity_fails = fails.or(Some(accuracy));
         self.hoelder = exponent;
+        // |φ(x) − φ(y)| is at most a multiple of T_c for points at a distance of the order of s^{−c}.
+        if let (Some(hoelder), Some((c, bound))) = (&mut self.hoelder, &self.contraction)
+            && hoelder.formula.is_none()
+        {
+            let per_level = Rational::from(d) / Rational::from(*c);
+            let lower = -(log_of(bound, m, 1).upper().clone() * per_level);
+            let lower = lower.min(Rational::one()).max(Rational::zero());
+            hoelder.lower = lower.max(hoelder.lower.clone());
+        }
         if self.hoelder.as_ref().is_none_or(|hoelder| hoelder.formula.is_none()) {
             self.open = Some("the bounds of the radius do not meet".to_owned());
         }

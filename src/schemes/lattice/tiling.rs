@@ -1,6 +1,5 @@
 //! Tilings of R^d whose tiles a dilation takes to unions of tiles: by digits, and by the alcoves of reflection groups.
 
-use super::monomials::divided;
 use super::window::{attractor, less_digits};
 use crate::cap::Cap;
 use crate::exact::Rational;
@@ -120,7 +119,7 @@ impl Tiling {
     /// The alcove of the square, the hexagon or the cube, if all symmetries of this figure are symmetries of the mask about 0, and the dilation takes the
     /// alcove to a union of alcoves.
     #[must_use]
-    pub fn of_alcove(mask: &LatticeMask) -> Option<Tiling> {
+    pub fn of_alcove<S: PartialEq>(mask: &LatticeMask<S>) -> Option<Tiling> {
         let dilation = mask.dilation();
         let d = mask.dimension();
         Figure::all(d).iter().find_map(|figure| {
@@ -192,7 +191,7 @@ fn alcoves(dilation: &Dilation, group: Vec<[Point; 3]>, figure: Figure) -> Optio
         })
     };
     let inside = |motion: &Motion| {
-        images(motion).iter().all(|corner| is_inside(&divided(dilation, corner), &corners))
+        images(motion).iter().all(|corner| is_inside(&dilation.inverse_times(corner), &corners))
     };
     let parts: Vec<Motion> = motions(reach).filter(inside).collect();
     let meets = |motion: &Motion| images(motion).iter().any(|corner| corners.contains(corner));

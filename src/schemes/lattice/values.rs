@@ -1,12 +1,12 @@
 //! The basic limit function of a mask on Z^d at rational points, and the space of its values near a tile.
 
-use super::monomials::{divided, of_degree, power_of};
+use super::monomials::{of_degree, power_of};
 use super::places::of_tiling;
 use super::span::Span;
 use super::tiling::{Motion, Tiling, inverse};
 use super::window::{attractor, less_digits};
 use crate::cap::Cap;
-use crate::exact::{Rational, echelon, null_rows, short_echelon};
+use crate::exact::{Rational, Scalar, echelon, null_rows, short_echelon};
 use crate::scheme::{LatticeMask, Point, apply, difference, sum};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -46,7 +46,7 @@ pub fn values_at_integers(mask: &LatticeMask) -> Result<Option<BTreeMap<Point, R
 ///
 /// # Errors
 /// When there are too many.
-pub fn window(mask: &LatticeMask) -> Result<Vec<Point>, Cap> {
+pub fn window<S>(mask: &LatticeMask<S>) -> Result<Vec<Point>, Cap> {
     attractor(mask.dilation(), &less_digits(mask.coefficients().keys().copied(), mask.dilation()))
 }
 
@@ -165,19 +165,22 @@ fn beyond() -> Cap {
 }
 
 /// (T_i v)_α = Σ_β a(Mα + t_i − G_iβ) v_β for the parts (G_i, t_i) of a tiling, for v on given places.
-pub(super) struct Transitions<'m> {
-    mask: &'m LatticeMask,
+pub(super) struct Transitions<'m, S = Rational> {
+    mask: &'m LatticeMask<S>,
     parts: &'m [Motion],
     /// For each part and each place α, the places β with a(Mα + t_i − G_iβ).
-    rules: Vec<Vec<Vec<(usize, Rational)>>>,
+    rules: Vec<Vec<Rule<S>>>,
 }
 
-impl<'m> Transitions<'m> {
+/// The terms of a row: places with coefficients.
+type Rule<S> = Vec<(usize, S)>;
+
+impl<'m, S: Scalar> Transitions<'m, S> {
     pub(super) fn new(
-        mask: &'m LatticeMask,
+        mask: &'m LatticeMask<S>,
         parts: &'m [Motion],
         places: &[Point],
-    ) -> Transitions<'m> {
+    ) -> Transitions<'m, S> {
         let rule = |part: &Motion, alpha: &Point| {
             let corner = sum(part.shift, mask.dilation().times(*alpha));
             let back = inverse(&part.matrix);
@@ -186,16 +189,16 @@ impl<'m> Transitions<'m> {
                 let beta = apply(&back, difference(corner, *place));
                 Some((places.binary_search(&beta).ok()?, c.clone()))
             });
-            terms.collect::<Vec<(usize, Rational)>>()
+            terms.collect::<Rule<S>>()
         };
         let of = |part: &Motion| places.iter().map(|alpha| rule(part, alpha)).collect();
         Transitions { mask, parts, rules: parts.iter().map(of).collect() }
     }
 
     /// The T_i on the invariant space that these vectors span, in its reduced echelon basis: row j has the coordinates of the image of vector j.
-    pub(super) fn on(&self, vectors: Vec<Vec<Rational>>) -> Vec<Vec<Vec<Rational>>> {
+    pub(super) fn on(&self, vectors: Vec<Vec<Rational>>) -> Vec<Vec<Vec<S>>> {
         let (basis, pivots) = short_echelon(vectors);
-        let on = |rules: &Vec<Vec<(usize, Rational)>>| {
+        let on = |rules: &Vec<Rule<S>>| {
             let row = |vector: &Vec<Rational>| {
                 pivots.iter().map(|at| applied(&rules[*at], vector)).collect()
             };
@@ -203,13 +206,15 @@ impl<'m> Transitions<'m> {
         };
         self.rules.iter().map(on).collect()
     }
+}
 
+impl Transitions<'_> {
     /// T_iΦ(x) = Φ(M^{−1}(G_i x + t_i)) for each part.
     fn images(&self, vector: &[Rational], point: &[Rational]) -> Vec<Values> {
         let dilation = self.mask.dilation();
-        let image = |(part, rules): (&Motion, &Vec<Vec<(usize, Rational)>>)| {
-            let value = |rule: &Vec<(usize, Rational)>| applied(rule, vector);
-            (rules.iter().map(value).collect(), divided(dilation, &part.of_point(point)))
+        let image = |(part, rules): (&Motion, &Vec<Rule<Rational>>)| {
+            let value = |rule: &Rule<Rational>| applied(rule, vector);
+            (rules.iter().map(value).collect(), dilation.inverse_times(&part.of_point(point)))
         };
         self.parts.iter().zip(&self.rules).map(image).collect()
     }
@@ -234,7 +239,10 @@ impl<'m> Transitions<'m> {
 }
 
 /// The value of a rule at a vector.
-fn applied(rule: &[(usize, Rational)], vector: &[Rational]) -> Rational {
-    let terms = rule.iter().filter(|(at, _)| !vector[*at].is_zero());
-    terms.map(|(at, c)| c * &vector[*at]).sum()
+fn applied<S: Scalar>(rule: &[(usize, S)], vector: &[Rational]) -> S {
+    let mut sum = S::zero();
+    for (at, c) in rule.iter().filter(|(at, _)| !vector[*at].is_zero()) {
+        sum.accumulate(&c.times(&S::from_rational(&vector[*at])));
+    }
+    sum
 }

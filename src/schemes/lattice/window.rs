@@ -1,6 +1,5 @@
 //! Windows of Z^d that steps of a mask do not leave.
 
-use super::monomials::divided;
 use crate::cap::Cap;
 use crate::exact::Rational;
 use crate::scheme::{Dilation, Point, difference};
@@ -85,8 +84,8 @@ pub(super) fn radius(dilation: &Dilation, places: &BTreeSet<Point>) -> Result<i6
         (0..d).map(|j| (0..d).map(|i| Rational::from(i64::from(i == j))).collect()).collect();
     let mut total = Rational::zero();
     for _ in 0..MAX_STEPS {
-        images = images.iter().map(|x| divided(dilation, x)).collect();
-        units = units.iter().map(|x| divided(dilation, x)).collect();
+        images = images.iter().map(|x| dilation.inverse_times(x)).collect();
+        units = units.iter().map(|x| dilation.inverse_times(x)).collect();
         total += &images.iter().flatten().map(Rational::abs).max().unwrap_or_else(Rational::zero);
         let row = |i: usize| units.iter().map(|column| column[i].abs()).sum::<Rational>();
         let q = (0..d).map(row).max().expect("two axes");

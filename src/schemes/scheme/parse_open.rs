@@ -1,10 +1,12 @@
 //! Reads SCHEME as a mask with parameters left open.
 
 use super::error::SchemeError;
+use super::lattice::mask::LatticeMask;
 use super::local::rules::LocalRules;
 use super::mask::Mask;
 use super::parse::Named;
-use crate::exact::Polynomial;
+use crate::exact::{Polynomial, Rational, RationalPolynomial};
+
 use crate::formula::{Parameters, is_identifier};
 use std::collections::BTreeMap;
 
@@ -88,6 +90,51 @@ pub fn parse_in_parameters(
         Some(name) => Err(independent(name, definition.parameters.keys().cloned().collect())),
         None => Ok(mask),
     }
+}
+
+/// The mask on Z^d that SCHEME names, with one parameter left open. The coefficients are polynomials in this parameter.
+///
+/// # Errors
+/// When SCHEME names none, its coefficients are no polynomials in the parameter, or they do not depend on it.
+///
+/// ```
+/// use subcert::scheme::parse_lattice_in_parameter;
+///
+/// let mask = parse_lattice_in_parameter("1+(1/2-w)*(x+1/x)+w*(y+1/y):dilation=[[1,1],[1,-1]]", "w")?;
+/// assert_eq!(mask.coefficients()[&[0, 1, 0]].degree(), Some(1));
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_lattice_in_parameter(
+    text: &str,
+    parameter: &str,
+) -> Result<LatticeMask<RationalPolynomial>, SchemeError> {
+    let independent = |known: Vec<String>| SchemeError::Independent {
+        scheme: text.trim().to_owned(),
+        parameter: parameter.to_owned(),
+        known,
+    };
+    if !is_identifier(parameter) {
+        return Err(independent(open_parameters(text)?));
+    }
+    let named = Named::read(text)?;
+    let variable = Polynomial::variable(parameter);
+    let values = BTreeMap::from([(parameter.to_owned(), variable.clone())]);
+    let mut factor = named.factor(&Parameters(values), None)?;
+    let definition = factor.definition;
+    if definition.parameters.contains_key(parameter) {
+        factor.parameters.entry(parameter.to_owned()).or_insert(variable);
+    }
+    let mask = factor.lattice()?;
+    let others = || independent(definition.parameters.keys().cloned().collect());
+    if !mask.coefficients().values().any(|c| c.has(parameter)) {
+        return Err(others());
+    }
+    let polynomial = |c: &Polynomial| c.in_variable(parameter);
+    if mask.coefficients().values().any(|c| polynomial(c).is_none()) {
+        return Err(others());
+    }
+    let zero = || RationalPolynomial::constant(Rational::zero());
+    Ok(mask.map(|c| polynomial(c).unwrap_or_else(zero)))
 }
 
 /// The ring that SCHEME names, with one parameter left open. The weights are polynomials in this parameter. A valence is the

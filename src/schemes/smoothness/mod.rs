@@ -51,13 +51,16 @@ pub use functions::{
 };
 pub use independence::is_independent;
 pub use independence_on::independence_conditions;
+pub(crate) use parametric::multiplied;
 pub use plane::{
     BestExponent, Certain, MAX_BOXES, MapBox, RegionProof, Sides, SmoothMap, best_exponent,
     plane_rules, polygon_contraction, smooth_map,
 };
+pub(crate) use range::gap;
 pub use range::{SmoothRange, smooth_range};
 pub use range_error::SmoothRangeError;
 pub use reproduction::{reproduction_degree, reproduction_degree_at};
+pub(crate) use search::Search;
 pub use shape::{Kept, Shape, shape_kept};
 pub use special::{SpecialValue, SpecialValues};
 pub use symbol::Symbol;

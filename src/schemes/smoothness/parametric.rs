@@ -8,7 +8,7 @@ use crate::exact::{BivariatePolynomial, Integer, Rational, RationalPolynomial, S
 use crate::scheme::Rules;
 
 /// A square matrix of polynomials, row by row.
-pub(in crate::smoothness) type PolynomialMatrix = Vec<Vec<RationalPolynomial>>;
+pub(crate) type PolynomialMatrix = Vec<Vec<RationalPolynomial>>;
 
 /// The symbol of a mask in parameters, up to a power of z: with polynomials in one or in several.
 #[derive(Clone, Debug)]
@@ -198,10 +198,7 @@ fn choose(top: usize, bottom: usize) -> Integer {
 }
 
 /// AB.
-pub(in crate::smoothness) fn multiplied<P: Scalar + PartialEq>(
-    a: &[Vec<P>],
-    b: &[Vec<P>],
-) -> Vec<Vec<P>> {
+pub(crate) fn multiplied<P: Scalar + PartialEq>(a: &[Vec<P>], b: &[Vec<P>]) -> Vec<Vec<P>> {
     let zero = P::zero();
     let entry = |row: &Vec<P>, j: usize| {
         let terms = row.iter().zip(b).filter(|(x, _)| **x != zero);

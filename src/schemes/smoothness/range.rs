@@ -133,7 +133,7 @@ impl SmoothRange {
 }
 
 /// The length of the complement, if it is bounded.
-fn gap(known: &IntervalSet) -> Option<Rational> {
+pub(crate) fn gap(known: &IntervalSet) -> Option<Rational> {
     let intervals = known.intervals();
     let bounded = matches!(intervals.first()?.low, Bound::Unbounded)
         && matches!(intervals.last()?.high, Bound::Unbounded);

@@ -5,7 +5,9 @@ use super::parametric::{PolynomialMatrix, bernstein, multiplied};
 use crate::exact::{
     Enclosed as _, Interval, IntervalSet, Rational, RationalPolynomial, RealAlgebraic,
 };
-use crate::joint::{Closing, MatrixSet, MatrixSetError, contracts, expanding_product};
+use crate::joint::{
+    Closing, MatrixSet, MatrixSetError, contracts, contracts_when_balanced, expanding_product,
+};
 use std::collections::BTreeSet;
 use std::ops::Bound;
 
@@ -39,20 +41,25 @@ const FAR: i32 = 8;
 /// The most intervals that are looked at.
 const MAX_PIECES: usize = 1_500;
 
+/// The same where each hull is looked for in a basis of its own.
+const MAX_LARGE_PIECES: usize = 240;
+
 /// What is known of a line of parameters.
 #[derive(Clone, Debug)]
-pub(super) struct Search {
+pub(crate) struct Search {
     matrices: Vec<PolynomialMatrix>,
     /// The greatest degree of an entry, at least 1.
     degree: usize,
-    pub(super) inside: IntervalSet,
-    pub(super) outside: IntervalSet,
+    pub(crate) inside: IntervalSet,
+    pub(crate) outside: IntervalSet,
     words: BTreeSet<Vec<usize>>,
     pieces: usize,
+    /// Whether each hull is looked for in a basis of its own.
+    balanced: bool,
 }
 
 impl Search {
-    pub(super) fn new(matrices: Vec<PolynomialMatrix>) -> Result<Search, MatrixSetError> {
+    pub(crate) fn new(matrices: Vec<PolynomialMatrix>) -> Result<Search, MatrixSetError> {
         let entries = matrices.iter().flatten().flatten();
         let degree = entries.filter_map(RationalPolynomial::degree).max().unwrap_or(0).max(1);
         let mut search = Search {
@@ -62,12 +69,18 @@ impl Search {
             outside: IntervalSet::default(),
             words: BTreeSet::new(),
             pieces: 0,
+            balanced: false,
         };
         search.set_at(&Rational::zero())?;
         for word in first_words(search.matrices.len()) {
             search.exclude(&word);
         }
         Ok(search)
+    }
+
+    /// The same, where each hull is looked for in a basis of its own: for matrices that are no windows of a mask.
+    pub(crate) fn balanced(matrices: Vec<PolynomialMatrix>) -> Result<Search, MatrixSetError> {
+        Ok(Search { balanced: true, ..Search::new(matrices)? })
     }
 
     fn set_at(&self, value: &Rational) -> Result<MatrixSet, MatrixSetError> {
@@ -92,7 +105,7 @@ impl Search {
     }
 
     /// Divides the line between the ends of what is known, and then the gaps, as long as they become narrower.
-    pub(super) fn run(&mut self, known: &IntervalSet) -> Result<(), MatrixSetError> {
+    pub(crate) fn run(&mut self, known: &IntervalSet) -> Result<(), MatrixSetError> {
         self.look_far(known)?;
         let ends: Vec<Rational> = known
             .ends()
@@ -104,6 +117,9 @@ impl Search {
         let high = Rational::from((ends.iter().max().unwrap_or(&zero) + &one).ceil());
         let width = (&high - &low) / Rational::from(FIRST_PART);
         self.divide((low, high), known, (&width, Closing::All))?;
+        if self.balanced {
+            return self.narrow(known, RATHER_NARROW, Closing::All);
+        }
         self.narrow(known, NARROW, Closing::All)?;
         self.narrow(known, RATHER_NARROW, Closing::Middle)
     }
@@ -121,7 +137,7 @@ impl Search {
         loop {
             let gaps = self.wide_gaps(known, part);
             let mut open = gaps.iter().filter(|gap| !before.contains(*gap)).peekable();
-            if open.peek().is_none() || self.pieces >= MAX_PIECES {
+            if open.peek().is_none() || self.is_spent() {
                 return Ok(());
             }
             for (a, b) in open {
@@ -141,9 +157,11 @@ impl Search {
             Some((&high - &low, low, high))
         });
         let lengths: Vec<(Rational, Rational, Rational)> = lengths.collect();
+        let total: Rational = lengths.iter().map(|(length, ..)| length.clone()).sum();
         let is_narrow = |(a, b): &(Rational, Rational)| {
             let beside = lengths.iter().filter(|(_, low, high)| low <= b && a <= high);
             let length = beside.map(|(length, ..)| length).min();
+            let length = length.map(|length| if self.balanced { &total } else { length });
             length.is_some_and(|length| (b - a) <= length * Rational::new(part, of))
         };
         let ends = gaps.intervals().iter().filter_map(outer_ends);
@@ -160,7 +178,7 @@ impl Search {
         let mut waiting = vec![interval];
         while let Some((a, b)) = waiting.pop() {
             let piece = closed(&a, &b);
-            if self.outside.covers(&piece) || known.covers(&piece) || self.pieces >= MAX_PIECES {
+            if self.outside.covers(&piece) || known.covers(&piece) || self.is_spent() {
                 continue;
             }
             // Hulls of matrices in the middle are invariant on intervals only that are short against the gap.
@@ -179,6 +197,11 @@ impl Search {
             waiting.push((middle, b));
         }
         Ok(())
+    }
+
+    /// Whether as many intervals were looked at as may be.
+    fn is_spent(&self) -> bool {
+        self.pieces >= if self.balanced { MAX_LARGE_PIECES } else { MAX_PIECES }
     }
 
     /// Allows for as many pieces as at first.
@@ -223,6 +246,7 @@ impl Search {
         let parts = self.matrices.iter().flat_map(|matrix| bernstein(matrix, self.degree, (a, b)));
         let set = MatrixSet::new(parts.collect())?;
         let ends = [self.set_at(a)?, self.set_at(b)?];
+        let contracts = if self.balanced { contracts_when_balanced } else { contracts };
         Ok(contracts(&set, &self.set_at(&middle)?, &ends, closing))
     }
 }

@@ -3,6 +3,7 @@
 use super::exact::Exact;
 use super::open::OpenForm;
 use super::smooth::smoothness::HoelderForm;
+use crate::exact::Rational;
 use crate::facts::{LatticeFacts, PointPlacement};
 use crate::lattice::LatticeSmoothness;
 use crate::scheme::Point;
@@ -39,6 +40,8 @@ pub struct LatticeForm {
     /// What is proven of the limits; its fields stand here.
     #[serde(flatten)]
     pub smoothness: LatticeSmoothnessForm,
+    /// The basic limit function at the integers where it is not 0: the limit of data p at α is Σ_β φ(α − β)p_β. Null where convergence is not proven.
+    pub values: Option<Vec<ValueForm>>,
     /// σ with x^k_α at M^{−k}α; null in three dimensions where M is not diagonal.
     pub displacement: Option<Exact>,
     /// σ with x^k_α at its natural place; null in the same cases.
@@ -49,6 +52,16 @@ pub struct LatticeForm {
     pub norm: Vec<Exact>,
     /// What is open, and why.
     pub open: Vec<OpenForm>,
+}
+
+/// A value of a function on a lattice.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ValueForm {
+    /// The place.
+    pub place: Vec<i64>,
+    /// The value there.
+    pub value: Exact,
 }
 
 /// What is proven of the limits of a mask on Z^d.
@@ -84,7 +97,10 @@ impl LatticeSmoothnessForm {
 impl LatticeForm {
     pub(super) fn of(facts: &LatticeFacts) -> LatticeForm {
         let d = facts.mask.dimension();
-        let reason = |reason: &String| OpenForm { fact: "limits", reason: reason.clone() };
+        let LatticeSmoothness { continuity, continuity_fails, .. } = &facts.smoothness;
+        let decided = continuity.zip(*continuity_fails).is_some_and(|(m, fails)| m + 1 == fails);
+        let fact = if decided { "Hölder exponent" } else { "limits" };
+        let reason = |reason: &String| OpenForm { fact, reason: reason.clone() };
         LatticeForm {
             dilation: facts.mask.dilation().rows().map(<[i64]>::to_vec).collect(),
             edges: vectors(facts.mask.edges(), d),
@@ -101,6 +117,13 @@ impl LatticeForm {
             reproduction: facts.reproduction,
             natural_shift: facts.shift.iter().map(Exact::of).collect(),
             smoothness: LatticeSmoothnessForm::of(&facts.smoothness),
+            values: facts.values.as_ref().map(|values| {
+                let form = |(place, value): (&Point, &Rational)| ValueForm {
+                    place: place[..d].to_vec(),
+                    value: Exact::of(value),
+                };
+                values.iter().map(form).collect()
+            }),
             displacement: facts.displacement.as_ref().map(|[indexed, _]| Exact::of(indexed)),
             displacement_natural: facts
                 .displacement

@@ -36,7 +36,7 @@ pub use facts::{
     CurveForm, DepthForm, Facts, FactsForm, OffsetForm, Order, Ranges, SpecialForm, StencilForm,
     ValenceForm, WeightForm,
 };
-pub use lattice::{LatticeForm, LatticeSmoothnessForm, vectors};
+pub use lattice::{LatticeForm, LatticeSmoothnessForm, ValueForm, vectors};
 pub use offset::BetterOffset;
 pub use open::OpenForm;
 pub use sets::{Interval, Number as RootNumber};

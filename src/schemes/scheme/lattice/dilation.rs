@@ -1,6 +1,7 @@
 //! Dilation matrices: how the indices of a mask on Z^d grow by one step.
 
 use super::matrices::{adjugate, apply, determinant};
+use crate::exact::Rational;
 use crate::scheme::rules::MAX_ARITY;
 use std::collections::BTreeMap;
 
@@ -151,6 +152,20 @@ impl Dilation {
             diagonal.then_some(row[i])
         };
         self.rows().enumerate().map(entry).collect()
+    }
+
+    /// M^{−1}x.
+    #[must_use]
+    pub fn inverse_times(&self, x: &[Rational]) -> Vec<Rational> {
+        let d = self.dimension();
+        let inverse = Rational::from(self.determinant()).recip();
+        let unit = |j: usize| std::array::from_fn(|i| i64::from(i == j));
+        let columns: Vec<Point> = (0..d).map(|j| self.adjugate_times(unit(j))).collect();
+        let entry = |i: usize| {
+            let terms = columns.iter().zip(x).map(|(column, x)| x * &Rational::from(column[i]));
+            terms.sum::<Rational>() * &inverse
+        };
+        (0..d).map(entry).collect()
     }
 
     /// n, where M = nI.

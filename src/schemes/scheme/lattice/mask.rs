@@ -1,6 +1,6 @@
 //! Masks on Z^d.
 
-use super::dilation::{Dilation, Point, difference};
+use super::dilation::{Dilation, Point, difference, sum};
 use crate::cap::Cap;
 use crate::exact::{Rational, Scalar};
 use crate::formula::Value;
@@ -240,6 +240,20 @@ impl<S> LatticeMask<S> {
                 std::array::from_fn(|i| high[i].max(place[i])),
             ]
         })
+    }
+
+    /// The mask with all coefficients at places that are moved by a vector.
+    #[must_use]
+    pub fn moved(&self, by: Point) -> LatticeMask<S>
+    where
+        S: Clone,
+    {
+        let moved = |(place, c): (&Point, &S)| (sum(*place, by), c.clone());
+        LatticeMask {
+            dilation: self.dilation.clone(),
+            coefficients: self.coefficients.iter().map(moved).collect(),
+            edges: self.edges.clone(),
+        }
     }
 
     /// The mask with every coefficient mapped. The map takes no coefficient to 0.

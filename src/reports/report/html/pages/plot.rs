@@ -3,7 +3,7 @@
 use super::finding::Picture;
 use crate::facts::{CurveDrawing, Drawing};
 use crate::report::html::picture::sample;
-use crate::report::html::picture::{Panel, basic, family, ring, standalone};
+use crate::report::html::picture::{Panel, basic, contours, family, ring, standalone, surface};
 
 /// The pictures of a scheme.
 #[derive(Clone, Debug)]
@@ -33,6 +33,14 @@ impl Plot {
             }
             Some(CurveDrawing::Algebraic(shape)) => {
                 panels.extend([basic(scheme, shape), sample(scheme, shape)]);
+            }
+            None => {}
+        }
+        match &drawing.lattice {
+            Some(Ok(shape)) => panels.extend([contours(scheme, shape), surface(scheme, shape)]),
+            Some(Err(reason)) => {
+                let title = format!("{scheme}: the basic limit function");
+                panels.push(Panel::of_words(title, format!("There is no picture: {reason}.")));
             }
             None => {}
         }

@@ -61,7 +61,7 @@ pub(crate) fn faces(faces: &ColouredFaces<'_>) -> Option<Markup> {
         scene.face(corners, class);
     };
     for &face in coloured {
-        draw(face, class(values[face], greatest));
+        draw(face, heat(values[face], greatest));
     }
     for &face in &grey {
         draw(face, "h grey");
@@ -101,7 +101,7 @@ pub(crate) fn faces(faces: &ColouredFaces<'_>) -> Option<Markup> {
 }
 
 /// The class of a value among those from 0 to the greatest.
-fn class(value: f64, greatest: f64) -> &'static str {
+pub(super) fn heat(value: f64, greatest: f64) -> &'static str {
     let limits = (1..COLOURS).map(|place| greatest * f64::from(place) / f64::from(COLOURS));
     let place = limits.take_while(|limit| value > *limit).count();
     CLASSES[place]
