@@ -1,4 +1,4 @@
-//! `subcert depth` of a mask on Z^d: the sound bound, for all nets of a spread.
+//! `subcert depth` of a mask on Z^d, for all nets of a spread.
 
 use super::numbers::levels;
 use crate::cli::arguments::DepthArguments;
@@ -10,10 +10,13 @@ use crate::cli::console::quantity::{Number, Text};
 use serde::Serialize;
 use subcert::bound::SoundBound;
 use subcert::exact::Rational;
-use subcert::lattice::{LatticeConstants, displacement, natural_shift};
+use subcert::lattice::{LatticeConstants, LatticeDistance, displacement, natural_shift};
 use subcert::report::json::vectors;
 use subcert::report::{Grid, Sheet};
 use subcert::scheme::LatticeMask;
+
+/// The most levels of a depth that is looked for by distances.
+const MAX_DEPTH: u32 = 400;
 
 /// The most differences of one constant.
 const MAX_DIFFERENCES: usize = 1 << 12;
@@ -90,11 +93,25 @@ struct Placed {
     places: &'static str,
     /// σ: the displacement of one step.
     displacement: Number,
+    /// Fewer levels are too few for some net of the spread.
+    at_least: u32,
     /// A depth that is enough; null where there is none.
     depth: Option<u32>,
+    /// For k = 0, 1, … bounds of the greatest |P^∞ − P^k| of nets of spread 1.
+    distances: Vec<Bounds>,
     /// Why there is none; missing where there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<String>,
+}
+
+/// Bounds of a distance, as decimals that are rounded outwards.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Bounds {
+    /// It is not below this.
+    at_least: Number,
+    /// It is not above this; null where no T_c is below 1.
+    at_most: Option<Number>,
 }
 
 impl Placed {
@@ -105,7 +122,8 @@ impl Placed {
         constants: &[Rational],
         [spread, tolerance]: [&Rational; 2],
     ) -> Result<Placed, Failure> {
-        let found = displacement(mask, shift).map_err(|error| Failure::Input(error.to_string()))?;
+        let input = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
+        let found = displacement(mask, shift).map_err(|error| input(&error))?;
         let Some(sigma) = found else {
             let problem =
                 "nets in three dimensions have a depth for diagonal dilation matrices only";
@@ -113,12 +131,37 @@ impl Placed {
         };
         let bound = SoundBound::of(sigma.clone(), constants.to_vec());
         let depth = bound.depth(spread, tolerance);
+        let sound = depth.as_ref().ok().map(|found| found.level);
+        let found = LatticeDistance::of(mask, shift, constants.to_vec());
+        let distance = found.map_err(|error| input(&error))?;
+        let (at_least, nearer) = distance.as_ref().map_or((0, None), |distance| {
+            distance.depth(spread, tolerance, sound.unwrap_or(0).min(MAX_DEPTH))
+        });
+        let bounds = |(k, lower): (u32, &Rational)| Bounds {
+            at_least: lower.into(),
+            at_most: distance.as_ref().and_then(|all| all.upper(k)).as_ref().map(Number::from),
+        };
+        let lower = distance.iter().flat_map(|all| &all.lower);
         Ok(Placed {
             places,
             displacement: (&sigma).into(),
-            depth: depth.as_ref().ok().map(|found| found.level),
+            at_least,
+            depth: nearer.or(sound),
+            distances: (0..).zip(lower).map(bounds).collect(),
             note: depth.err().map(|error| error.to_string()),
         })
+    }
+}
+
+impl Placed {
+    /// The depth in words.
+    fn words(&self) -> String {
+        match self.depth {
+            None => self.note.clone().unwrap_or_default(),
+            Some(depth) if depth <= self.at_least => levels(depth),
+            Some(depth) if self.at_least == 0 => format!("at most {}", levels(depth)),
+            Some(depth) => format!("{} to {}", self.at_least, levels(depth)),
+        }
     }
 }
 
@@ -134,30 +177,30 @@ impl Answer for LatticeDepth<'_> {
             ("spread β".to_owned(), format!("{spread}, along {}", edges.join(" "))),
         ]);
         let row = |placed: &Placed| {
-            let depth = placed.depth.map_or_else(
-                || placed.note.clone().unwrap_or_default(),
-                |depth| format!("at most {}", levels(depth)),
-            );
-            vec![placed.places.to_owned(), placed.displacement.words(), depth]
+            vec![placed.places.to_owned(), placed.displacement.words(), placed.words()]
         };
-        let header = ["points of level k at", "σ", "depth by the sound bound"];
+        let header = ["points of level k at", "σ", "depth"];
         sheet.grid(Grid::of(header, self.placements.iter().map(row), 0));
+        for placed in self.placements.iter().filter(|placed| !placed.distances.is_empty()) {
+            sheet.heading(2, format!("Distances with the points at {}", placed.places));
+            let row = |(k, bounds): (usize, &Bounds)| {
+                let most = bounds.at_most.as_ref().map_or("open".to_owned(), Number::words);
+                vec![k.to_string(), bounds.at_least.words(), most]
+            };
+            let header = ["k", "at least", "at most"];
+            sheet.grid(Grid::of(header, placed.distances.iter().enumerate().map(row), 0));
+        }
         sheet.text(
-            "|P^∞ − P^k| ≤ σβ(T_k + T_{k+1} + …) for the net P^k of level k; fewer levels may be enough."
-                .to_owned(),
+            "These are bounds of the greatest |P^∞ − P^k| of all nets P^0 of spread 1: from below at points where P^∞ is known exactly, from above by              the exact greatest |P^{i+1} − P^i|, i = k, k+1, …, and T_c for the rest.",
         );
         sheet
     }
 
     fn sentence(&self) -> String {
-        let depths: Vec<String> = self
-            .placements
-            .iter()
-            .map(|placed| placed.depth.map_or("none".to_owned(), |depth| depth.to_string()))
-            .collect();
+        let depths: Vec<String> = self.placements.iter().map(Placed::words).collect();
         let [tolerance, spread] = self.given;
         format!(
-            "{}: at most {} levels for ε = {tolerance} and β = {spread}; with the points at their natural places {}.",
+            "{}: {} for ε = {tolerance} and β = {spread}; with the points at their natural places {}.",
             self.scheme, depths[0], depths[1]
         )
     }

@@ -118,7 +118,7 @@ impl<'m> LatticeConstants<'m> {
 }
 
 /// A functional up to a shift and the sign.
-fn normalised(functional: &Functional<Rational>) -> Vec<(Point, Rational)> {
+pub(super) fn normalised(functional: &Functional<Rational>) -> Vec<(Point, Rational)> {
     let Some((first, lead)) = functional.first_key_value() else { return Vec::new() };
     let sign = if lead.sign() < 0 { -Rational::one() } else { Rational::one() };
     functional.iter().map(|(place, c)| (difference(*place, *first), c * &sign)).collect()

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// What a net is between its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Between {
+pub(super) enum Between {
     /// Linear on triangles, whose third sides have the direction (1, 1).
     Triangles,
     /// Linear on triangles, whose third sides have the direction (1, −1).
@@ -38,6 +38,20 @@ enum Between {
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
 pub fn displacement(mask: &LatticeMask, shift: &[Rational]) -> Result<Option<Rational>, NormError> {
+    let Some((_, functionals)) = displacements(mask, shift) else { return Ok(None) };
+    let edges = Edges::new(mask.edges(), mask.dimension());
+    let mut greatest = Rational::zero();
+    for functional in functionals {
+        greatest = greatest.max(edges.norm(&functional)?.value);
+    }
+    Ok(Some(greatest))
+}
+
+/// What a net is between its points, and P^1 − P^0 at the corners, as functionals of the data.
+pub(super) fn displacements(
+    mask: &LatticeMask,
+    shift: &[Rational],
+) -> Option<(Between, Vec<Functional<Rational>>)> {
     let edges = Edges::new(mask.edges(), mask.dimension());
     let has = |edge: Point| edges.all().contains(&edge);
     let between = match mask.dimension() {
@@ -45,14 +59,13 @@ pub fn displacement(mask: &LatticeMask, shift: &[Rational]) -> Result<Option<Rat
         2 if has([1, -1, 0]) => Between::OtherTriangles,
         _ if mask.dilation().diagonal().is_some() => Between::Boxes,
         2 => Between::Triangles,
-        _ => return Ok(None),
+        _ => return None,
     };
     let corners = match between {
         Between::Boxes => of_boxes(mask, shift),
         _ => of_triangles(mask, shift, between),
     };
-    let mut greatest = Rational::zero();
-    for corner in corners {
+    let at = |corner: Vec<Rational>| {
         let mut functional: Functional<Rational> = BTreeMap::new();
         let mut add = |place: Point, c: Rational| {
             *functional.entry(place).or_insert_with(Rational::zero) += &c;
@@ -64,13 +77,13 @@ pub fn displacement(mask: &LatticeMask, shift: &[Rational]) -> Result<Option<Rat
             mask.rule(place).for_each(|(at, c)| add(at, c * &weight));
         }
         functional.retain(|_, c| !c.is_zero());
-        greatest = greatest.max(edges.norm(&functional)?.value);
-    }
-    Ok(Some(greatest))
+        functional
+    };
+    Some((between, corners.into_iter().map(at).collect()))
 }
 
 /// x − τ.
-fn less(x: &[Rational], shift: &[Rational]) -> Vec<Rational> {
+pub(super) fn less(x: &[Rational], shift: &[Rational]) -> Vec<Rational> {
     x.iter().zip(shift).map(|(x, s)| x - s).collect()
 }
 
@@ -81,7 +94,7 @@ fn image(mask: &LatticeMask, x: &[Rational]) -> Vec<Rational> {
 }
 
 /// The weights of the points around t in the value of a net at t.
-fn weights(t: &[Rational], between: Between) -> Vec<(Point, Rational)> {
+pub(super) fn weights(t: &[Rational], between: Between) -> Vec<(Point, Rational)> {
     let mut base = [0; 3];
     let mut parts = Vec::new();
     for (at, x) in base.iter_mut().zip(t) {

@@ -17,6 +17,7 @@
 
 mod constants;
 mod displacement;
+mod distance;
 mod exponent;
 mod limit;
 mod monomials;
@@ -36,6 +37,7 @@ mod window;
 
 pub use constants::{Contraction, LatticeConstants, MAX_FUNCTIONALS};
 pub use displacement::displacement;
+pub use distance::LatticeDistance;
 pub use limit::limit_values;
 pub use norm::{Edges, Norm, NormError, proves};
 pub use polynomials::{MAX_ORDER, mean, natural_shift, reproduction, sum_rules};

@@ -104,24 +104,41 @@ impl<'m, S: Scalar + PartialEq> Steps<'m, S> {
         rows
     }
 
+    /// A functional of the data of level c at the places that it has, moved by a vector, as a functional of the data of level 0.
+    ///
+    /// # Panics
+    /// When the rows are not [those](Self::rows) of these steps.
+    #[must_use]
+    pub fn pulled(
+        &self,
+        rows: &[(Point, Functional<S>)],
+        functional: &Functional<S>,
+        by: Point,
+    ) -> Functional<S> {
+        let mut pulled: Functional<S> = BTreeMap::new();
+        for (place, weight) in functional {
+            let (class, shift) = self.split(sum(*place, by));
+            for (at, c) in &rows[class].1 {
+                let entry = pulled.entry(sum(*at, shift)).or_insert_with(S::zero);
+                entry.accumulate(&c.times(weight));
+            }
+        }
+        let zero = S::zero();
+        pulled.retain(|_, c| *c != zero);
+        pulled
+    }
+
     /// For each digit ε and each edge u, the functional p ↦ (S^c p)_{ε+u} − (S^c p)_ε.
     #[must_use]
     pub fn differences(&self) -> Vec<(Point, Point, Functional<S>)> {
         let rows = self.rows();
         let mut all = Vec::with_capacity(rows.len() * self.mask.edges().len());
-        for (digit, row) in &rows {
+        for (digit, _) in &rows {
             for edge in self.mask.edges() {
-                let (class, shift) = self.split(sum(*digit, *edge));
-                let mut functional: Functional<S> = BTreeMap::new();
-                for (place, c) in &rows[class].1 {
-                    functional.insert(sum(*place, shift), c.clone());
-                }
-                for (place, c) in row {
-                    functional.entry(*place).or_insert_with(S::zero).lessen(c);
-                }
-                let zero = S::zero();
-                functional.retain(|_, c| *c != zero);
-                all.push((*digit, *edge, functional));
+                let one = S::from_rational(&Rational::one());
+                let minus = S::from_rational(&-Rational::one());
+                let ends = BTreeMap::from([(*edge, one), ([0; 3], minus)]);
+                all.push((*digit, *edge, self.pulled(&rows, &ends, *digit)));
             }
         }
         all
