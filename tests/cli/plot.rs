@@ -13,10 +13,25 @@ fn a_picture_goes_to_the_output_or_into_a_file() {
     assert!(written(["plot", "[1, 3, 3, 1]/4"]).contains("φ′"));
 }
 
+/// Contour lines and the graph of φ, also of products and of a plane through the middle of a solid; words where the scheme diverges.
+#[test]
+fn masks_of_several_variables() {
+    for (scheme, part) in [
+        ("courant", "M^-4 α, α in Z^2"),
+        ("chaikin x chaikin", "contour lines"),
+        ("quincunx-five-point", "the basic limit function"),
+        ("trilinear", "the third coordinate"),
+        ("twin-dragon", "There is no picture: the scheme diverges"),
+    ] {
+        let svg = written(["plot", scheme]);
+        assert_parts(&svg.replace("⁻⁴", "^-4"), &[part]);
+        assert_eq!(svg.contains("polyline"), scheme != "twin-dragon", "{scheme}");
+    }
+}
+
 #[test]
 fn nonsense_is_refused() {
     assert_parts(&refused(["plot", "chaikn"]), &["chaikin"]);
-    assert_parts(&refused(["plot", "chaikin x chaikin"]), &["tensor product"]);
     assert_parts(&refused(["plot", "chaikin", "-o", "docs"]), &["is a folder", "-o FILE.svg"]);
     assert_parts(
         &refused(["plot", "chaikin", "--bounds", "a=0..1"]),

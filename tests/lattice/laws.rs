@@ -57,7 +57,7 @@ fn masks() -> impl Strategy<Value = LatticeMask> {
 }
 
 /// (Sp)_α = Σ_β a(α − Mβ) p_β, by the definition.
-fn refined(mask: &LatticeMask, net: &Functional<Rational>) -> Functional<Rational> {
+pub(super) fn refined(mask: &LatticeMask, net: &Functional<Rational>) -> Functional<Rational> {
     let mut refined = BTreeMap::new();
     for (place, value) in net {
         for (at, c) in mask.coefficients() {

@@ -7,10 +7,11 @@ use crate::cli::arguments::{AnyBoundary, BoundaryArgument, OracleArguments, Orac
 use crate::cli::console::output::{Failure, Outcome, deliver, note};
 use std::path::Path;
 use subcert::oracle::{
-    Boundary, Control, LocalRequest, MAX_VALUES, OracleError, OracleRequest, OracleValues,
-    reference_values, ring_reference_values, to_csv, to_json, to_matlab, to_source, to_table,
+    Boundary, Control, LatticeRequest, LocalRequest, MAX_VALUES, OracleError, OracleRequest,
+    OracleValues, lattice_reference_values, reference_values, ring_reference_values, to_csv,
+    to_json, to_matlab, to_source, to_table,
 };
-use subcert::scheme::{AnyScheme, LocalRules, Scheme, SchemeError, parse_any_scheme};
+use subcert::scheme::{AnyScheme, LatticeMask, LocalRules, Scheme, parse_any_scheme};
 use subcert::spectrum::table::Language;
 
 /// The largest control polygon that is read.
@@ -31,9 +32,7 @@ pub(crate) fn oracle(arguments: &OracleArguments) -> Outcome {
     let mut notes = subcert::scheme::notes(&arguments.scheme);
     let mut values = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => uniform(&scheme, arguments, &mut notes)?,
-        AnyScheme::Lattice(_) => {
-            return Err(SchemeError::Lattice { scheme: arguments.scheme.clone() }.into());
-        }
+        AnyScheme::Lattice(mask) => of_lattice(&mask, arguments, &mut notes)?,
         AnyScheme::LocalRules(ring) => of_ring(&ring, arguments, &mut notes)?,
     };
     for told in &notes {
@@ -68,6 +67,31 @@ fn uniform(
         boundary: if is_open(arguments) { Boundary::Open } else { Boundary::Closed },
     };
     reference_values(scheme, &request).map_err(|error| refused(&error))
+}
+
+/// A mask on Z^d: of data in the plane from a file, or else of a single 1.
+fn of_lattice(
+    mask: &LatticeMask,
+    arguments: &OracleArguments,
+    notes: &mut Vec<String>,
+) -> Result<OracleValues, Failure> {
+    let sides = arguments.points.is_some() || arguments.boundary.is_some();
+    let solid = arguments.polygon.is_some() && mask.dimension() == 3;
+    if sides || solid {
+        let problem = "a mask on Z^d has no --points and no --boundary, since data are 0 beyond those given; --polygon FILE has rows of numbers, for masks on Z^2";
+        return Err(Failure::Input(problem.to_owned()));
+    }
+    let control = arguments.polygon.as_ref().map(|path| of_grid(path, notes)).transpose()?;
+    if control.is_none() {
+        notes.push("the data are a single 1 at 0; --polygon FILE has others".to_owned());
+    }
+    let request = LatticeRequest {
+        scheme: arguments.scheme.clone(),
+        max_block: arguments.block.levels,
+        control,
+        level: arguments.level,
+    };
+    lattice_reference_values(mask, &request).map_err(|error| refused(&error))
 }
 
 fn of_ring(

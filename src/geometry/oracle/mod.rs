@@ -24,6 +24,7 @@
 mod check;
 mod control;
 mod header;
+mod lattice;
 mod local_rules;
 mod macros;
 mod matlab;
@@ -38,6 +39,7 @@ mod write;
 pub use check::{check_slice_within_ulps, check_within, check_within_ulps};
 pub use control::{Control, SplitMix64};
 pub use header::{Header, LocalShape, MaskShape};
+pub use lattice::{LatticeRequest, lattice_reference_values};
 pub use local_rules::{LocalRequest, refine_ring, ring_reference_values};
 pub use matlab::{matlab_name, to_matlab};
 pub use mesh_table::mesh_to_csv;

@@ -48,7 +48,8 @@ pub struct Group {
     /// `control`, `refined`; for a tensor product the first five begin with `first-` or
     /// `second-`, and `surface-factor` is added. A ring has `weights` in place of the two masks.
     /// For control points with several coordinates, the groups are `control-1`, `refined-1`,
-    /// `control-2`, and so on.
+    /// `control-2`, and so on. A mask on Z^d has `limit` too, and the place of the first entry of `mask`, `control`, `refined` and `limit` in groups whose
+    /// names end with `-first`.
     pub quantity: String,
     /// The formula of the quantity, and the meaning of its indices.
     pub about: &'static str,
