@@ -6,7 +6,7 @@ pub mod exponent;
 mod extremes;
 pub mod families;
 mod found;
-mod lattice;
+pub mod lattice;
 mod limits;
 mod masks;
 mod modulus;

@@ -5,7 +5,7 @@ use super::smoothness::{lacking, scope};
 use crate::claims::{Paper, printed};
 use crate::formulas::formula;
 use crate::functions::exponent::LogSum;
-use crate::lines::limits::{LimitProof, mask, verdict};
+use crate::lines::limits::{LimitProof, verdict};
 use crate::numbers::{Decimal, int, is_one_unit};
 use crate::text::{Block, Checked, Reason, Toml, Verdict, require};
 use num_traits::Zero;
@@ -35,7 +35,7 @@ fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Ch
     let statements = [&["value"][..], &["printed"], &["at_least", "at_most"]];
     let one = statements.iter().filter(|keys| has(keys)).count() == 1;
     require(one, Reason::Malformed("one of `value`, `printed` and bounds"))?;
-    let shown = LimitProof::read(paper, mask(paper, claim, &scope(paper, claim)?)?, block)?;
+    let shown = LimitProof::read(paper, claim, &scope(paper, claim)?, block)?;
     let closed = paper.library.closed();
     let number = |key: &str| -> Checked<Option<LogSum>> {
         let text = claim.text(key).map(formula);

@@ -12,7 +12,7 @@ pub mod table;
 pub mod theorem;
 
 use crate::claims::{Paper, misfit};
-use crate::lines::{constant, limits};
+use crate::lines::{constant, curve};
 use crate::text::{At, Block, Checked, Reason, Toml};
 use kind::{Kind, Proof};
 
@@ -69,7 +69,7 @@ fn judge<'a>(
     }
     if kind == relation::KIND.name {
         while let Some(said) = block.maybe("limits") {
-            limits::check(paper, said, block)?;
+            curve::check(paper, said, block)?;
         }
     }
     let proof = (named(kind)?.check)(paper, claim, block)?;

@@ -3,7 +3,7 @@
 use super::kind::{Citation, Kind, Proof};
 use crate::claims::Paper;
 use crate::formulas::Scope;
-use crate::lines::limits::{LimitProof, mask, verdict};
+use crate::lines::limits::{LimitProof, verdict};
 use crate::numbers::Value;
 use crate::schemes::{LocalRules, VALENCE_NAMES};
 use crate::text::{Block, Checked, Reason, Stop, Toml, Verdict, agree, require};
@@ -49,7 +49,7 @@ fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Ch
         return vertices(paper, claim, (continuous, not_continuous), block).map(|()| Proof::Other);
     }
     require(claim.get("valences").is_none(), Reason::Malformed("rules around a vertex"))?;
-    let shown = LimitProof::read(paper, mask(paper, claim, &scope(paper, claim)?)?, block)?;
+    let shown = LimitProof::read(paper, claim, &scope(paper, claim)?, block)?;
     let found = verdict(
         continuous.is_none_or(|m| shown.continuous(m))
             && not_continuous.is_none_or(|m| shown.not_continuous(m)),

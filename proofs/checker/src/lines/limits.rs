@@ -1,80 +1,50 @@
-//! What a certificate of a joint spectral radius, embedded in a block, shows of the limits of a mask.
+//! What the lines of a block show of the limits of a scheme: of a mask of curves, or of a mask on Z^d.
 
+use super::curve::{CurveProof, mask};
+use super::lattice::LatticeProof;
 use crate::claims::Paper;
 use crate::formulas::Scope;
-use crate::functions::exponent::{Bound, LogSum};
-use crate::numbers::{Q, Value};
-use crate::radius::{Radius, check_mask, has_independent_shifts};
-use crate::schemes::Scheme;
-use crate::text::{Block, Checked, RadiusReason, Reason, Stop, Toml, Verdict, require, words};
+use crate::functions::exponent::LogSum;
+use crate::text::{Block, Checked, Reason, Toml, Verdict, require};
 
-/// What is shown of the limits of a mask.
-pub struct LimitProof {
-    radius: Radius,
-    mask: Vec<Vec<Q>>,
-}
-
-/// Checks `SCHEME` and the lines of a radius, and makes known what they show.
-pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Checked<()> {
-    let [reference] = words(said, "SCHEME")?;
-    let schemes = paper.library.resolve(reference, &paper.library.closed())?;
-    let [scheme] = &schemes[..] else { return Err(Reason::Single.into()) };
-    let shown = LimitProof::read(paper, rational(scheme)?, block)?;
-    paper.library.limits.show(&scheme.mask, shown.radius);
-    Ok(())
-}
-
-/// The rational mask of a scheme.
-fn rational(scheme: &Scheme) -> Result<Vec<Vec<Q>>, Stop> {
-    let mask = Value::rationals(&scheme.mask);
-    mask.ok_or(Stop::Undefined("a coefficient of the mask is irrational"))
-}
-
-/// The mask of the claim's scheme, in this scope.
-pub fn mask(paper: &Paper<'_>, claim: &Toml, scope: &Scope<'_>) -> Checked<Vec<Vec<Q>>> {
-    let reference = claim.text("scheme").ok_or(Reason::Single)?;
-    let schemes = paper.library.resolve(reference, scope)?;
-    let [scheme] = &schemes[..] else { return Err(Reason::Single.into()) };
-    Ok(rational(scheme)?)
+/// What is shown of limits.
+pub enum LimitProof {
+    /// Of a mask of curves.
+    Curve(CurveProof),
+    /// Of a mask on Z^d.
+    Lattice(LatticeProof),
 }
 
 impl LimitProof {
-    /// Reads the lines from `order` to `end` and checks them.
-    pub fn read(
-        paper: &Paper<'_>,
-        mask: Vec<Vec<Q>>,
+    /// Reads the lines about the claim's scheme, in this scope, and checks them.
+    pub fn read<'a>(
+        paper: &'a Paper<'a>,
+        claim: &Toml,
+        scope: &Scope<'_>,
         block: &mut Block<'_>,
     ) -> Checked<LimitProof> {
-        let mut lines = Vec::new();
-        block.look();
-        let first = block.at;
-        while let Some(line) = block.peek() {
-            block.any()?;
-            if line.text == "end" {
-                let meter = paper.library.meter;
-                let radius = check_mask(&mask, first, &lines, line.number, meter);
-                let radius = radius.map_err(|rejection| {
-                    block.at = rejection.line;
-                    match rejection.reason {
-                        RadiusReason::Stopped(stop) => Reason::Stopped(stop),
-                        reason => Reason::Radius(reason),
-                    }
-                })?;
-                return Ok(LimitProof { radius, mask });
-            }
-            lines.push(line);
+        let reference = claim.text("scheme").ok_or(Reason::Single)?;
+        if paper.library.is_lattice(reference) {
+            let lattice = paper.library.lattice(reference, scope)?;
+            return LatticeProof::read(paper, &lattice, block).map(LimitProof::Lattice);
         }
-        Err(Reason::Malformed("the end of the radius").into())
+        CurveProof::read(paper, mask(paper, claim, scope)?, block).map(LimitProof::Curve)
     }
 
     /// Whether all limits are C^m.
     pub fn continuous(&self, m: usize) -> bool {
-        self.radius.continuous.is_some_and(|shown| m <= shown)
+        match self {
+            LimitProof::Curve(proof) => proof.continuous(m),
+            LimitProof::Lattice(proof) => proof.continuous(m),
+        }
     }
 
     /// Whether not all limits are C^m.
     pub fn not_continuous(&self, m: usize) -> bool {
-        self.radius.not_continuous.is_some_and(|shown| shown <= m)
+        match self {
+            LimitProof::Curve(proof) => proof.not_continuous(m),
+            LimitProof::Lattice(proof) => proof.not_continuous(m),
+        }
     }
 
     /// Whether the scheme diverges.
@@ -84,28 +54,18 @@ impl LimitProof {
 
     /// Whether the exponent is at least this number; with `strictly`, greater.
     pub fn at_least(&self, value: &LogSum, strictly: bool) -> Checked<bool> {
-        let Some(order) = self.radius.order.filter(|_| self.radius.continuous.is_some()) else {
-            return Ok(false);
-        };
-        let bound =
-            Bound { order, arity: self.mask.len(), radius: &self.radius.at_most, degree: 1 };
-        let found = bound.compare(value)?;
-        Ok(if strictly { found.is_gt() } else { found.is_ge() })
+        match self {
+            LimitProof::Curve(proof) => proof.at_least(value, strictly),
+            LimitProof::Lattice(proof) => proof.at_least(value, strictly),
+        }
     }
 
     /// Whether the exponent is at most this number; with `strictly`, less.
     pub fn at_most(&self, value: &LogSum, strictly: bool) -> Checked<bool> {
-        let (Some(order), Some((radius, degree))) = (self.radius.order, &self.radius.at_least)
-        else {
-            return Ok(false);
-        };
-        let converges = self.radius.continuous.is_some();
-        if !converges || !has_independent_shifts(&self.mask)? {
-            return Ok(false);
+        match self {
+            LimitProof::Curve(proof) => proof.at_most(value, strictly),
+            LimitProof::Lattice(proof) => proof.at_most(value, strictly),
         }
-        let found =
-            Bound { order, arity: self.mask.len(), radius, degree: *degree }.compare(value)?;
-        Ok(if strictly { found.is_lt() } else { found.is_le() })
     }
 }
 

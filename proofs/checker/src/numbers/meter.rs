@@ -40,3 +40,10 @@ impl Meter {
         self.spent.set(0);
     }
 }
+
+/// The steps of adding a product of fractions to a third, which have so many binary digits together. Multiplication, division and
+/// common divisors are quadratic.
+pub fn product_steps(bits: u64) -> u64 {
+    let blocks = bits / 256;
+    (1 + bits / 128).saturating_add(blocks.saturating_mul(blocks))
+}

@@ -2,6 +2,7 @@
 
 mod characteristic;
 mod decimal;
+mod echelon;
 mod element;
 mod field;
 mod integers;
@@ -22,11 +23,12 @@ pub use decimal::{
     Decimal, Q, bits, capped, common_multiple, count, int, is_blank, is_fraction,
     over_one_denominator, read_rational,
 };
+pub use echelon::{Echelon, Row};
 pub use field::{cyclotomic, field};
 pub use integers::Integers;
 pub use linear::{solve, unit};
 pub use magnitude::compare;
-pub use meter::Meter;
+pub use meter::{Meter, product_steps};
 pub use number::Number;
 pub use piece::{Ends, MAX_CUTS, Piece};
 pub use polynomial::{

@@ -1,7 +1,9 @@
 //! Entries of matrices: fractions, or numbers of one field Q(α) by their coordinates.
 
 use super::field::Field;
-use crate::numbers::{Meter, Q, bits, divide, gcd, int, multiplied, signum, trimmed};
+use crate::numbers::{
+    Meter, Q, bits, divide, gcd, int, multiplied, product_steps, signum, trimmed,
+};
 use crate::text::Stop;
 use num_traits::{One, Zero};
 use std::rc::Rc;
@@ -155,20 +157,13 @@ fn steps_of(numbers: [&Element; 3]) -> u64 {
     let field = numbers.iter().find_map(|x| x.field.as_ref());
     let degree = numbers.iter().map(|x| x.p.len() as u64).max().unwrap_or(1);
     let Some(field) = field.filter(|_| degree > 1) else {
-        return steps(numbers.map(Element::longest).iter().sum());
+        return product_steps(numbers.map(Element::longest).iter().sum());
     };
     // The coordinates of a product grow where the polynomial divides it.
     let leading = field.polynomial().last().map_or(0, bits);
     let longest = numbers.map(Element::longest).into_iter().max().unwrap_or(0) + degree * leading;
     // Each of these fractions takes a common divisor.
-    1 + degree * degree * (longest / 32 + steps(longest) / 2)
-}
-
-/// The steps of an operation whose fractions have so many binary digits together. Multiplication, division and common
-/// divisors are quadratic.
-pub fn steps(bits: u64) -> u64 {
-    let blocks = bits / 256;
-    1 + bits / 128 + blocks * blocks
+    1 + degree * degree * (longest / 32 + product_steps(longest) / 2)
 }
 
 /// p + factor·q.

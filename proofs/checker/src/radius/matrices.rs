@@ -1,7 +1,7 @@
 //! Matrices of real numbers.
 
 use super::element::Element;
-use crate::numbers::{Meter, Q};
+use crate::numbers::{Meter, Q, product_steps};
 use crate::text::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer as _;
@@ -9,6 +9,11 @@ use num_traits::{One as _, Signed as _, Zero as _};
 
 /// A square matrix, row by row.
 pub type Matrix = Vec<Vec<Element>>;
+
+/// The steps of a row times a matrix of this size where all terms are 0.
+pub fn zeros(size: usize) -> u64 {
+    (size * size) as u64 / 64
+}
 
 /// A row times a matrix.
 pub fn times(row: &[Element], matrix: &Matrix, meter: &Meter) -> Result<Vec<Element>, Stop> {
@@ -21,8 +26,9 @@ pub fn times(row: &[Element], matrix: &Matrix, meter: &Meter) -> Result<Vec<Elem
     Ok(sum)
 }
 
-/// The product of two matrices.
+/// The product of two matrices. Terms that are 0 take time too.
 pub fn multiplied(a: &Matrix, b: &Matrix, meter: &Meter) -> Result<Matrix, Stop> {
+    meter.spend(zeros(a.len()) * a.len() as u64)?;
     a.iter().map(|row| times(row, b, meter)).collect()
 }
 
@@ -63,7 +69,7 @@ fn sign_of_fractions(rows: &[Vec<Q>], meter: &Meter) -> Result<i8, Stop> {
     for row in rows {
         let mut common = BigInt::one();
         for x in row {
-            meter.spend(super::element::steps(common.bits() + x.denom().bits()))?;
+            meter.spend(product_steps(common.bits() + x.denom().bits()))?;
             common = common.lcm(x.denom());
         }
         let whole = |x: &Q| x.numer() * (&common / x.denom());

@@ -19,12 +19,14 @@ use element::Element;
 use field::Field;
 use given::symbol;
 use independence::is_independent;
-use matrices::{Matrix, multiplied, sign_of_determinant, symmetric_square, times};
+use matrices::{Matrix, multiplied, sign_of_determinant, symmetric_square, times, zeros};
 use num_traits::Signed as _;
 use read::{Certificate, Lower};
 use std::fmt;
 use std::ops::Range;
 use std::rc::Rc;
+
+pub use read::is_bound;
 
 /// What a valid certificate proves.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -87,10 +89,28 @@ pub fn check_mask(
     checked(&Certificate::embedded(rules, lines, end)?, meter)
 }
 
+/// Checks the lines from `basis` to the last `image` about these matrices, of which there is one at least, and all are of one size. The
+/// last of the lines is `end`.
+pub fn check_matrices(
+    matrices: &[Vec<Vec<Q>>],
+    lines: &[Line<'_>],
+    end: usize,
+    meter: &Meter,
+) -> Result<Radius, RadiusRejection> {
+    let certificate = Certificate::bounds(lines, end)?;
+    let row = |row: &Vec<Q>| row.iter().map(Element::fraction).collect();
+    let matrices = matrices.iter().map(|matrix| matrix.iter().map(row).collect()).collect();
+    bounded(&certificate, matrices, meter)
+}
+
 fn checked(certificate: &Certificate, meter: &Meter) -> Checked<Radius> {
+    bounded(certificate, certificate.matrices(meter)?, meter)
+}
+
+/// What a certificate says of these matrices.
+fn bounded(certificate: &Certificate, matrices: Vec<Matrix>, meter: &Meter) -> Checked<Radius> {
     let Certificate { lower, field, end, .. } = certificate;
-    let (matrices, blocks) =
-        certificate.blocks.applied(certificate.matrices(meter)?, *end, meter)?;
+    let (matrices, blocks) = certificate.blocks.applied(matrices, *end, meter)?;
     if let Some(lower) = lower {
         check_lower(&matrices, &blocks, lower, meter).at(lower.line)?;
     }
@@ -156,6 +176,7 @@ fn check_hull(matrices: &[Matrix], certificate: &Certificate, meter: &Meter) -> 
         rows.push(row.iter().map(Element::fraction).collect());
     }
     let image = |row: &[Element], matrix: &Matrix, terms: &[(usize, Q)]| -> Checked<()> {
+        meter.spend(zeros(size))?;
         let mut rest = times(row, matrix, meter)?;
         let mut cost = Element::whole(0);
         for (place, factor) in terms {

@@ -36,6 +36,12 @@ const LINES: [(&str, bool); 16] = [
     ("not-continuous", false),
 ];
 
+/// Whether a line that begins with this word bounds the radius of given matrices.
+pub fn is_bound(word: &str) -> bool {
+    let place = |word: &str| LINES.iter().position(|(known, _)| *known == word);
+    place("basis") <= place(word) && place(word) < place("continuous")
+}
+
 /// An eigenvalue of a product.
 pub struct Lower {
     pub line: usize,
@@ -141,6 +147,17 @@ impl Certificate {
         let read = read.finished(true, end)?;
         let order = RadiusReason::Malformed("the order of the sum rules");
         require(read.order.is_some(), order).at(end).map(|()| read)
+    }
+
+    /// Reads the lines that bound the radius of matrices which are known. The last one is `end`.
+    pub fn bounds(lines: &[Line<'_>], end: usize) -> Checked<Certificate> {
+        let mut read = Certificate::of(Vec::new());
+        for line in lines {
+            let own = is_bound(line.text.split(' ').next().unwrap_or_default());
+            let other = RadiusReason::Malformed("bounds alone");
+            require(own, other).and_then(|()| read.take(line.number, line.text)).at(line.number)?;
+        }
+        read.finished(true, end)
     }
 
     /// A certificate that says nothing about these rules.

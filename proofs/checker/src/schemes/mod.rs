@@ -23,7 +23,7 @@ mod typed;
 pub use catalogue::catalogue;
 pub use convolution::{Convolution, MAX_LENGTH, Product, Sequence, Sums};
 pub use family::{Every, Factor, Family};
-pub use lattice::{Lattice, Vector, is_lattice, plus, variables};
+pub use lattice::{Dilation, Lattice, Vector, is_lattice, plus, times, variables};
 pub use library::{Constant, Library, Named};
 pub use limits::Conditions;
 pub use local_rules::{LocalRules, VALENCE_NAMES, less};

@@ -138,6 +138,7 @@ reasons! {
     Weights "these are not the weights of the limit"
     Level "the theorem is not stated for this level, or it is beyond the cap"
     Single "the claim does not speak of one scheme alone"
+    Lattice(what: &'static str) "this is not so of the mask on Z^d: {what}"
     Growth(said: Text, found: Text) "the certificate says {said}, and the growth of the bound is {found}"
     Contraction(factor: Text, claimed: Text) "the differences fall by {factor}, and the bound falls by {claimed}"
     NoLines "the scheme does not take lines to lines"

@@ -9,12 +9,20 @@ mod powers;
 
 use super::call::{Call, NO_FUNCTION, number, within, wrong};
 use crate::formulas::MAX_INTEGER;
-use crate::numbers::{Q, Value};
+use crate::numbers::{Meter, Q, Value};
 use crate::schemes::{Lattice, Vector, plus};
 use crate::text::Stop;
 use moments::Moments;
 use std::collections::BTreeMap;
 use std::rc::Rc;
+
+pub use moments::exponents;
+pub use powers::constant;
+
+/// The order of the sum rules of a mask of rational numbers.
+pub fn sum_rules(meter: &Meter, lattice: &Lattice) -> Result<usize, Stop> {
+    Moments::new(meter, lattice)?.sum_rules()
+}
 
 /// The functions in which masks on Z^d stand.
 const FUNCTIONS: [&str; 11] = [
@@ -62,7 +70,7 @@ pub fn of(call: &mut Call<'_>) -> Result<Option<Value>, Stop> {
         }
         ("contraction" | "norm", level @ ([] | [_])) => {
             let c = level.first().map_or(Ok(1), |c| within(c, 0, MAX_INTEGER))?;
-            powers::constant(meter, &lattice, call.function == "norm", c)?.into()
+            constant(meter, &lattice, call.function == "norm", c)?.into()
         }
         (function, arguments) => {
             let count = arguments.len();

@@ -101,7 +101,7 @@ impl Moments<'_> {
 }
 
 /// The d exponents with this sum.
-fn exponents(d: usize, degree: u32) -> Vec<[u32; 3]> {
+pub fn exponents(d: usize, degree: u32) -> Vec<[u32; 3]> {
     let of = |i: u32| {
         let rest = degree.saturating_sub(i);
         let last = if d == 2 { 0..=0 } else { 0..=rest };

@@ -19,7 +19,7 @@ const MAX_ROWS: u64 = 16_384;
 /// With (S^T g)_β = Σ_α a(α − Mβ)g_α, a functional g of S^c p is the functional (S^T)^c g of p. S^T takes g(· − Mτ) to (S^T g)(· − τ). So from
 /// all translates of g, S^T makes those of its images of the translates by one vector of each class of Z^d/MZ^d, whatever g is. Hence
 /// the functionals of every step count up to translations, and here also up to their signs.
-pub(super) fn constant(meter: &Meter, lattice: &Lattice, norm: bool, c: usize) -> Result<Q, Stop> {
+pub fn constant(meter: &Meter, lattice: &Lattice, norm: bool, c: usize) -> Result<Q, Stop> {
     let level = u32::try_from(c).unwrap_or(u32::MAX);
     let rows = lattice.dilation.arity().checked_pow(level);
     let rows = rows.and_then(|rows| rows.checked_mul(lattice.edges.len() as u64));

@@ -10,7 +10,7 @@ use crate::claims::Paper;
 use crate::formulas::Scope;
 use crate::kinds::relation::states::{Comparison, Rest, Sign, comparisons, place_of};
 use crate::kinds::smoothness::order;
-use crate::lines::limits::{LimitProof, mask};
+use crate::lines::curve::{CurveProof, mask};
 use crate::numbers::{Q, Value, read_rational};
 use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, require, words};
 
@@ -68,7 +68,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let at = at.ok_or(Reason::Malformed("two numbers"))?;
     let [x, y] = at.clone().map(Value::from);
     let scope = self::scope(paper, [(names[0], x), (names[1], y)]);
-    let shown = LimitProof::read(paper, mask(paper, claim, &scope)?, block)?;
+    let shown = CurveProof::read(paper, mask(paper, claim, &scope)?, block)?;
     let inside = region.has(&at)?;
     let refutes = inside && shown.not_continuous(m) || !inside && only && shown.continuous(m);
     require(refutes, Reason::NoRefutation(Text(said.to_string())))?;

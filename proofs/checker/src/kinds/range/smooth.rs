@@ -3,8 +3,8 @@
 use crate::claims::Paper;
 use crate::formulas::Scope;
 use crate::kinds::smoothness::{order, scope, valences, vertex};
+use crate::lines::curve::{CurveProof, mask};
 use crate::lines::domain::{Domain, Ends};
-use crate::lines::limits::{LimitProof, mask};
 use crate::lines::pieces::Free;
 use crate::numbers::{Meter, Q, Root, Value, int, read_rational};
 use crate::schemes::{Convolution, MAX_LENGTH, Product, Sequence};
@@ -64,7 +64,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     } else {
         let place = Root::from(at.clone());
         let scope = free.scope([Some(place.clone()), Some(place)])?;
-        let shown = LimitProof::read(paper, mask(paper, claim, &scope)?, block)?;
+        let shown = CurveProof::read(paper, mask(paper, claim, &scope)?, block)?;
         (shown.not_continuous(m), shown.continuous(m))
     };
     let [inside, outside] = domain.sides(&at)?;

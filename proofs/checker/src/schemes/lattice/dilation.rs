@@ -2,7 +2,7 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
-use super::vectors::{Vector, determinant, plus, within};
+use super::vectors::{Vector, determinant, plus, times, within};
 use crate::text::Stop;
 use std::collections::BTreeSet;
 
@@ -75,14 +75,24 @@ impl Dilation {
         self.determinant.unsigned_abs()
     }
 
+    /// The rows of M, with the last row and column of the unit matrix for d = 2.
+    pub fn rows(&self) -> &[Vector; 3] {
+        &self.rows
+    }
+
+    /// The rows of det M · M^{−1}, and det M.
+    pub fn adjugate(&self) -> (&[Vector; 3], i64) {
+        (&self.adjugate, self.determinant)
+    }
+
     /// Mξ.
     pub fn times(&self, vector: Vector) -> Result<Vector, Stop> {
-        product(&self.rows, vector)
+        times(&self.rows, vector)
     }
 
     /// M^{−1}ξ, if that is a vector of integers.
     pub fn divided(&self, vector: Vector) -> Result<Option<Vector>, Stop> {
-        let scaled = product(&self.adjugate, vector)?;
+        let scaled = times(&self.adjugate, vector)?;
         let divides = scaled.iter().all(|x| x.checked_rem(self.determinant) == Some(0));
         Ok(divides.then(|| scaled.map(|x| x.checked_div(self.determinant).unwrap_or(0))))
     }
@@ -90,7 +100,7 @@ impl Dilation {
     /// What all vectors of a class, and no others, have in common: α − β is in MZ^d if and only if det M divides the entries
     /// of det M · M^{−1}(α − β).
     pub fn class(&self, vector: Vector) -> Result<Vector, Stop> {
-        let scaled = product(&self.adjugate, vector)?;
+        let scaled = times(&self.adjugate, vector)?;
         Ok(scaled.map(|x| x.checked_rem_euclid(self.determinant).unwrap_or(0)))
     }
 
@@ -114,15 +124,6 @@ impl Dilation {
 /// The unit vectors of Z^d.
 pub(super) fn units(d: usize) -> Vec<Vector> {
     [[1, 0, 0], [0, 1, 0], [0, 0, 1]].into_iter().take(d).collect()
-}
-
-fn product(rows: &[Vector; 3], vector: Vector) -> Result<Vector, Stop> {
-    let columns = [0, 1, 2].map(|j: usize| rows.map(|row| row[j]));
-    let mut sum = [0; 3];
-    for (factor, column) in vector.into_iter().zip(columns) {
-        sum = plus(sum, factor, column)?;
-    }
-    Ok(sum)
 }
 
 /// Whether all roots of a polynomial are beyond the unit circle (Schur and Cohn).

@@ -8,6 +8,7 @@ mod mask;
 mod tables;
 mod vectors;
 
+pub use dilation::Dilation;
 pub use fields::{is_lattice, variables};
 pub use mask::Lattice;
-pub use vectors::{Vector, plus};
+pub use vectors::{Vector, plus, times};

@@ -17,6 +17,16 @@ pub fn plus(one: Vector, factor: i64, other: Vector) -> Result<Vector, Stop> {
     Ok(sum)
 }
 
+/// The product of a matrix with these rows and a vector.
+pub fn times(rows: &[Vector; 3], vector: Vector) -> Result<Vector, Stop> {
+    let columns = [0, 1, 2].map(|j: usize| rows.map(|row| row[j]));
+    let mut sum = [0; 3];
+    for (factor, column) in vector.into_iter().zip(columns) {
+        sum = plus(sum, factor, column)?;
+    }
+    Ok(sum)
+}
+
 /// The determinant of three vectors, whose entries are at most 2^20 in absolute value.
 pub(super) fn determinant([a, b, c]: [Vector; 3]) -> i128 {
     let [a, b, c] = [a, b, c].map(|row| row.map(i128::from));
