@@ -1,5 +1,6 @@
 //! Masks on Z^d, against facts that are known from elsewhere.
 
+mod limits;
 mod refused;
 
 use crate::masks::relation_of;
