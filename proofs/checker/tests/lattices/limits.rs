@@ -48,13 +48,27 @@ const RESTATED: [(&str, &str); 6] = [
 ];
 
 /// The outcome of a claim with this field about the limits of a scheme, lines about them, and this verdict.
-pub fn of_field(scheme: &str, (field, text): (&str, &str), lines: &str, verdict: &str) -> Outcome {
+pub fn of_field(scheme: &str, field: (&str, &str), lines: &str, verdict: &str) -> Outcome {
+    judged_by(&format!("{SCHEMES}\n{MORE}"), scheme, field, (lines, verdict))
+}
+
+/// The same of a scheme with these fields.
+pub fn own(scheme: &str, field: (&str, &str), lines: &str, verdict: &str) -> Outcome {
+    judged_by(&format!("[[scheme]]\nname = 'own'\n{scheme}"), "own", field, (lines, verdict))
+}
+
+fn judged_by(
+    schemes: &str,
+    scheme: &str,
+    (field, text): (&str, &str),
+    (lines, verdict): (&str, &str),
+) -> Outcome {
     let kind = if field.ends_with("continuous") { "smoothness" } else { "exponent" };
     let claims = format!(
-        "key = 'k'\n{SCHEMES}\n{MORE}\n[[{kind}]]\nid = 'c'\nscheme = '{scheme}'\n{field} = '{text}'\n"
+        "key = 'k'\n{schemes}\n[[{kind}]]\nid = 'c'\nscheme = '{scheme}'\n{field} = '{text}'\n"
     );
     let word = RESTATED.iter().find(|(known, _)| *known == field).expect("a field").1;
-    let lines: String = lines.lines().map(|line| format!(" {line}\n")).collect();
+    let lines = format!(" {}\n", lines.replace('\n', "\n "));
     let certificate = format!(
         "subcert-certificate 4\npaper k\n{kind} c\n scheme {scheme}\n {word} {text}\n{lines} {verdict}\nend 1\n"
     );
@@ -258,7 +272,7 @@ fn arities() {
 #[test]
 fn tables() {
     let shown = format!("contraction 1\n{}end", lines("three-hexagon"));
-    let shown: String = shown.lines().map(|line| format!(" {line}\n")).collect();
+    let shown = format!(" {}\n", shown.replace('\n', "\n "));
     let claims = format!(
         "key = 'k'\n{SCHEMES}\n[[regularity]]\nid = 't'\nrows = {{ schemes = ['three'] }}\n\
          columns = ['order', 'exponent']\ncells = [['0', '1.0']]\n"
