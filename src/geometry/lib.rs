@@ -12,7 +12,7 @@
 //! everywhere.
 
 use subcert_numbers::{diagnostic, exact, stop, suggestion};
-use subcert_schemes::{bound, characteristic, float, limit, scheme, spectrum};
+use subcert_schemes::{bound, characteristic, float, lattice, limit, scheme, spectrum};
 
 mod grouped;
 pub mod mesh;

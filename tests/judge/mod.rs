@@ -8,6 +8,7 @@ mod families;
 mod functions_and_ranges;
 mod integers;
 mod lattice;
+mod lattice_limits;
 mod lines;
 mod numbers;
 mod proportional;

@@ -1,7 +1,7 @@
-//! Masks on Z^d that are tensor products of masks of curves.
+//! Masks on Z^d that are products: of masks of curves, and of the factors of box splines.
 
 use crate::exact::Rational;
-use crate::scheme::{LatticeMask, Mask, Rules};
+use crate::scheme::{Dilation, LatticeMask, Mask, Point, Rules, difference, sum};
 use std::collections::BTreeMap;
 
 /// The factors of a mask a(α) = a_1(α_1)⋯a_d(α_d), if M is diagonal with arities on the diagonal, and the mask is such a product.
@@ -51,4 +51,108 @@ pub fn factors(mask: &LatticeMask) -> Option<Vec<Mask>> {
         Mask::new(rows, offset).ok()
     };
     all.iter().zip(&arities).map(curve).collect()
+}
+
+/// The most coefficients of a mask of which the directions are looked for.
+const MAX_COEFFICIENTS: usize = 1 << 10;
+
+/// The most steps after which a power of M is a multiple of I.
+const MAX_STEPS: usize = 6;
+
+/// The directions of the box spline that a mask refines, if it is found to be that of one: A = m Π_i (1 + z^η_i + … + z^{(n−1)η_i})/n, up to a power
+/// of z, with M^k = ±nI. They are the M^jη_i, 0 ≤ j < k. `proofs/THEOREMS.md`, 152.
+///
+/// ```
+/// use subcert::lattice::directions;
+/// use subcert::scheme::parse_lattice;
+///
+/// let mask = parse_lattice("(1+x)*(1+y)/2:dilation=[[1,1],[1,-1]]")?;
+/// assert_eq!(directions(&mask).map(|found| found.len()), Some(4));
+/// assert!(directions(&parse_lattice("1+(x+1/x+y+1/y)/4:dilation=[[1,1],[1,-1]]")?).is_none());
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+#[must_use]
+pub fn directions(mask: &LatticeMask) -> Option<Vec<Point>> {
+    let positive = mask.coefficients().values().all(|c| c.sign() > 0);
+    if !positive || mask.coefficients().len() > MAX_COEFFICIENTS {
+        return None;
+    }
+    let (count, n) = scalar_power(mask.dilation())?;
+    let mut rest = mask.coefficients().clone();
+    let mut found = Vec::new();
+    while rest.len() > 1 {
+        let first = *rest.first_key_value()?.0;
+        // No terms cancel: a factor has its next term among the places.
+        let mut candidates = rest.keys().skip(1).map(|place| difference(*place, first));
+        let (direction, quotient) =
+            candidates.find_map(|eta| Some((eta, quotient(&rest, eta, n)?)))?;
+        found.push(direction);
+        rest = quotient;
+    }
+    let images = |eta: &Point| {
+        std::iter::successors(Some(*eta), |eta| Some(mask.dilation().times(*eta)))
+            .take(count)
+            .collect::<Vec<Point>>()
+    };
+    Some(found.iter().flat_map(images).collect())
+}
+
+/// The least number of directions without which the others lie in one line or plane through 0.
+#[must_use]
+pub fn least_cut(directions: &[Point], dimension: usize) -> usize {
+    let cross = |a: Point, b: Point| {
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    };
+    let normals: Vec<Point> = if dimension == 2 {
+        directions.iter().map(|a| [-a[1], a[0], 0]).collect()
+    } else {
+        let pairs = directions.iter().flat_map(|a| directions.iter().map(move |b| (*a, *b)));
+        pairs.map(|(a, b)| cross(a, b)).collect()
+    };
+    let within = |normal: &Point| {
+        let dot = |a: &Point| (0..3).map(|i| a[i] * normal[i]).sum::<i64>();
+        directions.iter().filter(|a| dot(a) == 0).count()
+    };
+    let most = normals.iter().filter(|normal| **normal != [0; 3]).map(within).max();
+    directions.len() - most.unwrap_or(directions.len())
+}
+
+/// k and n with M^k = ±nI, n > 1.
+fn scalar_power(dilation: &Dilation) -> Option<(usize, i64)> {
+    let d = dilation.dimension();
+    let unit = |j: usize| -> Point { std::array::from_fn(|i| i64::from(i == j)) };
+    let mut columns: Vec<Point> = (0..d).map(unit).collect();
+    for count in 1..=MAX_STEPS {
+        columns = columns.iter().map(|column| dilation.times(*column)).collect();
+        let n = columns[0][0];
+        let scalar =
+            |(j, column): (usize, &Point)| (0..d).all(|i| column[i] == if i == j { n } else { 0 });
+        if columns.iter().enumerate().all(scalar) {
+            return Some((count, n.abs()));
+        }
+    }
+    None
+}
+
+/// The quotient by (1 + z^η + … + z^{(n−1)η})/n, if there is one.
+fn quotient(
+    dividend: &BTreeMap<Point, Rational>,
+    eta: Point,
+    n: i64,
+) -> Option<BTreeMap<Point, Rational>> {
+    let (mut rest, mut quotient) = (dividend.clone(), BTreeMap::new());
+    while let Some((place, c)) = rest.first_key_value().map(|(place, c)| (*place, c.clone())) {
+        let mut at = place;
+        for _ in 0..n {
+            let left = rest.get(&at)? - &c;
+            if left.is_zero() {
+                rest.remove(&at);
+            } else {
+                rest.insert(at, left);
+            }
+            at = sum(at, eta);
+        }
+        quotient.insert(place, c * Rational::from(n));
+    }
+    Some(quotient)
 }

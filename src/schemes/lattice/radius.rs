@@ -13,7 +13,7 @@ use crate::stop::Stop;
 use std::cmp::Ordering;
 
 /// How far beyond the sum rules the accuracy is looked for.
-const BEYOND: u32 = 6;
+const BEYOND: u32 = 5;
 
 /// A joint spectral radius of the steps on a space.
 #[derive(Clone, Debug)]

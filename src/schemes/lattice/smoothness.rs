@@ -3,12 +3,12 @@
 use super::constants::LatticeConstants;
 use super::exponent::exponent;
 use super::polynomials::sum_rules;
-use super::product::factors;
+use super::product::{directions, factors, least_cut};
 use super::radius::{LatticeRadius, differences, nearest};
 use super::shape::is_isotropic;
-use crate::exact::Rational;
+use crate::exact::{Rational, RealAlgebraic};
 use crate::scheme::{LatticeMask, Mask};
-use crate::smoothness::{Hoelder, Smoothness, SmoothnessError, log_of};
+use crate::smoothness::{ExponentFormula, Hoelder, Smoothness, SmoothnessError, log_of};
 use crate::stop::Stop;
 
 /// The most functionals of a constant that is to show convergence.
@@ -43,7 +43,7 @@ pub struct LatticeSmoothness {
 
 impl LatticeSmoothness {
     /// What can be proven of the limits, until the search is stopped. Those of a product of masks of curves are as smooth as the least smooth of its
-    /// factors; of other masks the [`general`](Self::general) way is taken.
+    /// factors, and those of box splines as their directions say; of other masks the [`general`](Self::general) way is taken.
     ///
     /// ```
     /// use subcert::lattice::LatticeSmoothness;
@@ -61,10 +61,44 @@ impl LatticeSmoothness {
     /// Never.
     #[must_use]
     pub fn until(mask: &LatticeMask, stop: &Stop) -> LatticeSmoothness {
+        if factors(mask).is_none()
+            && let Some(directions) = directions(mask)
+        {
+            let mut found = LatticeSmoothness::none(mask);
+            found.contraction = contraction(mask);
+            if found.contraction.is_some() {
+                found.of_box_spline(least_cut(&directions, mask.dimension()));
+                return found;
+            }
+        }
+        LatticeSmoothness::by_radii(mask, stop)
+    }
+
+    /// The same by radii of matrices alone, which certificates have.
+    #[must_use]
+    pub fn by_radii(mask: &LatticeMask, stop: &Stop) -> LatticeSmoothness {
         let Some(factors) = factors(mask) else { return LatticeSmoothness::general(mask, stop) };
         let mut found = LatticeSmoothness::none(mask);
         found.of_factors(&factors, stop);
         found
+    }
+
+    /// That of a box spline whose directions span no more without so many of them, where the scheme converges.
+    fn of_box_spline(&mut self, cut: usize) {
+        let order = u32::try_from(cut).ok();
+        self.converges = Some(true);
+        self.accuracy = order;
+        self.continuity = order.and_then(|order| order.checked_sub(2));
+        self.continuity_fails = order.and_then(|order| order.checked_sub(1));
+        let exponent = cut.saturating_sub(1);
+        let formula = ExponentFormula::new(exponent, 2, &RealAlgebraic::from(Rational::one()), 1);
+        let value = || Rational::from(exponent);
+        self.hoelder = Some(Hoelder {
+            lower: value(),
+            upper: value(),
+            formula: Some(formula),
+            attained: Some(true),
+        });
     }
 
     fn none(mask: &LatticeMask) -> LatticeSmoothness {

@@ -13,6 +13,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The most dimensions of the space.
 const MAX_DIMENSION: usize = 96;
 
+/// The same together with powers of points.
+const MAX_JOINED: usize = 256;
+
 /// φ at the integers, where the scheme converges: the only vector v with Σ_β a(Mα − β) v_β = v_α, Σ_α v_α = 1.
 ///
 /// # Errors
@@ -79,60 +82,76 @@ impl ValueSpace {
         let moved = moved.flat_map(|motion| window.iter().map(move |at| place(motion, *at)));
         let places: Vec<Point> = moved.collect::<BTreeSet<Point>>().into_iter().collect();
         let steps = Transitions::new(mask, &tiling.parts, &places);
-        // Φ(0), and all that follows from it: the values at points of the tile.
+        // Φ(0), of which all values at points of the tile follow.
         let start: Vec<Rational> = places
             .iter()
             .map(|place| values.get(place).cloned().unwrap_or_else(Rational::zero))
             .collect();
         let origin = vec![Rational::zero(); mask.dimension()];
-        let tile = steps.generated(vec![(start, origin)])?;
         // The same at the neighbours of the tile, and what is left of both after many steps.
-        let mut near = Vec::new();
-        for motion in &tiling.neighbours {
-            let back = inverse(&motion.matrix);
-            for (vector, point) in &tile {
-                let place = |place: &Point| {
-                    let at = places.binary_search(&apply(&back, sum(*place, motion.shift)));
-                    at.map_or_else(|_| Rational::zero(), |at| vector[at].clone())
-                };
-                let values = places.iter().map(place).collect::<Vec<Rational>>();
-                near.push((values, motion.of_point(point)));
+        let near = |k: u32| {
+            let mut near = Vec::new();
+            let tile = steps.generated(vec![(start.clone(), origin.clone())], k)?;
+            for motion in &tiling.neighbours {
+                let back = inverse(&motion.matrix);
+                for (vector, point) in &tile {
+                    let place = |place: &Point| {
+                        let at = places.binary_search(&apply(&back, sum(*place, motion.shift)));
+                        at.map_or_else(|_| Rational::zero(), |at| vector[at].clone())
+                    };
+                    let values = places.iter().map(place).collect::<Vec<Rational>>();
+                    near.push((values, motion.of_point(point)));
+                }
             }
+            steps.settled(near, k)
+        };
+        let basis = near(0)?;
+        let joined = Joined::new(&steps, &basis, most);
+        // That the Φ(x) determine x^μ has to hold for all x near the tile, not only for those of a basis.
+        let mut accuracy = joined.accuracy(most);
+        while accuracy > 0 && near(accuracy)?.len() > basis.len() {
+            accuracy -= 1;
         }
-        let mut near = independent(near)?;
-        loop {
-            let images = near.iter().flat_map(|(vector, point)| steps.images(vector, point));
-            let next = independent(images.collect())?;
-            if next.len() == near.len() {
-                break;
-            }
-            near = next;
-        }
-        Ok(Some(ValueSpace::from_basis(&steps, &near, most)))
+        Ok(Some(joined.space(&steps, accuracy)))
+    }
+}
+
+/// The rows (Φ(x), (x^μ)_μ) of a basis of U and of its images, in reduced echelon form.
+struct Joined {
+    /// The degrees |μ|.
+    degrees: Vec<u32>,
+    rows: Vec<Vec<Rational>>,
+    pivots: Vec<usize>,
+    /// The length of Φ(x).
+    width: usize,
+}
+
+impl Joined {
+    fn new(steps: &Transitions<'_>, basis: &[Values], most: u32) -> Joined {
+        let d = steps.mask.dimension();
+        let degrees = (0..most).flat_map(|k| of_degree(k, d).into_iter().map(move |_| k)).collect();
+        let images = basis.iter().flat_map(|(vector, point)| steps.images(vector, point));
+        let all = basis.iter().cloned().chain(images).map(|values| joined(&values, most));
+        let (rows, pivots) = short_echelon(all.collect());
+        Joined { degrees, rows, pivots, width: steps.rules[0].len() }
     }
 
-    fn from_basis(steps: &Transitions<'_>, near: &[Values], most: u32) -> ValueSpace {
-        let exponents: Vec<(u32, [u32; 3])> = (0..most)
-            .flat_map(|k| of_degree(k, steps.mask.dimension()).into_iter().map(move |e| (k, e)))
-            .collect();
-        // (Φ(x), x^μ): the functionals Φ(x) ↦ x^μ are well defined on U if each row that is 0 in U is 0 beyond.
-        let joined = |(vector, point): &Values| -> Vec<Rational> {
-            let powers = exponents.iter().map(|(_, exponents)| power_of(point, *exponents));
-            vector.iter().cloned().chain(powers).collect()
-        };
-        let images = near.iter().flat_map(|(vector, point)| steps.images(vector, point));
-        let all = near.iter().map(joined).chain(images.map(|values| joined(&values)));
-        let (rows, pivots) = short_echelon(all.collect());
-        let width = steps.rules[0].len();
+    /// The functionals Φ(x) ↦ x^μ are well defined on U only if each row that is 0 in U is 0 beyond.
+    fn accuracy(&self, most: u32) -> u32 {
+        let undefined = self.pivots.iter().filter(|pivot| **pivot >= self.width);
+        undefined.map(|pivot| self.degrees[pivot - self.width]).min().unwrap_or(most)
+    }
+
+    fn space(&self, steps: &Transitions<'_>, accuracy: u32) -> ValueSpace {
+        let Joined { degrees, rows, pivots, width } = self;
+        let width = *width;
         let dimension = pivots.iter().filter(|pivot| **pivot < width).count();
-        let undefined = pivots.iter().filter(|pivot| **pivot >= width);
-        let accuracy = undefined.map(|pivot| exponents[pivot - width].0).min().unwrap_or(most);
-        let kept = exponents.iter().filter(|(k, _)| *k < accuracy).count();
+        let kept = degrees.iter().filter(|k| **k < accuracy).count();
         let moments: Vec<Vec<Rational>> =
             rows[..dimension].iter().map(|row| row[width..width + kept].to_vec()).collect();
         let vector = |combination: Vec<Rational>| {
             let mut sum = vec![Rational::zero(); width];
-            for (c, row) in combination.iter().zip(&rows).filter(|(c, _)| !c.is_zero()) {
+            for (c, row) in combination.iter().zip(rows).filter(|(c, _)| !c.is_zero()) {
                 sum.iter_mut().zip(row).for_each(|(x, v)| *x += &(c * v));
             }
             sum
@@ -145,19 +164,29 @@ impl ValueSpace {
 /// A vector and the point whose values it has.
 type Values = (Vec<Rational>, Vec<Rational>);
 
-/// Those of the values that are independent of those before them.
-fn independent(all: Vec<Values>) -> Result<Vec<Values>, Cap> {
+/// (Φ(x), (x^μ)_{|μ| < k}).
+fn joined((vector, point): &Values, k: u32) -> Vec<Rational> {
+    let powers = (0..k).flat_map(|k| of_degree(k, point.len()));
+    vector.iter().cloned().chain(powers.map(|exponents| power_of(point, exponents))).collect()
+}
+
+/// Those of the values that are independent of those before them, together with the x^μ, |μ| < k.
+fn independent(all: Vec<Values>, k: u32) -> Result<Vec<Values>, Cap> {
     let mut span = Span::default();
     let mut kept = Vec::new();
-    for (vector, point) in all {
-        if span.insert(&vector) {
-            kept.push((vector, point));
+    for values in all {
+        if span.insert(&joined(&values, k)) {
+            kept.push(values);
         }
-        if kept.len() > MAX_DIMENSION {
+        if kept.len() > most(k) {
             return Err(beyond());
         }
     }
     Ok(kept)
+}
+
+fn most(k: u32) -> usize {
+    if k == 0 { MAX_DIMENSION } else { MAX_JOINED }
 }
 
 fn beyond() -> Cap {
@@ -219,20 +248,34 @@ impl Transitions<'_> {
         self.parts.iter().zip(&self.rules).map(image).collect()
     }
 
-    /// Values that span all that follow from some by steps.
-    fn generated(&self, mut waiting: Vec<Values>) -> Result<Vec<Values>, Cap> {
+    /// Values that span what is left of some after many steps, together with the x^μ, |μ| < k.
+    fn settled(&self, near: Vec<Values>, k: u32) -> Result<Vec<Values>, Cap> {
+        let mut near = independent(near, k)?;
+        loop {
+            let images = near.iter().flat_map(|(vector, point)| self.images(vector, point));
+            let next = independent(images.collect(), k)?;
+            if next.len() == near.len() {
+                return Ok(next);
+            }
+            near = next;
+        }
+    }
+
+    /// Values that span all that follow from some by steps, together with the x^μ, |μ| < k.
+    fn generated(&self, mut waiting: Vec<Values>, k: u32) -> Result<Vec<Values>, Cap> {
         let mut span = Span::default();
         let mut kept: Vec<Values> = Vec::new();
         waiting.reverse();
         while let Some((vector, point)) = waiting.pop() {
-            if !span.insert(&vector) {
+            let values = (vector, point);
+            if !span.insert(&joined(&values, k)) {
                 continue;
             }
-            if kept.len() >= MAX_DIMENSION {
+            if kept.len() >= most(k) {
                 return Err(beyond());
             }
-            waiting.extend(self.images(&vector, &point));
-            kept.push((vector, point));
+            waiting.extend(self.images(&values.0, &values.1));
+            kept.push(values);
         }
         Ok(kept)
     }

@@ -70,7 +70,12 @@ fn of(
         return vertices::judge(scheme, &instances, statement);
     }
     let known = if let Some(mask) = scheme.lattice(&instances)? {
-        let smoothness = LatticeSmoothness::until(&mask, &Stop::default());
+        // Certificates have radii; what these leave open, directions of box splines may decide.
+        let stop = Stop::default();
+        let mut smoothness = LatticeSmoothness::by_radii(&mask, &stop);
+        if smoothness.open.is_some() {
+            smoothness = LatticeSmoothness::until(&mask, &stop);
+        }
         KnownLimits::Lattice(Box::new(LatticeLimits { mask, smoothness }))
     } else {
         match limits(scheme.mask(&[])?) {
