@@ -48,7 +48,8 @@ impl<'m, K: Ord + Clone> Echelon<'m, K> {
         for (column, x) in other {
             let entry = row.entry(column.clone()).or_insert_with(Q::zero);
             let bits = [&*entry, x, &factor].map(bits).into_iter().fold(0, u64::saturating_add);
-            self.meter.spend(product_steps(bits))?;
+            // The entries are looked up too.
+            self.meter.spend(product_steps(bits).saturating_mul(2))?;
             *entry -= x * &factor;
             if entry.is_zero() {
                 row.remove(column);
@@ -58,7 +59,7 @@ impl<'m, K: Ord + Clone> Echelon<'m, K> {
     }
 
     /// The columns in which rows begin.
-    pub fn firsts(&self) -> impl Iterator<Item = &K> {
+    pub fn firsts(&self) -> impl ExactSizeIterator<Item = &K> {
         self.rows.keys()
     }
 

@@ -3,9 +3,9 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::attractor;
+use super::moments::{point, power, powers};
 use super::motion::{Motion, UNIT};
 use super::operator::{Function, Operator};
-use super::values::{point, power, powers};
 use crate::numbers::{Echelon, Row, int};
 use crate::schemes::{Lattice, Vector};
 use crate::text::{Checked, Reason, Stop, require};

@@ -5,6 +5,7 @@
 mod attractor;
 mod differences;
 mod factors;
+mod moments;
 mod motion;
 mod operator;
 mod shown;

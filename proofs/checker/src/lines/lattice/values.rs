@@ -1,39 +1,15 @@
-//! Values of the limit function, and powers of places.
+//! Values of the limit function.
 
 #![warn(clippy::arithmetic_side_effects)]
 
 use super::attractor;
-use super::motion::{Motion, Point, UNIT};
+use super::motion::{Motion, UNIT};
 use super::operator::{Function, Operator};
-use crate::functions::lattice::exponents;
-use crate::numbers::Meter;
-use crate::numbers::{Echelon, Q, Row, bits, int, product_steps};
+use crate::numbers::{Echelon, Q, Row, int};
 use crate::schemes::Vector;
-use crate::text::{Checked, Reason, Stop, require};
+use crate::text::{Checked, Reason, require};
 use num_traits::One as _;
 use std::collections::BTreeMap;
-
-/// The multi-indices μ with |μ| below an order, those with a smaller sum first.
-pub fn powers(d: usize, order: usize) -> Vec<[u32; 3]> {
-    (0..u32::try_from(order).unwrap_or(u32::MAX)).flat_map(|degree| exponents(d, degree)).collect()
-}
-
-/// x^μ.
-pub fn power(meter: &Meter, point: &Point, exponents: [u32; 3]) -> Result<Q, Stop> {
-    let mut product = Q::one();
-    for (x, exponent) in point.iter().zip(exponents) {
-        for _ in 0..exponent {
-            meter.spend(product_steps(bits(&product).saturating_add(bits(x))))?;
-            product *= x;
-        }
-    }
-    Ok(product)
-}
-
-/// A place as a point.
-pub fn point(place: Vector) -> Point {
-    place.map(|x| Q::from_integer(x.into()))
-}
 
 /// φ at the integers. It is 0 but in the attractor Y = M^{−1}(Y + supp a), where it is the only solution of
 /// Σ_β a(Mα − β)φ(β) = φ(α), Σφ(α) = 1.
