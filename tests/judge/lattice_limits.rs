@@ -121,7 +121,8 @@ fn altered_certificates() {
 
 /// The lines with one of them changed.
 fn altered(lines: &[&str], at: usize) -> Vec<String> {
-    let text = |lines: Vec<String>| lines.iter().map(|line| format!("{line}\n")).collect::<String>();
+    let text =
+        |lines: Vec<String>| lines.iter().map(|line| format!("{line}\n")).collect::<String>();
     let own = || lines.iter().map(|line| (*line).to_owned()).collect::<Vec<String>>();
     let mut all = Vec::new();
     let mut without = own();

@@ -191,7 +191,7 @@ impl Answer for LatticeDepth<'_> {
             sheet.grid(Grid::of(header, placed.distances.iter().enumerate().map(row), 0));
         }
         sheet.text(
-            "These are bounds of the greatest |P^∞ − P^k| of all nets P^0 of spread 1: from below at points where P^∞ is known exactly, from above by              the exact greatest |P^{i+1} − P^i|, i = k, k+1, …, and T_c for the rest.",
+            "These are bounds of the greatest |P^∞ − P^k| of all nets P^0 of spread 1: from below at points where P^∞ is known exactly, from above by the exact greatest |P^{i+1} − P^i|, i = k, k+1, …, and T_c for the rest.",
         );
         sheet
     }

@@ -5,8 +5,9 @@ use super::header::{COLUMNS, Header, SCHEMA, program};
 use super::refine::{MAX_REFINED_LEVEL, MAX_VALUES, OracleError};
 use super::values::{CONTRACTION, CONTROL, Group, NORM, OracleValues, group};
 use crate::exact::Rational;
-use crate::lattice::{Functional, LatticeConstants, limit_values};
+use crate::lattice::{Functional, LatticeConstants, LatticeSmoothness, limit_values};
 use crate::scheme::{LatticeMask, Point, sum};
+use crate::stop::Stop;
 use std::collections::BTreeMap;
 
 /// The input of [`lattice_reference_values`].
@@ -71,7 +72,8 @@ pub fn lattice_reference_values(
             convolved(refined.iter().map(|(place, x)| (image(place), x)), mask.coefficients());
     }
     dense("refined", REFINED, &refined)?;
-    if let Ok(Some(phi)) = limit_values(mask, 0) {
+    let converges = LatticeSmoothness::convergence(mask, &Stop::default()).converges;
+    if let (Some(true), Ok(Some(phi))) = (converges, limit_values(mask, 0)) {
         if refined.len().saturating_mul(phi.len()) > MAX_VALUES {
             return Err(OracleError::TooMany);
         }

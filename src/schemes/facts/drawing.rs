@@ -197,7 +197,8 @@ impl Drawing {
 
 /// What is drawn of a mask on Z^d; `converges` says whether its scheme does, where that is known.
 fn lattice_shape(mask: &LatticeMask, converges: Option<bool>) -> Result<LatticeShape, String> {
-    let found = converges.or_else(|| LatticeSmoothness::until(mask, &Stop::default()).converges);
+    let found =
+        converges.or_else(|| LatticeSmoothness::convergence(mask, &Stop::default()).converges);
     match found {
         Some(true) => LatticeShape::of(mask),
         Some(false) => Err("the scheme diverges for some data".to_owned()),

@@ -32,8 +32,8 @@ pub struct LatticeDistance {
 }
 
 impl LatticeDistance {
-    /// The bounds of the first levels. `constants` are T_0 = 1, T_1, … `None` in three dimensions with an M that is not diagonal, and where φ has no
-    /// values at the integers.
+    /// The bounds of the first levels. `constants` are T_0 = 1, T_1, … `None` in three dimensions with an M that is not diagonal, and where no T_c
+    /// is below 1, so that convergence is not shown.
     ///
     /// E_i and the lower ends are norms of functionals on the data, which are all known exactly: P^{i+1} − P^i at the corners of the common refinement
     /// of two levels, and P^∞ − P^k at the points M^{−k−j}α, where P^∞ is Σ_β φ(β)p^{k+j}_{α−β}. `proofs/THEOREMS.md`, 151.
@@ -59,6 +59,9 @@ impl LatticeDistance {
         shift: &[Rational],
         constants: Vec<Rational>,
     ) -> Result<Option<LatticeDistance>, NormError> {
+        if constants.iter().all(|bound| *bound >= Rational::one()) {
+            return Ok(None);
+        }
         let Some((between, moves)) = displacements(mask, shift) else { return Ok(None) };
         let Ok(Some(values)) = values_at_integers(mask) else { return Ok(None) };
         let apart = to_limit(mask, shift, between, &values);
@@ -78,8 +81,7 @@ impl LatticeDistance {
         Ok(Some(LatticeDistance { displacements: moved, lower, tail }))
     }
 
-    /// A number that is not below C_k: E_k + … + E_{n−1} + E_n(T_0 + T_1 + …), or, beyond the last level n, E_n(T_{k−n} + …). `None` where no T_c is
-    /// below 1.
+    /// A number that is not below C_k: E_k + … + E_{n−1} + E_n(T_0 + T_1 + …), or, beyond the last level n, E_n(T_{k−n} + …).
     #[must_use]
     pub fn upper(&self, k: u32) -> Option<Rational> {
         let (last, known) = self.displacements.split_last()?;

@@ -7,10 +7,10 @@ use super::shape::{is_interpolating, is_isotropic};
 use super::tiling::Tiling;
 use super::values::{Transitions, ValueSpace};
 use crate::cap::Cap;
-use crate::exact::{IntervalSet, Rational, RationalPolynomial, Scalar as _};
+use crate::exact::{Interval, IntervalSet, Rational, RationalPolynomial, Scalar as _};
 use crate::joint::{MatrixSet, MatrixSetError, Reduction, radius_of_blocks};
 use crate::scheme::LatticeMask;
-use crate::smoothness::{Search, gap, multiplied};
+use crate::smoothness::{Search, gap, multiplied, outer_ends};
 use crate::stop::Stop;
 
 /// Where in a parameter the limits of a mask on Z^d are C^m.
@@ -127,6 +127,9 @@ pub fn lattice_range(
     range.gap = gap(&range.inside.union(&range.outside));
     Ok(range)
 }
+
+/// An interval shorter than this part of all is left out.
+const SHORT: i64 = 4_096;
 
 type PolynomialMatrix = Vec<Vec<RationalPolynomial>>;
 
@@ -255,5 +258,18 @@ fn of_block(
     }
     let mut search = Search::balanced(matrices)?;
     search.run(known)?;
-    Ok((search.inside, search.outside))
+    Ok((without_crumbs(&search.inside), search.outside))
+}
+
+/// The intervals of a set that are not very short beside the others. Near an end the search leaves many of these.
+fn without_crumbs(set: &IntervalSet) -> IntervalSet {
+    let length = |interval: &Interval| {
+        let (low, high) = outer_ends(interval)?;
+        Some(high - low)
+    };
+    let total: Rational = set.intervals().iter().filter_map(length).sum();
+    let crumb = total * Rational::new(1, SHORT);
+    let long = |interval: &&Interval| length(interval).is_none_or(|length| length >= crumb);
+    let kept = set.intervals().iter().filter(long).cloned().map(IntervalSet::from);
+    kept.fold(IntervalSet::default(), |union, interval| union.union(&interval))
 }

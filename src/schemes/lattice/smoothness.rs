@@ -101,6 +101,26 @@ impl LatticeSmoothness {
         });
     }
 
+    /// Convergence alone.
+    #[must_use]
+    pub fn convergence(mask: &LatticeMask, stop: &Stop) -> LatticeSmoothness {
+        let mut found = LatticeSmoothness::none(mask);
+        found.contraction = contraction(mask);
+        let sum_rules = found.sum_rules;
+        if found.contraction.is_some() {
+            found.converges = Some(true);
+            return found;
+        }
+        match differences(mask, sum_rules, stop) {
+            Ok(differences) => {
+                found.converges = differences.is_below(&Rational::one());
+                found.differences = Some(differences);
+            }
+            Err(cap) => found.open = Some(cap.to_string()),
+        }
+        found
+    }
+
     fn none(mask: &LatticeMask) -> LatticeSmoothness {
         LatticeSmoothness {
             sum_rules: sum_rules(mask),
@@ -127,20 +147,7 @@ impl LatticeSmoothness {
     /// Never.
     #[must_use]
     pub fn general(mask: &LatticeMask, stop: &Stop) -> LatticeSmoothness {
-        let mut found = LatticeSmoothness::none(mask);
-        found.contraction = contraction(mask);
-        let sum_rules = found.sum_rules;
-        if found.contraction.is_some() {
-            found.converges = Some(true);
-        } else {
-            match differences(mask, sum_rules, stop) {
-                Ok(differences) => {
-                    found.converges = differences.is_below(&Rational::one());
-                    found.differences = Some(differences);
-                }
-                Err(cap) => found.open = Some(cap.to_string()),
-            }
-        }
+        let mut found = LatticeSmoothness::convergence(mask, stop);
         match found.converges {
             Some(true) => found.continuity = Some(0),
             Some(false) => {

@@ -60,7 +60,7 @@ pub(crate) use range::gap;
 pub use range::{SmoothRange, smooth_range};
 pub use range_error::SmoothRangeError;
 pub use reproduction::{reproduction_degree, reproduction_degree_at};
-pub(crate) use search::Search;
+pub(crate) use search::{Search, outer_ends};
 pub use shape::{Kept, Shape, shape_kept};
 pub use special::{SpecialValue, SpecialValues};
 pub use symbol::Symbol;

@@ -42,7 +42,7 @@ const FAR: i32 = 8;
 const MAX_PIECES: usize = 1_500;
 
 /// The same where each hull is looked for in a basis of its own.
-const MAX_LARGE_PIECES: usize = 240;
+const MAX_LARGE_PIECES: usize = 200;
 
 /// What is known of a line of parameters.
 #[derive(Clone, Debug)]
@@ -263,7 +263,7 @@ fn rounded((a, b): (Rational, Rational)) -> (Rational, Rational) {
 }
 
 /// Rational numbers next to the ends of a bounded interval, not inside it.
-pub(super) fn outer_ends(interval: &Interval) -> Option<(Rational, Rational)> {
+pub(crate) fn outer_ends(interval: &Interval) -> Option<(Rational, Rational)> {
     let place = |end: &Bound<RealAlgebraic>| match end {
         Bound::Unbounded => None,
         Bound::Included(place) | Bound::Excluded(place) => Some(place.enclosure(0)),
