@@ -9,7 +9,7 @@
 //! everywhere.
 
 use subcert_claims::{audit, claim, shipped};
-use subcert_numbers::{diagnostic, exact, formula};
+use subcert_numbers::{diagnostic, exact, formula, stop};
 use subcert_schemes::{bound, characteristic, joint, limit, scheme, smoothness, spectrum};
 #[cfg(feature = "report")]
 use subcert_schemes::{facts, float, lattice};

@@ -17,14 +17,14 @@ fn a_picture_goes_to_the_output_or_into_a_file() {
 #[test]
 fn masks_of_several_variables() {
     for (scheme, part) in [
-        ("courant", "M^-4 α, α in Z^2"),
+        ("courant", "α in Z²"),
         ("chaikin x chaikin", "contour lines"),
         ("quincunx-five-point", "the basic limit function"),
-        ("trilinear", "the third coordinate"),
-        ("twin-dragon", "There is no picture: the scheme diverges"),
+        ("trilinear", "α in Z³"),
+        ("twin-dragon", "There is no picture"),
     ] {
         let svg = written(["plot", scheme]);
-        assert_parts(&svg.replace("⁻⁴", "^-4"), &[part]);
+        assert_parts(&svg, &[part]);
         assert_eq!(svg.contains("polyline"), scheme != "twin-dragon", "{scheme}");
     }
 }

@@ -35,7 +35,7 @@ fn known_distances() {
             r(11, 10),
         ),
         ("(1+x)^4*(1+y)^4/64".to_owned(), [r(2, 3), r(1, 6), r(1, 24)], r(11, 10)),
-        ("(1+x)*(1+y)*(1+x*y)*(1+x/y)/4".to_owned(), [r(1, 2), r(1, 8), r(1, 32)], r(11, 10)),
+        ("(1+x)*(1+y)*(1+x*y)*(1+x/y)/4".to_owned(), [r(1, 2), r(1, 8), r(1, 32)], r(3, 2)),
         (
             format!("{BUTTERFLY}:w=1/16,{}", &TRIANGLES[1..]),
             [r(17, 64), r(61, 512), r(13, 256)],
@@ -54,6 +54,17 @@ fn known_distances() {
             assert!(*low <= high && high <= low * &times, "{text}: C_{k} from {low} to {high}");
         }
     }
+}
+
+/// A scheme that diverges has no distances.
+#[test]
+fn without_limits() {
+    let mask = read("(1+x)*(1+y)*(1+x*y)/2*(1+3*(x-1)*(y-1))");
+    let mut all = LatticeConstants::new(&mask);
+    all.advance().expect("few");
+    let constants = vec![Rational::one(), all.contraction().expect("few").value];
+    let zero = [Rational::zero(), Rational::zero()];
+    assert!(LatticeDistance::of(&mask, &zero, constants).expect("few places").is_none());
 }
 
 /// φ(α) at the points M^{−k}α sums to m^k, fulfils its equation, and is the product of its factors.

@@ -2,7 +2,7 @@
 
 use super::examples::{BUTTERFLY, KOBBELT, OTHER_TRIANGLES, QUINCUNX, TRIANGLES};
 use subcert::exact::Rational;
-use subcert::lattice::{LatticeRadius, LatticeSmoothness, Tiling};
+use subcert::lattice::{LatticeRadius, LatticeSmoothness, Tiling, directions, least_cut};
 use subcert::scheme::{LatticeMask, parse_lattice};
 use subcert::stop::Stop;
 
@@ -128,5 +128,57 @@ fn alcoves_and_digits() {
         let enclosed = [&alcove, &digits]
             .map(|found| (found.radius.root_enclosure().lower().clone(), found.radius.upper()));
         assert!(enclosed[0].0 <= enclosed[1].1 && enclosed[1].0 <= enclosed[0].1, "{text}");
+    }
+}
+
+/// Of M with two moduli C^1 is shown by 3ϱ_2 = 3/4; C^2 holds too, and is open in the general way.
+#[test]
+fn two_moduli() {
+    let text = "(1+x)^4/8*(1+y+y^2)^4/27:dilation=[[2,0],[0,3]]";
+    let found = general(text);
+    assert_eq!((found.converges, found.continuity), (Some(true), Some(1)));
+    assert!(found.hoelder.is_none() && found.open.is_some());
+    let factors = LatticeSmoothness::until(&parse_lattice(text).expect("a mask"), &Stop::default());
+    assert_eq!(factors.continuity, Some(2));
+}
+
+/// The directions of box splines, and what follows: the same as by radii.
+#[test]
+fn directions_of_box_splines() {
+    for (text, count, cut) in [
+        ("(1+x)*(1+y)*(1+x*y)/2", 3, 2),
+        ("(1+x)^2*(1+y)^2*(1+x*y)/8", 5, 3),
+        ("(1+x)*(1+y)*(1+x*y)*(1+x/y)/4", 4, 3),
+        ("(1+x)^2*(1+y)^2/8:dilation=[[1,1],[1,-1]]", 8, 6),
+        ("(1+x)*(1+y)/2:dilation=[[1,-1],[1,1]]", 4, 3),
+        ("(1+x+x^2)*(1+y+y^2)*(1+x*y+x^2*y^2)/3:dilation=[[3,0],[0,3]]", 3, 2),
+        ("(1+x)*(1+y)*(1+x*y)/(2*x):dilation=[[-2,0],[0,-2]]", 3, 2),
+    ] {
+        let mask = parse_lattice(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let Some(found) = directions(&mask) else { panic!("{text}") };
+        assert_eq!((found.len(), least_cut(&found, 2)), (count, cut), "{text}");
+        let (own, by_radii) = (
+            LatticeSmoothness::until(&mask, &Stop::default()),
+            LatticeSmoothness::by_radii(&mask, &Stop::default()),
+        );
+        let known = |found: &LatticeSmoothness| {
+            let exponent = found.hoelder.as_ref().and_then(|one| one.formula.as_ref());
+            (
+                found.continuity,
+                found.continuity_fails,
+                found.accuracy,
+                exponent.map(ToString::to_string),
+            )
+        };
+        assert_eq!(known(&own), known(&by_radii), "{text}");
+    }
+    for text in [
+        "1+(x+1/x+y+1/y)/4:dilation=[[1,1],[1,-1]]",
+        "(1+x)*(1+y)*(1+x*y)/2*(3+x)/4",
+        "(1+x+x^2)*(1+y+y^2)/9*4",
+    ] {
+        if let Ok(mask) = parse_lattice(text) {
+            assert!(directions(&mask).is_none(), "{text}");
+        }
     }
 }

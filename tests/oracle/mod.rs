@@ -2,6 +2,7 @@
 
 mod check;
 mod languages;
+mod lattice;
 mod local_rules;
 mod refine;
 mod values;

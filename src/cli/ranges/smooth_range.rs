@@ -10,7 +10,7 @@ use crate::cli::console::progress::Progress;
 use serde::Serialize;
 use subcert::bound::polynomial_rules;
 use subcert::exact::{IntervalSet, Polynomial, Rational, RationalPolynomial};
-use subcert::lattice::lattice_range;
+use subcert::lattice::{MAX_ORDER, lattice_range};
 use subcert::report::json::SpecialForm;
 use subcert::report::{Grid, Sheet, reduction, up};
 use subcert::scheme::{LatticeMask, Mask};
@@ -63,7 +63,9 @@ pub(crate) fn of_lattice(
     mask: &LatticeMask<RationalPolynomial>,
 ) -> Outcome {
     let m = arguments.smoothness.unwrap_or(0);
-    let order = u32::try_from(m).map_err(|error| Failure::Input(error.to_string()))?;
+    let order = u32::try_from(m).ok().filter(|m| *m < MAX_ORDER).ok_or_else(|| {
+        Failure::Input(format!("--smoothness {m}: of masks on Z^d it is below {MAX_ORDER}"))
+    })?;
     let progress = Progress::of_search(true);
     let range = lattice_range(mask, order).map_err(|error| Failure::Input(error.to_string()))?;
     drop(progress);

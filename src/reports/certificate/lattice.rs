@@ -6,6 +6,7 @@ use crate::exact::{LogSum, LogTerm, Rational};
 use crate::lattice::{Figure, LatticeRadius, LatticeSmoothness, Motion};
 use crate::scheme::{LatticeMask, Mask};
 use crate::smoothness::Smoothness;
+use crate::stop::Stop;
 use std::fmt::Write as _;
 
 /// The lines about the limits of a mask on Z^d, and what they show; or why there are none.
@@ -16,6 +17,14 @@ pub(super) fn lattice_limits(
     if let Some(factors) = &known.factors {
         return of_factors(factors);
     }
+    // What directions of a box spline decide, radii have to show here.
+    let by_radii;
+    let known = if known.radius.is_none() && known.accuracy.is_some() {
+        by_radii = LatticeSmoothness::by_radii(mask, &Stop::default());
+        &by_radii
+    } else {
+        known
+    };
     let mut text = String::new();
     let d = mask.dimension();
     if let Some((c, _)) = &known.contraction {

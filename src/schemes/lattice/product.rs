@@ -1,7 +1,7 @@
 //! Masks on Z^d that are products: of masks of curves, and of the factors of box splines.
 
 use crate::exact::Rational;
-use crate::scheme::{Dilation, LatticeMask, Mask, Point, Rules, difference, sum};
+use crate::scheme::{LatticeMask, Mask, Point, Rules, difference, sum};
 use std::collections::BTreeMap;
 
 /// The factors of a mask a(α) = a_1(α_1)⋯a_d(α_d), if M is diagonal with arities on the diagonal, and the mask is such a product.
@@ -56,11 +56,8 @@ pub fn factors(mask: &LatticeMask) -> Option<Vec<Mask>> {
 /// The most coefficients of a mask of which the directions are looked for.
 const MAX_COEFFICIENTS: usize = 1 << 10;
 
-/// The most steps after which a power of M is a multiple of I.
-const MAX_STEPS: usize = 6;
-
-/// The directions of the box spline that a mask refines, if it is found to be that of one: A = m Π_i (1 + z^η_i + … + z^{(n−1)η_i})/n, up to a power
-/// of z, with M^k = ±nI. They are the M^jη_i, 0 ≤ j < k. `proofs/THEOREMS.md`, 152.
+/// The directions ξ of the box spline that a mask refines, if it is found to be that of one: A = m Π_ξ (1 − z^{Mξ})/(c(1 − z^η)) up to a power of z, where
+/// each Mξ is a multiple cη of a direction η, each of which is met once, up to signs. `proofs/THEOREMS.md`, 152.
 ///
 /// ```
 /// use subcert::lattice::directions;
@@ -77,24 +74,33 @@ pub fn directions(mask: &LatticeMask) -> Option<Vec<Point>> {
     if !positive || mask.coefficients().len() > MAX_COEFFICIENTS {
         return None;
     }
-    let (count, n) = scalar_power(mask.dilation())?;
+    let dilation = mask.dilation();
+    let most = i64::try_from(dilation.class_count()).ok()?;
+    // ξ with Mξ = cη, for the least c from 2 on.
+    let before =
+        |eta: Point| (2..=most).find_map(|c| Some((c, dilation.divided(eta.map(|x| c * x))?)));
     let mut rest = mask.coefficients().clone();
-    let mut found = Vec::new();
+    let (mut etas, mut chains) = (Vec::new(), Vec::new());
     while rest.len() > 1 {
         let first = *rest.first_key_value()?.0;
         // No terms cancel: a factor has its next term among the places.
         let mut candidates = rest.keys().skip(1).map(|place| difference(*place, first));
-        let (direction, quotient) =
-            candidates.find_map(|eta| Some((eta, quotient(&rest, eta, n)?)))?;
-        found.push(direction);
-        rest = quotient;
+        let (eta, xi, next) = candidates.find_map(|eta| {
+            let (c, xi) = before(eta)?;
+            Some((eta, xi, quotient(&rest, eta, c)?))
+        })?;
+        etas.push(eta);
+        // ξ, M^{−1}ξ, … as long as they are integer.
+        let chain = std::iter::successors(Some(xi), |xi| dilation.divided(*xi));
+        chains.push(chain.collect::<Vec<Point>>());
+        rest = next;
     }
-    let images = |eta: &Point| {
-        std::iter::successors(Some(*eta), |eta| Some(mask.dilation().times(*eta)))
-            .take(count)
-            .collect::<Vec<Point>>()
-    };
-    Some(found.iter().flat_map(images).collect())
+    for end in chains.iter().filter_map(|chain| chain.last()) {
+        let opposite = difference([0; 3], *end);
+        let at = etas.iter().position(|eta| eta == end || *eta == opposite)?;
+        etas.swap_remove(at);
+    }
+    Some(chains.concat())
 }
 
 /// The least number of directions without which the others lie in one line or plane through 0.
@@ -115,23 +121,6 @@ pub fn least_cut(directions: &[Point], dimension: usize) -> usize {
     };
     let most = normals.iter().filter(|normal| **normal != [0; 3]).map(within).max();
     directions.len() - most.unwrap_or(directions.len())
-}
-
-/// k and n with M^k = ±nI, n > 1.
-fn scalar_power(dilation: &Dilation) -> Option<(usize, i64)> {
-    let d = dilation.dimension();
-    let unit = |j: usize| -> Point { std::array::from_fn(|i| i64::from(i == j)) };
-    let mut columns: Vec<Point> = (0..d).map(unit).collect();
-    for count in 1..=MAX_STEPS {
-        columns = columns.iter().map(|column| dilation.times(*column)).collect();
-        let n = columns[0][0];
-        let scalar =
-            |(j, column): (usize, &Point)| (0..d).all(|i| column[i] == if i == j { n } else { 0 });
-        if columns.iter().enumerate().all(scalar) {
-            return Some((count, n.abs()));
-        }
-    }
-    None
 }
 
 /// The quotient by (1 + z^η + … + z^{(n−1)η})/n, if there is one.

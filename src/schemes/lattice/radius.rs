@@ -12,6 +12,9 @@ use crate::scheme::{LatticeMask, Point, difference};
 use crate::stop::Stop;
 use std::cmp::Ordering;
 
+/// The power of M whose norm says how derivatives grow.
+const DERIVATIVES: i32 = 6;
+
 /// How far beyond the sum rules the accuracy is looked for.
 const BEYOND: u32 = 5;
 
@@ -95,6 +98,23 @@ impl LatticeRadius {
     pub(super) fn is_below_root(&self, k: u32, m: usize, d: usize) -> Option<bool> {
         let power = Rational::from(m).pow(-small(k)) * self.factor.pow(small(d));
         self.power_is_below(&power, small(d))
+    }
+
+    /// Whether ‖M^n‖^mϱ^n < 1, with the greatest row sum of |M^n| for a power n: derivatives of order m, which grow as ‖M^n‖^m, of terms that fall
+    /// as ϱ^n.
+    pub(super) fn outweighs(&self, mask: &LatticeMask, m: u32) -> bool {
+        let d = mask.dimension();
+        let unit = |j: usize| -> Point { std::array::from_fn(|i| i64::from(i == j)) };
+        let columns: Vec<Vec<Rational>> = (0..d)
+            .map(|j| {
+                let column = (0..DERIVATIVES).fold(unit(j), |x, _| mask.dilation().times(x));
+                column.iter().map(|x| Rational::from(x.abs())).collect()
+            })
+            .collect();
+        let norm = (0..d).map(|i| columns.iter().map(|column| &column[i]).cloned().sum()).max();
+        let norm: Rational = norm.unwrap_or_else(Rational::one);
+        let limit = norm.pow(-small(m)) * self.factor.pow(DERIVATIVES);
+        self.power_is_below(&limit, DERIVATIVES) == Some(true)
     }
 
     /// Whether (factor·ϱ)^power is below a limit.

@@ -38,8 +38,7 @@ pub struct LatticeRange {
 pub enum LatticeRangeError {
     /// C^m needs sum rules of a higher order than hold for all values.
     #[error(
-        "C^{m} needs sum rules of order {}, and those of order {found} hold for all values of the parameter, but no more: on no interval are the limits C^{m}",
-        m + 1
+        "C^{m} needs sum rules of an order above {m}, and those of order {found} hold for all values of the parameter, but no more: on no interval are the limits C^{m}"
     )]
     SumRules {
         /// m.
@@ -83,7 +82,7 @@ impl From<Cap> for LatticeRangeError {
 /// use subcert::lattice::lattice_range;
 /// use subcert::scheme::parse_lattice_in_parameter;
 ///
-/// // The quincunx scheme that keeps the data, with one weight: C^0 exactly for w from 0 to 1/2, without the ends.
+/// // A quincunx scheme that keeps the data, with one weight.
 /// let mask = parse_lattice_in_parameter("1+(1/2-w)*(x+1/x)+w*(y+1/y):dilation=[[1,1],[1,-1]]", "w")?;
 /// let range = lattice_range(&mask, 0)?;
 /// assert!(range.inside.contains(&Rational::new(1, 4)) && range.outside.contains(&Rational::one()));

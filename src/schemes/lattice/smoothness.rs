@@ -139,7 +139,7 @@ impl LatticeSmoothness {
 
     /// The same without a look at factors.
     ///
-    /// Convergence is shown by T_c < 1, or by the radius ϱ_K on differences of order K. Of an isotropic M the exponent is −log_s ϱ, s^d = m, with the radius
+    /// Convergence is shown by T_c < 1, or by the radius ϱ_K on differences of order K, and C^m of any M by that on differences of order m + 1. Of an isotropic M the exponent is −log_s ϱ, s^d = m, with the radius
     /// ϱ of the steps on the differences of the order of the accuracy, of the values of φ near a tile: an alcove, where the mask has its symmetries, or the
     /// tile of the digits. `proofs/THEOREMS.md`, 146 to 149.
     ///
@@ -157,8 +157,13 @@ impl LatticeSmoothness {
             None => return found,
         }
         if !is_isotropic(mask.dilation()) {
+            let order = |m: &u32| {
+                differences(mask, m + 1, stop).is_ok_and(|found| found.outweighs(mask, *m))
+            };
+            let orders = (1..found.sum_rules).take_while(order);
+            found.continuity = orders.last().or(Some(0));
             found.open = Some(
-                "the eigenvalues of the dilation matrix have several moduli, or it is not diagonalisable: only C^0 is decided"
+                "the eigenvalues of the dilation matrix have several moduli, or it is not diagonalisable: the exponent is open, and higher orders are"
                     .to_owned(),
             );
             return found;

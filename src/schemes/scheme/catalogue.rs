@@ -56,7 +56,7 @@ pub fn notes(scheme: &str) -> Vec<String> {
 }
 
 /// The most schemes that a name describes.
-const MAX_DESCRIBED: usize = 4;
+const MAX_DESCRIBED: usize = 6;
 
 /// Numbers as the names of schemes have them.
 const NUMBERS: [&str; 9] = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine"];

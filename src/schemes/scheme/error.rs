@@ -209,6 +209,16 @@ pub enum SchemeError {
         /// The scheme.
         scheme: String,
     },
+    /// A coefficient that is no rational polynomial in the parameter that is left open.
+    #[error(
+        "the coefficient {coefficient} is no polynomial in `{parameter}` with rational coefficients"
+    )]
+    NotPolynomial {
+        /// The coefficient.
+        coefficient: String,
+        /// The parameter.
+        parameter: String,
+    },
     /// A mask that does not depend on the parameter that is left open.
     #[error(
         "the mask of `{scheme}` does not depend on `{parameter}`: name a parameter of the scheme \

@@ -125,13 +125,13 @@ pub fn parse_lattice_in_parameter(
         factor.parameters.entry(parameter.to_owned()).or_insert(variable);
     }
     let mask = factor.lattice()?;
-    let others = || independent(definition.parameters.keys().cloned().collect());
     if !mask.coefficients().values().any(|c| c.has(parameter)) {
-        return Err(others());
+        return Err(independent(definition.parameters.keys().cloned().collect()));
     }
     let polynomial = |c: &Polynomial| c.in_variable(parameter);
-    if mask.coefficients().values().any(|c| polynomial(c).is_none()) {
-        return Err(others());
+    if let Some(c) = mask.coefficients().values().find(|c| polynomial(c).is_none()) {
+        let (coefficient, parameter) = (c.to_string(), parameter.to_owned());
+        return Err(SchemeError::NotPolynomial { coefficient, parameter });
     }
     let zero = || RationalPolynomial::constant(Rational::zero());
     Ok(mask.map(|c| polynomial(c).unwrap_or_else(zero)))

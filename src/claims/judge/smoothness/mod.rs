@@ -70,12 +70,7 @@ fn of(
         return vertices::judge(scheme, &instances, statement);
     }
     let known = if let Some(mask) = scheme.lattice(&instances)? {
-        // Certificates have radii; what these leave open, directions of box splines may decide.
-        let stop = Stop::default();
-        let mut smoothness = LatticeSmoothness::by_radii(&mask, &stop);
-        if smoothness.open.is_some() {
-            smoothness = LatticeSmoothness::until(&mask, &stop);
-        }
+        let smoothness = LatticeSmoothness::until(&mask, &Stop::default());
         KnownLimits::Lattice(Box::new(LatticeLimits { mask, smoothness }))
     } else {
         match limits(scheme.mask(&[])?) {

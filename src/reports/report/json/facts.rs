@@ -10,7 +10,7 @@ use crate::facts::{
     CurveFacts, FamilyFacts, ParameterFacts, PointPlacement, SchemeFacts, ValenceFacts,
 };
 use crate::limit::{Functional, TwoSidedDepth};
-use crate::report::json::smooth::smoothness::HoelderForm;
+use crate::report::json::smooth::exponent::HoelderForm;
 use crate::report::json::smooth::vertex::VertexForm;
 use crate::scheme::notes;
 use crate::smoothness::{Coefficient, SpecialValue, SpecialValues};

@@ -2,7 +2,7 @@
 
 use super::exact::Exact;
 use super::open::OpenForm;
-use super::smooth::smoothness::HoelderForm;
+use super::smooth::exponent::HoelderForm;
 use crate::exact::Rational;
 use crate::facts::{LatticeFacts, PointPlacement};
 use crate::lattice::LatticeSmoothness;

@@ -44,7 +44,7 @@ pub use shipped::{
     ExplainedTable, Number, ProjectReport, ProjectsReport, ShippedTable, SplitValues, Sums,
     Tolerance as AcceptedError,
 };
-pub use smooth::smoothness::HoelderForm;
+pub use smooth::exponent::HoelderForm;
 pub use smooth::vertex::{VertexForm, VerticesForm};
 pub use summary::{Group, Outcome, Summary};
 pub use tables::cell::{AsRead, CellSound, SoundValue};

@@ -110,8 +110,7 @@ pub(crate) fn contours(scheme: &str, shape: &LatticeShape) -> Panel {
         }
     };
     let says = format!(
-        "Lines at 1, 2, …, 9 tenths of the greatest value, {} as far as it is known, and at negative tenths, where there are any; between exact values {} φ is taken to be linear.",
-        short(greatest),
+        "Lines at 1, 2, …, 9 tenths of the greatest of the exact values {}, which is {greatest:.4}, and at negative tenths where there are any. Between these values φ is taken to be linear.",
         grid.places()
     );
     Panel { title, says, height: HEIGHT, drawing }
@@ -171,8 +170,4 @@ fn crossed(one: &Corner, other: &Corner, height: f64) -> Option<(f64, f64)> {
         let between = |a: f64, b: f64| a + t * (b - a);
         (between(one.0.0, other.0.0), between(one.0.1, other.0.1))
     })
-}
-
-fn short(x: f64) -> String {
-    format!("{x:.4}")
 }

@@ -1,12 +1,11 @@
 //! What is known of limits, as JSON.
 
+use super::exponent::HoelderForm;
 use super::vertex::{VertexForm, VerticesForm};
 use crate::audit::{KnownLimits, Limits, RangeAtValence, RangeOfLimits, RegionOfLimits};
 use crate::exact::Rational;
 use crate::report::json::exact::decimal;
 use crate::report::json::lattice::LatticeSmoothnessForm;
-use crate::report::smooth::limits::decimals;
-use crate::smoothness::Hoelder;
 use serde::Serialize;
 
 /// The fields that only claims about smoothness have.
@@ -41,20 +40,6 @@ pub struct LimitsForm {
     pub continuity_fails: Option<usize>,
     /// The Hölder exponent; null where convergence is not proved.
     pub hoelder: Option<HoelderForm>,
-}
-
-/// The Hölder exponent.
-#[derive(Debug, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct HoelderForm {
-    /// A decimal that is not above it.
-    pub lower: String,
-    /// A decimal that is not below it.
-    pub upper: String,
-    /// A formula; null where it is not known exactly.
-    pub exact: Option<String>,
-    /// Whether it is attained; null where that is open.
-    pub attained: Option<bool>,
 }
 
 /// What is proved at one valence for all values of a parameter.
@@ -182,16 +167,6 @@ impl LimitsForm {
             continuity_fails: smoothness.continuity_fails,
             hoelder: smoothness.hoelder.as_ref().map(HoelderForm::of),
         }
-    }
-}
-
-impl HoelderForm {
-    /// The form of an exponent.
-    #[must_use]
-    pub fn of(hoelder: &Hoelder) -> HoelderForm {
-        let [lower, upper] = decimals(hoelder);
-        let exact = hoelder.formula.as_ref().map(ToString::to_string);
-        HoelderForm { lower, upper, exact, attained: hoelder.attained }
     }
 }
 
