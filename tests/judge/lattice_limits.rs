@@ -121,8 +121,7 @@ fn altered_certificates() {
 
 /// The lines with one of them changed.
 fn altered(lines: &[&str], at: usize) -> Vec<String> {
-    let text =
-        |lines: Vec<String>| lines.iter().map(|line| format!("{line}\n")).collect::<String>();
+    let text = |lines: Vec<String>| lines.join("\n") + "\n";
     let own = || lines.iter().map(|line| (*line).to_owned()).collect::<Vec<String>>();
     let mut all = Vec::new();
     let mut without = own();
@@ -137,7 +136,7 @@ fn altered(lines: &[&str], at: usize) -> Vec<String> {
     for (old, new) in [("1", "0"), ("0", "1"), ("2", "1"), ("1", "2"), (" ", " -"), ("1", "1/2")] {
         if let Some(place) = lines[at].rfind(old).filter(|place| *place > 1) {
             let mut changed = own();
-            changed[at].replace_range(place..place + 1, new);
+            changed[at].replace_range(place..=place, new);
             all.push(text(changed));
         }
     }

@@ -101,7 +101,7 @@ impl Bounds {
         let exponent = |of: &Rational, degree: usize| {
             let factor =
                 -Rational::new(i64::try_from(power).unwrap_or(1), 1) / Rational::from(degree);
-            let whole = (0..).find(|j| raised(&base.into(), *j) >= found.factor).unwrap_or(0);
+            let whole = (0..=128).find(|j| raised(&base.into(), *j) >= found.factor).unwrap_or(0);
             LogSum {
                 rational: Rational::from(whole * power),
                 terms: vec![LogTerm { factor, base, of: of.clone() }],

@@ -13,8 +13,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The most functionals of one level.
 const MAX_FUNCTIONALS: usize = 1 << 12;
 
-/// The places of a cell at which limits are compared with nets are about so many.
-const PLACES: usize = 16;
+/// The places of a cell at which limits are compared with nets are about so many, of the first two levels and of the others.
+const PLACES: [usize; 2] = [64, 16];
 
 /// The most levels.
 const MAX_LEVELS: u32 = 6;
@@ -64,18 +64,19 @@ impl LatticeDistance {
         }
         let Some((between, moves)) = displacements(mask, shift) else { return Ok(None) };
         let Ok(Some(values)) = values_at_integers(mask) else { return Ok(None) };
-        let apart = to_limit(mask, shift, between, &values);
+        let apart = PLACES.map(|count| to_limit(mask, shift, between, &values, count));
         let edges = Edges::new(mask.edges(), mask.dimension());
         let mut all = LatticeConstants::new(mask);
         let (mut moved, mut lower) = (Vec::new(), Vec::new());
         for level in 0..=MAX_LEVELS {
+            let apart = &apart[usize::from(level > 1)];
             let classes = mask.dilation().class_count().saturating_pow(level);
             let count = classes.saturating_mul(moves.len().max(apart.len()));
             if level > 0 && (count > MAX_FUNCTIONALS || all.advance().is_err()) {
                 break;
             }
             moved.push(greatest(&edges, all.steps(), &moves)?);
-            lower.push(greatest(&edges, all.steps(), &apart)?);
+            lower.push(greatest(&edges, all.steps(), apart)?);
         }
         let tail = SoundBound::of(Rational::one(), constants);
         Ok(Some(LatticeDistance { displacements: moved, lower, tail }))
@@ -124,9 +125,10 @@ fn to_limit(
     shift: &[Rational],
     between: Between,
     values: &BTreeMap<Point, Rational>,
+    count: usize,
 ) -> Vec<Functional<Rational>> {
     let mut steps = Steps::none(mask);
-    while steps.rows().len() < PLACES {
+    while steps.rows().len() < count {
         steps = steps.next();
     }
     let rows = steps.rows();

@@ -189,7 +189,7 @@ fn scale(classes: usize, d: usize, m: u32) -> (usize, Rational) {
     if let Some(n) = (2..=classes).find(|n| n.checked_pow(small) == Some(classes)) {
         return (1, power(n, m));
     }
-    if m % small == 0 { (1, power(classes, m / small)) } else { (d, power(classes, m)) }
+    if m.is_multiple_of(small) { (1, power(classes, m / small)) } else { (d, power(classes, m)) }
 }
 
 /// The matrices in blocks for all values of the parameter: the matrices of the coefficients of all powers are reduced together.
