@@ -10,9 +10,9 @@
 
 use subcert_claims::{audit, claim, shipped};
 use subcert_numbers::{diagnostic, exact, formula, stop};
-use subcert_schemes::{bound, characteristic, joint, limit, scheme, smoothness, spectrum};
+use subcert_schemes::{bound, characteristic, joint, lattice, limit, scheme, smoothness, spectrum};
 #[cfg(feature = "report")]
-use subcert_schemes::{facts, float, lattice};
+use subcert_schemes::{facts, float};
 
 #[cfg(feature = "report")]
 use subcert_geometry::{net, patch};

@@ -69,8 +69,8 @@ def scheme(name: Union[str, PathLike[str], Scheme], **parameters: Number) -> Fac
         data = json.loads(found._native.facts_json(repr(found)))
     else:
         data = json.loads(_native.facts_json(_text(found._text, parameters)))
-    kinds = (data.get(kind) for kind in ("curve", "lattice", "valences"))
-    return Facts(data["scheme"], *kinds, data["ranges"], data)
+    curve, lattice, valences = (data.get(kind) for kind in ("curve", "lattice", "valences"))
+    return Facts(data["scheme"], curve, lattice, valences, data["ranges"], data)
 
 
 @dataclass(frozen=True)
