@@ -39,7 +39,7 @@ fn known_distances() {
         (
             format!("{BUTTERFLY}:w=1/16,{}", &TRIANGLES[1..]),
             [r(17, 64), r(61, 512), r(13, 256)],
-            r(3, 2),
+            r(2, 1),
         ),
     ] {
         let mask = read(&text);

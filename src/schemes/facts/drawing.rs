@@ -1,23 +1,19 @@
 //! What is drawn of a scheme, with exact coordinates: values of the basic limit function, a refined polygon, maps of
 //! parameters, rings.
 
+use super::family_drawing::FamilyDrawing;
 use super::lattice_shape::LatticeShape;
-use super::ranges::{ParameterFacts, parameter_facts};
 use super::scheme::{SchemeFacts, valences};
 use crate::characteristic::Vertex;
-use crate::exact::{FieldElement, Polynomial, Rational};
-use crate::lattice::{LatticeRange, LatticeSmoothness, lattice_range};
+use crate::exact::{FieldElement, Rational};
+use crate::lattice::LatticeSmoothness;
 use crate::scheme::{
-    AnyScheme, LatticeMask, Mask, Scheme, SchemeError, find_definition, names_ring,
-    open_parameters, parse_algebraic, parse_any_scheme, parse_in_parameters,
-    parse_lattice_in_parameter, parse_scheme,
+    AnyScheme, LatticeMask, Mask, Scheme, SchemeError, names_ring, parse_algebraic,
+    parse_any_scheme, parse_scheme,
 };
-use crate::smoothness::{
-    BasicError, BasicValues, Coefficient, Sides, SmoothMap, Smoothness, smooth_map,
-};
+use crate::smoothness::{BasicError, BasicValues, Coefficient, Sides, Smoothness};
 use crate::spectrum::SpectrumError;
 use crate::stop::Stop;
-use std::sync::atomic::AtomicUsize;
 
 /// The least number of values of a function that is drawn, where a cap does not stop it.
 const MIN_VALUES: usize = 160;
@@ -42,12 +38,6 @@ const MIN_LIMIT: usize = 300;
 
 /// The valences of rings that are drawn of rules that state none.
 const VALENCES: [usize; 3] = [3, 5, 7];
-
-/// The orders of smoothness of maps of two parameters.
-const MAP_ORDERS: std::ops::RangeInclusive<usize> = 0..=2;
-
-/// The orders of smoothness of masks on Z^d, in one parameter.
-const LATTICE_ORDERS: std::ops::RangeInclusive<u32> = 0..=1;
 
 /// What is drawn of a scheme.
 #[derive(Clone, Debug)]
@@ -82,31 +72,6 @@ pub struct CurveShape<F = Rational> {
     pub levels: Vec<Vec<[F; 2]>>,
     /// Points of its limit, in their order; `None` where the scheme is not proven to converge.
     pub limit: Option<Vec<[F; 2]>>,
-}
-
-/// Where limits are smooth, by the parameters that are left open.
-#[derive(Clone, Debug)]
-pub enum FamilyDrawing {
-    /// One parameter.
-    One {
-        /// Its name.
-        parameter: String,
-        /// The sets for m = 0, 1, …
-        ranges: Vec<ParameterFacts>,
-        /// Why they end.
-        end: String,
-    },
-    /// Two parameters.
-    Two {
-        /// Their names.
-        parameters: [String; 2],
-        /// The region.
-        region: Sides,
-        /// The maps for m = 0, 1, …
-        maps: Vec<SmoothMap>,
-        /// Why they end.
-        end: String,
-    },
 }
 
 impl Drawing {
@@ -300,83 +265,4 @@ fn limit_points<F: Coefficient>(at_integers: &BasicValues<F>, points: &[[F; 2]])
         })
     };
     (0..).take(count).map(limit).collect()
-}
-
-impl FamilyDrawing {
-    /// `None` of a scheme whose open parameters are neither one nor two in which its coefficients are polynomials.
-    ///
-    /// ```
-    /// use subcert::facts::FamilyDrawing;
-    ///
-    /// let region = [[-1, 1].map(Into::into), [-1, 1].map(Into::into)];
-    /// assert!(matches!(FamilyDrawing::of("four-point", &region, 10), Some(FamilyDrawing::One { .. })));
-    /// assert!(FamilyDrawing::of("chaikin", &region, 10).is_none());
-    /// ```
-    ///
-    /// # Panics
-    /// Never.
-    #[must_use]
-    pub fn of(scheme: &str, region: &Sides, boxes: usize) -> Option<FamilyDrawing> {
-        match &open_parameters(scheme).ok()?[..] {
-            [parameter] => {
-                if find_definition(scheme).is_ok_and(|found| found.is_lattice()) {
-                    return lattice_family(scheme, parameter);
-                }
-                let (ranges, end) = parameter_facts(scheme, parameter).ok()?;
-                let parameter = parameter.clone();
-                (!ranges.is_empty()).then_some(FamilyDrawing::One { parameter, ranges, end })
-            }
-            [first, second] => {
-                let mask = parse_in_parameters(scheme, &[first, second]).ok()?;
-                let polynomial = |entry: &Polynomial| entry.in_variables([first, second]);
-                let known = mask.rules().rows().iter().flatten().all(|c| polynomial(c).is_some());
-                if !known {
-                    return None;
-                }
-                let rules = mask.rules().map(|entry| polynomial(entry).expect("a polynomial"));
-                let mut maps = Vec::new();
-                let mut end = format!("C^m is asked for up to m = {}", MAP_ORDERS.end());
-                for m in MAP_ORDERS {
-                    match smooth_map(&rules, m, region, boxes, &AtomicUsize::new(0)) {
-                        Ok(map) => maps.push(map),
-                        Err(error) => {
-                            end = error.to_string();
-                            break;
-                        }
-                    }
-                }
-                let parameters = [first.clone(), second.clone()];
-                let region = region.clone();
-                Some(FamilyDrawing::Two { parameters, region, maps, end })
-            }
-            _ => None,
-        }
-    }
-}
-
-/// Where in a parameter the limits of a mask on Z^d are smooth.
-fn lattice_family(scheme: &str, parameter: &str) -> Option<FamilyDrawing> {
-    let mask = parse_lattice_in_parameter(scheme, parameter).ok()?;
-    let mut ranges = Vec::new();
-    let mut end = format!("C^m is asked for up to m = {}", LATTICE_ORDERS.end());
-    for m in LATTICE_ORDERS {
-        match lattice_range(&mask, m) {
-            Ok(LatticeRange { inside, outside, but_finitely_many, .. }) => {
-                let m = usize::try_from(m).ok()?;
-                ranges.push(ParameterFacts {
-                    m,
-                    valence: None,
-                    inside,
-                    outside,
-                    but_finitely_many,
-                });
-            }
-            Err(error) => {
-                end = error.to_string();
-                break;
-            }
-        }
-    }
-    let parameter = parameter.to_owned();
-    (!ranges.is_empty()).then_some(FamilyDrawing::One { parameter, ranges, end })
 }

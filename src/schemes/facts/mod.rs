@@ -16,6 +16,7 @@
 mod curve;
 mod distance;
 mod drawing;
+mod family_drawing;
 mod lattice;
 mod lattice_shape;
 mod ranges;
@@ -24,9 +25,8 @@ mod shape;
 
 pub use curve::{Columns, CurveFacts, MAX_LEVELS};
 pub use distance::{Depths, LimitFacts};
-pub use drawing::{
-    CurveDrawing, CurveShape, Drawing, FamilyDrawing, LEVELS, MAX_DERIVATIVES, SAMPLE,
-};
+pub use drawing::{CurveDrawing, CurveShape, Drawing, LEVELS, MAX_DERIVATIVES, SAMPLE};
+pub use family_drawing::FamilyDrawing;
 pub use lattice::{LatticeFacts, placement};
 pub use lattice_shape::LatticeShape;
 pub use ranges::{FamilyFacts, ParameterFacts, parameter_facts};
