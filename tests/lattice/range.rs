@@ -74,6 +74,8 @@ fn what_is_refused() {
     let apart = "(1+x)^2/(2*x)*(1+y+y^2)^2/(3*y^2)*(1+w*(x-1)^2*(y-1)^3):dilation=[[2,0],[0,3]]";
     let apart = parse_lattice_in_parameter(apart, "w").expect("a mask");
     assert!(lattice_range(&apart, 1).expect_err("two moduli").to_string().contains("C^0"));
+    let solid = parse_lattice_in_parameter("four-point-tensor-3d", "w").expect("a mask");
+    assert!(lattice_range(&solid, 0).expect_err("a cap").to_string().contains("at most 96"));
     for text in ["chaikin", "(1+x)*(1+y)/1", "(1+x)*(1+y)*(1+x*y)/2"] {
         assert!(parse_lattice_in_parameter(text, "w").is_err(), "{text}");
     }

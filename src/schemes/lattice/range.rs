@@ -5,7 +5,7 @@ use super::polynomials::{mean, natural_shift, sum_rules};
 use super::radius::{moved, without_moments};
 use super::shape::{is_interpolating, is_isotropic};
 use super::tiling::Tiling;
-use super::values::{Transitions, ValueSpace};
+use super::values::{MAX_DIMENSION, Transitions, ValueSpace};
 use crate::cap::Cap;
 use crate::exact::{Interval, IntervalSet, Rational, RationalPolynomial, Scalar as _};
 use crate::joint::{MatrixSet, MatrixSetError, Reduction, radius_of_blocks};
@@ -159,6 +159,10 @@ impl Steps {
         let places = of_tiling(&mask, &tiling)?;
         let rows = without_moments(&places, order, mask.dimension());
         let dimension = rows.len();
+        if dimension > MAX_DIMENSION {
+            let what = "the number of dimensions of the space of differences";
+            return Err(Cap::new(what, MAX_DIMENSION as u64).into());
+        }
         let matrices = Transitions::new(&mask, &tiling.parts, &places).on(rows);
         Ok(Steps { tiling, mask, dimension, blocks: blocks(&matrices) })
     }

@@ -11,7 +11,7 @@ use crate::scheme::{LatticeMask, Point, apply, difference, sum};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most dimensions of the space.
-const MAX_DIMENSION: usize = 96;
+pub(super) const MAX_DIMENSION: usize = 96;
 
 /// The same together with powers of points.
 const MAX_JOINED: usize = 256;
