@@ -40,18 +40,16 @@ pub(crate) fn smooth_range(
     let levels = (1_u32..).zip(&range.contraction.levels);
     let level = |(c, set)| Level { c, intervals: Set::of(set, parameter), function: None };
     let answer = SmoothRange {
-        schema: SCHEMA,
-        scheme: &arguments.scheme,
-        parameter,
-        smoothness: m,
-        inside: Set::of(&range.inside, parameter),
-        outside: Set::of(&range.outside, parameter),
-        but_finitely_many: range.but_finitely_many,
-        gap: range.gap.as_ref().map(up),
         levels: levels.map(level).collect(),
-        is_complete: range.gap.as_ref().is_some_and(Rational::is_zero),
         special: SpecialForm::all(&special, parameter),
         reduction: (!range.reduction.is_empty()).then(|| reduction(&range, parameter)),
+        ..SmoothRange::of(
+            arguments,
+            (parameter, m),
+            [&range.inside, &range.outside],
+            range.but_finitely_many,
+            range.gap.as_ref(),
+        )
     };
     show(&arguments.output, &answer)
 }
@@ -69,20 +67,13 @@ pub(crate) fn of_lattice(
     let progress = Progress::of_search(true);
     let range = lattice_range(mask, order).map_err(|error| Failure::Input(error.to_string()))?;
     drop(progress);
-    let answer = SmoothRange {
-        schema: SCHEMA,
-        scheme: &arguments.scheme,
-        parameter,
-        smoothness: m,
-        inside: Set::of(&range.inside, parameter),
-        outside: Set::of(&range.outside, parameter),
-        but_finitely_many: range.but_finitely_many,
-        gap: range.gap.as_ref().map(up),
-        levels: Vec::new(),
-        is_complete: range.gap.as_ref().is_some_and(Rational::is_zero),
-        special: Vec::new(),
-        reduction: None,
-    };
+    let answer = SmoothRange::of(
+        arguments,
+        (parameter, m),
+        [&range.inside, &range.outside],
+        range.but_finitely_many,
+        range.gap.as_ref(),
+    );
     show(&arguments.output, &answer)
 }
 
@@ -116,6 +107,32 @@ pub(crate) struct SmoothRange<'a> {
     /// Why, and by what, another symbol decides.
     #[serde(skip)]
     reduction: Option<String>,
+}
+
+impl<'a> SmoothRange<'a> {
+    /// The sets inside and outside for C^m, without levels and special values.
+    fn of(
+        arguments: &'a RangeArguments,
+        (parameter, m): (&'a str, usize),
+        [inside, outside]: [&IntervalSet; 2],
+        but_finitely_many: bool,
+        gap: Option<&Rational>,
+    ) -> SmoothRange<'a> {
+        SmoothRange {
+            schema: SCHEMA,
+            scheme: &arguments.scheme,
+            parameter,
+            smoothness: m,
+            inside: Set::of(inside, parameter),
+            outside: Set::of(outside, parameter),
+            but_finitely_many,
+            gap: gap.map(up),
+            levels: Vec::new(),
+            special: Vec::new(),
+            is_complete: gap.is_some_and(Rational::is_zero),
+            reduction: None,
+        }
+    }
 }
 
 impl Answer for SmoothRange<'_> {

@@ -5,8 +5,8 @@ use super::header::{COLUMNS, Header, SCHEMA, program};
 use super::refine::{MAX_REFINED_LEVEL, MAX_VALUES, OracleError};
 use super::values::{CONTRACTION, CONTROL, Group, NORM, OracleValues, group};
 use crate::exact::Rational;
-use crate::lattice::{Functional, LatticeConstants, LatticeSmoothness, limit_values};
-use crate::scheme::{LatticeMask, Point, sum};
+use crate::lattice::{Functional, LatticeConstants, LatticeSmoothness, convolved, limit_values};
+use crate::scheme::{LatticeMask, Point};
 use crate::stop::Stop;
 use std::collections::BTreeMap;
 
@@ -115,20 +115,6 @@ fn data(control: Option<&Control>) -> Result<Functional<Rational>, OracleError> 
         .zip(rows)
         .flat_map(|(i, row)| (0..).zip(row).map(move |(j, value)| ([i, j, 0], value.clone())));
     Ok(entries.collect())
-}
-
-/// Σ x·y at the sums of places.
-fn convolved<'x>(
-    first: impl Iterator<Item = (Point, &'x Rational)>,
-    second: &Functional<Rational>,
-) -> Functional<Rational> {
-    let mut all: Functional<Rational> = BTreeMap::new();
-    for (place, x) in first {
-        for (at, y) in second {
-            *all.entry(sum(place, *at)).or_insert_with(Rational::zero) += &(x * y);
-        }
-    }
-    all
 }
 
 /// T_c and Λ_c, as far as the caps allow.

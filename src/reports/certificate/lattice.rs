@@ -32,7 +32,8 @@ pub(super) fn lattice_limits(
     } else {
         let found = known.differences.as_ref().ok_or("convergence is open")?;
         text.push_str("differences\n");
-        let bounds = write_bounds(&mut text, found, d)?;
+        parts(&mut text, &found.parts, d);
+        let bounds = write_radius_of(&mut text, found)?;
         if known.converges == Some(false) && bounds.lower.is_some_and(|q| q >= Rational::one()) {
             text.push_str("end\n");
             return Ok((text, Shown { not_continuous: Some(0), ..Shown::default() }));
@@ -63,10 +64,8 @@ pub(super) fn lattice_limits(
 
 /// n and 1 if m = n^d, and otherwise m and d: log_s x = power·log_base x.
 fn base(mask: &LatticeMask) -> (usize, usize) {
-    let (m, d) = (mask.dilation().class_count(), mask.dimension());
-    let power = u32::try_from(d).expect("2 or 3");
-    let root = (2..=m).find(|n| n.checked_pow(power) == Some(m));
-    root.map_or((m, d), |n| (n, 1))
+    let dilation = mask.dilation();
+    dilation.root().map_or((dilation.class_count(), dilation.dimension()), |n| (n, 1))
 }
 
 /// The bounds that the lines of a radius show.
@@ -112,15 +111,6 @@ impl Bounds {
         let most = LogSum { rational: Rational::from(accuracy), terms: Vec::new() };
         shown.upper = upper.into_iter().chain([most]).collect();
     }
-}
-
-fn write_bounds(
-    text: &mut String,
-    found: &LatticeRadius,
-    dimension: usize,
-) -> Result<Bounds, &'static str> {
-    parts(text, &found.parts, dimension);
-    write_radius_of(text, found)
 }
 
 fn write_radius_of(text: &mut String, found: &LatticeRadius) -> Result<Bounds, &'static str> {

@@ -4,6 +4,7 @@ use crate::exact::{
     Enclosed as _, Integer, IntegerPolynomial, Rational, RealAlgebraic, characteristic_polynomial,
 };
 use crate::joint::{JointRadius, MatrixSet};
+use crate::scheme::Dilation;
 use crate::smoothness::{ExponentFormula, Hoelder, log_of};
 use std::cmp::Ordering;
 
@@ -13,10 +14,11 @@ use std::cmp::Ordering;
 pub(super) fn exponent(
     radius: &JointRadius,
     (order, factor): (u32, &Rational),
-    (m, d): (usize, usize),
+    dilation: &Dilation,
 ) -> Option<Hoelder> {
+    let (m, d) = (dilation.class_count(), dilation.dimension());
     // The factor is f = n^K with s = n, or m^j; so −log_s ϱ = log_s f − log_s(fϱ).
-    let (whole, base, power) = match root_of(m, d) {
+    let (whole, base, power) = match dilation.root() {
         Some(n) if *factor == Rational::from(n).pow(small(order)) => {
             (usize::try_from(order).ok()?, n, 1)
         }
@@ -35,11 +37,6 @@ pub(super) fn exponent(
     let bound = radius.upper().pow(small(power));
     let lower = Rational::from(whole) - log_of(&bound, base, 1).upper();
     Some(Hoelder { lower, upper, formula: None, attained: None })
-}
-
-/// n with n^d = m.
-fn root_of(m: usize, d: usize) -> Option<usize> {
-    (2..=m).find(|n| n.checked_pow(u32::try_from(d).unwrap_or(1)) == Some(m))
 }
 
 /// root^power: an eigenvalue of that power of the companion matrix of a polynomial of the root.

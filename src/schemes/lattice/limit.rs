@@ -1,10 +1,10 @@
 //! Values of the limits of masks on Z^d.
 
-use super::powers::Steps;
+use super::powers::{Steps, convolved};
 use super::values::values_at_integers;
 use crate::cap::Cap;
 use crate::exact::Rational;
-use crate::scheme::{LatticeMask, Point, sum};
+use crate::scheme::{LatticeMask, Point};
 use std::collections::BTreeMap;
 
 /// The most products of two coefficients for the values of one level.
@@ -42,12 +42,8 @@ pub fn limit_values(
     if steps.coefficients().len() * integers.len() > MAX_PRODUCTS {
         return Err(beyond());
     }
-    let mut values: BTreeMap<Point, Rational> = BTreeMap::new();
-    for (place, c) in steps.coefficients() {
-        for (beta, value) in &integers {
-            *values.entry(sum(*place, *beta)).or_insert_with(Rational::zero) += &(c * value);
-        }
-    }
+    let coefficients = steps.coefficients().iter().map(|(place, c)| (*place, c));
+    let mut values = convolved(coefficients, &integers);
     values.retain(|_, value| !value.is_zero());
     Ok(Some(values))
 }

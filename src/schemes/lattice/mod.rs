@@ -41,7 +41,7 @@ pub use distance::LatticeDistance;
 pub use limit::limit_values;
 pub use norm::{Edges, Norm, NormError, proves};
 pub use polynomials::{MAX_ORDER, mean, natural_shift, reproduction, sum_rules};
-pub use powers::{Functional, Steps};
+pub use powers::{Functional, Steps, convolved};
 pub use product::{directions, factors, least_cut};
 pub use radius::LatticeRadius;
 pub use range::{LatticeRange, LatticeRangeError, lattice_range};

@@ -7,6 +7,20 @@ use std::collections::BTreeMap;
 /// A functional on data: the sum of its coefficients times the values at their places.
 pub type Functional<S> = BTreeMap<Point, S>;
 
+/// The sums of the products x·y at the sums of their places.
+pub fn convolved<'x, S: Scalar + 'x>(
+    first: impl Iterator<Item = (Point, &'x S)>,
+    second: &Functional<S>,
+) -> Functional<S> {
+    let mut all: Functional<S> = BTreeMap::new();
+    for (place, x) in first {
+        for (at, y) in second {
+            all.entry(sum(place, *at)).or_insert_with(S::zero).accumulate(&y.times(x));
+        }
+    }
+    all
+}
+
 /// S^c: (S^c p)_α = Σ_β a_c(α − M^cβ) p_β, with the rows of one α of each class of Z^d/M^cZ^d.
 #[derive(Clone, Debug)]
 pub struct Steps<'m, S> {
@@ -29,14 +43,8 @@ impl<'m, S: Scalar + PartialEq> Steps<'m, S> {
     #[must_use]
     pub fn next(&self) -> Steps<'m, S> {
         let dilation = self.mask.dilation();
-        let mut coefficients: Functional<S> = BTreeMap::new();
-        for (place, value) in &self.coefficients {
-            let corner = dilation.times(*place);
-            for (at, c) in self.mask.coefficients() {
-                let place = sum(corner, *at);
-                coefficients.entry(place).or_insert_with(S::zero).accumulate(&c.times(value));
-            }
-        }
+        let images = self.coefficients.iter().map(|(place, c)| (dilation.times(*place), c));
+        let mut coefficients = convolved(images, self.mask.coefficients());
         let zero = S::zero();
         coefficients.retain(|_, c| *c != zero);
         Steps { mask: self.mask, count: self.count + 1, coefficients }

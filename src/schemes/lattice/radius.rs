@@ -180,7 +180,7 @@ pub(super) fn nearest(
 }
 
 /// The mask of the same scheme with the basic limit function moved by −τ, if the natural shift τ is integer: a(γ + (M − I)τ).
-pub(super) fn centred(mask: &LatticeMask) -> Option<LatticeMask> {
+fn centred(mask: &LatticeMask) -> Option<LatticeMask> {
     moved(mask, &natural_shift(mask))
 }
 

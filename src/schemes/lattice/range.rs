@@ -9,19 +9,15 @@ use super::values::{MAX_DIMENSION, Transitions, ValueSpace};
 use crate::cap::Cap;
 use crate::exact::{Interval, IntervalSet, Rational, RationalPolynomial, Scalar as _};
 use crate::joint::{MatrixSet, MatrixSetError, Reduction, radius_of_blocks};
-use crate::scheme::LatticeMask;
+use crate::scheme::{Dilation, LatticeMask};
 use crate::smoothness::{Search, gap, multiplied, outer_ends};
 use crate::stop::Stop;
 
 /// Where in a parameter the limits of a mask on Z^d are C^m.
 #[derive(Clone, Debug)]
 pub struct LatticeRange {
-    /// m.
-    pub smoothness: u32,
     /// The order of the sum rules that hold for all values.
     pub sum_rules: u32,
-    /// The sizes of the blocks into which the steps are split for all values at once.
-    pub blocks: Vec<usize>,
     /// There all limits are C^m.
     pub inside: IntervalSet,
     /// There not all limits are C^m, or the scheme diverges.
@@ -100,11 +96,9 @@ pub fn lattice_range(
         return Err(LatticeRangeError::Anisotropic);
     }
     let steps = Steps::near_tile(mask, order)?;
-    let (count, scale) = scale(mask.dilation().class_count(), mask.dimension(), m);
+    let (count, scale) = scale(mask.dilation(), m);
     let mut range = LatticeRange {
-        smoothness: m,
         sum_rules: order,
-        blocks: steps.blocks.iter().map(|block| block[0].len()).collect(),
         inside: IntervalSet::everything(),
         outside: IntervalSet::default(),
         but_finitely_many: false,
@@ -187,10 +181,11 @@ fn at(mask: &LatticeMask<RationalPolynomial>, value: &Rational) -> Option<Lattic
 }
 
 /// The number of steps, and the number by which their products are multiplied: s^{m·steps}, which is rational.
-fn scale(classes: usize, d: usize, m: u32) -> (usize, Rational) {
+fn scale(dilation: &Dilation, m: u32) -> (usize, Rational) {
+    let (classes, d) = (dilation.class_count(), dilation.dimension());
     let power = |x: usize, k: u32| Rational::from(x).pow(i32::try_from(k).unwrap_or(i32::MAX));
     let small = u32::try_from(d).expect("2 or 3");
-    if let Some(n) = (2..=classes).find(|n| n.checked_pow(small) == Some(classes)) {
+    if let Some(n) = dilation.root() {
         return (1, power(n, m));
     }
     if m.is_multiple_of(small) { (1, power(classes, m / small)) } else { (d, power(classes, m)) }

@@ -209,7 +209,7 @@ impl LatticeSmoothness {
         let d = mask.dimension();
         self.accuracy = Some(accuracy);
         let scaled = (found.order, &found.factor);
-        let exponent = exponent(&found.radius, scaled, (m, d));
+        let exponent = exponent(&found.radius, scaled, mask.dilation());
         // s^{−k} for M with |det M| = m = s^d is a d-th root.
         let below = |k: u32| found.is_below_root(k, m, d);
         self.continuity = (0..accuracy).take_while(|k| below(*k) == Some(true)).last().or(Some(0));

@@ -4,7 +4,7 @@ use super::error::SchemeError;
 use super::lattice::mask::LatticeMask;
 use super::local::rules::LocalRules;
 use super::mask::Mask;
-use super::parse::Named;
+use super::parse::{Factor, Named};
 use crate::exact::{Polynomial, Rational, RationalPolynomial};
 
 use crate::formula::{Parameters, is_identifier};
@@ -66,30 +66,54 @@ pub fn parse_in_parameters(
     text: &str,
     parameters: &[&str],
 ) -> Result<Mask<Polynomial>, SchemeError> {
-    let independent = |parameter: &str, known: Vec<String>| SchemeError::Independent {
-        scheme: text.trim().to_owned(),
-        parameter: parameter.to_owned(),
-        known,
-    };
-    if let Some(parameter) = parameters.iter().find(|parameter| !is_identifier(parameter)) {
-        return Err(independent(parameter, open_parameters(text)?));
+    let named = named(text, parameters)?;
+    let factor = opened(&named, parameters, None)?;
+    let mask = factor.mask()?;
+    let occurs = |name: &str| mask.rules().rows().iter().flatten().any(|entry| entry.has(name));
+    depends(text, &factor, parameters, occurs)?;
+    Ok(mask)
+}
+
+/// SCHEME, if parameters can have these names.
+fn named<'t>(text: &'t str, parameters: &[&str]) -> Result<Named<'t>, SchemeError> {
+    match parameters.iter().find(|parameter| !is_identifier(parameter)) {
+        Some(parameter) => Err(independent(text, parameter, open_parameters(text)?)),
+        None => Named::read(text),
     }
-    let named = Named::read(text)?;
+}
+
+/// The factor of SCHEME with these parameters left open: the values of others may depend on them.
+fn opened<'n>(
+    named: &'n Named<'_>,
+    parameters: &[&str],
+    valence: Option<usize>,
+) -> Result<Factor<'n, Polynomial>, SchemeError> {
     let variables = parameters.iter().map(|name| ((*name).to_owned(), Polynomial::variable(name)));
     let variables: BTreeMap<String, Polynomial> = variables.collect();
-    let mut factor = named.factor(&Parameters(variables.clone()), None)?;
-    let definition = factor.definition;
+    let mut factor = named.factor(&Parameters(variables.clone()), valence)?;
     for (name, variable) in variables {
-        if definition.parameters.contains_key(&name) {
+        if factor.definition.parameters.contains_key(&name) {
             factor.parameters.entry(name).or_insert(variable);
         }
     }
-    let mask = factor.mask()?;
-    let occurs = |name: &str| mask.rules().rows().iter().flatten().any(|entry| entry.has(name));
-    match parameters.iter().find(|name| !occurs(name)) {
-        Some(name) => Err(independent(name, definition.parameters.keys().cloned().collect())),
-        None => Ok(mask),
-    }
+    Ok(factor)
+}
+
+/// An error unless each of the parameters occurs.
+fn depends(
+    text: &str,
+    factor: &Factor<'_, Polynomial>,
+    parameters: &[&str],
+    occurs: impl Fn(&str) -> bool,
+) -> Result<(), SchemeError> {
+    let known = || factor.definition.parameters.keys().cloned().collect();
+    let missing = parameters.iter().find(|name| !occurs(name));
+    missing.map_or(Ok(()), |name| Err(independent(text, name, known())))
+}
+
+fn independent(text: &str, parameter: &str, known: Vec<String>) -> SchemeError {
+    let (scheme, parameter) = (text.trim().to_owned(), parameter.to_owned());
+    SchemeError::Independent { scheme, parameter, known }
 }
 
 /// The mask on Z^d that SCHEME names, with one parameter left open. The coefficients are polynomials in this parameter.
@@ -108,26 +132,10 @@ pub fn parse_lattice_in_parameter(
     text: &str,
     parameter: &str,
 ) -> Result<LatticeMask<RationalPolynomial>, SchemeError> {
-    let independent = |known: Vec<String>| SchemeError::Independent {
-        scheme: text.trim().to_owned(),
-        parameter: parameter.to_owned(),
-        known,
-    };
-    if !is_identifier(parameter) {
-        return Err(independent(open_parameters(text)?));
-    }
-    let named = Named::read(text)?;
-    let variable = Polynomial::variable(parameter);
-    let values = BTreeMap::from([(parameter.to_owned(), variable.clone())]);
-    let mut factor = named.factor(&Parameters(values), None)?;
-    let definition = factor.definition;
-    if definition.parameters.contains_key(parameter) {
-        factor.parameters.entry(parameter.to_owned()).or_insert(variable);
-    }
+    let named = named(text, &[parameter])?;
+    let factor = opened(&named, &[parameter], None)?;
     let mask = factor.lattice()?;
-    if !mask.coefficients().values().any(|c| c.has(parameter)) {
-        return Err(independent(definition.parameters.keys().cloned().collect()));
-    }
+    depends(text, &factor, &[parameter], |name| mask.coefficients().values().any(|c| c.has(name)))?;
     let polynomial = |c: &Polynomial| c.in_variable(parameter);
     if let Some(c) = mask.coefficients().values().find(|c| polynomial(c).is_none()) {
         let (coefficient, parameter) = (c.to_string(), parameter.to_owned());
@@ -156,26 +164,10 @@ pub fn parse_rules_in_parameter(
     parameter: &str,
     valence: Option<usize>,
 ) -> Result<LocalRules<Polynomial>, SchemeError> {
-    let independent = |known: Vec<String>| SchemeError::Independent {
-        scheme: text.trim().to_owned(),
-        parameter: parameter.to_owned(),
-        known,
-    };
-    if !is_identifier(parameter) {
-        return Err(independent(open_parameters(text)?));
-    }
-    let named = Named::read(text)?;
-    let variable = Polynomial::variable(parameter);
-    let values = BTreeMap::from([(parameter.to_owned(), variable.clone())]);
-    let mut factor = named.factor(&Parameters(values), valence)?;
-    let definition = factor.definition;
-    if definition.parameters.contains_key(parameter) {
-        factor.parameters.entry(parameter.to_owned()).or_insert(variable);
-    }
+    let named = named(text, &[parameter])?;
+    let factor = opened(&named, &[parameter], valence)?;
     let ring = factor.ring()?;
-    if ring.weights().values().iter().any(|weight| weight.has(parameter)) {
-        Ok(ring)
-    } else {
-        Err(independent(definition.parameters.keys().cloned().collect()))
-    }
+    let occurs = |name: &str| ring.weights().values().iter().any(|weight| weight.has(name));
+    depends(text, &factor, &[parameter], occurs)?;
+    Ok(ring)
 }

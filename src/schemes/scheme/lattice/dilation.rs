@@ -154,6 +154,13 @@ impl Dilation {
         self.rows().enumerate().map(entry).collect()
     }
 
+    /// n, where |det M| = n^d.
+    #[must_use]
+    pub fn root(&self) -> Option<usize> {
+        let (m, d) = (self.class_count(), u32::try_from(self.dimension()).ok()?);
+        (2..=m).find(|n| n.checked_pow(d) == Some(m))
+    }
+
     /// M^{−1}x.
     #[must_use]
     pub fn inverse_times(&self, x: &[Rational]) -> Vec<Rational> {
