@@ -19,7 +19,7 @@ use subcert::spectrum::{
 };
 
 /// The exponent as a formula, two numbers around it, and whether it is attained.
-type Exponent = (Option<String>, Fraction, Fraction, Option<bool>);
+pub(crate) type Exponent = (Option<String>, Fraction, Fraction, Option<bool>);
 
 /// Arity, order of the sum rules, degree of reproduction, natural shift, independence of the shifts, the proven order,
 /// the least order that fails, the exponent.
@@ -113,7 +113,7 @@ pub fn smoothness(py: Python<'_>, scheme: &Native) -> PyResult<Known> {
     })
 }
 
-fn exponent(hoelder: &Hoelder) -> Exponent {
+pub(crate) fn exponent(hoelder: &Hoelder) -> Exponent {
     let (low, high) = match &hoelder.formula {
         Some(formula) => {
             let enclosure = formula.enclosure(1);

@@ -10,6 +10,7 @@ mod check;
 mod error;
 mod facts;
 mod geometry;
+mod lattice;
 mod mesh;
 mod net;
 mod number;
@@ -37,6 +38,11 @@ mod _native {
     use crate::check::{check_within_ulps, nearest};
     #[pymodule_export]
     use crate::facts::{facts_json, plot_svg};
+    #[pymodule_export]
+    use crate::lattice::{
+        lattice_constants, lattice_depth, lattice_displacement, lattice_parts, lattice_smoothness,
+        lattice_values,
+    };
     #[pymodule_export]
     use crate::mesh::{mesh_depth, mesh_geometric_depth, mesh_limit, mesh_refine};
     #[pymodule_export]

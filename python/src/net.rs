@@ -1,4 +1,4 @@
-//! Tensor nets.
+//! Nets.
 
 use crate::error::{plain, with_remedy};
 use crate::geometry::{
@@ -9,15 +9,15 @@ use crate::number::rational;
 use crate::run::aside;
 use pyo3::prelude::*;
 use subcert::mesh::Point;
-use subcert::net::{Closed, Net, NetError, NetScheme, net_limits, refine_net};
-use subcert::patch::NetDistances;
+use subcert::net::{Closed, Net, NetError, NetRules};
+use subcert::patch::{LatticeNetDistances, NetDistances};
 
 /// A net as Python has it: its points row by row, the number of columns, and the directions in which
 /// it is closed.
 type Given<'py> = (Points<'py>, usize, String);
 
-fn net(scheme: &str, (given, columns, closed): Given<'_>) -> PyResult<(NetScheme, Net)> {
-    let scheme = NetScheme::parse(scheme).map_err(plain)?;
+fn net(scheme: &str, (given, columns, closed): Given<'_>) -> PyResult<(NetRules, Net)> {
+    let scheme = NetRules::parse(scheme).map_err(plain)?;
     let closed = Closed::parse(&closed).ok_or_else(|| {
         with_remedy(&format!("closed is {closed:?}"), "it is \"none\", \"u\", \"v\" or \"uv\"")
     })?;
@@ -46,8 +46,16 @@ pub fn net_depth(
     let (scheme, net) = net(scheme, given)?;
     let tolerance = rational(tolerance)?;
     depth_aside(py, move || {
-        let distances = NetDistances::new(net, &scheme).map_err(refused)?;
-        distances.depth(&tolerance).map_err(plain)
+        match scheme {
+            NetRules::Product(scheme) => {
+                let distances = NetDistances::new(net, &scheme).map_err(refused)?;
+                distances.depth(&tolerance).map_err(plain)
+            }
+            NetRules::Lattice(_, mask) => {
+                let distances = LatticeNetDistances::new(&net, &mask).map_err(refused)?;
+                distances.depth(&tolerance).map_err(plain)
+            }
+        }
     })
 }
 
@@ -61,6 +69,12 @@ pub fn net_geometric_depth(
 ) -> PyResult<SurfaceDepth> {
     let (scheme, net) = net(scheme, given)?;
     let tolerance = rational(tolerance)?;
+    let NetRules::Product(scheme) = scheme else {
+        return Err(with_remedy(
+            "nets with masks on Z^2 are compared with their limits at equal parameters only",
+            "take net_depth",
+        ));
+    };
     surface_depth_aside(py, move || {
         let distances = NetDistances::new(net, &scheme).map_err(refused)?;
         distances.geometric_depth(&tolerance).map_err(plain)
@@ -77,7 +91,7 @@ pub fn net_refine(
 ) -> PyResult<(Vec<Point<f64>>, usize)> {
     let (scheme, net) = net(scheme, given)?;
     aside(py, move || {
-        let refined = refine_net(&net, &scheme, levels).map_err(refused)?;
+        let refined = scheme.refined(&net, levels).map_err(refused)?;
         Ok((rounded(refined.points()), refined.columns()))
     })
 }
@@ -87,7 +101,7 @@ pub fn net_refine(
 pub fn net_limit(py: Python<'_>, scheme: &str, given: Given<'_>) -> PyResult<Vec<Option<Limit>>> {
     let (scheme, net) = net(scheme, given)?;
     aside(py, move || {
-        let limits = net_limits(&net, &scheme).map_err(refused)?;
+        let limits = scheme.limits(&net).map_err(refused)?;
         Ok(limits.iter().map(|limit| limit.as_ref().map(rational_limit)).collect())
     })
 }

@@ -117,7 +117,7 @@ impl Native {
             AnyScheme::Uniform(scheme) => Ok(Native::of(scheme)),
             AnyScheme::Lattice(_) => Err(with_remedy(
                 &format!("`{text}` is a mask on Z^d, or a product of three"),
-                "the command line takes it: subcert scheme, constants, depth and smoothness",
+                "Lattice is for it, and scheme and nets take its name",
             )),
             AnyScheme::LocalRules(_) => Err(with_remedy(
                 &format!("`{text}` is a scheme around a vertex or on a face"),

@@ -123,6 +123,31 @@ fn conjugate_eigenvalues_that_lead_have_near_bounds() {
     assert!(excess < Rational::new(100_001, 100_000), "{excess}");
 }
 
+#[test]
+fn conjugate_eigenvalues_of_large_matrices_lead() {
+    // The companion matrix of (x² + x + 4)(x^10 + x + 1), whose pair of modulus 2 leads, and a matrix of small norm.
+    let coefficients = [4, 5, 2, 1, 0, 0, 0, 0, 0, 0, 4, 1];
+    let entry = |i: usize, j: usize| {
+        let last = if j == 11 { -coefficients[i] } else { 0 };
+        Rational::from(last + i64::from(i == j + 1))
+    };
+    let companion: Matrix = (0..12).map(|i| (0..12).map(|j| entry(i, j)).collect()).collect();
+    let small = vec![vec![Rational::new(1, 100); 12]; 12];
+    let set = MatrixSet::new(vec![companion, small]).expect("square matrices");
+    let radius = joint_radius(&set);
+    let shown = radius.eigenvalue(&set).expect("a lower bound");
+    let count = i32::try_from(shown.product.len()).expect("short");
+    assert!(shown.at_least > Rational::new(19_999, 10_000).pow(count), "{shown:?}");
+    let text = subcert::certificate::radius_certificate(&set, &radius).expect("not nilpotent");
+    let found = subcert_check::check_radius(&text).expect("a valid certificate");
+    assert_eq!(found.at_least.map(|(_, degree)| degree), Some(shown.product.len()));
+    // With a greater number it is none.
+    let line = |q: &Rational| format!("eigenvalue modulus {q}");
+    let wrong = text.replace(&line(&shown.at_least), &line(&Rational::new(21, 10).pow(count)));
+    assert_ne!(wrong, text);
+    assert!(subcert_check::check_radius(&wrong).is_err());
+}
+
 fn matrices(count: usize, size: usize) -> impl Strategy<Value = MatrixSet> {
     let entry = (-4_i64..=4, 1_i64..=3).prop_map(|(p, q)| Rational::new(p, q));
     let row = proptest::collection::vec(entry, size);

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use std::collections::BTreeSet;
 use subcert::exact::{Rational, RealCyclotomic};
 use subcert::mesh::{MeshScheme, Point, limit_points, refine_mesh};
-use subcert::net::{Closed, Net, limit_net, net_limits, refine_net};
+use subcert::net::{Closed, Net, net_limits, net_of_limits, refine_net};
 
 const NAMES: [&str; 5] = [
     "bicubic",
@@ -137,14 +137,16 @@ fn limit_points_stay() {
     for (name, closed) in [("bicubic", CLOSED[2]), ("four-point:w=1/16", CLOSED[3])] {
         let net = bumpy(7, 6, closed);
         let scheme = scheme(name);
-        let of_net = limit_net(&net, &scheme).expect("a net");
+        let of_net =
+            net_of_limits(&net, net_limits(&net, &scheme).expect("limits")).expect("a net");
         let refined = refine_net(&net, &scheme, 2).expect("a net");
-        let later: BTreeSet<_> = limit_net(&refined, &scheme)
-            .expect("a net")
-            .points()
-            .iter()
-            .map(|p| format!("{p:?}"))
-            .collect();
+        let later: BTreeSet<_> =
+            net_of_limits(&refined, net_limits(&refined, &scheme).expect("limits"))
+                .expect("a net")
+                .points()
+                .iter()
+                .map(|p| format!("{p:?}"))
+                .collect();
         assert!(
             of_net.points().iter().all(|point| later.contains(&format!("{point:?}"))),
             "{name}"

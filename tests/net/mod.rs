@@ -1,5 +1,6 @@
 //! Tensor nets: files, refinement and limits.
 
+mod lattice;
 mod laws;
 mod limit;
 mod naive;

@@ -30,6 +30,7 @@ from ._audit import Audit, Finding, audit, papers
 from ._errors import SubcertError
 from ._facts import Facts, Plot, plot, scheme
 from ._geometry import LimitPoint, MeshDepth, SurfaceDepth
+from ._lattice import Lattice, LatticeSmoothness
 from ._mesh import RefinedMesh, limit_points, mesh_depth, mesh_geometric_depth, refine_mesh
 from ._net import limit_net, net_depth, net_geometric_depth, refine_net
 from ._numbers import Algebraic, exact
@@ -74,6 +75,8 @@ __all__ = [
     "Interval",
     "Intervals",
     "JointRadius",
+    "Lattice",
+    "LatticeSmoothness",
     "LimitPoint",
     "LimitStencil",
     "MeshDepth",

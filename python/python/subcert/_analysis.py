@@ -391,13 +391,17 @@ def of_curve(native: Any) -> Smoothness:
     arity, sum_rules, reproduction, shift, independent, continuity, fails, exponent = (
         _native.smoothness(native)
     )
-    hoelder = None
-    if exponent is not None:
-        formula, low, high, attained = exponent
-        hoelder = Exponent(formula, coprime(*low), coprime(*high), attained)
+    hoelder = exponent_of(exponent)
     return Smoothness(
         arity, sum_rules, reproduction, pair(shift), independent, continuity, fails, hoelder
     )
+
+
+def exponent_of(found: Any) -> Optional[Exponent]:
+    if found is None:
+        return None
+    formula, low, high, attained = found
+    return Exponent(formula, coprime(*low), coprime(*high), attained)
 
 
 def of_vertex(text: str, valence: Optional[int]) -> VertexSmoothness:

@@ -6,6 +6,8 @@ _Fraction = Tuple[int, int]
 _Mask = Tuple[List[List[_Fraction]], int]
 _Distance = Tuple[_Fraction, _Fraction, Optional[_Fraction]]
 _Depth = Tuple[int, Optional[int], _Distance]
+_Exponent = Tuple[Optional[str], _Fraction, _Fraction, Optional[bool]]
+_Places = List[Tuple[List[int], _Fraction]]
 _Ends = Tuple[Optional["_Algebraic"], Optional["_Algebraic"]]
 
 class _Algebraic:
@@ -67,7 +69,27 @@ def smoothness(
     Optional[bool],
     Optional[int],
     Optional[int],
-    Optional[Tuple[Optional[str], _Fraction, _Fraction, Optional[bool]]],
+    Optional[_Exponent],
+]: ...
+def lattice_parts(
+    text: str,
+) -> Tuple[List[List[int]], _Places, List[List[int]], List[_Fraction]]: ...
+def lattice_constants(text: str, c: int) -> Tuple[_Fraction, _Fraction]: ...
+def lattice_displacement(text: str, natural: bool) -> Optional[_Fraction]: ...
+def lattice_depth(
+    text: str, tolerance: Any, spread: Any, natural: bool
+) -> Tuple[int, Optional[int]]: ...
+def lattice_values(text: str, level: int) -> _Places: ...
+def lattice_smoothness(
+    text: str,
+) -> Tuple[
+    int,
+    Optional[int],
+    Optional[bool],
+    Optional[int],
+    Optional[int],
+    Optional[_Exponent],
+    Optional[str],
 ]: ...
 def vertex_smoothness(scheme: str, valence: Optional[int] = None) -> Tuple[int, str, str]: ...
 def spectrum(

@@ -8,6 +8,7 @@ use super::solid;
 use crate::cli::arguments::{AnyBoundary, LimitArguments, OracleArguments, RefineArguments};
 use crate::cli::console::output::{Failure, Outcome, deliver};
 use std::path::Path;
+use subcert::scheme::find_definition;
 
 /// What is refined.
 pub(crate) enum Geometry {
@@ -40,7 +41,17 @@ impl Geometry {
             }
             return Ok(Geometry::Solid);
         }
-        Ok(if input.is_net() { Geometry::Net } else { Geometry::Mesh })
+        if input.is_net() {
+            return Ok(Geometry::Net);
+        }
+        if find_definition(input.scheme).is_ok_and(|found| found.is_lattice()) {
+            return Err(Failure::Input(format!(
+                "`{}` is a mask on Z^d, and refines nets in .csv or .json; schemes of polygon meshes are catmull-clark, \
+                 loop and others, which `subcert schemes` lists",
+                input.scheme.trim()
+            )));
+        }
+        Ok(Geometry::Mesh)
     }
 }
 

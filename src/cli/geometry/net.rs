@@ -1,4 +1,4 @@
-//! Tensor nets for `subcert refine`, `limit`, `oracle` and `depth`.
+//! Nets for `subcert refine`, `limit`, `oracle` and `depth`.
 
 use super::mesh::{deliver, in_form, input, note_what_is_lost, noted};
 use super::mesh_form::OF_NETS;
@@ -14,10 +14,7 @@ use subcert::exact::{Rational, RealCyclotomic};
 use subcert::mesh::{
     LimitPoint, NoNormal, PolygonMesh, to_json, to_obj, to_off, to_ply, to_stl, without_normals,
 };
-use subcert::net::{
-    Closed, Net, NetError, NetFormat, NetScheme, limit_net, net_limits, read_net, refine_net,
-    to_csv,
-};
+use subcert::net::{Closed, Net, NetError, NetFormat, NetRules, net_of_limits, read_net, to_csv};
 
 /// What is asked of a net.
 pub(crate) struct NetInput<'a> {
@@ -26,9 +23,9 @@ pub(crate) struct NetInput<'a> {
     pub(crate) closed: Option<ClosedArgument>,
 }
 
-/// A net with its scheme, and the name of its file.
+/// A net with what refines it, and the name of its file.
 pub(crate) struct NetFile {
-    pub(crate) scheme: NetScheme,
+    pub(crate) scheme: NetRules,
     pub(crate) name: String,
     pub(crate) net: Net,
     /// What is to be told of the file.
@@ -43,6 +40,13 @@ impl NetInput<'_> {
     }
 
     pub(crate) fn read(&self) -> Result<NetFile, Failure> {
+        let scheme = NetRules::parse(self.scheme).map_err(failure)?;
+        let (name, net, notes) = self.net()?;
+        Ok(NetFile { scheme, name, net, notes })
+    }
+
+    /// The name of the file, the net in it, and what is to be told of it.
+    fn net(&self) -> Result<(String, Net, Vec<String>), Failure> {
         let path = self.path;
         let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
         if ["obj", "off", "ply"].iter().any(|mesh| extension == *mesh) {
@@ -52,7 +56,6 @@ impl NetInput<'_> {
                 path.display()
             )));
         }
-        let scheme = NetScheme::parse(self.scheme).map_err(failure)?;
         let (name, text) = text_of(path)?;
         let format = NetFormat::of(path).unwrap_or_else(|| NetFormat::of_text(&text));
         let closed = self.closed.map(|closed| match closed {
@@ -64,7 +67,7 @@ impl NetInput<'_> {
         let source = SourceText::new(name.clone(), text);
         let net = read_net(&source, format, closed)?;
         let told = empty_line(&source, ["rows", "net"]).filter(|_| format == NetFormat::Csv);
-        Ok(NetFile { scheme, name, net, notes: told.into_iter().collect() })
+        Ok((name, net, told.into_iter().collect()))
     }
 
     /// The net in the file, with its notes on the standard error.
@@ -90,7 +93,7 @@ pub(crate) fn refine(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> O
     let format = OF_NETS.chosen(output)?;
     let file = asked.told()?;
     let _progress = Progress::of_mesh(format!("refining to level {level}"));
-    let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
+    let net = file.scheme.refined(&file.net, level).map_err(failure)?;
     let title = file.title(level, "refined");
     let text = match format {
         MeshOutputFormat::Json => file.json(&net, level, None)?,
@@ -103,11 +106,15 @@ pub(crate) fn limit(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> Ou
     let format = OF_NETS.chosen(output)?;
     let file = asked.told()?;
     let _progress = Progress::of_mesh(format!("refining to level {level}"));
-    let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
+    let net = file.scheme.refined(&file.net, level).map_err(failure)?;
     let title = file.title(level, "limit points of its points");
     let text = match format {
         MeshOutputFormat::Json => file.json(&net, level, Some(&file.limits(&net)?))?,
-        format => text(&limit_net(&net, &file.scheme).map_err(failure)?, format, &title)?,
+        format => {
+            let limits =
+                net_of_limits(&net, file.scheme.limits(&net).map_err(failure)?).map_err(failure)?;
+            text(&limits, format, &title)?
+        }
     };
     deliver(output, &text)
 }
@@ -120,7 +127,7 @@ pub(crate) fn reference_values(
 ) -> Result<String, Failure> {
     let file = asked.told()?;
     let _progress = Progress::of_mesh(format!("refining to level {level}"));
-    let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
+    let net = file.scheme.refined(&file.net, level).map_err(failure)?;
     let limits = file.limits(&net)?;
     if format == OracleFormat::Json {
         return file.json(&net, level, Some(&limits));
@@ -164,7 +171,7 @@ impl NetFile {
     }
 
     fn limits(&self, net: &Net) -> Result<Vec<Option<LimitPoint>>, Failure> {
-        let limits = net_limits(net, &self.scheme).map_err(failure)?.into_iter();
+        let limits = self.scheme.limits(net).map_err(failure)?.into_iter();
         Ok(limits.map(|point| point.map(limit_at)).collect())
     }
 

@@ -49,12 +49,11 @@ pub fn net_limits(net: &Net, scheme: &NetScheme) -> Result<Vec<Option<Point<Rati
         .collect())
 }
 
-/// The net of the limit points that exist.
+/// The net of the limit points that exist, of those of a net, row by row.
 ///
 /// # Errors
-/// As of [`net_limits`], and when there are too few of them for a net.
-pub fn limit_net(net: &Net, scheme: &NetScheme) -> Result<Net, NetError> {
-    let limits = net_limits(net, scheme)?;
+/// When there are too few of them for a net.
+pub fn net_of_limits(net: &Net, limits: Vec<Option<Point<Rational>>>) -> Result<Net, NetError> {
     // Those that exist are a rectangle.
     let columns = limits.chunks(net.columns()).map(|row| row.iter().flatten().count()).max();
     let points: Vec<_> = limits.into_iter().flatten().collect();

@@ -11,6 +11,7 @@
 //! | [`a_priori`] | what its longest edge and its valences guarantee |
 //! | [`formula_level`] | what a paper's formula promises |
 //! | [`NetDistances`], [`net_a_priori`], [`net_formula_level`] | the same of one tensor net (98 and 99) |
+//! | [`LatticeNetDistances`] | the same of one net with a mask on Z² (153) |
 //! | [`Distances`] | what both have in common |
 //! | [`CurveSets`] | the depth of one control polygon, as sets of points |
 //! | [`MeshDistances::of_solid`], [`solid_a_priori`], [`solid_formula_level`] | the same of a hexahedral solid |
@@ -22,6 +23,7 @@ mod curve;
 mod distance;
 mod geometric;
 mod hexes;
+mod lattice;
 mod mesh;
 mod net;
 mod number;
@@ -38,6 +40,7 @@ pub use geometric::{
     relative_tolerance,
 };
 pub use hexes::{SOLID_FORMULA_PAPER, solid_a_priori, solid_formula_level};
+pub use lattice::LatticeNetDistances;
 pub use mesh::apriori::{APriori, a_priori};
 pub use mesh::distances::MeshDistances;
 pub use mesh::formula::{FORMULA_PAPER, formula_level};

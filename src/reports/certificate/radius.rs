@@ -138,12 +138,12 @@ pub(super) fn write_radius<F: Entry>(
     }
     let eigenvalue = radius.eigenvalue(set);
     if let Some(eigenvalue) = &eigenvalue {
-        let factors: Vec<String> = radius.product.iter().map(ToString::to_string).collect();
+        let factors: Vec<String> = eigenvalue.product.iter().map(ToString::to_string).collect();
         line(text, "product", &factors.join(" "));
         let kind = match eigenvalue.kind {
             LeadingEigenvalue::Positive => "positive",
             LeadingEigenvalue::Negative => "negative",
-            LeadingEigenvalue::Conjugate => "conjugate",
+            LeadingEigenvalue::Modulus => "modulus",
         };
         line(text, "eigenvalue", &format!("{kind} {}", eigenvalue.at_least));
     }

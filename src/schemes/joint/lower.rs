@@ -5,7 +5,7 @@ use super::entry::Entry;
 use super::extremal::{Extremal, Rate};
 use super::hull::Hull;
 use super::matrix_set::MatrixSet;
-use super::product::{Root, largest_real, shown, square_of_radius};
+use super::product::{LeadingEigenvalue, Root, largest_real, shown, square_of_radius};
 use super::proposal::hull;
 use super::roots::{algebraic_root, rational_root};
 use crate::exact::{Rational, RealAlgebraic, stretched};
@@ -33,6 +33,9 @@ const FEW_WORDS: usize = 8;
 
 /// How often a row is multiplied by a product until it is taken for an eigenvector.
 const ROUNDS: usize = 200;
+
+/// How often rows are turned by a product.
+const TURNS: usize = 12;
 
 /// How far below the rate a rational bound is that takes the place of a root beyond the caps, and its grid.
 const NEAR: f64 = 1e-9;
@@ -78,20 +81,23 @@ impl<F: Entry> Lower<F> {
         });
         // The polynomial of the products of two eigenvalues has a degree of half the square of the size.
         let conjugate = || (set.size() <= MAX_CONJUGATE).then(|| bound(words.first()?, false))?;
+        // In f64 some eigenvalue of the shortest word has the rate.
+        let near = || Lower::near(set, words.first()?, found.rate);
         real.or_else(conjugate)
+            .or_else(near)
             .or_else(|| words.iter().find_map(|word| bound(word, true)))
             .or_else(|| words.iter().find_map(|word| Lower::near(set, word, found.rate)))
     }
 
-    /// A rational number a little below the rate, if a sign shows it: where no root is found within the caps.
+    /// A rational number a little below the rate, if that is shown: where no root is found within the caps.
     fn near(set: &MatrixSet<F>, word: &[usize], rate: f64) -> Option<Lower<F>> {
         let length = i32::try_from(word.len()).ok()?;
         let value = on_grid(rate.powi(length) * (1.0 - NEAR), NEAR_BITS)?;
         let root = RealAlgebraic::from(value);
-        shown(set, word, &root, false)?;
+        let real = shown(set, word, &root, false)?.kind != LeadingEigenvalue::Modulus;
         let (product, degree) = (word.to_vec(), word.len());
         let rate = nearest(&root).powf(1.0 / float(degree));
-        Some(Lower { product, root, polynomial: Vec::new(), degree, rate, real: true })
+        Some(Lower { product, root, polynomial: Vec::new(), degree, rate, real })
     }
 
     /// Whether an extremal hull of up to so many rows is found, and that hull where it is rational.
@@ -200,9 +206,10 @@ impl<F: Entry> Lower<F> {
         best
     }
 
-    /// The left eigenvectors of the rotations of the leading product, where its leading eigenvalue is real.
+    /// The left eigenvectors of the rotations of the leading product, or rows that turn in a plane with it, where its leading eigenvalue is not real.
     pub(super) fn seeds(&self, set: &MatrixSet<F>) -> Vec<Vec<f64>> {
-        if self.real { self.eigenvectors(set, &self.product) } else { Vec::new() }
+        let turns = if self.real { 1 } else { TURNS };
+        self.eigenvectors(set, &self.product.repeat(turns))
     }
 
     /// The left eigenvectors of the rotations of a product.

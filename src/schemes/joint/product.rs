@@ -64,21 +64,23 @@ pub enum LeadingEigenvalue {
     Positive,
     /// A negative one.
     Negative,
-    /// The product of two conjugate ones.
-    Conjugate,
+    /// One of any argument.
+    Modulus,
 }
 
-/// A rational number q > 0 that a real eigenvalue of a product, of minus the product, or of the product on
-/// symmetric tensors reaches, as the sign of the characteristic polynomial at q shows.
+/// A rational number q > 0 that a real eigenvalue of a product P, or of −P, or the modulus of an eigenvalue reaches: as the sign of the characteristic
+/// polynomial at q shows, or as not all zeros of this polynomial have a modulus below q.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Eigenvalue {
     /// Which of the three.
     pub kind: LeadingEigenvalue,
-    /// q: ϱ^l ≥ q for l factors, or ϱ^{2l} ≥ q.
+    /// The factors of P, in the order of multiplication.
+    pub product: Vec<usize>,
+    /// q: ϱ^l ≥ q for l factors.
     pub at_least: Rational,
 }
 
-/// The eigenvalue of a product that is next to `root`, by a sign; `None` where no sign shows it.
+/// The eigenvalue of a product, or of its square where `root` is that of two conjugate ones, that is next to `root`; `None` where nothing shows it.
 pub(super) fn shown<F: Entry>(
     set: &MatrixSet<F>,
     word: &[usize],
@@ -89,19 +91,44 @@ pub(super) fn shown<F: Entry>(
     if at_least.sign() <= 0 {
         return None;
     }
-    let product = set.product(word);
-    let at = |p: &[F], x: &Rational| value_at(p, &F::from_rational(x)).signum();
-    if conjugate {
-        let shows = at(&symmetric_square_coefficients(&product), &at_least) <= 0;
-        return shows.then_some(Eigenvalue { kind: LeadingEigenvalue::Conjugate, at_least });
+    let product = if conjugate { word.repeat(2) } else { word.to_vec() };
+    let polynomial = characteristic_coefficients(&set.product(&product));
+    let at = |x: &Rational| value_at(&polynomial, &F::from_rational(x)).signum();
+    let shows = |kind: &LeadingEigenvalue| match kind {
+        LeadingEigenvalue::Positive => at(&at_least) <= 0,
+        LeadingEigenvalue::Negative if polynomial.len() % 2 == 1 => at(&-&at_least) <= 0,
+        LeadingEigenvalue::Negative => at(&-&at_least) >= 0,
+        LeadingEigenvalue::Modulus => reaches(&polynomial, &at_least),
+    };
+    let kinds =
+        [LeadingEigenvalue::Positive, LeadingEigenvalue::Negative, LeadingEigenvalue::Modulus];
+    let kind = kinds.into_iter().find(shows)?;
+    Some(Eigenvalue { kind, product, at_least })
+}
+
+/// Whether a zero of a monic polynomial f has a modulus of at least q > 0. By Schur and Cohn all zeros of g(x) = f(qx)/q^n are inside the unit circle if
+/// g(0)² < 1, and all of (g(x) − g(0)x^n g(1/x))/x are.
+fn reaches<F: Entry>(polynomial: &[F], q: &Rational) -> bool {
+    let one = F::from_rational(&Rational::one());
+    let inverse = F::from_rational(&q.recip());
+    let mut power = one.clone();
+    let mut scaled: Vec<F> = Vec::with_capacity(polynomial.len());
+    for c in polynomial.iter().rev() {
+        scaled.push(c.times(&power));
+        power = power.times(&inverse);
     }
-    let polynomial = characteristic_coefficients(&product);
-    if at(&polynomial, &at_least) <= 0 {
-        return Some(Eigenvalue { kind: LeadingEigenvalue::Positive, at_least });
+    scaled.reverse();
+    while scaled.len() > 1 {
+        let first = scaled[0].clone();
+        let rest = one.minus(&first.times(&first));
+        if rest.signum() <= 0 {
+            return true;
+        }
+        let reversed = scaled.iter().rev();
+        let next = scaled.iter().zip(reversed).skip(1);
+        scaled = next.map(|(c, other)| c.minus(&first.times(other)).over(&rest)).collect();
     }
-    let mirrored = at(&polynomial, &-&at_least);
-    let shows = if product.len().is_multiple_of(2) { mirrored <= 0 } else { mirrored >= 0 };
-    shows.then_some(Eigenvalue { kind: LeadingEigenvalue::Negative, at_least })
+    false
 }
 
 /// A product with a Jordan block of size 2 or more.

@@ -8,13 +8,30 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// What a net is between its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Between {
+pub enum Between {
     /// Linear on triangles, whose third sides have the direction (1, 1).
     Triangles,
     /// Linear on triangles, whose third sides have the direction (1, −1).
     OtherTriangles,
     /// Linear in each coordinate, on boxes.
     Boxes,
+}
+
+impl Between {
+    /// What nets of a mask are: linear on triangles, if (1, 1) or (1, −1) is an edge or M is not diagonal, and otherwise linear in each coordinate. `None`
+    /// in three dimensions with an M that is not diagonal.
+    #[must_use]
+    pub fn of(mask: &LatticeMask) -> Option<Between> {
+        let edges = Edges::new(mask.edges(), mask.dimension());
+        let has = |edge: Point| edges.all().contains(&edge);
+        match mask.dimension() {
+            2 if has([1, 1, 0]) => Some(Between::Triangles),
+            2 if has([1, -1, 0]) => Some(Between::OtherTriangles),
+            _ if mask.dilation().diagonal().is_some() => Some(Between::Boxes),
+            2 => Some(Between::Triangles),
+            _ => None,
+        }
+    }
 }
 
 /// The greatest |P^1(x) − P^0(x)| of data that differ by at most 1 along edges, where P^k is between the points of level k, which stand at
@@ -52,15 +69,7 @@ pub(super) fn displacements(
     mask: &LatticeMask,
     shift: &[Rational],
 ) -> Option<(Between, Vec<Functional<Rational>>)> {
-    let edges = Edges::new(mask.edges(), mask.dimension());
-    let has = |edge: Point| edges.all().contains(&edge);
-    let between = match mask.dimension() {
-        2 if has([1, 1, 0]) => Between::Triangles,
-        2 if has([1, -1, 0]) => Between::OtherTriangles,
-        _ if mask.dilation().diagonal().is_some() => Between::Boxes,
-        2 => Between::Triangles,
-        _ => return None,
-    };
+    let between = Between::of(mask)?;
     let corners = match between {
         Between::Boxes => of_boxes(mask, shift),
         _ => of_triangles(mask, shift, between),
@@ -93,8 +102,9 @@ fn image(mask: &LatticeMask, x: &[Rational]) -> Vec<Rational> {
     mask.dilation().rows().map(row).collect()
 }
 
-/// The weights of the points around t in the value of a net at t.
-pub(super) fn weights(t: &[Rational], between: Between) -> Vec<(Point, Rational)> {
+/// The weights of the points around t in the value of a net at t; those that are 0 are left out.
+#[must_use]
+pub fn weights(t: &[Rational], between: Between) -> Vec<(Point, Rational)> {
     let mut base = [0; 3];
     let mut parts = Vec::new();
     for (at, x) in base.iter_mut().zip(t) {

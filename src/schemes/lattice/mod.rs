@@ -36,7 +36,7 @@ mod values;
 mod window;
 
 pub use constants::{Contraction, LatticeConstants, MAX_FUNCTIONALS};
-pub use displacement::displacement;
+pub use displacement::{Between, displacement, weights};
 pub use distance::LatticeDistance;
 pub use limit::limit_values;
 pub use norm::{Edges, Norm, NormError, proves};

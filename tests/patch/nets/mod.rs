@@ -2,6 +2,7 @@
 
 mod attack;
 mod exactness;
+mod lattice;
 mod laws;
 mod sets;
 mod tensor;

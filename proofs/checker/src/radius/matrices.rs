@@ -104,20 +104,3 @@ fn steps_of_minor(bits: u64) -> u64 {
     let blocks = bits / 2_048;
     1 + blocks + blocks * blocks
 }
-
-/// The matrix on symmetric tensors: its eigenvalues are the products λ_i λ_j, i ≤ j.
-///
-/// x_a x_b becomes Σ m_{a,p} m_{b,q} x_p x_q.
-pub fn symmetric_square(matrix: &Matrix, meter: &Meter) -> Result<Matrix, Stop> {
-    let size = matrix.len();
-    let half = Element::fraction(&Q::new(1.into(), 2.into()));
-    let pairs: Vec<(usize, usize)> =
-        (0..size).flat_map(|a| (a..size).map(move |b| (a, b))).collect();
-    let entry = |(a, b): (usize, usize), (p, q): (usize, usize)| {
-        let mut both = matrix[a][p].metered_times(&matrix[b][q], meter)?;
-        both.add_product(&matrix[a][q], &matrix[b][p], meter)?;
-        if p == q { both.metered_times(&half, meter) } else { Ok(both) }
-    };
-    let row = |&row| pairs.iter().map(|&column| entry(row, column)).collect();
-    pairs.iter().map(row).collect()
-}

@@ -7,6 +7,7 @@ mod field;
 mod given;
 mod independence;
 mod matrices;
+mod moduli;
 mod read;
 mod smoothness;
 
@@ -19,9 +20,10 @@ use element::Element;
 use field::Field;
 use given::symbol;
 use independence::is_independent;
-use matrices::{Matrix, multiplied, sign_of_determinant, symmetric_square, times, zeros};
+use matrices::{Matrix, multiplied, sign_of_determinant, times, zeros};
+use moduli::has_modulus;
 use num_traits::Signed as _;
-use read::{Certificate, Lower};
+use read::{Certificate, Leading, Lower};
 use std::fmt;
 use std::ops::Range;
 use std::rc::Rc;
@@ -115,7 +117,7 @@ fn bounded(certificate: &Certificate, matrices: Vec<Matrix>, meter: &Meter) -> C
         check_lower(&matrices, &blocks, lower, meter).at(lower.line)?;
     }
     check_hull(&matrices, certificate, meter)?;
-    let at_least = lower.as_ref().map(|lower| (lower.bound.clone(), lower.degree()));
+    let at_least = lower.as_ref().map(|lower| (lower.bound.clone(), lower.product.len()));
     let (continuous, not_continuous) = smoothness::check(certificate, meter)?;
     let decided = field.as_ref().is_none_or(|field| !field.gave_up());
     let halvings = Stop::Capped("the halvings of an interval");
@@ -124,7 +126,7 @@ fn bounded(certificate: &Certificate, matrices: Vec<Matrix>, meter: &Meter) -> C
     Ok(Radius { at_least, at_most: certificate.bound.clone(), order, continuous, not_continuous })
 }
 
-/// A real eigenvalue of at least q shows itself by the sign of the characteristic polynomial of a block at q.
+/// A real eigenvalue of at least q shows itself by the sign of the characteristic polynomial of a block at q, and others by where its zeros are.
 fn check_lower(
     matrices: &[Matrix],
     blocks: &[Range<usize>],
@@ -145,17 +147,15 @@ fn check_lower(
 }
 
 fn reaches(product: Matrix, lower: &Lower, meter: &Meter) -> Checked<bool> {
-    let size = product.len();
-    let mut shifted = product;
-    if lower.conjugate {
-        let pairs = (size * (size + 1) / 2) as u64;
-        meter.spend(8 * pairs * pairs)?;
-        shifted = symmetric_square(&shifted, meter)?;
+    if lower.kind == Leading::Modulus {
+        return Ok(has_modulus(&product, &lower.bound, meter)?);
     }
+    let mut shifted = product;
     let (one, bound) = (Element::whole(1), Element::fraction(&lower.bound));
     for (i, row) in shifted.iter_mut().enumerate() {
         for (j, x) in row.iter_mut().enumerate() {
-            *x = if lower.negative { x.clone() } else { Element::whole(0).minus(x) };
+            let negative = lower.kind == Leading::Negative;
+            *x = if negative { x.clone() } else { Element::whole(0).minus(x) };
             if i == j {
                 x.add_product(&bound, &one, meter)?;
             }

@@ -42,20 +42,21 @@ pub fn is_bound(word: &str) -> bool {
     place("basis") <= place(word) && place(word) < place("continuous")
 }
 
-/// An eigenvalue of a product.
+/// Which eigenvalue of a product reaches a bound.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Leading {
+    Positive,
+    Negative,
+    /// One of any argument, with its modulus.
+    Modulus,
+}
+
+/// An eigenvalue of a product. The radius to the number of factors is at least the bound.
 pub struct Lower {
     pub line: usize,
     pub product: Vec<usize>,
     pub bound: Q,
-    pub negative: bool,
-    pub conjugate: bool,
-}
-
-impl Lower {
-    /// The radius to this power is at least the bound.
-    pub fn degree(&self) -> usize {
-        self.product.len() * if self.conjugate { 2 } else { 1 }
-    }
+    pub kind: Leading,
 }
 
 /// A number and the line where it stands.
@@ -232,18 +233,18 @@ impl Certificate {
                 let product =
                     rest.split_whitespace().map(count).collect::<Checked<Vec<usize>>>()?;
                 require(!product.is_empty(), RadiusReason::Malformed("one factor at least"))?;
-                let (bound, negative, conjugate) = (Q::zero(), false, false);
-                self.lower = Some(Lower { line, product, bound, negative, conjugate });
+                let (bound, kind) = (Q::zero(), Leading::Positive);
+                self.lower = Some(Lower { line, product, bound, kind });
             }
             "eigenvalue" => {
                 let lower = self.lower.as_mut().ok_or(RadiusReason::Malformed("a product"))?;
                 let (kind, bound) = rest.split_once(' ').unwrap_or((rest, ""));
-                (lower.negative, lower.conjugate) = match kind {
-                    "positive" => (false, false),
-                    "negative" => (true, false),
-                    "conjugate" => (false, true),
+                lower.kind = match kind {
+                    "positive" => Leading::Positive,
+                    "negative" => Leading::Negative,
+                    "modulus" => Leading::Modulus,
                     _ => {
-                        let kinds = RadiusReason::Malformed("positive, negative or conjugate");
+                        let kinds = RadiusReason::Malformed("positive, negative or modulus");
                         return Err(kinds.into());
                     }
                 };

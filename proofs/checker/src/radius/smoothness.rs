@@ -28,7 +28,8 @@ pub fn check(certificate: &Certificate, meter: &Meter) -> Checked<(Option<usize>
         let independent = || is_independent(&certificate.symbol(), n, meter);
         let is_independent = m == 0 || independent().map_err(Into::into).at(line)?;
         require(is_independent, RadiusReason::Dependent).at(line)?;
-        let reaches = |lower: &Lower| m <= order && lower.bound >= limit(m).pow(lower.degree());
+        let reaches =
+            |lower: &Lower| m <= order && lower.bound >= limit(m).pow(lower.product.len());
         let reached = certificate.lower.as_ref().is_some_and(reaches);
         require(reached, RadiusReason::NotAbove).at(line)?;
     }

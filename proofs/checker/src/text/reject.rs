@@ -182,7 +182,7 @@ reasons! {
     Inverse "the second matrix is not the inverse of the basis"
     Triangular "in this basis an entry to the right of a block is not 0"
     NoSuch "there is no such matrix or row"
-    NoEigenvalue(bound: Text) "the characteristic polynomial is positive at {bound}"
+    NoEigenvalue(bound: Text) "no such eigenvalue of this product is shown to reach {bound}"
     Outside(cost: Text, bound: Text) "the coefficients and the remainder sum to {cost}, which is more than {bound}"
     ImagesMissing "images of rows are missing"
     TooMany "there are more images than rows and matrices"

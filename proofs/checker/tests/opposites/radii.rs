@@ -13,7 +13,7 @@ const MARGIN: f64 = 1e-6;
 /// Valid certificates, some of irrational matrices, and such of random masks and matrices that may be wrong.
 pub fn seeds(random: &mut Random) -> Vec<Vec<String>> {
     let committed = [
-        include_str!("../radius/accepted/conjugate.cert"),
+        include_str!("../radius/accepted/modulus.cert"),
         include_str!("../radius/accepted/dependent.cert"),
         include_str!("../radius/accepted/divergent.cert"),
         include_str!("../radius/accepted/field-boundary.cert"),

@@ -9,6 +9,8 @@ pub(super) enum Kind {
     Mesh { tagged: bool },
     /// A tensor net, with so many faces along a row.
     Net { faces_in_row: usize },
+    /// A net with a mask on Z², linear on triangles or not.
+    LatticeNet { faces_in_row: usize, triangles: bool },
     /// The boundary of a hexahedral solid.
     Boundary,
     /// A hexahedral solid, the pieces of which are cells.
@@ -20,7 +22,7 @@ impl Kind {
         match self {
             Kind::Mesh { .. } | Kind::Solid => "mesh",
             Kind::Boundary => "boundary",
-            Kind::Net { .. } => "net",
+            Kind::Net { .. } | Kind::LatticeNet { .. } => "net",
         }
     }
 
@@ -32,7 +34,9 @@ impl Kind {
     pub(super) fn cell(self, face: usize) -> Option<[usize; 2]> {
         match self {
             Kind::Mesh { .. } | Kind::Boundary | Kind::Solid => None,
-            Kind::Net { faces_in_row } => Some([face / faces_in_row, face % faces_in_row]),
+            Kind::Net { faces_in_row } | Kind::LatticeNet { faces_in_row, .. } => {
+                Some([face / faces_in_row, face % faces_in_row])
+            }
         }
     }
 
@@ -42,7 +46,7 @@ impl Kind {
             Kind::Mesh { tagged: false } => "meshes with these valences and",
             Kind::Mesh { tagged: true } => "meshes with these valences and tags, and",
             Kind::Boundary => "boundaries with these valences and",
-            Kind::Net { .. } => "nets with",
+            Kind::Net { .. } | Kind::LatticeNet { .. } => "nets with",
             Kind::Solid => "meshes whose cells meet so, with",
         }
     }
@@ -54,7 +58,11 @@ impl Kind {
                 "The distance is that of each face of the level from its own piece of the limit \
                  surface, point by point at the same parameters. Faces and vertices are numbered from 0."
             }
-            Kind::Net { .. } => {
+            Kind::LatticeNet { triangles: true, .. } => {
+                "The distance is that of the net of the level, linear on triangles, from the limit surface, point \
+                 by point at the same natural parameters. Cells, faces and vertices are numbered from 0, row by row."
+            }
+            Kind::Net { .. } | Kind::LatticeNet { .. } => {
                 "The distance is that of the net of the level, bilinear on each face, from the limit \
                  surface, point by point at the same natural parameters. Cells, faces and vertices are \
                  numbered from 0, row by row."

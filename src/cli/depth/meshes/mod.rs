@@ -4,6 +4,7 @@ mod as_sets;
 mod face_depths;
 mod faces;
 mod kind;
+mod lattice;
 mod mesh;
 mod net;
 mod parametric;

@@ -1,9 +1,10 @@
-//! The depth of one tensor net.
+//! The depth of one net.
 
 use super::as_sets::{SetDepth, measure};
 use super::face_depths::{Faces, Growth, Search, asks_for_faces};
 use super::faces::{FacesFormat, plain_rows};
 use super::kind::Kind;
+use super::lattice::lattice_net_depth;
 use super::parametric::{ParametricDepth, search};
 use super::pictures::{Drawn, Pieces};
 use super::promise::Formula;
@@ -15,6 +16,7 @@ use crate::cli::console::destination::Destination;
 use crate::cli::console::output::{Failure, Outcome, positive};
 use crate::cli::depth::certified;
 use crate::cli::geometry::net::{NetFile, NetInput, failure};
+use subcert::net::NetRules;
 use subcert::patch::{
     APriori, FaceSurface, NET_FORMULA_PAPER, NetDistances, net_a_priori, net_formula_level,
 };
@@ -31,6 +33,13 @@ pub(in crate::cli::depth) fn net_depth(
         return Err(Failure::Input(message.to_owned()));
     }
     let NetFile { scheme, name, net, mut notes } = asked.read()?;
+    let scheme = match scheme {
+        NetRules::Product(scheme) => scheme,
+        NetRules::Lattice(typed, mask) => {
+            let subject = (typed, name, notes);
+            return lattice_net_depth(&mask, &net, subject, (given, arguments), to);
+        }
+    };
     let (geometric, tolerance) = measure(net.points(), arguments, &given, "net", &mut notes)?;
     let guaranteed = net_a_priori(&net, &scheme, &tolerance).map_err(failure)?;
     let promised = net_formula_level(&net, &scheme, &tolerance)

@@ -41,7 +41,7 @@ pub(crate) struct ParametricDepth<'a> {
     too_few: Option<u32>,
     /// The distance at `level`; null where a search that was stopped did not come to that level.
     distance: Option<Bounds>,
-    /// The one-sided Hausdorff distance at `level`, of the limit from the mesh; null of a solid.
+    /// The one-sided Hausdorff distance at `level`, of the limit from the mesh; null of a solid, and of a net with a mask on Z².
     hausdorff: Option<AtLeast>,
     /// Where `distance` is greatest.
     worst_face: Option<Place>,
@@ -179,7 +179,7 @@ impl ParametricDepth<'_> {
                 Bounds { lower, upper }
             }),
             hausdorff: measured
-                .filter(|_| kind != Kind::Solid)
+                .filter(|_| !matches!(kind, Kind::Solid | Kind::LatticeNet { .. }))
                 .map(|found| AtLeast { lower: Float(found.apart) }),
             worst_face: measured.and_then(|found| found.worst.as_ref()).map(place),
             too_far: found.and_then(|found| found.beyond.as_ref()).map(place),
@@ -243,6 +243,9 @@ impl Answer for ParametricDepth<'_> {
                 few.map(|(level, place)| (format!("too far at level {level}"), place.words(*kind))),
             );
             let pieces = match self.exact_pieces {
+                Some(count) if matches!(kind, Kind::LatticeNet { .. }) => {
+                    format!("for all {count} squares that were looked at")
+                }
                 None | Some(0) => {
                     "nowhere; all was decided in f64 with bounds of its errors".to_owned()
                 }

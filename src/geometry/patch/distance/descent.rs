@@ -7,34 +7,34 @@ pub(super) const STEPS: u64 = 80_000_000;
 const EXACT_STEPS: u64 = 20_000;
 
 /// How many pieces may still be looked at, in f64 and exactly.
-pub(super) struct Budget {
+pub(crate) struct Budget {
     pub(super) rounded: u64,
     pub(crate) exact: u64,
 }
 
 /// What was found at a level.
 #[derive(Default)]
-pub(super) struct LevelResult {
+pub(crate) struct LevelResult {
     /// A place that is beyond the tolerance.
-    pub(super) beyond: Option<FarPlace>,
+    pub(crate) beyond: Option<FarPlace>,
     /// Whether some piece was not decided.
-    pub(super) open: bool,
+    pub(crate) open: bool,
     /// How many pieces were looked at exactly.
-    pub(super) exact_pieces: usize,
+    pub(crate) exact_pieces: usize,
 }
 
 /// What was found at all levels.
-pub(super) struct Descent {
+pub(crate) struct Descent {
     /// The least level that is sufficient with all later ones, as far as they were decided.
     pub(crate) level: u32,
     /// The greatest level that is not sufficient, and a place that shows it.
-    pub(super) beyond: Option<(u32, FarPlace)>,
+    pub(crate) beyond: Option<(u32, FarPlace)>,
     pub(super) exact_pieces: usize,
 }
 
 /// Examines the levels below one that is sufficient with all later ones, the highest first, until
 /// one is not sufficient.
-pub(super) fn descend(
+pub(crate) fn descend(
     sure: u32,
     mut examine: impl FnMut(u32, &mut Budget) -> LevelResult,
 ) -> Descent {
