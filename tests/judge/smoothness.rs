@@ -139,7 +139,8 @@ fn a_refuted_range_shows_a_value() {
     assert!(witness.inside && witness.at < Rational::new(1, 5));
     assert!(witness.at > Rational::new(1_927, 10_000), "{}", witness.at);
     assert!(witness.at.denominator() <= 1_000.into(), "{}", witness.at);
-    assert_eq!(witness.limits.smoothness.continuity_fails, Some(1));
+    let proven = witness.limits.proven().expect("a mask");
+    assert_eq!(proven.continuity_fails, Some(1));
 }
 
 /// n, as a number of digits after the point.

@@ -3,7 +3,7 @@
 use crate::claim::{LocatedReference, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::{Library, values};
-use crate::evaluation::parametric::polynomial;
+use crate::evaluation::parametric::{one_piece, polynomial};
 use crate::evaluation::reference::{Unresolved, located, scheme_error};
 use crate::exact::{
     BivariatePolynomial, Parametric, Polynomial, Rational, RationalPolynomial, RealCyclotomic,
@@ -55,6 +55,22 @@ impl LimitScheme<'_> {
                 "the limits of masks on Z^d are decided where all coefficients are rational",
             )
         })
+    }
+
+    /// The mask on Z^d that the scheme is, if it is one, with polynomials in the variable as coefficients.
+    pub(crate) fn lattice_in(
+        &self,
+        variable: &str,
+        instances: &[Instance<Parametric>],
+    ) -> Result<Option<LatticeMask<RationalPolynomial>>, Diagnostic> {
+        let mask = self.library.lattice(instances);
+        let mask = mask.map_err(|error| self.not_open(&Unresolved::Scheme(error), variable))?;
+        let Some(mask) = mask else { return Ok(None) };
+        let coefficients = mask.coefficients().values();
+        let polynomials = coefficients.map(one_piece).collect::<Option<Vec<RationalPolynomial>>>();
+        let mut polynomials = polynomials.ok_or_else(|| self.not_polynomial(variable))?.into_iter();
+        let zero = || RationalPolynomial::constant(Rational::zero());
+        Ok(Some(mask.map(|_| polynomials.next().unwrap_or_else(zero))))
     }
 
     /// The ring at this valence; without one, as its parameters stand. The variable of a range, if there is one, has this value.
@@ -134,16 +150,21 @@ impl LimitScheme<'_> {
         self.check_one(scope)?;
         let masks = self.library.instances(&self.located.reference, scope);
         let masks = masks.and_then(|instances| self.library.masks(&instances));
-        let masks = masks.map_err(|error| match error {
+        let masks = masks.map_err(|error| self.not_open(&error, variable))?;
+        Ok(masks.first().clone())
+    }
+
+    /// The error of a mask whose coefficients depend on open variables.
+    fn not_open(&self, error: &Unresolved, variable: &str) -> Diagnostic {
+        match error {
             // The rules of a scheme of the catalogue sum to 1, unless they are no polynomials.
             Unresolved::Scheme(SchemeError::File(inner))
                 if inner.source != self.located.source && inner.cap.is_none() =>
             {
                 self.not_polynomial(variable)
             }
-            other => self.unresolved(&other),
-        })?;
-        Ok(masks.first().clone())
+            other => self.unresolved(other),
+        }
     }
 
     fn not_polynomial(&self, variable: &str) -> Diagnostic {

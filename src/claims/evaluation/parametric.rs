@@ -279,13 +279,17 @@ impl Constants<'_> {
 
 /// Rules whose coefficients are polynomials.
 pub(crate) fn polynomial(rules: &Rules<Parametric>) -> Option<Rules<RationalPolynomial>> {
-    let polynomial = |entry: &Parametric| match entry.function()?.pieces() {
+    let all = rules.rows().iter().flatten().all(|entry| one_piece(entry).is_some());
+    let zero = || RationalPolynomial::constant(Rational::zero());
+    all.then(|| rules.map(|entry| one_piece(entry).unwrap_or_else(zero)))
+}
+
+/// The polynomial that a function is, if it is one.
+pub(crate) fn one_piece(entry: &Parametric) -> Option<RationalPolynomial> {
+    match entry.function()?.pieces() {
         [only] => Some(only.clone()),
         _ => None,
-    };
-    let all = rules.rows().iter().flatten().all(|entry| polynomial(entry).is_some());
-    let zero = || RationalPolynomial::constant(Rational::zero());
-    all.then(|| rules.map(|entry| polynomial(entry).unwrap_or_else(zero)))
+    }
 }
 
 fn undefined(error: &RangeError) -> CallError {

@@ -47,7 +47,7 @@ pub(crate) use recovered::values;
 pub use recovered::{Fitting, Recovered, RecoveredFrom};
 pub use smoothness::{
     Contraction, KnownLimits, LatticeLimits, Proven, RangeAtValence, RangeOfLimits, RegionOfLimits,
-    SmoothnessFinding, SmoothnessVerdict, VertexWitness, Vertices, Witness,
+    SmoothSets, SmoothnessFinding, SmoothnessVerdict, VertexWitness, Vertices, Witness,
 };
 pub use table::TableFinding;
 pub use theorem::{

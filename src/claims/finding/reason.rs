@@ -5,6 +5,7 @@ use crate::cap::Cap;
 use crate::characteristic::VertexRangeError;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::FormulaErrorKind;
+use crate::lattice::LatticeRangeError;
 use crate::limit::{LimitError, LocalLimitError, SurfaceError};
 use crate::smoothness::{SmoothRangeError, SmoothnessError};
 use crate::spectrum::SpectrumError;
@@ -62,6 +63,8 @@ reasons! {
         Smoothness(SmoothnessError),
         /// The values for which limits are smooth are not computed.
         SmoothRange(SmoothRangeError),
+        /// The same of masks on Z^d.
+        LatticeRange(LatticeRangeError),
         /// There is no spectrum at a vertex or on a face.
         Spectrum(SpectrumError),
         /// The values for which surfaces are smooth there are not computed.

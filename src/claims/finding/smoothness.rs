@@ -8,7 +8,7 @@ use crate::evaluation::Limits;
 use crate::exact::{IntervalSet, Rational};
 use crate::finding::cell::Direction;
 use crate::finding::reason::Reason;
-use crate::lattice::LatticeSmoothness;
+use crate::lattice::{LatticeRange, LatticeSmoothness};
 use crate::scheme::LatticeMask;
 use crate::smoothness::{Hoelder, RegionProof, SmoothRange, Smoothness};
 use crate::verdict::Word;
@@ -192,7 +192,7 @@ pub struct Vertices {
 #[derive(Clone, Debug)]
 pub struct RangeOfLimits {
     /// The sets inside and outside; `None` where the sum rules that C^m needs hold at single values only.
-    pub sets: Option<SmoothRange>,
+    pub sets: Option<SmoothSets>,
     /// The printed interval.
     pub printed: IntervalSet,
     /// Values of the printed interval that are in neither set, and where the paper says that there are no
@@ -202,6 +202,44 @@ pub struct RangeOfLimits {
     pub witness: Option<Witness>,
     /// The contraction that proves it in the whole printed interval.
     pub contraction: Option<Contraction>,
+}
+
+/// Where in a parameter the limits of one mask are C^m, and where not.
+#[derive(Clone, Debug)]
+pub enum SmoothSets {
+    /// Of a mask of curves.
+    Curve(Box<SmoothRange>),
+    /// Of a mask on Z^d.
+    Lattice(Box<LatticeRange>),
+}
+
+impl SmoothSets {
+    /// There all limits are C^m.
+    #[must_use]
+    pub fn inside(&self) -> &IntervalSet {
+        match self {
+            SmoothSets::Curve(range) => &range.inside,
+            SmoothSets::Lattice(range) => &range.inside,
+        }
+    }
+
+    /// There not all limits are C^m, or the scheme diverges.
+    #[must_use]
+    pub fn outside(&self) -> &IntervalSet {
+        match self {
+            SmoothSets::Curve(range) => &range.outside,
+            SmoothSets::Lattice(range) => &range.outside,
+        }
+    }
+
+    /// Whether finitely many values outside may be exceptions.
+    #[must_use]
+    pub fn but_finitely_many(&self) -> bool {
+        match self {
+            SmoothSets::Curve(range) => range.but_finitely_many,
+            SmoothSets::Lattice(range) => range.but_finitely_many,
+        }
+    }
 }
 
 /// What is proved of the limits for the values of two parameters.
@@ -260,6 +298,6 @@ pub struct Witness<P = Rational> {
     /// Whether it is in the printed range; then the limits are not all C^m there. Otherwise they are, and
     /// the paper says that they are not.
     pub inside: bool,
-    /// The limits at this value.
-    pub limits: Limits,
+    /// The limits of the mask at this value.
+    pub limits: KnownLimits,
 }

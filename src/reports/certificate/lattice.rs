@@ -1,9 +1,11 @@
 //! Certificates of the limits of masks on Z^d. `proofs/format/lattice.md`.
 
-use super::radius::{limits, line, write_radius};
+use super::radius::{
+    limits, line, numbers, write_basis, write_hull, write_radius, write_reduction,
+};
 use super::shown::Shown;
 use crate::exact::{LogSum, LogTerm, Rational};
-use crate::lattice::{Figure, LatticeRadius, LatticeSmoothness, Motion};
+use crate::lattice::{Figure, LatticeRadius, LatticeSmoothness, Motion, RangePiece, RangeProof};
 use crate::scheme::{LatticeMask, Mask};
 use crate::smoothness::Smoothness;
 use crate::stop::Stop;
@@ -45,15 +47,7 @@ pub(super) fn lattice_limits(
     let (n, power) = base(mask);
     let mut shown = Shown { continuous: Some(0), bases: vec![n], ..Shown::default() };
     if let Some(found) = &known.radius {
-        let figure = match found.figure {
-            None => "digits",
-            Some(Figure::Square) => "square",
-            Some(Figure::HexagonSum) => "hexagon +",
-            Some(Figure::HexagonDifference) => "hexagon -",
-            Some(Figure::Cube) => "cube",
-        };
-        line(&mut text, "tile", figure);
-        parts(&mut text, &found.parts, d);
+        tile(&mut text, found.figure, &found.parts, d);
         line(&mut text, "accuracy", &found.order.to_string());
         let bounds = write_radius_of(&mut text, found)?;
         bounds.conclude(&mut shown, found, (n, power), mask);
@@ -117,6 +111,38 @@ fn write_radius_of(text: &mut String, found: &LatticeRadius) -> Result<Bounds, &
     let hull = found.radius.hull.as_ref().ok_or("no invariant hull is found")?;
     let lower = write_radius(text, &found.matrices, &found.radius, hull);
     Ok(Bounds { upper: hull.bound.clone(), lower, degree: found.radius.degree })
+}
+
+/// What shows that all limits are C^m for all values of an interval.
+pub(super) fn cover(proof: &RangeProof, d: usize) -> String {
+    let mut text = String::new();
+    tile(&mut text, proof.figure, &proof.parts, d);
+    if let Some(reduction) = &proof.reduction {
+        write_reduction(&mut text, reduction);
+    }
+    for block in &proof.blocks {
+        line(&mut text, "block", "");
+        for RangePiece { ends, hull } in block {
+            line(&mut text, "piece", &numbers(ends));
+            if let Some([basis, inverse]) = &hull.basis {
+                write_basis(&mut text, [basis, inverse], &[basis.len()]);
+            }
+            write_hull(&mut text, &hull.hull);
+        }
+    }
+    text
+}
+
+fn tile(text: &mut String, figure: Option<Figure>, all: &[Motion], d: usize) {
+    let figure = match figure {
+        None => "digits",
+        Some(Figure::Square) => "square",
+        Some(Figure::HexagonSum) => "hexagon +",
+        Some(Figure::HexagonDifference) => "hexagon -",
+        Some(Figure::Cube) => "cube",
+    };
+    line(text, "tile", figure);
+    parts(text, all, d);
 }
 
 /// The motions x ↦ Gx + t: the rows of G, and t.

@@ -3,7 +3,7 @@
 use super::block::Block;
 use crate::audit::Limits;
 use crate::exact::Rational;
-use crate::joint::{Entry, Hull, JointRadius, LeadingEigenvalue, MatrixSet};
+use crate::joint::{Entry, Hull, JointRadius, LeadingEigenvalue, MatrixSet, Reduction};
 use crate::scheme::Mask;
 use crate::smoothness::{Coefficient, Smoothness};
 use std::fmt::Write as _;
@@ -131,10 +131,7 @@ pub(super) fn write_radius<F: Entry>(
     hull: &Hull,
 ) -> Option<Rational> {
     if let Some(reduction) = &radius.reduction {
-        line(text, "basis", &matrix(&reduction.basis));
-        line(text, "inverse", &matrix(&reduction.inverse));
-        let sizes: Vec<String> = reduction.blocks.iter().map(|b| b.size().to_string()).collect();
-        line(text, "blocks", &sizes.join(" "));
+        write_reduction(text, reduction);
     }
     let eigenvalue = radius.eigenvalue(set);
     if let Some(eigenvalue) = &eigenvalue {
@@ -147,6 +144,30 @@ pub(super) fn write_radius<F: Entry>(
         };
         line(text, "eigenvalue", &format!("{kind} {}", eigenvalue.at_least));
     }
+    write_hull(text, hull);
+    eigenvalue.map(|eigenvalue| eigenvalue.at_least)
+}
+
+/// Writes a basis in which matrices are block triangular.
+pub(super) fn write_reduction(text: &mut String, reduction: &Reduction) {
+    let sizes: Vec<usize> = reduction.blocks.iter().map(MatrixSet::size).collect();
+    write_basis(text, [&reduction.basis, &reduction.inverse], &sizes);
+}
+
+/// Writes a basis with its inverse, and the sizes of blocks.
+pub(super) fn write_basis(
+    text: &mut String,
+    [basis, inverse]: [&[Vec<Rational>]; 2],
+    sizes: &[usize],
+) {
+    line(text, "basis", &matrix(basis));
+    line(text, "inverse", &matrix(inverse));
+    let sizes: Vec<String> = sizes.iter().map(ToString::to_string).collect();
+    line(text, "blocks", &sizes.join(" "));
+}
+
+/// Writes an upper bound.
+pub(super) fn write_hull(text: &mut String, hull: &Hull) {
     line(text, "at-most", &hull.bound.to_string());
     line(text, "unit", &hull.unit.to_string());
     for row in &hull.rows {
@@ -156,7 +177,6 @@ pub(super) fn write_radius<F: Entry>(
         let terms: Vec<String> = combination.iter().map(|(j, c)| format!("{j}:{c}")).collect();
         line(text, "image", &terms.join(" "));
     }
-    eigenvalue.map(|eigenvalue| eigenvalue.at_least)
 }
 
 pub(super) fn line(text: &mut String, word: &str, rest: &str) {

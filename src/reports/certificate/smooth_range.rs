@@ -1,9 +1,10 @@
 //! Ranges of one parameter or two for which limits are C^m: a contraction, or values that refute the range.
 
 use super::block::Block;
+use super::lattice::cover;
 use super::parametric::pieces;
-use super::radius::radius;
-use crate::audit::{RangeOfLimits, RegionOfLimits, SmoothnessVerdict, Witness, Word};
+use super::smoothness::{NOT_SHOWN, known_limits};
+use crate::audit::{RangeOfLimits, RegionOfLimits, SmoothSets, SmoothnessVerdict, Witness, Word};
 use crate::claim::{SmoothRangeStatement, SmoothRegionStatement};
 use crate::exact::Rational;
 
@@ -28,7 +29,7 @@ pub(super) fn lines(
             block.give_up("that the limits are less smooth for all other values is not certified");
         }
         (SmoothnessVerdict::Confirmed, ..) => {
-            block.give_up("the proof by hulls on many intervals is not certified");
+            confirming(block, known);
         }
         (SmoothnessVerdict::Refuted, _, Some(witness)) => {
             block.line(format!("at {}", witness.at));
@@ -38,6 +39,21 @@ pub(super) fn lines(
             block.give_up("that a range is right up to rounding is not certified");
         }
         _ => block.give_up("there is no rational value that refutes it"),
+    }
+}
+
+/// What shows that all limits are C^m in the whole range, of a mask on Z^d.
+fn confirming(block: &mut Block, known: &RangeOfLimits) {
+    let Some(SmoothSets::Lattice(range)) = &known.sets else {
+        block.give_up("the proof by hulls on many intervals is not certified");
+        return;
+    };
+    match range.proof(&known.printed) {
+        Some(proof) => {
+            cover(&proof, range.dimension()).lines().for_each(|line| block.line(line));
+            block.line(Word::Confirmed);
+        }
+        None => block.give_up("no hulls on pieces of the range are found"),
     }
 }
 
@@ -80,14 +96,11 @@ fn shifts(block: &mut Block, reduction: &[Vec<Rational>]) {
 
 /// What is known of the limits at a value that refutes a range.
 fn refuting<P>(block: &mut Block, witness: &Witness<P>, m: usize) {
-    if let Some(shown) = radius(block, &witness.limits) {
-        let refutes = if witness.inside {
-            shown.not_continuous.is_some_and(|fails| fails <= m)
-        } else {
-            shown.continuous.is_some_and(|holds| m <= holds)
-        };
-        if !refutes {
-            block.give_up("the rational bounds of the joint spectral radius do not show this");
+    if let Some(shown) = known_limits(block, &witness.limits) {
+        let order = Some(m);
+        let [holds, fails] = if witness.inside { [None, order] } else { [order, None] };
+        if shown.continuity(holds, fails) != Some(SmoothnessVerdict::Confirmed) {
+            block.give_up(NOT_SHOWN);
         }
     }
     block.line(Word::Refuted);

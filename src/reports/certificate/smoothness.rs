@@ -9,7 +9,8 @@ use crate::audit::{Direction, KnownLimits, SmoothnessFinding, SmoothnessVerdict}
 use crate::claim::{ExponentStatement, Paper, SmoothnessBody, SmoothnessStatement};
 
 /// Why a finding has no certificate: the radius is enclosed by rational numbers.
-const NOT_SHOWN: &str = "the rational bounds of the joint spectral radius do not show this";
+pub(super) const NOT_SHOWN: &str =
+    "the rational bounds of the joint spectral radius do not show this";
 
 impl Certified for SmoothnessFinding<'_> {
     fn block(&self, _: &Paper) -> Block {
@@ -51,28 +52,39 @@ impl Certified for SmoothnessFinding<'_> {
                 let orders = [*continuous, *not_continuous];
                 vertex::lines(&mut block, known, orders, self.verdict);
             }
-            (_, KnownLimits::Limits(known)) => {
+            (_, known) => {
                 block.restate("scheme", &scheme);
                 restate(&mut block, statement);
-                if let Some(lines) = radius(&mut block, known) {
-                    let shown = Shown::of_curve(&lines, known.mask.arity());
+                if let Some(shown) = known_limits(&mut block, known) {
                     of_limits(&mut block, statement, &shown, self.verdict);
                 }
             }
-            (_, KnownLimits::Lattice(known)) => {
-                block.restate("scheme", &scheme);
-                restate(&mut block, statement);
-                match lattice_limits(&known.mask, &known.smoothness) {
-                    Ok((lines, shown)) => {
-                        lines.lines().for_each(|line| block.line(line));
-                        of_limits(&mut block, statement, &shown, self.verdict);
-                    }
-                    Err(why) => block.give_up(why),
-                }
-            }
-            _ => block.give_up("nothing is known of the limits"),
         }
         block
+    }
+}
+
+/// The lines about the limits of one mask, and what they show.
+pub(super) fn known_limits(block: &mut Block, known: &KnownLimits) -> Option<Shown> {
+    match known {
+        KnownLimits::Limits(known) => {
+            let lines = radius(block, known)?;
+            Some(Shown::of_curve(&lines, known.mask.arity()))
+        }
+        KnownLimits::Lattice(known) => match lattice_limits(&known.mask, &known.smoothness) {
+            Ok((lines, shown)) => {
+                lines.lines().for_each(|line| block.line(line));
+                Some(shown)
+            }
+            Err(why) => {
+                block.give_up(why);
+                None
+            }
+        },
+        _ => {
+            block.give_up("nothing is known of the limits");
+            None
+        }
     }
 }
 

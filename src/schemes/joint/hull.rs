@@ -35,6 +35,11 @@ impl Hull {
         Hull { bound, unit: Rational::one(), rows: Vec::new(), images }
     }
 
+    /// Whether the bound is below 1.
+    pub(super) fn contracts(&self) -> bool {
+        self.bound < Rational::one()
+    }
+
     /// Whether this proves that the radius of the set is at most u.
     #[must_use]
     pub fn proves<F: Entry>(&self, set: &MatrixSet<F>) -> bool {

@@ -4,7 +4,7 @@ use super::balance::{balance, changed};
 use super::convert::{floats, scaled};
 use super::hull::Hull;
 use super::lower::eigenvectors;
-use super::matrix_set::MatrixSet;
+use super::matrix_set::{Matrix, MatrixSet};
 use super::product::{largest_real, square_of_radius};
 use super::proposal::{beam, hull};
 use crate::exact::{Rational, RealAlgebraic};
@@ -45,25 +45,26 @@ pub fn contracts(
     ends: &[MatrixSet],
     closing: Closing,
 ) -> bool {
-    contracts_within(set, middle, ends, closing, HULL)
+    contracting(set, middle, ends, closing, HULL).is_some()
 }
 
-fn contracts_within(
+/// A hull for a bound below 1, within so many rows and so much work.
+fn contracting(
     set: &MatrixSet,
     middle: &MatrixSet,
     ends: &[MatrixSet],
     closing: Closing,
     most: (usize, u64),
-) -> bool {
+) -> Option<Hull> {
     let (factors, width) = QUICK;
     let found = candidates(&floats(middle), factors, beam(middle, width));
     if found.words.is_empty() {
-        return Hull::norm(set).bound < Rational::one();
+        return Some(Hull::norm(set)).filter(Hull::contracts);
     }
     let rates = ends.iter().map(|end| candidates(&floats(end), factors, beam(end, width)).rate);
     let rate = rates.fold(found.rate, f64::max);
     if rate >= 1.0 - 1e-9 {
-        return false;
+        return None;
     }
     let seeds = seeds(middle, &found);
     // Shorter unit rows would leave longer chains of images outside.
@@ -73,24 +74,34 @@ fn contracts_within(
         Closing::Middle => (middle, found.rate),
     };
     let excess = 0.95 * (1.0 / rate - 1.0);
-    let hull = hull(set, near, &seeds, &unit, (rate, excess), most);
-    hull.is_some_and(|hull| hull.bound < Rational::one())
+    hull(set, near, &seeds, &unit, (rate, excess), most).filter(Hull::contracts)
+}
+
+/// A hull in a basis of its own, which shows that a radius is below 1.
+#[derive(Clone, Debug)]
+pub struct BalancedHull {
+    /// The basis, and its inverse; `None` where it is that of the matrices.
+    pub basis: Option<[Matrix<Rational>; 2]>,
+    /// The hull for a bound below 1.
+    pub hull: Hull,
 }
 
 /// The same in a basis in which the matrices in the middle are about as large as their radius.
 #[must_use]
-pub fn contracts_when_balanced(
+pub fn hull_when_balanced(
     set: &MatrixSet,
     middle: &MatrixSet,
     ends: &[MatrixSet],
     closing: Closing,
-) -> bool {
+) -> Option<BalancedHull> {
     let Some((basis, back)) = balance(middle) else {
-        return contracts_within(set, middle, ends, closing, LARGE_HULL);
+        let hull = contracting(set, middle, ends, closing, LARGE_HULL)?;
+        return Some(BalancedHull { basis: None, hull });
     };
     let changed = |set: &MatrixSet| changed(set, &basis, &back);
     let ends: Vec<MatrixSet> = ends.iter().map(changed).collect();
-    contracts_within(&changed(set), &changed(middle), &ends, closing, LARGE_HULL)
+    let hull = contracting(&changed(set), &changed(middle), &ends, closing, LARGE_HULL)?;
+    Some(BalancedHull { basis: Some([basis, back]), hull })
 }
 
 /// The cycle of eigenvectors of the first of these products whose largest eigenvalue is real, as far as f64 can tell:

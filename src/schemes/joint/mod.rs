@@ -37,7 +37,9 @@ mod verify;
 
 pub use entry::Entry;
 pub use hull::Hull;
-pub use interval::{Closing, contracts, contracts_when_balanced, expanding_product, expands};
+pub use interval::{
+    BalancedHull, Closing, contracts, expanding_product, expands, hull_when_balanced,
+};
 pub use lower::MAX_ROWS;
 pub use matrix_set::{MAX_MATRICES, MAX_SIZE, MatrixSet, MatrixSetError};
 pub use product::{Eigenvalue, JordanBlock, LeadingEigenvalue, jordan_block};

@@ -51,7 +51,7 @@ pub use functions::{
 };
 pub use independence::is_independent;
 pub use independence_on::independence_conditions;
-pub(crate) use parametric::multiplied;
+pub(crate) use parametric::{PolynomialMatrix, bernstein, multiplied};
 pub use plane::{
     BestExponent, Certain, MAX_BOXES, MapBox, RegionProof, Sides, SmoothMap, best_exponent,
     plane_rules, polygon_contraction, smooth_map,

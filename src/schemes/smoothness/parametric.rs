@@ -169,7 +169,7 @@ impl<P: Scalar + PartialEq> ParametricSymbol<P> {
 
 /// The matrices C_0, …, C_D of which a matrix of polynomials is the combination Σ_i C_i·b_i(t), with the
 /// Bernstein polynomials b_i ≥ 0, Σ b_i = 1, where w = a + (b − a)t goes from a to b, and D is the degree.
-pub(in crate::smoothness) fn bernstein(
+pub(crate) fn bernstein(
     matrix: &PolynomialMatrix,
     degree: usize,
     (a, b): (&Rational, &Rational),

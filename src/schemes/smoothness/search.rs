@@ -6,7 +6,7 @@ use crate::exact::{
     Enclosed as _, Interval, IntervalSet, Rational, RationalPolynomial, RealAlgebraic,
 };
 use crate::joint::{
-    Closing, MatrixSet, MatrixSetError, contracts, contracts_when_balanced, expanding_product,
+    Closing, MatrixSet, MatrixSetError, contracts, expanding_product, hull_when_balanced,
 };
 use std::collections::BTreeSet;
 use std::ops::Bound;
@@ -246,8 +246,12 @@ impl Search {
         let parts = self.matrices.iter().flat_map(|matrix| bernstein(matrix, self.degree, (a, b)));
         let set = MatrixSet::new(parts.collect())?;
         let ends = [self.set_at(a)?, self.set_at(b)?];
-        let contracts = if self.balanced { contracts_when_balanced } else { contracts };
-        Ok(contracts(&set, &self.set_at(&middle)?, &ends, closing))
+        let middle = self.set_at(&middle)?;
+        Ok(if self.balanced {
+            hull_when_balanced(&set, &middle, &ends, closing).is_some()
+        } else {
+            contracts(&set, &middle, &ends, closing)
+        })
     }
 }
 

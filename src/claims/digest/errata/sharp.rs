@@ -70,7 +70,7 @@ fn beyond(finding: &SmoothnessFinding<'_>) -> Option<Beyond> {
         }
         (SmoothnessStatement::Range(range), KnownLimits::Range(known)) => {
             let RangeOfLimits { sets, .. } = &**known;
-            let more = sets.as_ref()?.inside.without(&range.domain.interval(Ends::Most));
+            let more = sets.as_ref()?.inside().without(&range.domain.interval(Ends::Most));
             // An end that belongs to the range or does not is no single value more.
             let wide = more.intervals().iter().any(|part| !is_one_number(part));
             (!range.only && wide).then_some(Beyond::Range(more))

@@ -13,11 +13,9 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::evaluation::limits::LimitScheme;
 use crate::exact::RealCyclotomic;
-use crate::finding::{KnownLimits, LatticeLimits, SmoothnessFinding, SmoothnessVerdict};
+use crate::finding::{KnownLimits, SmoothnessFinding, SmoothnessVerdict};
 use crate::judge::kind::JudgeAlone;
-use crate::lattice::LatticeSmoothness;
-use crate::stop::Stop;
-use mask::{limits, no_valences};
+use mask::{lattice_limits, limits, no_valences};
 
 impl<'a> JudgeAlone<'a> for SmoothnessClaim {
     type Finding = SmoothnessFinding<'a>;
@@ -70,11 +68,10 @@ fn of(
         return vertices::judge(scheme, &instances, statement);
     }
     let known = if let Some(mask) = scheme.lattice(&instances)? {
-        let smoothness = LatticeSmoothness::until(&mask, &Stop::default());
-        KnownLimits::Lattice(Box::new(LatticeLimits { mask, smoothness }))
+        lattice_limits(mask)
     } else {
         match limits(scheme.mask(&[])?) {
-            Ok(limits) => KnownLimits::Limits(Box::new(limits)),
+            Ok(limits) => limits,
             Err(capped) => {
                 return Ok((SmoothnessVerdict::NotCheckable, KnownLimits::Capped(capped)));
             }

@@ -5,7 +5,7 @@ use crate::claim::{Sign, SmoothRegionStatement};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::limits::LimitScheme;
 use crate::exact::{Rational, Scalar as _};
-use crate::finding::{KnownLimits, Proven, Reason, RegionOfLimits, SmoothnessVerdict, Witness};
+use crate::finding::{KnownLimits, Reason, RegionOfLimits, SmoothnessVerdict, Witness};
 use crate::formula::{HalfPlanes, LocatedFormula, Pieces, Scope, evaluate};
 use crate::smoothness::{SmoothRangeError, polygon_contraction};
 
@@ -52,7 +52,8 @@ pub(super) fn judge(
         known.tried += 1;
         let values = [(variables[0], &at[0]), (variables[1], &at[1])];
         let Ok(limits) = limits(scheme.mask(&values)?) else { continue };
-        if Proven::of_curve(&limits.smoothness).is_continuous(statement.m) == Some(!inside) {
+        let proven = limits.proven();
+        if proven.and_then(|proven| proven.is_continuous(statement.m)) == Some(!inside) {
             known.witness = Some(Witness { at, inside, limits });
             break;
         }

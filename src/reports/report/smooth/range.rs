@@ -1,7 +1,9 @@
 //! What is known of the limits for values of parameters, in words.
 
 use super::limits::{not_smooth, of_limits, smooth};
-use crate::audit::{Proven, RangeOfLimits, RegionOfLimits, SmoothnessFinding, SmoothnessVerdict};
+use crate::audit::{
+    RangeOfLimits, RegionOfLimits, SmoothSets, SmoothnessFinding, SmoothnessVerdict, Witness,
+};
 use crate::claim::SmoothRangeStatement;
 use crate::exact::{IntervalSet, Rational, RationalPolynomial};
 use crate::report::words::set::{proved_text, roots, set_text};
@@ -31,15 +33,17 @@ pub(super) fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -
                 format!(
                     "{} for {}",
                     smooth(*m),
-                    proved_text(&sets.inside, &sets.outside, variable)
+                    proved_text(sets.inside(), sets.outside(), variable)
                 ),
-                format!("{} for {}", not_smooth(*m), set(&sets.outside)),
+                format!("{} for {}", not_smooth(*m), set(sets.outside())),
             ];
-            lines.extend(roots(&[&sets.inside, &sets.outside], variable, &lines));
-            if sets.but_finitely_many && !sets.outside.is_empty() {
+            lines.extend(roots(&[sets.inside(), sets.outside()], variable, &lines));
+            if sets.but_finitely_many() && !sets.outside().is_empty() {
                 lines.push(format!("with finitely many exceptions of {variable}"));
             }
-            if !sets.reduction.is_empty() {
+            if let SmoothSets::Curve(sets) = sets
+                && !sets.reduction.is_empty()
+            {
                 lines.push(format!("{}.", reduction(sets, variable)));
             }
             lines
@@ -54,10 +58,14 @@ pub(super) fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -
     if let Some(witness) = &range.witness {
         let place =
             if witness.inside { "in the printed range" } else { "beyond the printed range" };
-        let limits = of_limits(&Proven::of_curve(&witness.limits.smoothness));
+        let limits = of_witness(witness);
         lines.push(format!("At {variable} = {}, {place}, {limits}.", witness.at));
     }
     lines
+}
+
+fn of_witness<P>(witness: &Witness<P>) -> String {
+    witness.limits.proven().map(|proven| of_limits(&proven)).unwrap_or_default()
 }
 
 /// The contraction in a region of two parameters, or the point that refutes it.
@@ -79,7 +87,7 @@ pub(super) fn of_region(finding: &SmoothnessFinding<'_>, region: &RegionOfLimits
     match &region.witness {
         Some(witness) => {
             let place = if witness.inside { "in the region" } else { "outside of it" };
-            let limits = of_limits(&Proven::of_curve(&witness.limits.smoothness));
+            let limits = of_witness(witness);
             lines.push(format!("At ({x}, {y}) = {}, {place}, {limits}.", point(&witness.at)));
         }
         None if finding.verdict == SmoothnessVerdict::Open => {

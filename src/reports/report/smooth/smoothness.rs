@@ -6,7 +6,7 @@ use super::regularity;
 use super::vertex::{SCOPE, verdict_name, verdict_reason, vertex_facts, vertices_outcome};
 use crate::audit::{
     KnownLimits, PaperAudit, Proven, RangeAtValence, SmoothnessFinding, SmoothnessVerdict,
-    VertexWitness,
+    VertexWitness, Witness,
 };
 use crate::claim::{
     ExponentStatement, PrintedValences, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim,
@@ -174,17 +174,15 @@ pub(crate) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
 
 /// What else is known of the limits.
 pub(crate) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
-    let limits = match &finding.known {
+    facts_of(&finding.known)
+}
+
+fn facts_of(known: &KnownLimits) -> Vec<(String, String)> {
+    let limits = match known {
         KnownLimits::Limits(limits) => limits,
         KnownLimits::Lattice(limits) => return of_lattice(&limits.smoothness),
-        KnownLimits::Range(range) => match &range.witness {
-            Some(witness) => &witness.limits,
-            None => return Vec::new(),
-        },
-        KnownLimits::Region(region) => match &region.witness {
-            Some(witness) => &witness.limits,
-            None => return Vec::new(),
-        },
+        KnownLimits::Range(range) => return facts_at(range.witness.as_ref()),
+        KnownLimits::Region(region) => return facts_at(region.witness.as_ref()),
         KnownLimits::Vertices(found) => {
             return match &found.vertices[..] {
                 [.., vertex] => vertex_facts(vertex),
@@ -226,4 +224,9 @@ pub(crate) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> 
         facts.push(fact("shifts", text.to_owned()));
     }
     facts
+}
+
+/// What is known at a value that refutes a range.
+fn facts_at<P>(witness: Option<&Witness<P>>) -> Vec<(String, String)> {
+    witness.map_or_else(Vec::new, |witness| facts_of(&witness.limits))
 }

@@ -23,8 +23,8 @@ pub(crate) fn smooth_range(finding: &SmoothnessFinding<'_>) -> Option<Markup> {
     let KnownLimits::Range(range) = &finding.known else { return None };
     let sets = range.sets.as_ref()?;
     let rows = [
-        ("smooth", &sets.inside, "c3"),
-        ("not", &sets.outside, "c1"),
+        ("smooth", sets.inside(), "c3"),
+        ("not", sets.outside(), "c1"),
         ("printed", &range.printed, "c2"),
     ];
     let ends: Vec<f64> =
@@ -43,8 +43,8 @@ pub(crate) fn smooth_range(finding: &SmoothnessFinding<'_>) -> Option<Markup> {
     let says = format!(
         "Printed {}; C^{m} for {}; not C^{m} for {}.",
         printed(said),
-        proved_text(&sets.inside, &sets.outside, &said.variable),
-        set(&sets.outside),
+        proved_text(sets.inside(), sets.outside(), &said.variable),
+        set(sets.outside()),
         m = said.m
     );
     let drawing = html! {

@@ -2,7 +2,9 @@
 
 use super::exponent::HoelderForm;
 use super::vertex::{VertexForm, VerticesForm};
-use crate::audit::{KnownLimits, Limits, RangeAtValence, RangeOfLimits, RegionOfLimits};
+use crate::audit::{
+    KnownLimits, Limits, RangeAtValence, RangeOfLimits, RegionOfLimits, SmoothSets, Witness,
+};
 use crate::exact::Rational;
 use crate::report::json::exact::decimal;
 use crate::report::json::lattice::LatticeSmoothnessForm;
@@ -115,14 +117,12 @@ impl SmoothnessDetails {
                 ..Default::default()
             },
             KnownLimits::Range(range) => {
-                let limits = range.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
                 let parameter = Some(RangeForm::of(range));
-                SmoothnessDetails { limits, parameter, ..Default::default() }
+                SmoothnessDetails { parameter, ..SmoothnessDetails::at(range.witness.as_ref()) }
             }
             KnownLimits::Region(found) => {
-                let limits = found.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
                 let region = Some(RegionForm::of(found));
-                SmoothnessDetails { limits, region, ..Default::default() }
+                SmoothnessDetails { region, ..SmoothnessDetails::at(found.witness.as_ref()) }
             }
             KnownLimits::Vertices(found) => {
                 SmoothnessDetails { vertices: Some(VerticesForm::of(found)), ..Default::default() }
@@ -135,6 +135,11 @@ impl SmoothnessDetails {
                 SmoothnessDetails::default()
             }
         }
+    }
+
+    /// What is known at a value that refutes a range.
+    fn at<P>(witness: Option<&Witness<P>>) -> SmoothnessDetails {
+        witness.map(|witness| SmoothnessDetails::of(&witness.limits)).unwrap_or_default()
     }
 
     /// The exponent as a formula.
@@ -175,9 +180,9 @@ impl RangeForm {
         let sets = range.sets.as_ref();
         let at = range.witness.as_ref().map(|witness| &witness.at);
         RangeForm {
-            inside: sets.map(|sets| sets.inside.to_string()),
-            outside: sets.map(|sets| sets.outside.to_string()),
-            but_finitely_many: sets.is_some_and(|sets| sets.but_finitely_many),
+            inside: sets.map(|sets| sets.inside().to_string()),
+            outside: sets.map(|sets| sets.outside().to_string()),
+            but_finitely_many: sets.is_some_and(SmoothSets::but_finitely_many),
             undecided: range.undecided.to_string(),
             refuted_at: at.map(ToString::to_string),
             refuted_at_decimal: at.map(decimal),
