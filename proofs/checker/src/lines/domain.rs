@@ -82,6 +82,13 @@ impl Domain {
         Ok([inside, outside])
     }
 
+    /// Whether an interval with both ends has all numbers from one printed end to the other. There are two.
+    pub fn is_in(&self, [low, high]: &[Q; 2]) -> Result<bool, Stop> {
+        let [Some(from), Some(to)] = &self.ends else { return Ok(false) };
+        let [low, high] = [low, high].map(|end| Value::from(end.clone()));
+        Ok(low.compare(&from.value)?.is_le() && to.value.compare(&high)?.is_le())
+    }
+
     /// Whether the signs in the whole interval are as `right` says.
     pub fn all(
         &self,

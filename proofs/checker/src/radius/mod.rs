@@ -28,7 +28,10 @@ use std::fmt;
 use std::ops::Range;
 use std::rc::Rc;
 
-pub use read::is_bound;
+pub use read::{is_basis, is_bound};
+
+/// A square matrix of fractions, row by row.
+pub type Rational = Vec<Vec<Q>>;
 
 /// What a valid certificate proves.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -94,7 +97,7 @@ pub fn check_mask(
 /// Checks the lines from `basis` to the last `image` about these matrices, of which there is one at least, and all are of one size. The
 /// last of the lines is `end`.
 pub fn check_matrices(
-    matrices: &[Vec<Vec<Q>>],
+    matrices: &[Rational],
     lines: &[Line<'_>],
     end: usize,
     meter: &Meter,
@@ -103,6 +106,27 @@ pub fn check_matrices(
     let row = |row: &Vec<Q>| row.iter().map(Element::fraction).collect();
     let matrices = matrices.iter().map(|matrix| matrix.iter().map(row).collect()).collect();
     bounded(&certificate, matrices, meter)
+}
+
+/// The blocks on the diagonal of these matrices, of which there is one at least, and all are of one size, in the basis that the lines `basis`, `inverse`
+/// and `blocks` say; for each block its matrices. Without lines all is one block. The last of the lines is `end`.
+pub fn blocks(
+    matrices: &[Rational],
+    lines: &[Line<'_>],
+    end: usize,
+    meter: &Meter,
+) -> Result<Vec<Vec<Rational>>, RadiusRejection> {
+    let known = Certificate::basis(lines)?;
+    let row = |row: &Vec<Q>| row.iter().map(Element::fraction).collect();
+    let elements = matrices.iter().map(|matrix| matrix.iter().map(row).collect()).collect();
+    let (diagonal, places) = known.applied(elements, end, meter)?;
+    let fraction = |x: &Element| x.as_fraction().unwrap_or_default();
+    let part = |matrix: &Matrix, place: &Range<usize>| -> Rational {
+        let row = |row: &Vec<Element>| row[place.clone()].iter().map(fraction).collect();
+        matrix[place.clone()].iter().map(row).collect()
+    };
+    let block = |place: &Range<usize>| diagonal.iter().map(|matrix| part(matrix, place)).collect();
+    Ok(places.iter().map(block).collect())
 }
 
 fn checked(certificate: &Certificate, meter: &Meter) -> Checked<Radius> {

@@ -51,6 +51,11 @@ pub enum Leading {
     Modulus,
 }
 
+/// Whether a line that begins with this word says in which basis matrices are block triangular.
+pub fn is_basis(word: &str) -> bool {
+    ["basis", "inverse", "blocks"].contains(&word)
+}
+
 /// An eigenvalue of a product. The radius to the number of factors is at least the bound.
 pub struct Lower {
     pub line: usize,
@@ -159,6 +164,15 @@ impl Certificate {
             require(own, other).and_then(|()| read.take(line.number, line.text)).at(line.number)?;
         }
         read.finished(true, end)
+    }
+
+    /// Reads the lines of a basis alone.
+    pub fn basis(lines: &[Line<'_>]) -> Checked<Blocks> {
+        let mut read = Certificate::of(Vec::new());
+        for line in lines {
+            read.take(line.number, line.text).at(line.number)?;
+        }
+        Ok(read.blocks)
     }
 
     /// A certificate that says nothing about these rules.

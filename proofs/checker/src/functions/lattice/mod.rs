@@ -10,7 +10,7 @@ mod powers;
 use super::call::{Call, NO_FUNCTION, number, within, wrong};
 use crate::formulas::MAX_INTEGER;
 use crate::numbers::{Meter, Q, Value};
-use crate::schemes::{Lattice, Vector, plus};
+use crate::schemes::{Dilation, Lattice, Vector, plus};
 use crate::text::Stop;
 use moments::Moments;
 use std::collections::BTreeMap;
@@ -22,6 +22,15 @@ pub use powers::constant;
 /// The order of the sum rules of a mask of rational numbers.
 pub fn sum_rules(meter: &Meter, lattice: &Lattice) -> Result<usize, Stop> {
     Moments::new(meter, lattice)?.sum_rules()
+}
+
+/// The order up to which coefficients of which each class has the same sum satisfy the equations of sum rules.
+pub fn equal_moments(
+    meter: &Meter,
+    dilation: &Dilation,
+    coefficients: &[(Vector, Q)],
+) -> Result<usize, Stop> {
+    Moments::of(meter, dilation, coefficients)?.sum_rules()
 }
 
 /// The functions in which masks on Z^d stand.

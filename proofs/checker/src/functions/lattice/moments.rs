@@ -3,7 +3,7 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 use crate::numbers::{Meter, Q, common_multiple};
-use crate::schemes::{Lattice, Vector};
+use crate::schemes::{Dilation, Lattice, Vector};
 use crate::text::Stop;
 use num_bigint::BigInt;
 use num_traits::Zero as _;
@@ -15,7 +15,7 @@ const MAX_ORDER: u32 = 64;
 /// The coefficients of a mask, as integers over one denominator.
 pub(super) struct Moments<'l> {
     meter: &'l Meter,
-    lattice: &'l Lattice,
+    dilation: &'l Dilation,
     /// The places with their classes and coefficients.
     terms: Vec<(Vector, Vector, BigInt)>,
     /// The denominator.
@@ -23,26 +23,36 @@ pub(super) struct Moments<'l> {
 }
 
 impl Moments<'_> {
-    /// The moments of a mask.
+    /// The moments of a mask of rational numbers.
     pub(super) fn new<'l>(meter: &'l Meter, lattice: &'l Lattice) -> Result<Moments<'l>, Stop> {
-        let rational = lattice.rational()?;
+        Moments::of(meter, &lattice.dilation, &lattice.rational()?)
+    }
+
+    /// Those of coefficients of which each class has the same sum.
+    pub(super) fn of<'l>(
+        meter: &'l Meter,
+        dilation: &'l Dilation,
+        rational: &[(Vector, Q)],
+    ) -> Result<Moments<'l>, Stop> {
         let over = common_multiple(rational.iter().map(|(_, a)| a.denom()))?;
         let term = |(place, a): &(Vector, Q)| {
-            let class = lattice.dilation.class(*place)?;
+            let class = dilation.class(*place)?;
             Ok((*place, class, a.numer() * (&over / a.denom())))
         };
         let terms = rational.iter().map(term).collect::<Result<Vec<_>, Stop>>()?;
-        Ok(Moments { meter, lattice, terms, over })
+        Ok(Moments { meter, dilation, terms, over })
     }
 
     /// K.
     pub(super) fn sum_rules(&self) -> Result<usize, Stop> {
-        // All sums of coefficients alone are 1.
+        // All sums of coefficients alone are the same.
         for degree in 1..MAX_ORDER {
-            for powers in exponents(self.lattice.dilation.d, degree) {
+            for powers in exponents(self.dilation.d, degree) {
                 let sums = self.sums(powers, |place| place.map(BigInt::from))?;
-                // A class without a sum has the sum 0; there is none, as the coefficients of each class sum to 1.
-                let mut sums = sums.values();
+                // A class without coefficients has the sum 0.
+                let missing = (sums.len() as u64) < self.dilation.arity();
+                let zero = missing.then(BigInt::zero);
+                let mut sums = sums.values().chain(&zero);
                 let first = sums.next();
                 if !sums.all(|sum| Some(sum) == first) {
                     return Ok(degree as usize);
@@ -62,7 +72,7 @@ impl Moments<'_> {
                 *sum += a * x;
             }
         }
-        let unit = &self.over * self.lattice.dilation.arity();
+        let unit = &self.over * self.dilation.arity();
         let shifted = |place: Vector| {
             let mut rest = mean.clone().map(|sum| -sum);
             for (sum, x) in rest.iter_mut().zip(place) {
@@ -71,7 +81,7 @@ impl Moments<'_> {
             rest
         };
         for degree in 1..u32::try_from(rules).unwrap_or(MAX_ORDER) {
-            for powers in exponents(self.lattice.dilation.d, degree) {
+            for powers in exponents(self.dilation.d, degree) {
                 let sums = self.sums(powers, shifted)?;
                 if !sums.values().sum::<BigInt>().is_zero() {
                     return Ok((degree as usize).saturating_sub(1));

@@ -3,10 +3,11 @@
 use crate::claims::Paper;
 use crate::formulas::Scope;
 use crate::kinds::smoothness::{order, scope, valences, vertex};
-use crate::lines::curve::{CurveProof, mask};
 use crate::lines::domain::{Domain, Ends};
+use crate::lines::lattice::covered;
+use crate::lines::limits::LimitProof;
 use crate::lines::pieces::Free;
-use crate::numbers::{Meter, Q, Root, Value, int, read_rational};
+use crate::numbers::{Meter, Q, Value, int, read_rational};
 use crate::schemes::{Convolution, MAX_LENGTH, Product, Sequence};
 use crate::text::{Block, Checked, Reason, Stop, Text, Toml, Verdict, require};
 use crate::vertex::Found;
@@ -35,7 +36,15 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         require(rules, Reason::Malformed("rules around a vertex"))?;
         block.restates("valences", claim.text("valences"))?;
     }
-    if !rules && let Some(said) = block.maybe("contraction") {
+    let lattice = paper.library.is_lattice(reference);
+    if lattice && block.next_word() == "tile" {
+        require(!only, Reason::NotShown)?;
+        return cover(paper, claim, (m, &domain), block);
+    }
+    if !rules
+        && !lattice
+        && let Some(said) = block.maybe("contraction")
+    {
         // For other values nothing is shown.
         require(!only, Reason::NotShown)?;
         let (levels, reduction) = contraction((said, MAX_LEVELS), block)?;
@@ -52,25 +61,40 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     }
     let said = block.after("at")?;
     let at = read_rational(said).ok_or(Reason::Malformed("a number"))?;
+    let mut scope = scope(paper, claim)?;
+    let variable = claim.text("variable").unwrap_or_default();
+    scope.values.insert(variable.to_owned(), at.clone().into());
     // Whether not all limits are C^m at this value, and whether all are.
     let (fails, holds) = if rules {
         require(m == 1, Reason::Malformed("smoothness 1 of rules"))?;
-        let mut scope = scope(paper, claim)?;
-        let variable = claim.text("variable").unwrap_or_default();
-        scope.values.insert(variable.to_owned(), at.clone().into());
         let said = block.after("vertex")?;
         let (_, found) = vertex(paper, claim, (said, valences), &mut scope, block)?;
         (found == Found::Rough, matches!(found, Found::Smooth(_)))
     } else {
-        let place = Root::from(at.clone());
-        let scope = free.scope([Some(place.clone()), Some(place)])?;
-        let shown = CurveProof::read(paper, mask(paper, claim, &scope)?, block)?;
+        let shown = LimitProof::read(paper, claim, &scope, block)?;
         (shown.not_continuous(m), shown.continuous(m))
     };
     let [inside, outside] = domain.sides(&at)?;
     let refutes = inside && fails || outside && only && holds;
     require(refutes, Reason::NoRefutation(Text(said.to_string())))?;
     block.verdict(Verdict::Refuted)
+}
+
+/// Checks the lines that show that the limits of a mask on Z^d are C^m in the whole range.
+fn cover<'a>(
+    paper: &'a Paper<'a>,
+    claim: &'a Toml,
+    (m, domain): (usize, &Domain),
+    block: &mut Block<'_>,
+) -> Checked<()> {
+    let variable = claim.text("variable").unwrap_or_default();
+    let mut scope = scope(paper, claim)?;
+    scope.values.insert(variable.to_owned(), Value::symbol(variable));
+    let lattice = paper.library.lattice(claim.text("scheme").unwrap_or_default(), &scope)?;
+    for covered in covered(paper.library.meter, (&lattice, variable), m, block)? {
+        require(domain.is_in(&covered)?, Reason::Uncovered)?;
+    }
+    block.verdict(Verdict::Confirmed)
 }
 
 /// The number of levels that a line `contraction` says, and the lines `shifts` after it.

@@ -2,9 +2,10 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
+use super::motion::{Motion, UNIT};
 use crate::numbers::{Meter, Q, int};
-use crate::schemes::{Dilation, Vector, plus};
-use crate::text::Stop;
+use crate::schemes::{Dilation, Vector, plus, times};
+use crate::text::{Checked, Reason, Stop};
 use num_bigint::BigInt;
 use num_traits::{Signed as _, Zero as _};
 use std::collections::BTreeSet;
@@ -36,13 +37,63 @@ pub fn points(
     let mut steps = BTreeSet::new();
     for p in plus_side {
         for q in minus_side {
-            steps.insert(plus(*q, -1, *p)?);
+            steps.insert((UNIT, plus(*q, -1, *p)?));
         }
         if steps.len() > MAX_STEPS {
-            return Err(Stop::Capped("the digits of an attractor"));
+            return Err(TOO_MANY);
         }
     }
-    let around = around(meter, dilation, (plus_side, minus_side))?;
+    left_in(meter, dilation, &around(meter, dilation, (plus_side, minus_side))?, &steps)
+}
+
+/// The largest finite set of places α of which each has a place β in the set with Mα + t − Gβ in a support, for a part (G, t), in lexicographic
+/// order. The G are of a group of matrices H with MHM^{−1} = H.
+///
+/// The set is in the attractor Y = M^{−1}(Y + D), D the h(γ − t) for all h of the group and γ of the support: Y is fixed by the group, and
+/// α = M^{−1}(Gβ + γ − t).
+pub fn places(
+    meter: &Meter,
+    dilation: &Dilation,
+    (support, parts, group): (&[Vector], &[Motion], &BTreeSet<[Vector; 3]>),
+) -> Checked<Vec<Vector>> {
+    let count = support.len().saturating_mul(parts.len()) as u64;
+    meter.spend(count.saturating_mul(group.len() as u64))?;
+    let (mut steps, mut moved) = (BTreeSet::new(), BTreeSet::new());
+    for part in parts {
+        let back = inverse(&part.turn, group)?;
+        for place in support {
+            let by = plus(part.by, -1, *place)?;
+            steps.insert((back, by));
+            for turn in group {
+                moved.insert(times(turn, plus([0; 3], -1, by)?)?);
+            }
+        }
+        if steps.len().max(moved.len()) > MAX_STEPS {
+            return Err(TOO_MANY.into());
+        }
+    }
+    let moved: Vec<Vector> = moved.into_iter().collect();
+    Ok(left_in(meter, dilation, &around(meter, dilation, (&moved, &[[0; 3]]))?, &steps)?)
+}
+
+/// The inverse of a matrix in a finite group.
+fn inverse(turn: &[Vector; 3], group: &BTreeSet<[Vector; 3]>) -> Checked<[Vector; 3]> {
+    for other in group {
+        let columns = [0, 1, 2].map(|j: usize| times(other, turn.map(|row| row[j])));
+        if columns.into_iter().zip(UNIT).all(|(column, unit)| column == Ok(unit)) {
+            return Ok(*other);
+        }
+    }
+    Err(Reason::Lattice("the group of the tile has the matrices of the parts").into())
+}
+
+/// The largest set of points x of a box of which each has a point B(Mx + b) in the set, for a step (B, b).
+fn left_in(
+    meter: &Meter,
+    dilation: &Dilation,
+    around: &Around,
+    steps: &BTreeSet<([Vector; 3], Vector)>,
+) -> Result<Vec<Vector>, Stop> {
     let mut left = around.points();
     meter.spend(left.len() as u64)?;
     let mut there = vec![true; left.len()];
@@ -52,9 +103,11 @@ pub fn points(
         for point in left {
             let image = dilation.times(point)?;
             let mut has_next = false;
-            for step in &steps {
+            for (turn, step) in steps {
                 tried = tried.saturating_add(1);
-                let place = around.place(plus(image, 1, *step)?);
+                let next = plus(image, 1, *step)?;
+                let next = if *turn == UNIT { next } else { times(turn, next)? };
+                let place = around.place(next);
                 if place.is_some_and(|place| there[place]) {
                     has_next = true;
                     break;
@@ -187,5 +240,7 @@ fn boxed(ends: impl Iterator<Item = (Q, Q)>) -> Result<Around, Stop> {
     }
     Ok(Around { low, sizes })
 }
+
+const TOO_MANY: Stop = Stop::Capped("the digits of an attractor");
 
 const TOO_LARGE: Stop = Stop::Capped("the points of a box around an attractor");

@@ -6,8 +6,8 @@ use super::attractor;
 use super::moments::{point, power, powers};
 use super::motion::{Motion, UNIT};
 use super::operator::{Function, Operator};
-use crate::numbers::{Echelon, Row, int};
-use crate::schemes::{Lattice, Vector};
+use crate::numbers::{Echelon, Meter, Row, int};
+use crate::schemes::{Dilation, Vector};
 use crate::text::{Checked, Reason, Stop, require};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,13 +16,13 @@ use std::collections::{BTreeMap, BTreeSet};
 pub const MAX_DIMENSIONS: usize = 96;
 
 /// Checks that parts are translations by one vector of each class, 0 among them, and gives these.
-pub fn digits(lattice: &Lattice, parts: &[Motion]) -> Checked<Vec<Vector>> {
+pub fn digits(dilation: &Dilation, parts: &[Motion]) -> Checked<Vec<Vector>> {
     let still = parts.iter().all(|part| part.turn == UNIT);
     require(still, Reason::Lattice("the parts are translations"))?;
     let digits: Vec<Vector> = parts.iter().map(|part| part.by).collect();
-    let classes = digits.iter().map(|digit| lattice.dilation.class(*digit));
+    let classes = digits.iter().map(|digit| dilation.class(*digit));
     let classes = classes.collect::<Result<BTreeSet<Vector>, Stop>>()?;
-    let count = lattice.dilation.arity();
+    let count = dilation.arity();
     let complete = digits.len() as u64 == count && classes.len() as u64 == count;
     require(complete, Reason::Lattice("there is one digit of each class"))?;
     require(digits.contains(&[0; 3]), Reason::Lattice("0 is a digit"))?;
@@ -36,11 +36,19 @@ pub fn space(
     (support, digits): (&[Vector], &[Vector]),
     order: usize,
 ) -> Checked<BTreeMap<Vector, Function>> {
-    let meter = operator.meter;
-    let window = attractor::points(meter, operator.dilation, (support, digits))?;
+    let window = attractor::points(operator.meter, operator.dilation, (support, digits))?;
+    without_moments((operator.meter, operator.dilation.d), &window, order)
+}
+
+/// The same on the functions of these places.
+pub fn without_moments(
+    (meter, d): (&Meter, usize),
+    window: &[Vector],
+    order: usize,
+) -> Checked<BTreeMap<Vector, Function>> {
     // The last places first: then each other place is that where one vector begins, and in no other vector.
     let mut conditions: Echelon<'_, Reverse<Vector>> = Echelon::new(meter);
-    for powers in powers(operator.dilation.d, order) {
+    for powers in powers(d, order) {
         let entry = |place: &Vector| Ok((Reverse(*place), power(meter, &point(*place), powers)?));
         let row = window.iter().map(entry).collect::<Result<Row<Reverse<Vector>>, Stop>>()?;
         conditions.add(row)?;

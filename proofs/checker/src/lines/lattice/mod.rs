@@ -3,11 +3,13 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 mod attractor;
+mod cover;
 mod differences;
 mod factors;
 mod moments;
 mod motion;
 mod operator;
+mod polynomials;
 mod shown;
 mod similar;
 mod space;
@@ -30,6 +32,8 @@ use num_traits::Pow as _;
 use operator::Operator;
 use shown::Shown;
 use tile::Tile;
+
+pub use cover::read as covered;
 
 /// What is shown of the limits of a mask on Z^d.
 pub enum LatticeProof {
@@ -128,7 +132,7 @@ fn contracts(meter: &Meter, lattice: &Lattice, block: &mut Block<'_>) -> Checked
 fn decided(meter: &Meter, lattice: &Lattice, block: &mut Block<'_>) -> Checked<bool> {
     block.word("differences")?;
     let parts = parts(block, lattice.dilation.d)?;
-    let digits = digits(lattice, &parts)?;
+    let digits = digits(&lattice.dilation, &parts)?;
     let mask = lattice.rational()?;
     let operator = Operator::new(meter, &lattice.dilation, &mask)?;
     let space = space(&operator, (&support(&mask), &digits), sum_rules(meter, lattice)?)?;
@@ -162,7 +166,9 @@ fn shown(meter: &Meter, lattice: &Lattice, block: &mut Block<'_>) -> Checked<Sho
     let alike = similar::is_similar(dilation);
     require(alike, Reason::Lattice("the dilation shrinks all directions alike"))?;
     let parts = parts(block, dilation.d)?;
-    let Tile { neighbours, mask } = Tile::of(meter, lattice, &name.join(" "), &parts)?;
+    let tile = Tile::of(dilation, vec![lattice.rational()?], &name.join(" "), &parts)?;
+    let neighbours = tile.neighbours(meter, dilation, &parts)?;
+    let mask = tile.masks.into_iter().next().unwrap_or_default();
     let said = count(block.after("accuracy")?)?;
     let operator = Operator::new(meter, dilation, &mask)?;
     let values = values::values(&operator, &support(&mask))?;

@@ -6,7 +6,7 @@ use super::attractor;
 use super::differences::digits;
 use super::motion::{Motion, Point, UNIT, divided};
 use crate::numbers::{Meter, Q, int, solve};
-use crate::schemes::{Dilation, Lattice, Vector, plus, times};
+use crate::schemes::{Dilation, Vector, plus, times};
 use crate::text::{Checked, Reason, Stop, require};
 use num_traits::{Signed as _, Zero as _};
 use std::collections::BTreeSet;
@@ -47,41 +47,66 @@ const SIMPLICES: [Simplex; 4] = [
     },
 ];
 
-/// A tile: the motions to its neighbours and to itself, and the coefficients of the mask, moved so that the group of the tile fixes
-/// the limit function.
+/// Rational numbers by their places.
+pub type Coefficients = Vec<(Vector, Q)>;
+
+/// A tile, with the coefficients of a mask, moved so that the group of the tile fixes the limit function.
 pub struct Tile {
-    pub neighbours: Vec<Motion>,
-    pub mask: Vec<(Vector, Q)>,
+    /// The matrices of the group.
+    pub group: BTreeSet<[Vector; 3]>,
+    /// The simplex that it is; none of digits.
+    simplex: Option<&'static Simplex>,
+    /// Those of the powers of a parameter; of a mask of numbers, one.
+    pub masks: Vec<Coefficients>,
 }
 
 impl Tile {
     /// The tile of this name with these parts.
-    pub fn of(meter: &Meter, lattice: &Lattice, name: &str, parts: &[Motion]) -> Checked<Tile> {
+    pub fn of(
+        dilation: &Dilation,
+        masks: Vec<Coefficients>,
+        name: &str,
+        parts: &[Motion],
+    ) -> Checked<Tile> {
         if name == "digits" {
-            let digits = digits(lattice, parts)?;
-            // A − A is the attractor of E − E.
-            let places = attractor::points(meter, &lattice.dilation, (&digits, &digits))?;
-            let neighbours = places.into_iter().map(|by| Motion { turn: UNIT, by }).collect();
-            return Ok(Tile { neighbours, mask: lattice.rational()? });
+            digits(dilation, parts)?;
+            return Ok(Tile { group: BTreeSet::from([UNIT]), simplex: None, masks });
         }
         let simplex = SIMPLICES.iter().find(|simplex| simplex.name == name);
         let simplex = simplex.ok_or(Reason::Malformed("a tile"))?;
-        let dilation = &lattice.dilation;
         let fits = simplex.corners.len() == dilation.d.saturating_add(1);
         require(fits, Reason::Lattice("the tile has the dimension of the mask"))?;
         let group = simplex.group(dilation.d)?;
         let commutes = kept(dilation, &group)?;
         require(commutes, Reason::Lattice("the dilation keeps the group of the tile"))?;
-        let mask = centred(lattice)?;
-        let coefficients: BTreeSet<&(Vector, Q)> = mask.iter().collect();
-        for turn in &group {
-            for (place, a) in &mask {
-                let symmetric = coefficients.contains(&(times(turn, *place)?, a.clone()));
-                require(symmetric, Reason::Lattice("the group of the tile keeps the mask"))?;
+        let masks = centred(dilation, masks)?;
+        for mask in &masks {
+            let coefficients: BTreeSet<&(Vector, Q)> = mask.iter().collect();
+            for turn in &group {
+                for (place, a) in mask {
+                    let symmetric = coefficients.contains(&(times(turn, *place)?, a.clone()));
+                    require(symmetric, Reason::Lattice("the group of the tile keeps the mask"))?;
+                }
             }
         }
         simplex.check_parts(dilation, &group, parts)?;
-        Ok(Tile { neighbours: simplex.neighbours(&group)?, mask })
+        Ok(Tile { group, simplex: Some(simplex), masks })
+    }
+
+    /// The motions to the neighbours of the tile, and to itself.
+    pub fn neighbours(
+        &self,
+        meter: &Meter,
+        dilation: &Dilation,
+        parts: &[Motion],
+    ) -> Checked<Vec<Motion>> {
+        if let Some(simplex) = self.simplex {
+            return Ok(simplex.neighbours(&self.group)?);
+        }
+        // A − A is the attractor of E − E.
+        let digits = digits(dilation, parts)?;
+        let places = attractor::points(meter, dilation, (&digits, &digits))?;
+        Ok(places.into_iter().map(|by| Motion { turn: UNIT, by }).collect())
     }
 }
 
@@ -179,19 +204,20 @@ fn kept(dilation: &Dilation, group: &BTreeSet<[Vector; 3]>) -> Result<bool, Stop
     Ok(true)
 }
 
-/// The coefficients a(γ + (M − I)τ), τ = (M − I)^{−1}m_1 integer. Then (M − I)τ = m_1, the mean of the places.
-fn centred(lattice: &Lattice) -> Checked<Vec<(Vector, Q)>> {
-    let (mask, m) = (lattice.rational()?, int(lattice.dilation.adjugate().1).abs());
+/// The coefficients a(γ + (M − I)τ), τ = (M − I)^{−1}m_1 integer. Then (M − I)τ = m_1, the mean of the places, which is that of the first of
+/// several masks: a mean that depends on the parameter is that of no symmetric mask.
+fn centred(dilation: &Dilation, masks: Vec<Coefficients>) -> Checked<Vec<Coefficients>> {
+    let m = int(dilation.adjugate().1).abs();
     let mut mean = [0; 3].map(int);
-    for (place, a) in &mask {
+    for (place, a) in masks.first().into_iter().flatten() {
         for (sum, x) in mean.iter_mut().zip(place) {
             *sum += a * int(*x) / &m;
         }
     }
-    let rows = lattice.dilation.rows().iter().zip(UNIT).zip(&mean).take(lattice.dilation.d);
+    let rows = dilation.rows().iter().zip(UNIT).zip(&mean).take(dilation.d);
     let equation = |((row, unit), mean): ((&Vector, Vector), &Q)| -> Vec<Q> {
         let less = row.iter().zip(unit).map(|(x, one)| int(*x) - int(one));
-        less.take(lattice.dilation.d).chain([mean.clone()]).collect()
+        less.take(dilation.d).chain([mean.clone()]).collect()
     };
     let shift = solve(rows.map(equation).collect());
     let whole = shift.is_some_and(|shift| shift.iter().all(Q::is_integer));
@@ -200,5 +226,8 @@ fn centred(lattice: &Lattice) -> Checked<Vec<(Vector, Q)>> {
         return Err(Reason::Lattice("the natural shift is integer").into());
     };
     let moved = |(place, a): (Vector, Q)| Ok((plus(place, -1, [x, y, z])?, a));
-    mask.into_iter().filter(|(_, a)| !a.is_zero()).map(moved).collect()
+    let all = |mask: Coefficients| {
+        mask.into_iter().filter(|(_, a)| !a.is_zero()).map(moved).collect::<Checked<Coefficients>>()
+    };
+    masks.into_iter().map(all).collect()
 }
