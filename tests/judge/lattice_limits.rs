@@ -120,7 +120,7 @@ fn altered_certificates() {
 }
 
 /// The lines with one of them changed.
-fn altered(lines: &[&str], at: usize) -> Vec<String> {
+pub(super) fn altered(lines: &[&str], at: usize) -> Vec<String> {
     let text = |lines: Vec<String>| lines.join("\n") + "\n";
     let own = || lines.iter().map(|line| (*line).to_owned()).collect::<Vec<String>>();
     let mut all = Vec::new();

@@ -9,6 +9,7 @@ mod functions_and_ranges;
 mod integers;
 mod lattice;
 mod lattice_limits;
+mod lattice_ranges;
 mod lines;
 mod numbers;
 mod proportional;

@@ -3,6 +3,7 @@
 mod false_limits;
 mod false_tiles;
 mod limits;
+mod ranges;
 mod refused;
 
 use crate::masks::relation_of;

@@ -10,6 +10,7 @@ mod depth;
 mod equation;
 mod family;
 mod lattice;
+mod limits;
 mod parametric;
 mod promise;
 mod radius;

@@ -2,8 +2,8 @@
 
 use super::block::Block;
 use super::lattice::cover;
+use super::limits::{NOT_SHOWN, known_limits};
 use super::parametric::pieces;
-use super::smoothness::{NOT_SHOWN, known_limits};
 use crate::audit::{RangeOfLimits, RegionOfLimits, SmoothSets, SmoothnessVerdict, Witness, Word};
 use crate::claim::{SmoothRangeStatement, SmoothRegionStatement};
 use crate::exact::Rational;

@@ -1,16 +1,11 @@
 //! Claims about smoothness: the joint spectral radius of the matrices, and what it shows.
 
 use super::block::{Block, Certified};
-use super::lattice::lattice_limits;
-use super::radius::radius;
+use super::limits::{NOT_SHOWN, known_limits};
 use super::shown::Shown;
 use super::{smooth_range, vertex};
 use crate::audit::{Direction, KnownLimits, SmoothnessFinding, SmoothnessVerdict};
 use crate::claim::{ExponentStatement, Paper, SmoothnessBody, SmoothnessStatement};
-
-/// Why a finding has no certificate: the radius is enclosed by rational numbers.
-pub(super) const NOT_SHOWN: &str =
-    "the rational bounds of the joint spectral radius do not show this";
 
 impl Certified for SmoothnessFinding<'_> {
     fn block(&self, _: &Paper) -> Block {
@@ -61,30 +56,6 @@ impl Certified for SmoothnessFinding<'_> {
             }
         }
         block
-    }
-}
-
-/// The lines about the limits of one mask, and what they show.
-pub(super) fn known_limits(block: &mut Block, known: &KnownLimits) -> Option<Shown> {
-    match known {
-        KnownLimits::Limits(known) => {
-            let lines = radius(block, known)?;
-            Some(Shown::of_curve(&lines, known.mask.arity()))
-        }
-        KnownLimits::Lattice(known) => match lattice_limits(&known.mask, &known.smoothness) {
-            Ok((lines, shown)) => {
-                lines.lines().for_each(|line| block.line(line));
-                Some(shown)
-            }
-            Err(why) => {
-                block.give_up(why);
-                None
-            }
-        },
-        _ => {
-            block.give_up("nothing is known of the limits");
-            None
-        }
     }
 }
 

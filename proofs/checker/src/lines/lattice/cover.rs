@@ -2,15 +2,15 @@
 
 #![warn(clippy::arithmetic_side_effects)]
 
+use super::bounds::{bounds, in_blocks};
 use super::differences::without_moments;
 use super::motion::{Motion, parts};
 use super::operator::Operator;
 use super::tile::{Coefficients, Tile};
-use super::{attractor, bounds, polynomials, similar};
+use super::{attractor, polynomials, similar};
 use crate::functions::lattice::equal_moments;
-use crate::lines::curve::rejected;
 use crate::numbers::{Meter, Q, int, read_rational};
-use crate::radius::{Rational, blocks, is_basis};
+use crate::radius::Rational;
 use crate::schemes::{Dilation, Lattice, Vector};
 use crate::text::{Block, Checked, Reason, Stop, require, words};
 use num_bigint::BigInt;
@@ -92,21 +92,6 @@ fn matrices(
     Ok(all)
 }
 
-/// The blocks of matrices, in the basis of the lines that say one.
-fn in_blocks(
-    meter: &Meter,
-    matrices: &[Rational],
-    block: &mut Block<'_>,
-) -> Checked<Vec<Vec<Rational>>> {
-    let mut lines = Vec::new();
-    block.look();
-    while let Some(line) = block.peek().filter(|line| is_basis(line.word().0)) {
-        block.any()?;
-        lines.push(line);
-    }
-    blocks(matrices, &lines, block.at, meter).map_err(rejected)
-}
-
 /// c and f = s^{kc}.
 fn scale(dilation: &Dilation, k: usize) -> (usize, Q) {
     // k is at most 64, and m too.
@@ -128,16 +113,13 @@ fn pieces(meter: &Meter, products: &[Vec<Rational>], block: &mut Block<'_>) -> C
         let [low, high] = words(said, "the ends of a piece")?.map(number);
         let (low, high) = (low?, high?);
         require(low < high, Reason::Malformed("the ends of a piece, of which the first is less"))?;
+        let meets = covered.as_ref().is_none_or(|[_, to]| low <= *to);
+        require(meets, Reason::Uncovered)?;
         let parts = polynomials::bernstein(meter, products, (&low, &high))?;
         let contracts = bounds(meter, &parts, block)?.at_most < int(1);
         require(contracts, Reason::NoContraction)?;
-        covered = Some(match covered {
-            None => [low, high],
-            Some([from, to]) => {
-                require(low <= to, Reason::Uncovered)?;
-                [from, high]
-            }
-        });
+        let from = covered.map_or(low, |[from, _]| from);
+        covered = Some([from, high]);
     }
     Ok(covered.ok_or(Reason::Malformed("a piece"))?)
 }

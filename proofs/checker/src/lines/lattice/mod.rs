@@ -3,6 +3,7 @@
 #![warn(clippy::arithmetic_side_effects)]
 
 mod attractor;
+mod bounds;
 mod cover;
 mod differences;
 mod factors;
@@ -19,11 +20,11 @@ mod values;
 use crate::claims::Paper;
 use crate::functions::exponent::LogSum;
 use crate::functions::lattice::{constant, sum_rules};
-use crate::lines::curve::rejected;
 use crate::numbers::{Meter, Q, int};
-use crate::radius::{Radius, check_matrices, is_bound};
+use crate::radius::Radius;
 use crate::schemes::{Lattice, Vector};
 use crate::text::{Block, Checked, Reason, Stop, compare, require};
+use bounds::bounds;
 use differences::{MAX_DIMENSIONS, digits, space};
 use factors::Factors;
 use motion::parts;
@@ -146,17 +147,6 @@ fn decided(meter: &Meter, lattice: &Lattice, block: &mut Block<'_>) -> Checked<b
 /// The places of coefficients.
 fn support(mask: &[(Vector, Q)]) -> Vec<Vector> {
     mask.iter().map(|(place, _)| *place).collect()
-}
-
-/// The lines that bound the radius of matrices.
-fn bounds(meter: &Meter, matrices: &[Vec<Vec<Q>>], block: &mut Block<'_>) -> Checked<Radius> {
-    let mut lines = Vec::new();
-    block.look();
-    while let Some(line) = block.peek().filter(|line| is_bound(line.word().0)) {
-        block.any()?;
-        lines.push(line);
-    }
-    check_matrices(matrices, &lines, block.at, meter).map_err(rejected)
 }
 
 /// What a tile shows of a scheme that converges.

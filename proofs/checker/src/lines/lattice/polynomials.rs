@@ -72,7 +72,9 @@ pub fn products(
     // Of the greatest degree of an entry.
     let is_zero = |matrix: &Rational| matrix.iter().flatten().all(Q::is_zero);
     while all.iter().all(|powers| powers.len() > 1 && powers.last().is_some_and(is_zero)) {
-        all.iter_mut().for_each(|powers| drop(powers.pop()));
+        for powers in &mut all {
+            powers.pop();
+        }
     }
     Ok(all)
 }
@@ -80,7 +82,7 @@ pub fn products(
 /// The product of two matrices of polynomials.
 fn product(meter: &Meter, a: &[Rational], b: &[Rational]) -> Result<Vec<Rational>, Stop> {
     let count = a.len().saturating_add(b.len()).saturating_sub(1);
-    if count > MAX_DEGREE {
+    if count > MAX_DEGREE.saturating_add(1) {
         return Err(Stop::Capped("the degree of a product of matrices"));
     }
     let mut sum = vec![zero(a.first().map_or(0, Vec::len)); count];
