@@ -106,8 +106,8 @@ fn altered_certificates() {
     let (_, confirmed) = verdict(scheme, m, ends, true);
     let (_, refuted) = verdict(scheme, m, "from = '-1'\nto = '1'", true);
     let body = |text: &str| {
-        let lines = text.lines().skip_while(|line| !line.starts_with("  smoothness"));
-        lines.skip(1).map(|line| format!("{line}\n")).collect::<String>()
+        let (_, body) = text.split_once("  smoothness 0\n").expect("the order");
+        body.to_owned()
     };
     let start = |text: &str| text.split_inclusive("  smoothness 0\n").next().unwrap().to_owned();
     for (ends, text) in [

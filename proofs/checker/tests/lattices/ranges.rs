@@ -63,7 +63,7 @@ fn reasons() {
         ("piece -1/10 1/10\n", "", "a piece"),
         ("piece -1/10 1/10", "piece -1/10 1/20", "whole printed range"),
         ("tile digits", "tile hexagon +", "the group of the tile keeps the mask"),
-        ("part 1 0 0 1 0 0", "part 1 0 0 1 2 0", "one digit of each class"),
+        ("part 1 0 0 1 0 1", "part 1 0 0 1 0 2", "one digit of each class"),
         ("block\n", "", "block"),
     ] {
         assert!(lines.contains(from), "{from}");
@@ -120,5 +120,5 @@ fn altered_lines() {
             }
         }
     }
-    assert!(count > 1_000, "{count}");
+    assert!(count > 800, "{count}");
 }
