@@ -1,6 +1,7 @@
 //! `subcert range --smoothness` in two parameters.
 
-use crate::cli::arguments::{BOXES, RangeArguments};
+use super::smooth_range::lattice_order;
+use crate::cli::arguments::{BOXES, LATTICE_BOXES, RangeArguments};
 use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
@@ -9,9 +10,12 @@ use serde::Serialize;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 use subcert::exact::{Rational, format::short, parse_rational};
+use subcert::lattice::lattice_map;
 use subcert::report::Sheet;
-use subcert::scheme::parse_in_parameters;
-use subcert::smoothness::{Certain, MAX_BOXES, MapBox, Sides, plane_rules, smooth_map as computed};
+use subcert::scheme::{find_definition, parse_in_parameters, parse_lattice_in_parameters};
+use subcert::smoothness::{
+    Certain, MAX_BOXES, MapBox, Sides, SmoothMap as Computed, plane_rules, smooth_map as computed,
+};
 
 /// The characters in a row of the map, and the rows.
 const PICTURE: [usize; 2] = [64, 32];
@@ -30,17 +34,11 @@ pub(crate) fn smooth_map(arguments: &RangeArguments, parameters: [&String; 2]) -
         return refuse(format!("`--boxes {most}`: from 1 to {MAX_BOXES} boxes can be examined"));
     }
     let region = region(arguments.bounds.as_deref(), parameters).map_err(Failure::Input)?;
-    let mask = parse_in_parameters(&arguments.scheme, &[first, second])?;
-    let rules = plane_rules(mask.rules(), [first, second]).map_err(|entry| {
-        Failure::Input(format!(
-            "the coefficient {entry} is not a rational polynomial in `{first}` and `{second}`"
-        ))
-    })?;
-    let done = Arc::new(AtomicUsize::new(0));
-    let progress = Progress::of_boxes(Arc::clone(&done), most, true);
-    let map = computed(&rules, m, &region, most, &done);
-    drop(progress);
-    let map = map.map_err(|error| Failure::Input(error.to_string()))?;
+    let map = if find_definition(&arguments.scheme)?.is_lattice() {
+        of_lattice(arguments, [first, second], m, &region)?
+    } else {
+        of_curve(arguments, [first, second], (m, most), &region)?
+    };
     let [inside, outside, open] = map.shares().map(Text);
     let state = |found: MapBox| {
         let (state, product) = match found.certain {
@@ -61,6 +59,40 @@ pub(crate) fn smooth_map(arguments: &RangeArguments, parameters: [&String; 2]) -
         boxes: map.boxes.into_iter().map(state).collect(),
     };
     show(&arguments.output, &answer)
+}
+
+/// The map of a mask of curves.
+fn of_curve(
+    arguments: &RangeArguments,
+    [first, second]: [&str; 2],
+    (m, most): (usize, usize),
+    region: &Sides,
+) -> Result<Computed, Failure> {
+    let mask = parse_in_parameters(&arguments.scheme, &[first, second])?;
+    let rules = plane_rules(mask.rules(), [first, second]).map_err(|entry| {
+        Failure::Input(format!(
+            "the coefficient {entry} is not a rational polynomial in `{first}` and `{second}`"
+        ))
+    })?;
+    let done = Arc::new(AtomicUsize::new(0));
+    let _progress = Progress::of_boxes(Arc::clone(&done), most, true);
+    computed(&rules, m, region, most, &done).map_err(|error| Failure::Input(error.to_string()))
+}
+
+/// The same of a mask on Z^d, where a box takes longer.
+fn of_lattice(
+    arguments: &RangeArguments,
+    parameters: [&str; 2],
+    m: usize,
+    region: &Sides,
+) -> Result<Computed, Failure> {
+    let order = lattice_order(m)?;
+    let mask = parse_lattice_in_parameters(&arguments.scheme, parameters)?;
+    let most = arguments.boxes.unwrap_or(LATTICE_BOXES);
+    let done = Arc::new(AtomicUsize::new(0));
+    let _progress = Progress::of_boxes(Arc::clone(&done), most, true);
+    lattice_map(&mask, order, region, most, &done)
+        .map_err(|error| Failure::Input(error.to_string()))
 }
 
 /// The region that `a=-1..1,b=0..1/2` names.

@@ -54,6 +54,13 @@ pub(crate) fn smooth_range(
     show(&arguments.output, &answer)
 }
 
+/// m, if C^m is asked for of a mask on Z^d.
+pub(super) fn lattice_order(m: usize) -> Result<u32, Failure> {
+    u32::try_from(m).ok().filter(|m| *m < MAX_ORDER).ok_or_else(|| {
+        Failure::Input(format!("--smoothness {m}: of masks on Z^d it is below {MAX_ORDER}"))
+    })
+}
+
 /// The same of a mask on Z^d.
 pub(crate) fn of_lattice(
     arguments: &RangeArguments,
@@ -61,9 +68,7 @@ pub(crate) fn of_lattice(
     mask: &LatticeMask<RationalPolynomial>,
 ) -> Outcome {
     let m = arguments.smoothness.unwrap_or(0);
-    let order = u32::try_from(m).ok().filter(|m| *m < MAX_ORDER).ok_or_else(|| {
-        Failure::Input(format!("--smoothness {m}: of masks on Z^d it is below {MAX_ORDER}"))
-    })?;
+    let order = lattice_order(m)?;
     let progress = Progress::of_search(true);
     let range = lattice_range(mask, order).map_err(|error| Failure::Input(error.to_string()))?;
     drop(progress);

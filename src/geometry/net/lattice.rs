@@ -4,9 +4,10 @@ use super::error::NetError;
 use super::grid::Net;
 use super::refine::MAX_NET_LEVEL;
 use crate::exact::Rational;
-use crate::lattice::values_at_integers;
+use crate::lattice::{LatticeSmoothness, natural_shift, values_at_integers};
 use crate::mesh::{MAX_POINTS, Point, combination};
 use crate::scheme::LatticeMask;
+use crate::stop::Stop;
 use std::ops::Range;
 
 /// The net of a later level, x'_α = Σ_β a(α − Mβ) x_β, for a diagonal M with positive entries; rows have the first index.
@@ -61,20 +62,26 @@ pub fn refine_lattice_net(net: &Net, mask: &LatticeMask, level: u32) -> Result<N
     Ok(net)
 }
 
-/// The limit point of every point of a net, row by row: Σ_β φ(β) x_{α−β}, which is at the place α of M^{−k}Z². `None` where an open net does not determine
-/// it.
+/// The limit point of every point of a net, row by row: for x_α that at α + t, Σ_β φ(β) x_{α+t−β}, t the integers that are not above those of the natural shift
+/// τ. Where τ is one of integers, this is the natural place. `None` where an open net does not determine it.
 ///
 /// # Errors
-/// When the basic limit function φ has no values at integers.
+/// When the scheme is not shown to converge, or the values of φ at integers are beyond a cap.
 pub fn lattice_net_limits(
     net: &Net,
     mask: &LatticeMask,
 ) -> Result<Vec<Option<Point<Rational>>>, NetError> {
     let values = values_at_integers(mask).map_err(|cap| NetError::TooMuch(cap.to_string()))?;
-    let values = values.ok_or_else(|| {
-        NetError::TooMuch("the scheme does not converge: there are no limit points".to_owned())
+    let converges = LatticeSmoothness::convergence(mask, &Stop::default()).converges;
+    let values = values.filter(|_| converges == Some(true)).ok_or_else(|| {
+        NetError::TooMuch(
+            "the scheme is not shown to converge, so that there are no limit points".to_owned(),
+        )
     })?;
+    let shift: Vec<i64> =
+        natural_shift(mask).iter().map(|x| x.floor().to_i64().unwrap_or(0)).collect();
     let limit = |i: i64, j: i64| -> Option<Point<Rational>> {
+        let (i, j) = (i + shift[0], j + shift[1]);
         let terms: Option<Vec<(&Rational, &Point<Rational>)>> =
             values.iter().map(|(at, value)| Some((value, net.at(i - at[0], j - at[1])?))).collect();
         Some(combination(terms?))

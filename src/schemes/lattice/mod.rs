@@ -44,7 +44,9 @@ pub use polynomials::{MAX_ORDER, mean, natural_shift, reproduction, sum_rules};
 pub use powers::{Functional, Steps, convolved};
 pub use product::{directions, factors, least_cut};
 pub use radius::LatticeRadius;
-pub use range::{LatticeRange, LatticeRangeError, RangePiece, RangeProof, lattice_range};
+pub use range::{
+    LatticeRange, LatticeRangeError, RangePiece, RangeProof, lattice_map, lattice_range,
+};
 pub use shape::{is_interpolating, is_isotropic, support, symmetries};
 pub use smoothness::LatticeSmoothness;
 pub use tiling::{Figure, Motion, Tiling};

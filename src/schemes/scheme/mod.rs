@@ -52,8 +52,8 @@ pub use parse::{
 };
 pub use parse_any::{AnyScheme, parse_algebraic, parse_any_scheme, parse_lattice};
 pub use parse_open::{
-    open_parameters, parse_in_parameters, parse_lattice_in_parameter, parse_parametric,
-    parse_rules_in_parameter,
+    open_parameters, parse_in_parameters, parse_lattice_in_parameter, parse_lattice_in_parameters,
+    parse_parametric, parse_rules_in_parameter,
 };
 pub use powers::{SymbolPower, SymbolPowers};
 pub use reference::{Instance, Reference, split_name};

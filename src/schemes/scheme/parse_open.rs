@@ -5,7 +5,7 @@ use super::lattice::mask::LatticeMask;
 use super::local::rules::LocalRules;
 use super::mask::Mask;
 use super::parse::{Factor, Named};
-use crate::exact::{Polynomial, Rational, RationalPolynomial};
+use crate::exact::{BivariatePolynomial, Polynomial, RationalPolynomial, Scalar};
 
 use crate::formula::{Parameters, is_identifier};
 use std::collections::BTreeMap;
@@ -132,17 +132,45 @@ pub fn parse_lattice_in_parameter(
     text: &str,
     parameter: &str,
 ) -> Result<LatticeMask<RationalPolynomial>, SchemeError> {
-    let named = named(text, &[parameter])?;
-    let factor = opened(&named, &[parameter], None)?;
+    in_parameters(text, &[parameter], |c| c.in_variable(parameter))
+}
+
+/// The same with two parameters left open.
+///
+/// # Errors
+/// As of [`parse_lattice_in_parameter`].
+///
+/// ```
+/// use subcert::scheme::parse_lattice_in_parameters;
+///
+/// let mask = parse_lattice_in_parameters("1+v*(x+1/x)+w*(y+1/y):dilation=[[1,1],[1,-1]]", ["v", "w"]);
+/// assert!(mask.is_err(), "the rules do not sum to 1");
+/// let mask = parse_lattice_in_parameters("1+(1/2-v*w)*(x+1/x)+v*w*(y+1/y):dilation=[[1,1],[1,-1]]", ["v", "w"])?;
+/// assert_eq!(mask.coefficients()[&[0, 1, 0]].degrees(), [1, 1]);
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_lattice_in_parameters(
+    text: &str,
+    parameters: [&str; 2],
+) -> Result<LatticeMask<BivariatePolynomial>, SchemeError> {
+    in_parameters(text, &parameters, |c| c.in_variables(parameters))
+}
+
+/// The mask on Z^d that SCHEME names, with polynomials of another kind as coefficients.
+fn in_parameters<P: Scalar + PartialEq>(
+    text: &str,
+    parameters: &[&str],
+    polynomial: impl Fn(&Polynomial) -> Option<P>,
+) -> Result<LatticeMask<P>, SchemeError> {
+    let named = named(text, parameters)?;
+    let factor = opened(&named, parameters, None)?;
     let mask = factor.lattice()?;
-    depends(text, &factor, &[parameter], |name| mask.coefficients().values().any(|c| c.has(name)))?;
-    let polynomial = |c: &Polynomial| c.in_variable(parameter);
+    depends(text, &factor, parameters, |name| mask.coefficients().values().any(|c| c.has(name)))?;
     if let Some(c) = mask.coefficients().values().find(|c| polynomial(c).is_none()) {
-        let (coefficient, parameter) = (c.to_string(), parameter.to_owned());
+        let (coefficient, parameter) = (c.to_string(), parameters.join("`, `"));
         return Err(SchemeError::NotPolynomial { coefficient, parameter });
     }
-    let zero = || RationalPolynomial::constant(Rational::zero());
-    Ok(mask.map(|c| polynomial(c).unwrap_or_else(zero)))
+    Ok(mask.map(|c| polynomial(c).unwrap_or_else(P::zero)))
 }
 
 /// The ring that SCHEME names, with one parameter left open. The weights are polynomials in this parameter. A valence is the

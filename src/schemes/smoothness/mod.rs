@@ -56,6 +56,7 @@ pub use plane::{
     BestExponent, Certain, MAX_BOXES, MapBox, RegionProof, Sides, SmoothMap, best_exponent,
     plane_rules, polygon_contraction, smooth_map,
 };
+pub(crate) use plane::{PlaneSearch, map_of};
 pub(crate) use range::gap;
 pub use range::{SmoothRange, smooth_range};
 pub use range_error::SmoothRangeError;

@@ -175,18 +175,35 @@ impl<'n> Search<'n> {
         Some(known)
     }
 
-    /// |P^∞ − P^k|² at a place y = α − τ near the middle of a square, α a point of a later level that is none of level k. P^∞ = Σ_β φ(β) p_{α−β}.
+    /// The greater |P^∞ − P^k|² at two places y = α − τ near the middle of a square, α a point of level k or a later one, and one that is new after level k.
+    /// There P^∞ = Σ_β φ(β) p_{α−β}.
     fn exactly(&mut self, at: &Square, level: u32) -> Option<(Rational, Spot)> {
-        let later = at.level.max(level + 1);
+        let (old, new) = (at.level.max(level), at.level.max(level + 1));
+        let found = [self.near(at, old), self.near(at, new - 1).map(|at| self.points.new_near(at))];
+        let spots = [(old, found[0]), (new, found[1])];
+        let spots = spots.map(|(later, index)| self.spot(at, level, (later, index?)));
+        spots.into_iter().flatten().max_by(|(a, _), (b, _)| a.cmp(b))
+    }
+
+    /// The point of a level that is near the middle of a square.
+    fn near(&mut self, at: &Square, level: u32) -> Option<Index> {
         let half = Rational::new(1, 2);
         let middle = self.squares.low(at).map(|x| x + &half);
-        let middle = match (later - 1).checked_sub(at.level) {
+        let middle = match level.checked_sub(at.level) {
             Some(count) => self.levels.forth(count).at(&middle),
-            None => self.back(1).at(&middle),
+            None => self.back(at.level - level).at(&middle),
         };
         let near = [0, 1].map(|i| (&middle[i] + &self.shift[i]).floor());
-        let near = [near[0].to_i64()?, near[1].to_i64()?];
-        let index = self.points.new_near(near);
+        Some([near[0].to_i64()?, near[1].to_i64()?])
+    }
+
+    /// |P^∞ − P^k|² at the place of a point of a later level, if that is on a face.
+    fn spot(
+        &mut self,
+        at: &Square,
+        level: u32,
+        (later, index): (u32, Index),
+    ) -> Option<(Rational, Spot)> {
         let place = [0, 1].map(|i| Rational::from(index[i]) - &self.shift[i]);
         let on_limit = self.points.limit(later, index, self.values)?;
         let there = self.back(later - level).at(&place);

@@ -1,6 +1,6 @@
 //! Polynomials in two variables over the rationals.
 
-use crate::exact::{Integer, Polynomial, Rational, Scalar};
+use crate::exact::{Integer, Polynomial, Rational, RationalPolynomial, Scalar};
 
 /// A polynomial Σ c_{i,j} x^i y^j over the rationals.
 ///
@@ -19,7 +19,9 @@ pub struct BivariatePolynomial {
 }
 
 impl BivariatePolynomial {
-    fn new(mut rows: Vec<Vec<Rational>>) -> BivariatePolynomial {
+    /// The polynomial with these c_{i,j}, i the row.
+    #[must_use]
+    pub fn new(mut rows: Vec<Vec<Rational>>) -> BivariatePolynomial {
         for row in &mut rows {
             let length = row.iter().rposition(|c| !c.is_zero()).map_or(0, |last| last + 1);
             row.truncate(length);
@@ -27,6 +29,20 @@ impl BivariatePolynomial {
         let length = rows.iter().rposition(|row| !row.is_empty()).map_or(0, |last| last + 1);
         rows.truncate(length);
         BivariatePolynomial { rows }
+    }
+
+    /// c_{i,j} as the member j of the row i. No row ends with 0, and the last one is not empty.
+    #[must_use]
+    pub fn coefficients(&self) -> &[Vec<Rational>] {
+        &self.rows
+    }
+
+    /// This as a polynomial in x, if y does not occur.
+    #[must_use]
+    pub fn in_first(&self) -> Option<RationalPolynomial> {
+        let first = |row: &Vec<Rational>| row.first().cloned().unwrap_or_else(Rational::zero);
+        let coefficients: Vec<Rational> = self.rows.iter().map(first).collect();
+        (self.degrees()[1] == 0).then(|| RationalPolynomial::new(&coefficients))
     }
 
     /// The greatest exponents of x and of y; 0 for constants.
@@ -161,6 +177,13 @@ fn bernstein(c: &[Rational], [low, high]: &[Rational; 2], degree: usize) -> Vec<
     let weight = |k: usize, i: usize| Rational::new(choose(k, i), choose(degree, i));
     let sum = |k: usize| moved.iter().enumerate().take(k + 1).map(|(i, m)| m * weight(k, i)).sum();
     (0..=degree).map(sum).collect()
+}
+
+impl From<&RationalPolynomial> for BivariatePolynomial {
+    /// The polynomial in x.
+    fn from(polynomial: &RationalPolynomial) -> BivariatePolynomial {
+        BivariatePolynomial::new(polynomial.coefficients().into_iter().map(|c| vec![c]).collect())
+    }
 }
 
 impl Scalar for BivariatePolynomial {

@@ -1,12 +1,15 @@
-//! For which values of a parameter the limits of masks on Z^d are C^m, from both sides.
+//! For which values of one or two parameters the limits of masks on Z^d are C^m, from both sides.
 
 mod cover;
 mod error;
+mod map;
 mod steps;
 
 use super::polynomials::sum_rules;
 use super::shape::{is_interpolating, is_isotropic};
-use crate::exact::{Interval, IntervalSet, Rational, RationalPolynomial};
+use crate::exact::{
+    BivariatePolynomial, Interval, IntervalSet, Rational, RationalPolynomial, Scalar,
+};
 use crate::joint::{MatrixSet, MatrixSetError, radius_of_blocks};
 use crate::scheme::LatticeMask;
 use crate::smoothness::{PolynomialMatrix, Search, gap, outer_ends};
@@ -14,7 +17,8 @@ use crate::stop::Stop;
 use cover::cover;
 pub use cover::{RangePiece, RangeProof};
 pub use error::LatticeRangeError;
-use steps::{Steps, products, scale};
+pub use map::lattice_map;
+use steps::{PlaneMatrix, Steps, products, scale};
 
 /// Where in a parameter the limits of a mask on Z^d are C^m.
 #[derive(Clone, Debug)]
@@ -46,8 +50,9 @@ impl LatticeRange {
         let [interval] = interval.intervals() else { return None };
         let (from, to) = outer_ends(interval)?;
         let (steps, count, scale) = &*self.steps;
-        let of_block =
-            |block: &Vec<PolynomialMatrix>| cover(&products(block, *count, scale), (&from, &to));
+        let of_block = |block: &Vec<PlaneMatrix>| {
+            cover(&products(&on_line(block), *count, scale), (&from, &to))
+        };
         Some(RangeProof {
             parts: steps.tiling.parts.clone(),
             figure: steps.tiling.figure,
@@ -84,18 +89,12 @@ pub fn lattice_range(
     mask: &LatticeMask<RationalPolynomial>,
     m: u32,
 ) -> Result<LatticeRange, LatticeRangeError> {
-    let order = sum_rules(mask);
-    if order <= m {
-        return Err(LatticeRangeError::SumRules { m, found: order });
-    }
-    if m > 0 && !is_isotropic(mask.dilation()) {
-        return Err(LatticeRangeError::Anisotropic);
-    }
-    let steps = Steps::near_tile(mask, order)?;
+    let order = order_above(mask, m)?;
+    let steps = Steps::near_tile(&mask.map(|c| BivariatePolynomial::from(c)), order)?;
     let (count, scale) = scale(mask.dilation(), m);
     let (mut inside, mut outside) = (IntervalSet::everything(), IntervalSet::default());
     for block in &steps.blocks {
-        let found = of_block(products(block, count, &scale), &outside)?;
+        let found = of_block(products(&on_line(block), count, &scale), &outside)?;
         inside = inside.intersection(&found.0);
         outside = outside.union(&found.1);
     }
@@ -110,6 +109,29 @@ pub fn lattice_range(
     let gap = gap(&inside.union(&outside));
     let steps = Box::new((steps, count, scale));
     Ok(LatticeRange { sum_rules: order, inside, outside, but_finitely_many, gap, steps })
+}
+
+/// The order of the sum rules that hold for all values, if C^m is a question with it.
+fn order_above<P: Scalar + PartialEq>(
+    mask: &LatticeMask<P>,
+    m: u32,
+) -> Result<u32, LatticeRangeError> {
+    let order = sum_rules(mask);
+    if order <= m {
+        return Err(LatticeRangeError::SumRules { m, found: order });
+    }
+    if m > 0 && !is_isotropic(mask.dilation()) {
+        return Err(LatticeRangeError::Anisotropic);
+    }
+    Ok(order)
+}
+
+/// Matrices of polynomials in one parameter as such.
+fn on_line(block: &[PlaneMatrix]) -> Vec<PolynomialMatrix> {
+    let entry = |p: &BivariatePolynomial| p.in_first().expect("one parameter");
+    let matrix =
+        |matrix: &PlaneMatrix| matrix.iter().map(|row| row.iter().map(entry).collect()).collect();
+    block.iter().map(matrix).collect()
 }
 
 /// An interval shorter than this part of all is left out.

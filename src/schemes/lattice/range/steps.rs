@@ -1,8 +1,8 @@
-//! The steps of a mask in one parameter near a tile.
+//! The steps of a mask in one or two parameters near a tile.
 
 use super::error::LatticeRangeError;
 use crate::cap::Cap;
-use crate::exact::{Rational, RationalPolynomial, Scalar as _};
+use crate::exact::{BivariatePolynomial, Rational, Scalar};
 use crate::joint::{MatrixSet, Reduction};
 use crate::lattice::places::of_tiling;
 use crate::lattice::polynomials::{mean, natural_shift};
@@ -10,30 +10,34 @@ use crate::lattice::radius::{moved, without_moments};
 use crate::lattice::tiling::Tiling;
 use crate::lattice::values::{MAX_DIMENSION, Transitions, ValueSpace};
 use crate::scheme::{Dilation, LatticeMask};
-use crate::smoothness::{PolynomialMatrix, multiplied};
+use crate::smoothness::multiplied;
+
+/// A square matrix of polynomials in the parameters, of which there is one or two.
+pub(super) type PlaneMatrix = Vec<Vec<BivariatePolynomial>>;
 
 /// The steps near a tile, in blocks.
 #[derive(Clone, Debug)]
 pub(super) struct Steps {
     pub(super) tiling: Tiling,
     /// The mask, with the natural shift 0 where the tile is an alcove.
-    mask: LatticeMask<RationalPolynomial>,
+    mask: LatticeMask<BivariatePolynomial>,
     /// The number of dimensions of the space.
     size: usize,
     /// The basis in which they are block triangular, if there are several blocks.
     pub(super) reduction: Option<Reduction>,
     /// For each block its matrices.
-    pub(super) blocks: Vec<Vec<PolynomialMatrix>>,
+    pub(super) blocks: Vec<Vec<PlaneMatrix>>,
 }
 
 impl Steps {
     /// Those on the differences of this order.
     pub(super) fn near_tile(
-        mask: &LatticeMask<RationalPolynomial>,
+        mask: &LatticeMask<BivariatePolynomial>,
         order: u32,
     ) -> Result<Steps, LatticeRangeError> {
-        let constant = mean(mask).iter().all(|x| x.as_constant().is_some());
-        let at_zero = at(mask, &Rational::zero()).filter(|_| constant);
+        let constant = mean(mask).iter().all(|x| x.degrees() == [0, 0]);
+        let zero = Rational::zero();
+        let at_zero = at(mask, [&zero, &zero]).filter(|_| constant);
         let centred = at_zero.and_then(|at| moved(mask, &natural_shift(&at)));
         let alcove = centred.and_then(|mask| Some((Tiling::of_alcove(&mask)?, mask)));
         let (tiling, mask) = match alcove {
@@ -59,20 +63,20 @@ impl Steps {
 
     /// Whether the differences of order K of values of φ near the tile are all of the space, at one value of the parameter, and so at all but finitely many.
     pub(super) fn spans(&self, order: u32) -> bool {
-        let dimension = |value: &Rational| {
-            let space = ValueSpace::of(&at(&self.mask, value)?, &self.tiling, order).ok()??;
+        let dimension = |[x, y]: &[Rational; 2]| {
+            let space = ValueSpace::of(&at(&self.mask, [x, y])?, &self.tiling, order).ok()??;
             (space.accuracy == order).then(|| space.matrices.first().map_or(0, Vec::len))
         };
         // Special values are simple ones.
-        [Rational::new(1, 97), Rational::new(-1, 89)]
-            .iter()
-            .any(|value| dimension(value) == Some(self.size))
+        let places = [[(1, 97), (1, 83)], [(-1, 89), (-1, 79)]];
+        let places = places.map(|place| place.map(|(p, q)| Rational::new(p, q)));
+        places.iter().any(|place| dimension(place) == Some(self.size))
     }
 }
 
-/// The mask at a value of the parameter.
-fn at(mask: &LatticeMask<RationalPolynomial>, value: &Rational) -> Option<LatticeMask> {
-    let coefficients = mask.coefficients().iter().map(|(place, c)| (*place, c.value_at(value)));
+/// The mask at values of the parameters.
+fn at(mask: &LatticeMask<BivariatePolynomial>, values: [&Rational; 2]) -> Option<LatticeMask> {
+    let coefficients = mask.coefficients().iter().map(|(place, c)| (*place, c.value_at(values)));
     LatticeMask::new(mask.dilation().clone(), coefficients, mask.edges().to_vec()).ok()
 }
 
@@ -87,47 +91,53 @@ pub(super) fn scale(dilation: &Dilation, m: u32) -> (usize, Rational) {
     if m.is_multiple_of(small) { (1, power(classes, m / small)) } else { (d, power(classes, m)) }
 }
 
-/// The matrices in blocks for all values of the parameter: the matrices of the coefficients of all powers are reduced together.
-fn blocks(matrices: &[PolynomialMatrix]) -> (Option<Reduction>, Vec<Vec<PolynomialMatrix>>) {
+/// The matrices in blocks for all values of the parameters: the matrices of the coefficients of all powers are reduced together.
+fn blocks(matrices: &[PlaneMatrix]) -> (Option<Reduction>, Vec<Vec<PlaneMatrix>>) {
     let entries = || matrices.iter().flatten().flatten();
-    let degree = entries().filter_map(RationalPolynomial::degree).max().unwrap_or(0);
-    let parts = |matrix: &PolynomialMatrix| -> Vec<Vec<Vec<Rational>>> {
-        let part = |k: usize| {
-            let entry = |p: &RationalPolynomial| {
-                p.coefficients().get(k).cloned().unwrap_or_else(Rational::zero)
+    let [d, e] = [0, 1].map(|i| entries().map(|p| p.degrees()[i]).max().unwrap_or(0));
+    let parts = |matrix: &PlaneMatrix| -> Vec<Vec<Vec<Rational>>> {
+        let part = |(k, l): (usize, usize)| {
+            let entry = |p: &BivariatePolynomial| {
+                p.coefficients()
+                    .get(k)
+                    .and_then(|row| row.get(l))
+                    .cloned()
+                    .unwrap_or_else(Rational::zero)
             };
             matrix.iter().map(|row| row.iter().map(entry).collect()).collect()
         };
-        (0..=degree).map(part).collect()
+        (0..=d).flat_map(|k| (0..=e).map(move |l| (k, l))).map(part).collect()
     };
     let set = MatrixSet::of_any_size(matrices.iter().flat_map(parts).collect());
     let Some(reduction) = Reduction::fine(&set).map(Reduction::balanced) else {
         return (None, vec![matrices.to_vec()]);
     };
-    let together = |parts: &[Vec<Vec<Rational>>]| -> PolynomialMatrix {
+    let together = |parts: &[Vec<Vec<Rational>>]| -> PlaneMatrix {
         let size = parts[0].len();
         let entry = |i: usize, j: usize| {
-            let all: Vec<Rational> = parts.iter().map(|part| part[i][j].clone()).collect();
-            RationalPolynomial::new(&all)
+            let row =
+                |row: &[Vec<Vec<Rational>>]| row.iter().map(|part| part[i][j].clone()).collect();
+            BivariatePolynomial::new(parts.chunks(e + 1).map(row).collect())
         };
         (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect()
     };
-    let block = |block: &MatrixSet| block.matrices().chunks(degree + 1).map(together).collect();
+    let block =
+        |block: &MatrixSet| block.matrices().chunks((d + 1) * (e + 1)).map(together).collect();
     let blocks = reduction.blocks.iter().map(block).collect();
     (Some(reduction), blocks)
 }
 
 /// The products of so many matrices, times a number.
-pub(super) fn products(
-    block: &[PolynomialMatrix],
+pub(super) fn products<P: Scalar + PartialEq>(
+    block: &[Vec<Vec<P>>],
     count: usize,
     scale: &Rational,
-) -> Vec<PolynomialMatrix> {
+) -> Vec<Vec<Vec<P>>> {
     let mut all = block.to_vec();
     for _ in 1..count {
         all = all.iter().flat_map(|a| block.iter().map(move |b| multiplied(a, b))).collect();
     }
-    let scale = RationalPolynomial::from_rational(scale);
+    let scale = P::from_rational(scale);
     for x in all.iter_mut().flatten().flatten() {
         *x = x.times(&scale);
     }

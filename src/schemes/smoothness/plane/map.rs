@@ -2,6 +2,7 @@
 
 use super::region::{Certain, Search, Sides, parts};
 use crate::exact::{BivariatePolynomial, Rational};
+use crate::joint::MatrixSetError;
 use crate::scheme::Rules;
 use crate::smoothness::parametric::{ParametricSymbol, Reduced};
 use crate::smoothness::range_error::SmoothRangeError;
@@ -33,6 +34,16 @@ pub struct SmoothMap {
 }
 
 impl SmoothMap {
+    /// The same, where what is outside is open.
+    pub(crate) fn without_outside(mut self) -> SmoothMap {
+        for found in &mut self.boxes {
+            if matches!(found.certain, Certain::Outside(_)) {
+                found.certain = Certain::Open;
+            }
+        }
+        self
+    }
+
     /// The part of the area of the region that is inside, outside and open.
     #[must_use]
     pub fn shares(&self) -> [Rational; 3] {
@@ -83,6 +94,17 @@ pub fn smooth_map(
     if cycles {
         searches.push(search(&whole.reduced(0).symbol, 0)?);
     }
+    let sure = m == 0 || whole.is_interpolating();
+    Ok(SmoothMap { but_exceptions: !sure, ..map_of(searches, region, most, done)? })
+}
+
+/// The map of where all of these contract, and where one does not.
+pub(crate) fn map_of(
+    mut searches: Vec<Search>,
+    region: &Sides,
+    most: usize,
+    done: &AtomicUsize,
+) -> Result<SmoothMap, MatrixSetError> {
     let mut waiting = VecDeque::from([region.clone()]);
     let (mut boxes, mut looked_at) = (Vec::new(), 0);
     while let Some(sides) = waiting.pop_front() {
@@ -108,6 +130,5 @@ pub fn smooth_map(
             certain => boxes.push(MapBox { sides, certain }),
         }
     }
-    let sure = m == 0 || whole.is_interpolating();
-    Ok(SmoothMap { boxes, but_exceptions: !sure, looked_at })
+    Ok(SmoothMap { boxes, but_exceptions: false, looked_at })
 }

@@ -6,8 +6,10 @@ mod polygon;
 mod region;
 
 pub use best::{BestExponent, best_exponent};
+pub(crate) use map::map_of;
 pub use map::{MAX_BOXES, MapBox, SmoothMap, smooth_map};
 pub use polygon::{RegionProof, polygon_contraction};
+pub(crate) use region::Search as PlaneSearch;
 pub use region::{Certain, Sides};
 
 use crate::exact::{BivariatePolynomial, Polynomial};

@@ -1,7 +1,9 @@
 //! What is certain in whole boxes of two parameters.
 
 use crate::exact::{BivariatePolynomial, Rational, characteristic_coefficients};
-use crate::joint::{Closing, MatrixSet, MatrixSetError, contracts, expanding_product};
+use crate::joint::{
+    Closing, MatrixSet, MatrixSetError, contracts, expanding_product, hull_when_balanced,
+};
 use crate::smoothness::excluded::excluding;
 use crate::smoothness::parametric::multiplied;
 
@@ -27,6 +29,9 @@ type Matrix = Vec<Vec<BivariatePolynomial>>;
 /// parameters.
 const MAX_DEGREE: usize = 16;
 
+/// The largest matrices whose determinants are taken as functions of the parameters.
+const MAX_SIZE: usize = 12;
+
 /// The most products.
 const MAX_WORDS: usize = 24;
 
@@ -37,19 +42,29 @@ struct Excluding {
 }
 
 /// What is known of a plane of parameters.
-pub(super) struct Search {
+pub(crate) struct Search {
     matrices: Vec<Matrix>,
     /// The greatest degrees of an entry in both parameters.
     degrees: [usize; 2],
     excluding: Vec<Excluding>,
+    /// Whether each hull is looked for in a basis of its own.
+    balanced: bool,
 }
 
 impl Search {
+    /// The same as [`new`](Self::new), where each hull is looked for in a basis of its own: for matrices that are no windows of a mask.
+    pub(crate) fn balanced(
+        matrices: Vec<Matrix>,
+        region: &Sides,
+    ) -> Result<Search, MatrixSetError> {
+        Ok(Search { balanced: true, ..Search::new(matrices, region)? })
+    }
+
     pub(super) fn new(matrices: Vec<Matrix>, region: &Sides) -> Result<Search, MatrixSetError> {
         let entries = || matrices.iter().flatten().flatten();
         let degree = |which: usize| entries().map(|p| p.degrees()[which]).max().unwrap_or(0);
         let degrees = [degree(0), degree(1)];
-        let search = Search { matrices, degrees, excluding: Vec::new() };
+        let search = Search { matrices, degrees, excluding: Vec::new(), balanced: false };
         // The caps hold for all boxes if they hold for one.
         search.corners(region)?;
         Ok(search)
@@ -101,7 +116,12 @@ impl Search {
         let [[a, b], [c, d]] = sides;
         let ends = [[a, c], [a, d], [b, c], [b, d]].map(|corner| self.set_at(corner));
         let ends = ends.into_iter().collect::<Result<Vec<MatrixSet>, _>>()?;
-        let inside = contracts(&self.corners(sides)?, &at_middle, &ends, Closing::All);
+        let set = self.corners(sides)?;
+        let inside = if self.balanced {
+            hull_when_balanced(&set, &at_middle, &ends, Closing::All).is_some()
+        } else {
+            contracts(&set, &at_middle, &ends, Closing::All)
+        };
         Ok(if inside { Certain::Inside } else { Certain::Open })
     }
 
@@ -121,7 +141,7 @@ impl Search {
     /// Takes a product into account; `false` where it is known, or beyond the caps.
     fn add(&mut self, word: &[usize]) -> bool {
         let size = self.matrices.first().map_or(0, Vec::len);
-        let large = size * word.len() > MAX_DEGREE.max(size);
+        let large = self.balanced && size > MAX_SIZE || size * word.len() > MAX_DEGREE.max(size);
         let known = self.excluding.iter().any(|excluding| excluding.word == word);
         if large || known || self.excluding.len() == MAX_WORDS {
             return false;
