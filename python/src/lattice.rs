@@ -25,15 +25,8 @@ type Places = Vec<(Vec<i64>, Fraction)>;
 type Parts = (Vec<Vec<i64>>, Places, Vec<Vec<i64>>, Vec<Fraction>);
 
 /// The order of the sum rules, the accuracy, whether the scheme converges, the proven order, the least that fails, the exponent, what is open.
-type Known = (
-    u32,
-    Option<u32>,
-    Option<bool>,
-    Option<u32>,
-    Option<u32>,
-    Option<Exponent>,
-    Option<String>,
-);
+type Known =
+    (u32, Option<u32>, Option<bool>, Option<u32>, Option<u32>, Option<Exponent>, Option<String>);
 
 fn mask(text: &str) -> PyResult<LatticeMask> {
     parse_lattice(text).map_err(|error| of_scheme(&error))

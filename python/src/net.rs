@@ -45,16 +45,14 @@ pub fn net_depth(
 ) -> PyResult<Depth> {
     let (scheme, net) = net(scheme, given)?;
     let tolerance = rational(tolerance)?;
-    depth_aside(py, move || {
-        match scheme {
-            NetRules::Product(scheme) => {
-                let distances = NetDistances::new(net, &scheme).map_err(refused)?;
-                distances.depth(&tolerance).map_err(plain)
-            }
-            NetRules::Lattice(_, mask) => {
-                let distances = LatticeNetDistances::new(&net, &mask).map_err(refused)?;
-                distances.depth(&tolerance).map_err(plain)
-            }
+    depth_aside(py, move || match scheme {
+        NetRules::Product(scheme) => {
+            let distances = NetDistances::new(net, &scheme).map_err(refused)?;
+            distances.depth(&tolerance).map_err(plain)
+        }
+        NetRules::Lattice(_, mask) => {
+            let distances = LatticeNetDistances::new(&net, &mask).map_err(refused)?;
+            distances.depth(&tolerance).map_err(plain)
         }
     })
 }

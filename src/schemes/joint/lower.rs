@@ -206,10 +206,14 @@ impl<F: Entry> Lower<F> {
         best
     }
 
-    /// The left eigenvectors of the rotations of the leading product, or rows that turn in a plane with it, where its leading eigenvalue is not real.
+    /// The left eigenvectors of the rotations of the leading product, or, of large matrices, rows that turn in a plane with it, where its leading eigenvalue
+    /// is not real.
     pub(super) fn seeds(&self, set: &MatrixSet<F>) -> Vec<Vec<f64>> {
-        let turns = if self.real { 1 } else { TURNS };
-        self.eigenvectors(set, &self.product.repeat(turns))
+        match (self.real, set.size() > MAX_CONJUGATE) {
+            (true, _) => self.eigenvectors(set, &self.product),
+            (false, true) => self.eigenvectors(set, &self.product.repeat(TURNS)),
+            (false, false) => Vec::new(),
+        }
     }
 
     /// The left eigenvectors of the rotations of a product.

@@ -2,9 +2,10 @@
 
 use super::error::LatticeRangeError;
 use super::order_above;
-use super::steps::{PlaneMatrix, Steps, products, scale};
+use super::steps::{PlaneMatrix, Steps, at, products, scale};
 use crate::exact::{BivariatePolynomial, Rational};
 use crate::joint::{MatrixSet, radius_of_blocks};
+use crate::lattice::constants::LatticeConstants;
 use crate::lattice::shape::is_interpolating;
 use crate::scheme::LatticeMask;
 use crate::smoothness::{PlaneSearch, Sides, SmoothMap, map_of};
@@ -15,7 +16,7 @@ use std::sync::atomic::AtomicUsize;
 /// counts them.
 ///
 /// As for [one parameter](super::lattice_range), the steps near a tile are split into blocks for all parameters at once. Inside, a hull is invariant under the
-/// matrices of which those of the box are means, for each block; outside, a product of one block has an eigenvalue of s^{−m} or more in the whole box.
+/// matrices of which those of the box are means, for each block, or T_1 < 1 at the corners, for m = 0; outside, a product of one block has an eigenvalue of s^{−m} or more in the whole box.
 /// `proofs/THEOREMS.md`, 122 and 150.
 ///
 /// # Errors
@@ -48,13 +49,27 @@ pub fn lattice_map(
     let open = blocks.filter(|block| !always_contracts(block));
     let searches: Result<Vec<PlaneSearch>, _> =
         open.map(|block| PlaneSearch::balanced(block, region)).collect();
+    // T_1 is greatest at a corner, if the coefficients are linear in each parameter: it is a maximum of norms.
+    let linear = mask.coefficients().values().all(|c| c.degrees().iter().all(|d| *d <= 1));
+    let inside = |[[a, b], [c, d]]: &Sides| {
+        let corners = [[a, c], [a, d], [b, c], [b, d]];
+        m == 0 && linear && corners.into_iter().all(|corner| contracts(mask, corner))
+    };
     // Where data are kept, steps are those of differences of φ itself; and divergence needs no more.
     let sure = m == 0 || is_interpolating(mask);
-    let map = map_of(searches?, region, most, done)?;
+    let map = map_of(searches?, &inside, region, (most, done))?;
     if sure || steps.spans(order) {
         return Ok(SmoothMap { but_exceptions: !sure, ..map });
     }
     Ok(map.without_outside())
+}
+
+/// Whether T_1 < 1 at values of the parameters.
+fn contracts(mask: &LatticeMask<BivariatePolynomial>, values: [&Rational; 2]) -> bool {
+    let Some(mask) = at(mask, values) else { return false };
+    let mut constants = LatticeConstants::new(&mask);
+    let found = constants.advance().ok().and_then(|()| constants.contraction().ok());
+    found.is_some_and(|found| found.value < Rational::one())
 }
 
 /// Whether matrices depend on no parameter, and have a radius below 1.

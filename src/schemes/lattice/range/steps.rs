@@ -75,7 +75,10 @@ impl Steps {
 }
 
 /// The mask at values of the parameters.
-fn at(mask: &LatticeMask<BivariatePolynomial>, values: [&Rational; 2]) -> Option<LatticeMask> {
+pub(super) fn at(
+    mask: &LatticeMask<BivariatePolynomial>,
+    values: [&Rational; 2],
+) -> Option<LatticeMask> {
     let coefficients = mask.coefficients().iter().map(|(place, c)| (*place, c.value_at(values)));
     LatticeMask::new(mask.dilation().clone(), coefficients, mask.edges().to_vec()).ok()
 }

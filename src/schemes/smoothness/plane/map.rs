@@ -95,15 +95,15 @@ pub fn smooth_map(
         searches.push(search(&whole.reduced(0).symbol, 0)?);
     }
     let sure = m == 0 || whole.is_interpolating();
-    Ok(SmoothMap { but_exceptions: !sure, ..map_of(searches, region, most, done)? })
+    Ok(SmoothMap { but_exceptions: !sure, ..map_of(searches, &|_| false, region, (most, done))? })
 }
 
-/// The map of where all of these contract, and where one does not.
+/// The map of where all of these contract, and where one does not. Boxes that are `inside` for another reason are not looked at.
 pub(crate) fn map_of(
     mut searches: Vec<Search>,
+    inside: &dyn Fn(&Sides) -> bool,
     region: &Sides,
-    most: usize,
-    done: &AtomicUsize,
+    (most, done): (usize, &AtomicUsize),
 ) -> Result<SmoothMap, MatrixSetError> {
     let mut waiting = VecDeque::from([region.clone()]);
     let (mut boxes, mut looked_at) = (Vec::new(), 0);
@@ -114,6 +114,10 @@ pub(crate) fn map_of(
         }
         looked_at += 1;
         done.store(looked_at, Ordering::Relaxed);
+        if inside(&sides) {
+            boxes.push(MapBox { sides, certain: Certain::Inside });
+            continue;
+        }
         let mut certain = Certain::Inside;
         for search in &mut searches {
             match search.look_at(&sides)? {
