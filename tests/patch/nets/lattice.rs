@@ -190,6 +190,35 @@ fn a_paraboloid_by_thirds() {
     assert!((super::length(apart) - 1.0 / 128.0).abs() < 1e-3);
 }
 
+/// A mirrored square lattice has the limits of the unmirrored one; turned ones keep their faces on closed nets, also where squares of a level lie on two of them.
+#[test]
+fn other_dilations_see_all_faces() {
+    let spike = heights(12, 12, |i, j| r(if (i, j) == (2, 2) { 8 } else { 0 }, 1));
+    for matrix in ["[[2,0],[0,2]]", "[[-2,0],[0,2]]", "[[0,2],[2,0]]", "[[0,2],[-2,0]]"] {
+        let mask = mask(&format!("(1+x)^3*(1+y)^3/16:dilation={matrix}"));
+        let distances = LatticeNetDistances::new(&spike, &mask).expect(matrix);
+        assert_eq!(distances.compared(), 81, "{matrix}");
+        assert_eq!(distances.depth(&r(1, 10)).expect(matrix).too_few, Some(2), "{matrix}");
+    }
+    // Far from their faces squares belong to two of them, and the greatest distance is there.
+    let rows = [-5, -1, 0, -7];
+    let points = (0..12).map(|k| [0, 0, rows[k / 3]].map(Rational::from)).collect();
+    let net = Net::new(points, 3, CLOSED[3]).expect("a net");
+    let symbol = "(1+x+x^2+x^3+x^4)^2*(x+1/4*x^2-1/4*x^3-1/2*x^4+1/2*x^5)*(1+y)^2/10";
+    for matrix in ["[[-5,0],[0,2]]", "[[-5,0],[1,2]]"] {
+        let mask = mask(&format!("{symbol}:dilation={matrix}"));
+        let distances = LatticeNetDistances::new(&net, &mask).expect(matrix);
+        let [least, most] = distances.distance(2);
+        let of_faces = distances.faces(2).into_iter().map(|[least, _]| least).fold(0.0, f64::max);
+        assert!(
+            least <= most && of_faces <= most * (1.0 + 1e-9),
+            "{matrix}: {least} {most} {of_faces}"
+        );
+        let depth = distances.depth(&r(27, 1000)).expect(matrix);
+        assert!(depth.distance[0] <= depth.distance[1], "{matrix}: {:?}", depth.distance);
+    }
+}
+
 /// Where all is linear, nothing is apart, whatever the unit.
 #[test]
 fn what_is_linear_is_its_own_limit() {

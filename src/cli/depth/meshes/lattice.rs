@@ -21,7 +21,7 @@ use subcert::scheme::LatticeMask;
 pub(super) fn lattice_net_depth(
     mask: &LatticeMask,
     net: &Net,
-    (scheme, name, notes): (String, String, Vec<String>),
+    (scheme, name, mut notes): (String, String, Vec<String>),
     (tolerance, arguments): (Rational, &DepthArguments),
     to: &Destination,
 ) -> Outcome {
@@ -40,6 +40,10 @@ pub(super) fn lattice_net_depth(
     }
     let distances = LatticeNetDistances::new(net, mask).map_err(failure)?;
     let guaranteed = distances.a_priori(&tolerance).map_err(failure)?;
+    let (compared, all) = (distances.compared(), net.faces().iter().product::<usize>());
+    if compared < all {
+        notes.push(format!("{compared} of {all} faces are compared: those with all points around them that are needed"));
+    }
     let triangles = Between::of(mask) != Some(Between::Boxes);
     let subject = Subject {
         scheme,

@@ -1,6 +1,6 @@
 //! The distances of nets from the limits of masks on Z².
 
-use super::levels::{Levels, Place, Sides};
+use super::levels::{Levels, Place};
 use super::points::{Index, Points, integers, length};
 use super::search::{Answer, Search, Spot};
 use super::tail::Tail;
@@ -33,7 +33,8 @@ const LEAST: usize = 1 << 9;
 ///
 /// D_k = sup |P^∞ − P^k|, k = 0, 1, …,
 ///
-/// over the faces of the net whose piece of the limit it determines, Euclidean. The point α of level k stands at M^{−k}(α + τ) − τ, τ the natural shift, and P^k is
+/// over the faces of the net whose piece of the limit it determines, Euclidean: of an open net those with all points around them that this depends on, or, if some row of M has
+/// several entries other than 0, that the bounds depend on, which are more. The point α of level k stands at M^{−k}(α + τ) − τ, τ the natural shift, and P^k is
 /// linear on triangles between them or linear in each coordinate, as [`Between`] says. Rows have the first index. All is computed exactly.
 ///
 /// Source: `proofs/THEOREMS.md`, 153.
@@ -91,7 +92,7 @@ impl LatticeNetDistances {
             let text = "differences of points are not shown to contract with this mask, so that no distance from a limit is known";
             NetError::TooMuch(text.to_owned())
         })?;
-        let faces = determined(net, &levels.window)?;
+        let faces = determined(net, &levels)?;
         let (unit, origin) = (scale::<NetError>(net.points())?, net.points()[0].clone());
         let inverse = unit.recip();
         let scaled =
@@ -121,6 +122,12 @@ impl LatticeNetDistances {
     #[must_use]
     pub fn work(&self) -> Arc<MeshWork> {
         Arc::clone(&self.work)
+    }
+
+    /// How many faces are compared.
+    #[must_use]
+    pub fn compared(&self) -> usize {
+        self.faces.len()
     }
 
     /// The level that the longest edge guarantees: first differences are as long, and second ones twice as long at most.
@@ -243,11 +250,11 @@ fn sure(mut bound: impl FnMut(u32) -> f64, tolerance: &Rational) -> Result<u32, 
 }
 
 /// The faces whose piece of the limit is determined: with all points at the integers in the open box around them.
-fn determined(net: &Net, window: &Sides) -> Result<BTreeSet<Index>, NetError> {
+fn determined(net: &Net, levels: &Levels) -> Result<BTreeSet<Index>, NetError> {
     let (closed, faces) = (net.closed().both(), net.faces());
     let mut ranges = Vec::new();
     for direction in [0, 1] {
-        let [low, high] = &window[direction];
+        let [low, high] = &levels.window[direction];
         let wide = [low.clone(), high + &Rational::one()];
         let [first, last] = integers(&wide).unwrap_or([0, i64::MAX]);
         let count = i64::try_from(faces[direction]).unwrap_or(i64::MAX);
@@ -260,7 +267,14 @@ fn determined(net: &Net, window: &Sides) -> Result<BTreeSet<Index>, NetError> {
         };
         if range.is_empty() {
             let needed = usize::try_from(last - first + 1).unwrap_or(usize::MAX);
-            return Err(NetError::TooFew { direction, found, needed });
+            return Err(match levels.nested {
+                true => NetError::TooFew { direction, found, needed },
+                false => NetError::TooMuch(format!(
+                    "the bounds for this dilation matrix need {needed} {} around a face, and the net has {found}: add \
+                     some, or close the net",
+                    if direction == 0 { "rows" } else { "points in a row" }
+                )),
+            });
         }
         ranges.push(range);
     }

@@ -75,7 +75,7 @@ pub(super) struct Levels {
     pub(super) up: Affine,
     /// To the level before.
     pub(super) down: Affine,
-    /// Whether M is diagonal with positive entries, so that unit squares consist of unit squares of the next level.
+    /// Whether each row of M has one entry other than 0, so that images of unit squares consist of unit squares.
     pub(super) nested: bool,
     /// M^{−steps} takes each square into a smaller one.
     pub(super) steps: u32,
@@ -98,7 +98,8 @@ impl Levels {
         let rows: Vec<&[i64]> = dilation.rows().collect();
         let matrix = [0, 1].map(|i| [0, 1].map(|j| Rational::from(rows[i][j])));
         let mean: Place = mean(mask).try_into().ok()?;
-        let nested = dilation.diagonal().is_some_and(|all| all.iter().all(|n| *n > 0));
+        let single = |row: &[i64]| row.iter().filter(|x| **x != 0).count() == 1;
+        let nested = rows.iter().all(|row| single(row));
         let column = |j: usize| {
             let unit: Vec<Rational> = (0..2).map(|i| i64::from(i == j).into()).collect();
             dilation.inverse_times(&unit)

@@ -74,7 +74,8 @@ pub(super) enum Answer {
 
 impl Known {
     fn most(&self) -> f64 {
-        (root(upper(&self.apart)) + self.tail).next_up()
+        let most = root(upper(&self.apart)) + self.tail;
+        if most == 0.0 { most } else { most.next_up() }
     }
 
     /// A lower bound, and where.
@@ -244,7 +245,7 @@ impl<'n> Search<'n> {
             if square.level == 0 {
                 self.work.step();
             }
-            if !seen.insert((square.level, square.at)) {
+            if !seen.insert(square.clone()) {
                 continue;
             }
             if *left == 0 || self.work.is_stopped() {
@@ -282,7 +283,7 @@ impl<'n> Search<'n> {
         let mut seen = HashSet::new();
         loop {
             for square in todo.drain(..) {
-                if !seen.insert((square.level, square.at)) {
+                if !seen.insert(square.clone()) {
                     continue;
                 }
                 let Some(found) = self.known(&square, level) else {

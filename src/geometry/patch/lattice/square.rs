@@ -11,7 +11,7 @@ pub(super) struct Square {
     /// The square of level 0, of the image of which it is a part, or which its image meets.
     pub(super) root: Index,
     /// `low`, but for the place where squares of its level begin.
-    pub(super) at: Index,
+    at: Index,
 }
 
 /// How squares of a level consist of those of the next one.
