@@ -200,6 +200,9 @@ fn other_dilations_see_all_faces() {
         assert_eq!(distances.compared(), 81, "{matrix}");
         assert_eq!(distances.depth(&r(1, 10)).expect(matrix).too_few, Some(2), "{matrix}");
     }
+    // Two steps of a quincunx lattice are 2I.
+    let quincunx = LatticeNetDistances::new(&spike, &mask("quincunx-five-point")).expect("a net");
+    assert_eq!(quincunx.compared(), 81);
     // Far from their faces squares belong to two of them, and the greatest distance is there.
     let rows = [-5, -1, 0, -7];
     let points = (0..12).map(|k| [0, 0, rows[k / 3]].map(Rational::from)).collect();

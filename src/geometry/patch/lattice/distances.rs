@@ -33,8 +33,8 @@ const LEAST: usize = 1 << 9;
 ///
 /// D_k = sup |P^∞ − P^k|, k = 0, 1, …,
 ///
-/// over the faces of the net whose piece of the limit it determines, Euclidean: of an open net those with all points around them that this depends on, or, if some row of M has
-/// several entries other than 0, that the bounds depend on, which are more. The point α of level k stands at M^{−k}(α + τ) − τ, τ the natural shift, and P^k is
+/// over the faces of the net whose piece of the limit it determines, Euclidean: of an open net those with all points around them that this depends on, or, if no small power of M has one entry other than 0 in each row, that the
+/// bounds depend on, which are more. The point α of level k stands at M^{−k}(α + τ) − τ, τ the natural shift, and P^k is
 /// linear on triangles between them or linear in each coordinate, as [`Between`] says. Rows have the first index. All is computed exactly.
 ///
 /// Source: `proofs/THEOREMS.md`, 153.

@@ -75,7 +75,9 @@ pub(super) struct Levels {
     pub(super) up: Affine,
     /// To the level before.
     pub(super) down: Affine,
-    /// Whether each row of M has one entry other than 0, so that images of unit squares consist of unit squares.
+    /// How many levels squares are divided at a time, and whether their images then consist of squares: where each row of this power of M has one entry other
+    /// than 0.
+    pub(super) stride: u32,
     pub(super) nested: bool,
     /// M^{−steps} takes each square into a smaller one.
     pub(super) steps: u32,
@@ -84,6 +86,9 @@ pub(super) struct Levels {
     /// The limit on a square of level 0, and all levels there, depend on points of level 0 in the places of the square + this.
     pub(super) window: Sides,
 }
+
+/// The most levels that squares are divided at a time.
+const MAX_STRIDE: u32 = 3;
 
 /// The greatest denominator of the mean of a mask.
 const MAX_DENOMINATOR: i64 = 16;
@@ -98,8 +103,6 @@ impl Levels {
         let rows: Vec<&[i64]> = dilation.rows().collect();
         let matrix = [0, 1].map(|i| [0, 1].map(|j| Rational::from(rows[i][j])));
         let mean: Place = mean(mask).try_into().ok()?;
-        let single = |row: &[i64]| row.iter().filter(|x| **x != 0).count() == 1;
-        let nested = rows.iter().all(|row| single(row));
         let column = |j: usize| {
             let unit: Vec<Rational> = (0..2).map(|i| i64::from(i == j).into()).collect();
             dilation.inverse_times(&unit)
@@ -107,6 +110,7 @@ impl Levels {
         let columns = [column(0), column(1)];
         let inverse = [0, 1].map(|i| [0, 1].map(|j| columns[j][i].clone()));
         let up = Affine { matrix, constant: mean };
+        let (stride, nested) = stride(&up);
         let zero = [0, 1].map(|_| Rational::zero());
         let back = Affine { matrix: inverse.clone(), constant: zero };
         let constant = back.at(&up.constant).map(|x| -x);
@@ -124,7 +128,10 @@ impl Levels {
         let (mut power, mut sum) =
             (Affine::identity(), [0, 1].map(|_| [0, 1].map(|_| Rational::zero())));
         let mut powers = vec![(power.clone(), sum.clone())];
-        while powers.len() == 1 || !contracts(&power) {
+        while powers.len() == 1
+            || !contracts(&power)
+            || !(powers.len() - 1).is_multiple_of(stride as usize)
+        {
             if powers.len() > MOST as usize {
                 return None;
             }
@@ -156,10 +163,10 @@ impl Levels {
             (reach, window)
         };
         let steps = u32::try_from(dependence.powers.len()).ok()? - 1;
-        Some(Levels { up, down, nested, steps, reach, window })
+        Some(Levels { up, down, stride, nested, steps, reach, window })
     }
 
-    /// Where squares of the first levels begin, up to integers, and from which of these on they come again and again. Squares of level 0 begin at integers,
+    /// Where squares of the first levels at which there are any begin, up to integers, and from which of these on they come again and again. Squares of level 0 begin at integers,
     /// and nested ones later at the images of such places.
     pub(super) fn offsets(&self) -> (Vec<Place>, usize) {
         let mut all = vec![[0, 1].map(|_| Rational::zero())];
@@ -168,7 +175,10 @@ impl Levels {
         }
         // The images have the denominators of the mean of the mask, so that they are finitely many up to integers.
         loop {
-            let next = self.up.at(&all[all.len() - 1]).map(|x| &x - &Rational::from(x.floor()));
+            let next = self
+                .forth(self.stride)
+                .at(&all[all.len() - 1])
+                .map(|x| &x - &Rational::from(x.floor()));
             if let Some(again) = all.iter().position(|place| *place == next) {
                 return (all, again);
             }
@@ -185,6 +195,18 @@ impl Levels {
     pub(super) fn back(&self, count: u32) -> Affine {
         (0..count).fold(Affine::identity(), |all, _| self.down.after(&all))
     }
+}
+
+/// The least power of which each row has one entry other than 0, and whether there is one within few.
+fn stride(up: &Affine) -> (u32, bool) {
+    let mut power = up.clone();
+    for count in 1..=MAX_STRIDE {
+        if power.matrix.iter().all(|row| row.iter().filter(|x| !x.is_zero()).count() == 1) {
+            return (count, true);
+        }
+        power = up.after(&power);
+    }
+    (1, false)
 }
 
 /// Whether a linear map takes each square around 0 into a smaller one.

@@ -18,7 +18,7 @@ pub(super) struct Square {
 #[derive(Clone, Debug)]
 pub(super) struct Squares<'l> {
     levels: &'l Levels,
-    /// Where squares of the first levels begin, up to integers; then the last ones of them come again.
+    /// Where squares of the first levels that have any begin, up to integers; then the last ones of them come again.
     offsets: Vec<Place>,
     /// The first of those that come again.
     again: usize,
@@ -32,7 +32,7 @@ impl<'l> Squares<'l> {
 
     /// Where squares of a level begin, up to integers.
     fn offset(&self, level: u32) -> &Place {
-        let (level, count) = (level as usize, self.offsets.len());
+        let (level, count) = ((level / self.levels.stride) as usize, self.offsets.len());
         let at =
             if level < count { level } else { self.again + (level - count) % (count - self.again) };
         &self.offsets[at]
@@ -49,18 +49,19 @@ impl<'l> Squares<'l> {
         [0, 1].map(|i| Rational::from(square.at[i]) + &offset[i])
     }
 
-    /// The squares of the next level that meet it, as far as they meet the image of the one of level 0.
+    /// The squares of the next level at which there are any that meet it, as far as they meet the image of the one of level 0.
     pub(super) fn parts(&self, square: &Square) -> Vec<Square> {
         let Square { level, root, .. } = *square;
         let low = self.low(square);
-        let image = self.levels.up.hull(&around(&low));
-        let offset = self.offset(level + 1);
+        let stride = self.levels.stride;
+        let image = self.levels.forth(stride).hull(&around(&low));
+        let offset = self.offset(level + stride);
         let range = |i: usize| {
             let [low, high] = [0, 1].map(|end| &image[i][end] - &offset[i]);
             low.floor().to_i64().zip(high.ceil().to_i64()).map_or(0..0, |(low, high)| low..high)
         };
         let all = range(0).flat_map(|i| range(1).map(move |j| [i, j]));
-        let all = all.map(|at| Square { level: level + 1, root, at });
+        let all = all.map(|at| Square { level: level + stride, root, at });
         if self.levels.nested {
             return all.collect();
         }

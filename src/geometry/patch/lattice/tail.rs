@@ -1,13 +1,12 @@
 //! How far later levels are from a level, by differences of its points.
 
 use super::corners::corners;
-use super::levels::{Affine, Levels};
+use super::levels::{Levels, Place};
 use super::quotients::{Order, sums};
 use crate::exact::{Rational, Real as _, only_solution};
 use crate::float::upper;
 use crate::lattice::{Between, Functional, Steps, sum_rules, weights};
 use crate::scheme::LatticeMask;
-use std::collections::BTreeMap;
 
 /// The most digits of so many steps as are taken in one.
 const MAX_DIGITS: usize = 256;
@@ -30,7 +29,7 @@ pub(super) struct Tail {
 impl Tail {
     /// The least bound that is found; `None` where differences are not shown to contract.
     pub(super) fn of(mask: &LatticeMask, levels: &Levels, between: Between) -> Option<Tail> {
-        let moved = displacements(mask, levels, between)?;
+        let moved = displacements(mask, levels, between);
         let orders = [Order::Second, Order::First];
         let most = sum_rules(mask);
         let allowed = orders.into_iter().filter(|order| most >= 2 || *order == Order::First);
@@ -40,7 +39,7 @@ impl Tail {
     fn by(
         mask: &LatticeMask,
         levels: &Levels,
-        moved: &[Functional<Rational>],
+        moved: &[Vec<Functional<Rational>>],
         order: Order,
     ) -> Option<Tail> {
         let total = |tail: &Tail| tail.weights.iter().cloned().sum::<Rational>();
@@ -50,9 +49,13 @@ impl Tail {
         let mut best: Option<Tail> = None;
         loop {
             // κ of the levels up to here, and N of one more.
-            let Some(bound) = greatest(&steps, moved, order) else { return best };
-            for (sum, more) in kappa.iter_mut().zip(&bound) {
-                *sum += more;
+            if steps.count().is_multiple_of(levels.stride) {
+                for moved in moved {
+                    let Some(bound) = greatest(&steps, moved, order) else { return best };
+                    for (sum, more) in kappa.iter_mut().zip(&bound) {
+                        *sum += more;
+                    }
+                }
             }
             let digits = mask.dilation().class_count().pow(steps.count() + 1);
             if digits > MAX_DIGITS {
@@ -135,30 +138,40 @@ fn greatest(
     Some(most)
 }
 
-/// P^1 − P^0 at the corners of the pieces of all kinds of squares.
+/// P^{j+1} − P^j at the corners of their pieces in all kinds of squares of level 0, for the levels j until squares are divided.
 fn displacements(
     mask: &LatticeMask,
     levels: &Levels,
     between: Between,
-) -> Option<Vec<Functional<Rational>>> {
-    let mut found = Vec::new();
-    let own = Affine::identity();
-    for low in levels.offsets().0 {
-        for corner in corners(&low, &[&own, &levels.up], between) {
-            let mut functional: Functional<Rational> = BTreeMap::new();
-            for (place, weight) in weights(&corner, between) {
-                *functional.entry(place).or_insert_with(Rational::zero) -= &weight;
-            }
-            for (place, weight) in weights(&levels.up.at(&corner), between) {
-                for (at, c) in mask.rule(place) {
-                    *functional.entry(at).or_insert_with(Rational::zero) += &(c * &weight);
+) -> Vec<Vec<Functional<Rational>>> {
+    let mut all = Vec::new();
+    let mut steps = Steps::none(mask);
+    for count in 0..levels.stride {
+        let next = steps.next();
+        let (rows, next_rows) = (steps.rows(), next.rows());
+        let (coarse, fine) = (levels.forth(count), levels.forth(count + 1));
+        let mut found = Vec::new();
+        for low in levels.offsets().0 {
+            for corner in corners(&low, &[&coarse, &fine], between) {
+                let mut functional =
+                    steps.pulled(&rows, &negative(&coarse.at(&corner), between), [0; 3]);
+                let moved = weights(&fine.at(&corner), between).into_iter().collect();
+                for (at, c) in next.pulled(&next_rows, &moved, [0; 3]) {
+                    *functional.entry(at).or_insert_with(Rational::zero) += &c;
+                }
+                functional.retain(|_, c| !c.is_zero());
+                if !found.contains(&functional) {
+                    found.push(functional);
                 }
             }
-            functional.retain(|_, c| !c.is_zero());
-            if !found.contains(&functional) {
-                found.push(functional);
-            }
         }
+        all.push(found);
+        steps = next;
     }
-    Some(found)
+    all
+}
+
+/// Minus the net at a place.
+fn negative(place: &Place, between: Between) -> Functional<Rational> {
+    weights(place, between).into_iter().map(|(at, weight)| (at, -weight)).collect()
 }
