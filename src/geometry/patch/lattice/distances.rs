@@ -173,7 +173,7 @@ impl LatticeNetDistances {
             looked += share - still;
             let (beyond, open) = match found {
                 Answer::Within => (None, false),
-                Answer::Beyond(spot) => (Some(self.far(&mut search, spot)), false),
+                Answer::Beyond(spot) => (Some(self.far(&mut search, &spot)), false),
                 Answer::Open => (None, true),
             };
             LevelResult { beyond, open, exact_pieces: 0 }
@@ -181,7 +181,7 @@ impl LatticeNetDistances {
         let level = descent.level;
         let (distance, worst) = search.greatest(level, &mut self.faces.iter().copied(), MOST[1]);
         let [least, most] = distance.map(|x| x * nearest(&self.unit));
-        let worst = worst.map(|spot| self.far(&mut search, spot));
+        let worst = worst.map(|spot| self.far(&mut search, &spot));
         let (too_few, beyond) = descent.beyond.unzip();
         let exact_pieces = looked;
         let distance = [least, most.min(upper(tolerance))];
@@ -201,9 +201,11 @@ impl LatticeNetDistances {
         let [rows, columns] = self.net.faces().map(|n| i64::try_from(n).unwrap_or(0));
         let mut search = self.search();
         let all = (0..rows).flat_map(|i| (0..columns).map(move |j| [i, j]));
-        let of = |face: Index| match self.faces.contains(&face) {
-            true => search.greatest(level, &mut std::iter::once(face), MOST[2]).0,
-            false => [0.0; 2],
+        let of = |face: Index| {
+            if !self.faces.contains(&face) {
+                return [0.0; 2];
+            }
+            search.greatest(level, &mut std::iter::once(face), MOST[2]).0
         };
         all.map(of).map(|bounds| bounds.map(|x| x * nearest(&self.unit))).collect()
     }
@@ -216,8 +218,8 @@ impl LatticeNetDistances {
     }
 
     /// A place in the numbers of the net.
-    fn far(&self, search: &mut Search<'_>, spot: Spot) -> FarPlace {
-        let limit = search.limit(&spot);
+    fn far(&self, search: &mut Search<'_>, spot: &Spot) -> FarPlace {
+        let limit = search.limit(spot);
         let f64s = |point: &Point<Rational>| {
             [0, 1, 2].map(|c| nearest(&(&point[c] * &self.unit + &self.origin[c])))
         };
@@ -267,14 +269,14 @@ fn determined(net: &Net, levels: &Levels) -> Result<BTreeSet<Index>, NetError> {
         };
         if range.is_empty() {
             let needed = usize::try_from(last - first + 1).unwrap_or(usize::MAX);
-            return Err(match levels.nested {
-                true => NetError::TooFew { direction, found, needed },
-                false => NetError::TooMuch(format!(
-                    "the bounds for this dilation matrix need {needed} {} around a face, and the net has {found}: add \
-                     some, or close the net",
-                    if direction == 0 { "rows" } else { "points in a row" }
-                )),
-            });
+            if levels.nested {
+                return Err(NetError::TooFew { direction, found, needed });
+            }
+            let what = if direction == 0 { "rows" } else { "points in a row" };
+            return Err(NetError::TooMuch(format!(
+                "the bounds for this dilation matrix need {needed} {what} around a face, and the net has {found}: add \
+                 some, or close the net"
+            )));
         }
         ranges.push(range);
     }

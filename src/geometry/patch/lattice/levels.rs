@@ -148,9 +148,10 @@ impl Levels {
         });
         let dependence = Dependence { powers, unit: Rational::from(unit) };
         let wide = |x: Rational| [0, 1].map(|_| [-x.clone(), x.clone()]);
-        let reach = dependence.closed(dependence.before(&wide(Rational::one())))?;
+        let reach = dependence.closed(dependence.before(&wide(Rational::one()), 1))?;
         let (reach, window) = if nested {
-            let window = dependence.before(&reach);
+            // Differences are those of levels at which there are squares.
+            let window = dependence.before(&reach, stride);
             (reach, window)
         } else {
             // A corner of the square of a later level is as near to a place in it, after steps back.
@@ -159,7 +160,7 @@ impl Levels {
             let near = near.fold(corners.clone(), |all, hull| around(&all, &hull));
             let reach = plus(&reach, &near);
             // Squares of later levels meet the image of the one of level 0, and may not be in it.
-            let window = dependence.before(&dependence.closed(plus(&reach, &corners))?);
+            let window = dependence.before(&dependence.closed(plus(&reach, &corners))?, 1);
             (reach, window)
         };
         let steps = u32::try_from(dependence.powers.len()).ok()? - 1;
@@ -224,7 +225,7 @@ struct Dependence {
 
 impl Dependence {
     /// The least box around the places, i levels before, of what a box depends on.
-    fn earlier(&self, sides: &Sides, (power, sum): &(Affine, Sides)) -> Sides {
+    fn earlier(sides: &Sides, (power, sum): &(Affine, Sides)) -> Sides {
         plus(&power.hull(sides), sum)
     }
 
@@ -232,7 +233,7 @@ impl Dependence {
     fn closed(&self, sides: Sides) -> Option<Sides> {
         let mut sides = sides;
         for _ in 0..MOST {
-            let earlier = self.earlier(&sides, self.powers.last()?);
+            let earlier = Dependence::earlier(&sides, self.powers.last()?);
             let out = earlier.map(|[low, high]| {
                 let low = Rational::from((low * &self.unit).floor()) / self.unit.clone();
                 [low, Rational::from((high * &self.unit).ceil()) / self.unit.clone()]
@@ -246,9 +247,9 @@ impl Dependence {
         None
     }
 
-    /// The least box around what a box depends on at all of fewer levels before than contract.
-    fn before(&self, sides: &Sides) -> Sides {
-        let few = &self.powers[..self.powers.len() - 1];
-        few.iter().fold(sides.clone(), |all, power| around(&all, &self.earlier(sides, power)))
+    /// The least box around what a box depends on at all of fewer levels before than contract, of which each is a multiple of the stride.
+    fn before(&self, sides: &Sides, stride: u32) -> Sides {
+        let few = self.powers[..self.powers.len() - 1].iter().step_by(stride as usize);
+        few.fold(sides.clone(), |all, power| around(&all, &Dependence::earlier(sides, power)))
     }
 }

@@ -79,7 +79,7 @@ impl Quotients {
         let mut rows = vec![vec![0_i128; width]; height];
         for (at, numerator) in functional.keys().zip(&common.numerators[0]) {
             let column = usize::try_from(at[0] - left).ok()?;
-            let numerator = i128::try_from(numerator.to_i64()?).ok()?;
+            let numerator = i128::from(numerator.to_i64()?);
             rows[usize::try_from(at[1] - low).ok()?][column] = numerator;
         }
         let denominator = i128::from(common.denominator.to_i64()?);

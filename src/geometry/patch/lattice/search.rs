@@ -68,7 +68,7 @@ pub(super) struct Spot {
 /// Whether all squares are within the tolerance.
 pub(super) enum Answer {
     Within,
-    Beyond(Spot),
+    Beyond(Box<Spot>),
     Open,
 }
 
@@ -260,7 +260,7 @@ impl<'n> Search<'n> {
                 Some(true) => {}
                 Some(false) => {
                     if let (_, Some(spot)) = known.least() {
-                        return Answer::Beyond(spot.clone());
+                        return Answer::Beyond(Box::new(spot.clone()));
                     }
                 }
                 None if square.level >= level + EXTRA_LEVELS => open = true,

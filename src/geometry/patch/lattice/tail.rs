@@ -32,8 +32,8 @@ impl Tail {
         let moved = displacements(mask, levels, between);
         let orders = [Order::Second, Order::First];
         let most = sum_rules(mask);
-        let allowed = orders.into_iter().filter(|order| most >= 2 || *order == Order::First);
-        allowed.filter_map(|order| Tail::by(mask, levels, &moved, order)).next()
+        let mut allowed = orders.into_iter().filter(|order| most >= 2 || *order == Order::First);
+        allowed.find_map(|order| Tail::by(mask, levels, &moved, order))
     }
 
     fn by(
