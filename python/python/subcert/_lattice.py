@@ -139,8 +139,12 @@ class Lattice:
         >>> Lattice("butterfly-regular", w="1/16").smoothness().continuity
         1
         """
-        *known, hoelder, rest = _native.lattice_smoothness(self._text)
-        return LatticeSmoothness(*known, exponent_of(hoelder), rest)
+        sum_rules, accuracy, converges, continuity, fails, hoelder, rest = (
+            _native.lattice_smoothness(self._text)
+        )
+        return LatticeSmoothness(
+            sum_rules, accuracy, converges, continuity, fails, exponent_of(hoelder), rest
+        )
 
 
 def _places(found: List[Tuple[List[int], Tuple[int, int]]]) -> Dict[Place, Fraction]:

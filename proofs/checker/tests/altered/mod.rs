@@ -108,7 +108,7 @@ pub const WORDS: [&[&str]; 25] = [
     &["polygon", "net", "row", "ring", "weights"],
     &["level", "tolerance", "at", "let"],
     &["grows", "times", "flow", "weights", "level"],
-    &["positive", "negative", "conjugate"],
+    &["positive", "negative", "modulus"],
     &["continuous", "not-continuous"],
     &["confirmed", "refuted", "rounding cut", "rounding away", "open"],
 ];
