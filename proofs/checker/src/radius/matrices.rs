@@ -63,17 +63,23 @@ fn sign_by_elimination(mut rows: Matrix, meter: &Meter) -> Result<i8, Stop> {
     Ok(sign)
 }
 
+/// Fractions as integers over their common denominator.
+pub fn cleared(rows: &[Vec<Q>], meter: &Meter) -> Result<(Vec<Vec<BigInt>>, BigInt), Stop> {
+    let mut common = BigInt::one();
+    for x in rows.iter().flatten() {
+        meter.spend(product_steps(common.bits() + x.denom().bits()))?;
+        common = common.lcm(x.denom());
+    }
+    let whole = |x: &Q| x.numer() * (&common / x.denom());
+    let integers = rows.iter().map(|row| row.iter().map(whole).collect()).collect();
+    Ok((integers, common))
+}
+
 /// The same of fractions: the rows become integers, whose minors the steps of Bareiss's elimination are.
 fn sign_of_fractions(rows: &[Vec<Q>], meter: &Meter) -> Result<i8, Stop> {
     let mut integers = Vec::with_capacity(rows.len());
     for row in rows {
-        let mut common = BigInt::one();
-        for x in row {
-            meter.spend(product_steps(common.bits() + x.denom().bits()))?;
-            common = common.lcm(x.denom());
-        }
-        let whole = |x: &Q| x.numer() * (&common / x.denom());
-        integers.push(row.iter().map(whole).collect::<Vec<BigInt>>());
+        integers.extend(cleared(std::slice::from_ref(row), meter)?.0);
     }
     let (size, mut sign, mut before) = (rows.len(), 1, BigInt::one());
     for step in 0..size {
@@ -100,7 +106,7 @@ fn sign_of_fractions(rows: &[Vec<Q>], meter: &Meter) -> Result<i8, Stop> {
 }
 
 /// The steps of two products of integers of so many binary digits, and a quotient: there are no common divisors.
-fn steps_of_minor(bits: u64) -> u64 {
+pub fn steps_of_minor(bits: u64) -> u64 {
     let blocks = bits / 2_048;
     1 + blocks + blocks * blocks
 }

@@ -1,9 +1,11 @@
 //! The moduli of eigenvalues.
 
 use super::element::Element;
-use super::matrices::{Matrix, multiplied};
+use super::matrices::{Matrix, cleared, multiplied, steps_of_minor};
 use crate::numbers::{Meter, Q};
 use crate::text::Stop;
+use num_bigint::BigInt;
+use num_traits::{One as _, Zero as _};
 
 /// Whether an eigenvalue of a matrix has a modulus of at least q > 0.
 ///
@@ -11,7 +13,18 @@ use crate::text::Stop;
 /// zeros of (f − a·f*)/((1 − a²)x) are, f* with the coefficients of f in the opposite order.
 pub fn has_modulus(matrix: &Matrix, bound: &Q, meter: &Meter) -> Result<bool, Stop> {
     let one = Element::whole(1);
-    let mut f = characteristic(matrix, meter)?;
+    let fractions = |row: &Vec<Element>| row.iter().map(Element::as_fraction).collect();
+    let fractions: Option<Vec<Vec<Q>>> = matrix.iter().map(fractions).collect();
+    // The eigenvalues of an integer multiple are multiples.
+    let (mut f, bound): (Vec<Element>, Q) = match fractions {
+        Some(fractions) => {
+            let (integers, common) = cleared(&fractions, meter)?;
+            let whole = |c: BigInt| Element::fraction(&Q::from_integer(c));
+            let f = of_integers(&integers, meter)?.into_iter().map(whole).collect();
+            (f, bound * Q::from_integer(common))
+        }
+        None => (characteristic(matrix, meter)?, bound.clone()),
+    };
     let (inverse, mut power) = (Element::fraction(&bound.recip()), one.clone());
     for c in f.iter_mut().rev() {
         *c = c.metered_times(&power, meter)?;
@@ -48,6 +61,32 @@ fn characteristic(matrix: &Matrix, meter: &Meter) -> Result<Vec<Element>, Stop> 
                 row[i] = row[i].plus(&c);
             }
             power = multiplied(matrix, &power, meter)?;
+        }
+        coefficients.push(c);
+    }
+    coefficients.reverse();
+    Ok(coefficients)
+}
+
+/// The same of integers, which the coefficients then are too.
+fn of_integers(matrix: &[Vec<BigInt>], meter: &Meter) -> Result<Vec<BigInt>, Stop> {
+    let size = matrix.len();
+    let mut coefficients = vec![BigInt::one()];
+    let mut power = matrix.to_vec();
+    for k in 1..=size {
+        let trace: BigInt = (0..size).map(|i| &power[i][i]).sum();
+        let c = -trace / BigInt::from(k);
+        if k < size {
+            for (i, row) in power.iter_mut().enumerate() {
+                row[i] += &c;
+            }
+            let bits = matrix.iter().chain(&power).flatten().map(BigInt::bits).max().unwrap_or(0);
+            meter.spend((size * size * size) as u64 * steps_of_minor(bits))?;
+            let entry = |row: &Vec<BigInt>, j: usize| {
+                let terms = row.iter().zip(&power).filter(|(x, _)| !x.is_zero());
+                terms.map(|(x, other)| x * &other[j]).sum()
+            };
+            power = matrix.iter().map(|row| (0..size).map(|j| entry(row, j)).collect()).collect();
         }
         coefficients.push(c);
     }
