@@ -122,8 +122,10 @@ pub fn lattice_depth(
 pub fn lattice_values(py: Python<'_>, text: &str, level: u32) -> PyResult<Places> {
     let mask = mask(text)?;
     aside(py, move || {
+        let converges = LatticeSmoothness::convergence(&mask, &Stop::default()).converges;
         let values = limit_values(&mask, level).map_err(plain)?;
-        let values = values.ok_or_else(|| plain("the scheme does not converge"))?;
+        let values = values.filter(|_| converges == Some(true));
+        let values = values.ok_or_else(|| plain("the scheme is not shown to converge"))?;
         Ok(placed(&values, mask.dimension()))
     })
 }

@@ -128,7 +128,7 @@ class Lattice:
     def values(self, level: int = 0) -> Dict[Place, Fraction]:
         """The basic limit function at M^-k α, by α, where it is not 0; at integers these are the weights of the limit.
 
-        >>> Lattice("loop-regular").values()[2, 2]
+        >>> Lattice("loop-regular").values()[0, 0]
         Fraction(1, 2)
         """
         return _places(_native.lattice_values(self._text, count(level, "level")))
