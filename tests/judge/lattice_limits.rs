@@ -19,9 +19,9 @@ const SCHEMES: &str = "
     [[scheme]]\nname = 'skew'\nsymbol = '(1+x)^2/(2*x)*(1+y+y^2)^2/(3*y^2)*(1+(x-1)^2*(y-1)^2/90)'\ndilation = [[2,0],[0,3]]
 ";
 
-/// The verdict on one claim, on which the checker has to agree. Where `certified` is false, there is no certificate.
-fn verdict(kind: &str, fields: &str, certified: bool) -> Word {
-    let paper = paper(&format!("{SCHEMES}[[{kind}]]\nid = 'c'\nlocus = 'l'\n{fields}"));
+/// The verdict on the one claim of a file, on which the checker has to agree, and the certificate. Where `certified` is false, there is none.
+pub fn agreed(claims: &str, certified: bool) -> (Word, String) {
+    let paper = paper(claims);
     let audit = judged(&paper);
     let word = audit.smoothness[0].verdict.word();
     let text = certificate(&audit).text;
@@ -32,8 +32,12 @@ fn verdict(kind: &str, fields: &str, certified: bool) -> Word {
         Outcome::Incomplete(_) => !certified,
         _ => false,
     };
-    assert!(agrees, "{fields}: {word}, {outcome:?}\n{text}");
-    word
+    assert!(agrees, "{claims}: {word}, {outcome:?}\n{text}");
+    (word, text)
+}
+
+fn verdict(kind: &str, fields: &str, certified: bool) -> Word {
+    agreed(&format!("{SCHEMES}[[{kind}]]\nid = 'c'\nlocus = 'l'\n{fields}"), certified).0
 }
 
 #[test]

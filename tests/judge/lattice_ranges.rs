@@ -1,9 +1,8 @@
 //! Claims about ranges of a parameter of masks on Z^d, and their certificates.
 
-use super::lattice_limits::altered;
-use crate::common::claims::{HEAD, judged, paper};
+use super::lattice_limits::{agreed, altered};
+use crate::common::claims::{HEAD, paper};
 use subcert::audit::Word;
-use subcert::certificate::certificate;
 use subcert_check::{Outcome, check};
 
 const SCHEMES: &str = "
@@ -31,19 +30,7 @@ fn claim(scheme: &str, m: usize, ends: &str) -> String {
 
 /// The verdict on a claim, on which the checker has to agree, and the certificate. Where `certified` is false, there is none.
 fn verdict(scheme: &str, m: usize, ends: &str, certified: bool) -> (Word, String) {
-    let paper = paper(&claim(scheme, m, ends));
-    let audit = judged(&paper);
-    let word = audit.smoothness[0].verdict.word();
-    let text = certificate(&audit).text;
-    let report = check(&paper.source.text, &[&text]).expect("a claim file");
-    let (_, _, outcome) = &report.claims[0];
-    let agrees = match outcome {
-        Outcome::Valid => certified,
-        Outcome::Incomplete(_) => !certified,
-        _ => false,
-    };
-    assert!(agrees, "{scheme}, {m}, {ends}: {word}, {outcome:?}");
-    (word, text)
+    agreed(&claim(scheme, m, ends), certified)
 }
 
 #[test]

@@ -175,21 +175,9 @@ class Smoothness(Answer):
     hoelder: Optional[Exponent]
 
     def _repr_html_(self) -> str:
-        exponent = self.hoelder
-        return facts(
-            "Smoothness",
-            [
-                ("limits are", None if self.continuity is None else f"C^{self.continuity}"),
-                (
-                    "not all are",
-                    None if self.continuity_fails is None else f"C^{self.continuity_fails}",
-                ),
-                ("Hölder exponent", exponent and (exponent.formula or float(exponent))),
-                ("sum rules", self.sum_rules),
-                ("reproduces degree", self.reproduction),
-                ("natural shift", self.natural_shift),
-            ],
-        )
+        known = smoothness_rows(self.continuity, self.continuity_fails, self.hoelder, self.sum_rules)
+        more = [("reproduces degree", self.reproduction), ("natural shift", self.natural_shift)]
+        return facts("Smoothness", known + more)
 
 
 @dataclass(frozen=True)
@@ -395,6 +383,17 @@ def of_curve(native: Any) -> Smoothness:
     return Smoothness(
         arity, sum_rules, reproduction, pair(shift), independent, continuity, fails, hoelder
     )
+
+
+def smoothness_rows(
+    continuity: Optional[int], fails: Optional[int], exponent: Optional[Exponent], sum_rules: int
+) -> List[Tuple[str, Any]]:
+    return [
+        ("limits are", None if continuity is None else f"C^{continuity}"),
+        ("not all are", None if fails is None else f"C^{fails}"),
+        ("Hölder exponent", exponent and (exponent.formula or float(exponent))),
+        ("sum rules", sum_rules),
+    ]
 
 
 def exponent_of(found: Any) -> Optional[Exponent]:

@@ -8,7 +8,7 @@ from os import PathLike, fspath
 from typing import Dict, List, Optional, Tuple, Union
 
 from . import _native
-from ._analysis import Exponent, exponent_of
+from ._analysis import Exponent, exponent_of, smoothness_rows
 from ._answer import Answer
 from ._html import facts
 from ._numbers import Number, coprime, count
@@ -42,19 +42,8 @@ class LatticeSmoothness(Answer):
     open: Optional[str]
 
     def _repr_html_(self) -> str:
-        exponent = self.hoelder
-        return facts(
-            "Smoothness",
-            [
-                ("limits are", None if self.continuity is None else f"C^{self.continuity}"),
-                (
-                    "not all are",
-                    None if self.continuity_fails is None else f"C^{self.continuity_fails}",
-                ),
-                ("Hölder exponent", exponent and (exponent.formula or float(exponent))),
-                ("sum rules", self.sum_rules),
-            ],
-        )
+        rows = smoothness_rows(self.continuity, self.continuity_fails, self.hoelder, self.sum_rules)
+        return facts("Smoothness", rows)
 
 
 class Lattice:

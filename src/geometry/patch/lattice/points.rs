@@ -59,13 +59,21 @@ impl<'n> Points<'n> {
         let Some(before) = level.checked_sub(1) else {
             return self.net.at(at[0], at[1]).cloned();
         };
-        let rule: Vec<(Index, &Rational)> =
-            self.mask.rule([at[0], at[1], 0]).map(|(at, c)| ([at[0], at[1]], c)).collect();
+        let rule = self.mask.rule([at[0], at[1], 0]).map(|(at, c)| ([at[0], at[1]], c));
+        self.combined(before, rule)
+    }
+
+    /// Σ w·p over points of a level.
+    fn combined<'w>(
+        &mut self,
+        level: usize,
+        terms: impl Iterator<Item = (Index, &'w Rational)>,
+    ) -> Option<Point<Rational>> {
         let mut sum = [0, 1, 2].map(|_| Rational::zero());
-        for (at, c) in rule {
-            let point = self.point(before, at)?;
+        for (at, weight) in terms {
+            let point = self.point(level, at)?;
             for (total, x) in sum.iter_mut().zip(point.iter()) {
-                *total += &(c * x);
+                *total += &(weight * x);
             }
         }
         Some(sum)
@@ -73,14 +81,8 @@ impl<'n> Points<'n> {
 
     /// The net of a level at a place.
     pub(super) fn at(&mut self, level: u32, place: &Place) -> Option<Point<Rational>> {
-        let mut sum = [0, 1, 2].map(|_| Rational::zero());
-        for (at, weight) in weights(place, self.between) {
-            let point = self.point(level as usize, [at[0], at[1]])?;
-            for (total, x) in sum.iter_mut().zip(point.iter()) {
-                *total += &(&weight * x);
-            }
-        }
-        Some(sum)
+        let weights = weights(place, self.between);
+        self.combined(level as usize, weights.iter().map(|(at, weight)| ([at[0], at[1]], weight)))
     }
 
     /// A point near that of a level whose place is Mα: one that is new at the next level.
@@ -98,14 +100,9 @@ impl<'n> Points<'n> {
         at: Index,
         values: &[(Index, Rational)],
     ) -> Option<Point<Rational>> {
-        let mut sum = [0, 1, 2].map(|_| Rational::zero());
-        for (back, weight) in values {
-            let point = self.point(level as usize, [at[0] - back[0], at[1] - back[1]])?;
-            for (total, x) in sum.iter_mut().zip(point.iter()) {
-                *total += &(weight * x);
-            }
-        }
-        Some(sum)
+        let terms =
+            values.iter().map(|(back, weight)| ([at[0] - back[0], at[1] - back[1]], weight));
+        self.combined(level as usize, terms)
     }
 
     /// Upper bounds of the lengths of the differences of each kind, with all points at the integers in the open box.
@@ -136,13 +133,8 @@ impl<'n> Points<'n> {
                 continue;
             }
             let difference = self.differences[number].clone();
-            let mut sum = [0, 1, 2].map(|_| Rational::zero());
-            for (to, c) in &difference {
-                let point = self.point(level as usize, [at[0] + to[0], at[1] + to[1]])?;
-                for (total, x) in sum.iter_mut().zip(point.iter()) {
-                    *total += &(c * x);
-                }
-            }
+            let terms = difference.iter().map(|(to, c)| ([at[0] + to[0], at[1] + to[1]], c));
+            let sum = self.combined(level as usize, terms)?;
             all[number] = length(&sum);
         }
         if let Some(known) = self.levels.get_mut(level as usize) {

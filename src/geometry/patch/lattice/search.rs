@@ -23,14 +23,14 @@ const LATER: u32 = 8;
 
 /// Points, and how squares of the levels follow each other.
 pub(super) struct Search<'n> {
-    pub(super) points: Points<'n>,
-    pub(super) levels: &'n Levels,
+    points: Points<'n>,
+    levels: &'n Levels,
     squares: Squares<'n>,
-    pub(super) tail: &'n Tail,
-    pub(super) between: Between,
+    tail: &'n Tail,
+    between: Between,
     /// The faces whose piece of the limit is determined.
-    pub(super) faces: &'n BTreeSet<Index>,
-    pub(super) work: &'n MeshWork,
+    faces: &'n BTreeSet<Index>,
+    work: &'n MeshWork,
     /// The natural shift, and φ at integers; none where it has no values.
     shift: &'n Place,
     values: &'n [(Index, Rational)],
