@@ -12,9 +12,6 @@ use subcert::lattice::{
 use subcert::scheme::{LatticeMask, Point, parse_lattice};
 use subcert::stop::Stop;
 
-/// The most differences of one constant.
-const MAX_DIFFERENCES: usize = 1 << 12;
-
 /// The most levels of a depth.
 const MAX_DEPTH: u32 = 400;
 
@@ -102,13 +99,7 @@ pub fn lattice_depth(
     }
     let mask = mask(text)?;
     aside(py, move || {
-        let (mut constants, mut all) = (LatticeConstants::new(&mask), vec![Rational::one()]);
-        while all.len() == 1 || constants.next_count() <= MAX_DIFFERENCES {
-            if constants.advance().is_err() {
-                break;
-            }
-            all.push(constants.contraction().map_err(plain)?.value);
-        }
+        let all = LatticeConstants::up_to_cap(&mask).map_err(plain)?;
         let found = LatticeDistance::of(&mask, &shift(&mask, natural), all).map_err(plain)?;
         let found = found.ok_or_else(|| {
             plain("no T_c is below 1, or nets of this mask have no distances: the depth is open")

@@ -153,6 +153,17 @@ fn own_schemes_have_the_pictures_of_the_catalogue() {
     assert_eq!(ring.replace("examples/loop.toml", "loop"), written(["plot", "loop:N=7"]));
 }
 
+/// A mask on Z² with two parameters has a map as curves have.
+#[test]
+fn maps_of_masks_on_lattices() {
+    let map = written(["plot", "(1+x)^2*(1+y)^2/4*(1+a*(x-1)+b*(y-1))"]);
+    let shares = [
+        "C^0: 71.9 % of the area proven, 0 % refuted",
+        "C^1: 8.59 % of the area proven, 75 % refuted",
+    ];
+    assert_parts(&map, &shares);
+}
+
 #[test]
 fn pages_of_the_atlas_need_a_folder_and_claims_need_pages() {
     assert_parts(&refused(["atlas", "chaikin", "--format", "html"]), &["-o DIR"]);

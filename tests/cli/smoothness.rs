@@ -75,6 +75,10 @@ fn radii_of_files() {
         (&"3.917384715148".into(), &"3.917384715149".into())
     );
     assert_eq!((&pair["exact"], &pair["product"]), (&true.into(), &Value::from(vec![0, 1])));
+    for (goal, holds) in [("4", true), ("47/12", false), ("1e9", true)] {
+        let said = json(["jsr", "examples/pair.txt", "--below", goal]);
+        assert_eq!(said["below"]["holds"], Value::from(holds), "{said}");
+    }
     // A line of a comment is not empty.
     let commented = "3 3 # a row\n# between the rows of one matrix\n-2 1\n\n-1 -1\n-4 0\n";
     let commented = TemporaryFile::new("commented.txt", commented);
@@ -92,6 +96,8 @@ fn bad_input_of_these() {
     assert_parts(&jsr("sizes.txt", "1\n\n1 2\n3 4\n"), &["matrix 2 has 2 rows"]);
     assert_parts(&jsr("empty.txt", "# nothing\n"), &["0 matrices", "empty line between"]);
     assert_parts(&refused(["jsr", "nowhere.txt"]), &["nowhere.txt"]);
+    let goal = refused(["jsr", "examples/pair.txt", "--below", "0"]);
+    assert_parts(&goal, &["--below"]);
     assert_parts(&written(["smoothness", "chaikin x chaikin"]), &["C¹, not C²"]);
     assert_parts(&refused(["smoothness", "loop", "--valences", "3..100000"]), &["up to 100"]);
     assert_parts(&refused(["smoothness", "loop:N=2"]), &["needs N >= 3"]);

@@ -4,7 +4,8 @@ use super::radius::set;
 use proptest::prelude::*;
 use subcert::certificate::radius_certificate;
 use subcert::exact::{Rational, format::short, parse_rational};
-use subcert::joint::{JointRadius, MatrixSet, joint_radius};
+use subcert::joint::{JointRadius, MatrixSet, joint_radius, joint_radius_below};
+use subcert::stop::Stop;
 use subcert_check::check_radius;
 
 /// What the checker takes for proven: an upper bound, and a lower one of a power.
@@ -16,6 +17,24 @@ fn certified(set: &MatrixSet, radius: &JointRadius) -> (Rational, Option<(Ration
     (own(&found.at_most), found.at_least.map(|(bound, degree)| (own(&bound), degree)))
 }
 
+/// A goal between 80/100 and 200/100 of the upper bound: what is said is so, and what is proven is certified.
+fn goals(set: &MatrixSet, known: &JointRadius) {
+    for percent in [80, 99, 101, 120, 200] {
+        let goal = known.upper() * Rational::new(percent, 100);
+        let found = joint_radius_below(set, &goal, &Stop::default());
+        match found.is_below(&goal) {
+            Some(true) => {
+                assert!(goal > *known.root_enclosure().lower(), "{goal}, {set:?}");
+                if found.hull.is_some() {
+                    assert!(certified(set, &found).0 < goal, "{goal}, {set:?}");
+                }
+            }
+            Some(false) => assert!(goal <= known.upper(), "{goal}, {set:?}"),
+            None => assert!(percent < 120 || !known.exact, "{goal}, {set:?}"),
+        }
+    }
+}
+
 /// The radius is this number, exactly and in a certificate.
 fn is(matrices: &[&[&[i64]]], number: i64) -> JointRadius {
     let set = set(matrices);
@@ -24,6 +43,7 @@ fn is(matrices: &[&[&[i64]]], number: i64) -> JointRadius {
     let enclosure = radius.root_enclosure();
     assert_eq!((enclosure.lower(), &radius.upper()), (&number, &number), "{matrices:?}");
     assert_eq!(certified(&set, &radius).0, number, "{matrices:?}");
+    goals(&set, &radius);
     radius
 }
 
@@ -121,6 +141,7 @@ proptest! {
         prop_assert!(low.lower() <= &most);
         if radius.hull.is_some() {
             prop_assert!(certified(&pair, &radius).0 >= *low.lower());
+            goals(&pair, &radius);
         }
     }
 }

@@ -94,6 +94,7 @@ Examples:
 pub(super) const JSR: &str = "\
 Examples:
   subcert jsr examples/pair.txt
+  subcert jsr examples/pair.txt --below 4
   subcert jsr examples/pair.txt --format json";
 
 pub(super) const CERTIFY: &str = "\

@@ -27,8 +27,8 @@ pub(super) use papers::{
 };
 pub(super) use schemes::{
     AnyBoundary, AtlasArguments, BOXES, BestArgument, BoundaryArgument, CertifyArguments,
-    ConstantsArguments, DepthArguments, DistanceArgument, FacesArgument, LATTICE_BOXES,
-    PlotArguments, RangeArguments, SchemeArguments, SchemesArguments,
+    ConstantsArguments, DepthArguments, DistanceArgument, FacesArgument, PlotArguments,
+    RangeArguments, SchemeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};
 pub(super) use spectrum::{SpectrumArguments, TableArguments};

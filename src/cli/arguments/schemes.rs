@@ -6,6 +6,7 @@ use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use subcert::bound::{MAX_CLASSES, MAX_LEVELS};
+use subcert::lattice::MAP_BOXES;
 use subcert::smoothness::MAX_BOXES;
 
 /// How many there are of something.
@@ -15,9 +16,6 @@ pub(super) fn count(text: &str) -> Result<usize, String> {
 
 /// How many boxes of two parameters are examined unless another number is asked for.
 pub(in crate::cli) const BOXES: usize = 1_000;
-
-/// The same of masks on Z^d.
-pub(in crate::cli) const LATTICE_BOXES: usize = 250;
 
 /// Other names of `--tolerance`.
 const TOLERANCE: [&str; 3] = ["tol", "eps", "epsilon"];
@@ -157,7 +155,7 @@ pub(in crate::cli) struct RangeArguments {
     #[arg(long, aliases = ["box", "region"], value_name = "BOX", allow_hyphen_values = true)]
     pub(in crate::cli) bounds: Option<String>,
     #[arg(long, value_name = "N",
-          help = format!("The number of boxes to examine for a map, or for the best exponent, up to {MAX_BOXES} [default: {BOXES}, and {LATTICE_BOXES} of masks on Z^d]"))]
+          help = format!("The number of boxes to examine for a map, or for the best exponent, up to {MAX_BOXES} [default: {BOXES}, and {MAP_BOXES} of masks on Z^d]"))]
     pub(in crate::cli) boxes: Option<usize>,
     /// Show T_c itself, a piecewise polynomial function of the parameter
     #[arg(long)]

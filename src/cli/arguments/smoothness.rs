@@ -51,6 +51,9 @@ pub(in crate::cli) struct JsrArguments {
          line, and an empty line between two matrices"
     ))]
     pub(in crate::cli) file: PathBuf,
+    /// Whether the radius is below this number; for a certificate of it with few rows
+    #[arg(long, value_name = "NUMBER")]
+    pub(in crate::cli) below: Option<String>,
     /// Write a certificate of both bounds, for subcert-check --radius
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) certificate: Option<PathBuf>,

@@ -18,9 +18,6 @@ use subcert::scheme::LatticeMask;
 /// The most levels of a depth that is looked for by distances.
 const MAX_DEPTH: u32 = 400;
 
-/// The most differences of one constant.
-const MAX_DIFFERENCES: usize = 1 << 12;
-
 pub(super) fn lattice_depth(
     mask: &LatticeMask,
     arguments: &DepthArguments,
@@ -33,15 +30,8 @@ pub(super) fn lattice_depth(
     let tolerance = positive("--tolerance", &arguments.tolerance)?;
     let spread = positive("--spread", &arguments.spread.spread)?;
     let d = mask.dimension();
-    let (mut constants, mut all) = (LatticeConstants::new(mask), vec![Rational::one()]);
-    loop {
-        let many = constants.next_count() > MAX_DIFFERENCES;
-        if all.len() > 1 && many || constants.advance().is_err() {
-            break;
-        }
-        let found = constants.contraction().map_err(|error| Failure::Input(error.to_string()))?;
-        all.push(found.value);
-    }
+    let all =
+        LatticeConstants::up_to_cap(mask).map_err(|error| Failure::Input(error.to_string()))?;
     let shifts = [("M^-k α", vec![Rational::zero(); d]), ("M^-k (α + τ)", natural_shift(mask))];
     let placed = shifts
         .into_iter()

@@ -1,7 +1,7 @@
 //! `subcert range --smoothness` in two parameters.
 
 use super::smooth_range::lattice_order;
-use crate::cli::arguments::{BOXES, LATTICE_BOXES, RangeArguments};
+use crate::cli::arguments::{BOXES, RangeArguments};
 use crate::cli::console::answer::{Answer, SCHEMA, show};
 use crate::cli::console::output::{Failure, Outcome};
 use crate::cli::console::progress::Progress;
@@ -10,7 +10,7 @@ use serde::Serialize;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 use subcert::exact::{Rational, format::short, parse_rational};
-use subcert::lattice::lattice_map;
+use subcert::lattice::{MAP_BOXES, lattice_map};
 use subcert::report::Sheet;
 use subcert::scheme::{find_definition, parse_in_parameters, parse_lattice_in_parameters};
 use subcert::smoothness::{
@@ -88,7 +88,7 @@ fn of_lattice(
 ) -> Result<Computed, Failure> {
     let order = lattice_order(m)?;
     let mask = parse_lattice_in_parameters(&arguments.scheme, parameters)?;
-    let most = arguments.boxes.unwrap_or(LATTICE_BOXES);
+    let most = arguments.boxes.unwrap_or(MAP_BOXES);
     let done = Arc::new(AtomicUsize::new(0));
     let _progress = Progress::of_boxes(Arc::clone(&done), most, true);
     lattice_map(&mask, order, region, most, &done)

@@ -105,6 +105,9 @@ fn root_text(radius: &JointRadius) -> String {
 /// The upper bound in words.
 fn upper_text(size: usize, radius: &JointRadius, hull: &Hull) -> String {
     let of_blocks = radius.reduction.as_ref().map(|reduction| {
+        if reduction.blocks.len() == 1 {
+            return "in a basis of its own".to_owned();
+        }
         let sizes: Vec<String> = reduction.blocks.iter().map(|b| b.size().to_string()).collect();
         format!("of the diagonal blocks of sizes {} in a common basis", sizes.join(", "))
     });

@@ -40,6 +40,16 @@ impl Hull {
         self.bound < Rational::one()
     }
 
+    /// That of the matrices times a positive number.
+    pub(super) fn times(self, factor: &Rational) -> Hull {
+        let scaled = |terms: Vec<(usize, Rational)>| {
+            terms.into_iter().map(|(j, c)| (j, c * factor)).collect()
+        };
+        let images = self.images.into_iter();
+        let images = images.map(|row| row.into_iter().map(scaled).collect()).collect();
+        Hull { bound: self.bound * factor, images, ..self }
+    }
+
     /// Whether this proves that the radius of the set is at most u.
     #[must_use]
     pub fn proves<F: Entry>(&self, set: &MatrixSet<F>) -> bool {

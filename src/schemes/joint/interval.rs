@@ -17,7 +17,7 @@ const QUICK: (u32, usize) = (8, 40);
 const HULL: (usize, u64) = (400, 60_000_000);
 
 /// The same for matrices in a basis of their own, which are larger and fewer.
-const LARGE_HULL: (usize, u64) = (1_000, 1_000_000_000);
+pub(super) const LARGE_HULL: (usize, u64) = (1_000, 1_000_000_000);
 
 /// How near to its beginning a cycle of eigenvectors ends. Its first row has the length 1.
 const CLOSED: f64 = 1e-6;
@@ -49,7 +49,7 @@ pub fn contracts(
 }
 
 /// A hull for a bound below 1, within so many rows and so much work.
-fn contracting(
+pub(super) fn contracting(
     set: &MatrixSet,
     middle: &MatrixSet,
     ends: &[MatrixSet],

@@ -22,6 +22,7 @@ mod balance;
 mod convert;
 mod entry;
 mod extremal;
+mod goal;
 mod hull;
 mod interval;
 mod invariant;
@@ -36,6 +37,7 @@ mod single;
 mod verify;
 
 pub use entry::Entry;
+pub use goal::joint_radius_below;
 pub use hull::Hull;
 pub use interval::{
     BalancedHull, Closing, contracts, expanding_product, expands, hull_when_balanced,
@@ -47,3 +49,4 @@ pub use radius::{
     JointRadius, MAX_FACTORS, extremal_rate, joint_radius, joint_radius_until, radius_of_blocks,
 };
 pub use reduction::Reduction;
+pub(crate) use roots::enclosed_root;

@@ -19,7 +19,7 @@ use std::cmp::Ordering;
 pub const MAX_FACTORS: u32 = 14;
 
 /// How many products of each length are continued.
-const BEAM: usize = 250;
+pub(super) const BEAM: usize = 250;
 
 /// The most rows of a hull where only its existence is asked for.
 const FEW_ROWS: usize = 300;
@@ -192,7 +192,7 @@ fn searched<F: Entry>(set: &MatrixSet<F>, best: &mut JointRadius) -> JointRadius
     }
 }
 
-fn power(degree: usize) -> i32 {
+pub(super) fn power(degree: usize) -> i32 {
     i32::try_from(degree).expect("a short product")
 }
 
@@ -239,7 +239,7 @@ pub fn extremal_rate<F: Entry>(set: &MatrixSet<F>) -> Option<(RealAlgebraic, usi
 }
 
 /// What is known before any search, or when f64 finds no product with an eigenvalue other than 0.
-fn by_norm<F: Entry>(set: &MatrixSet<F>) -> JointRadius {
+pub(super) fn by_norm<F: Entry>(set: &MatrixSet<F>) -> JointRadius {
     let (product, root) = (vec![0], RealAlgebraic::from(Rational::zero()));
     let (degree, hull, reduction) = (1, Some(Hull::norm(set)), None);
     let (exact, bounded, stopped) = (false, false, false);

@@ -43,6 +43,12 @@ impl Reduction {
         Reduction::by(set, &|set| invariant(set).or_else(|| by_elements(set)))
     }
 
+    /// All as one block.
+    pub(super) fn whole(set: &MatrixSet) -> Reduction {
+        let unit = set.product(&[]);
+        Reduction { basis: unit.clone(), inverse: unit, blocks: vec![set.clone()] }
+    }
+
     fn by(set: &MatrixSet, invariant: &Search<'_>) -> Option<Reduction> {
         let (basis, blocks) = flag(set, invariant);
         if blocks.len() == 1 {

@@ -10,7 +10,7 @@ const MAX_DEGREE: usize = 64;
 const PLACES: u32 = 14;
 
 /// θ for θ^degree = root, between two neighbouring decimals of 14 places, or the number itself.
-pub(super) fn enclosed_root(root: &RealAlgebraic, degree: usize) -> Enclosure {
+pub(crate) fn enclosed_root(root: &RealAlgebraic, degree: usize) -> Enclosure {
     let power = i32::try_from(degree).expect("a short product");
     let unit = Rational::from(Integer::power_of_ten(PLACES));
     let at = |x: &Integer| (Rational::from(x.clone()) / &unit).pow(power);

@@ -10,6 +10,9 @@ use std::collections::BTreeSet;
 /// The most functionals of one constant.
 pub const MAX_FUNCTIONALS: usize = 1 << 14;
 
+/// The most differences of the last of the constants of a depth.
+const MAX_DIFFERENCES: usize = 1 << 12;
+
 /// The most coefficients of several steps.
 const MAX_COEFFICIENTS: usize = 1 << 18;
 
@@ -74,6 +77,21 @@ impl<'m> LatticeConstants<'m> {
         }
         self.steps = next;
         Ok(())
+    }
+
+    /// T_0 = 1, T_1, T_2, … as far as one of them is a maximum of up to 2^12 differences; T_1 in any case, if it can be computed.
+    ///
+    /// # Errors
+    /// When a difference has too many places.
+    pub fn up_to_cap(mask: &'m LatticeMask) -> Result<Vec<Rational>, NormError> {
+        let (mut constants, mut all) = (LatticeConstants::new(mask), vec![Rational::one()]);
+        while all.len() == 1 || constants.next_count() <= MAX_DIFFERENCES {
+            if constants.advance().is_err() {
+                break;
+            }
+            all.push(constants.contraction()?.value);
+        }
+        Ok(all)
     }
 
     /// The steps up to here.

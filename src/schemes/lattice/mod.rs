@@ -45,7 +45,7 @@ pub use powers::{Functional, Steps, convolved};
 pub use product::{directions, factors, least_cut};
 pub use radius::LatticeRadius;
 pub use range::{
-    LatticeRange, LatticeRangeError, RangePiece, RangeProof, lattice_map, lattice_range,
+    LatticeRange, LatticeRangeError, MAP_BOXES, RangePiece, RangeProof, lattice_map, lattice_range,
 };
 pub use shape::{is_interpolating, is_isotropic, support, symmetries};
 pub use smoothness::LatticeSmoothness;

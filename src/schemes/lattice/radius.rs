@@ -6,8 +6,8 @@ use super::polynomials::{natural_shift, sum_rules};
 use super::tiling::{Figure, Motion, Tiling};
 use super::values::{Transitions, ValueSpace, window};
 use crate::cap::Cap;
-use crate::exact::{Rational, null_rows};
-use crate::joint::{JointRadius, MatrixSet, radius_of_blocks};
+use crate::exact::{Rational, RealAlgebraic, null_rows};
+use crate::joint::{JointRadius, MatrixSet, enclosed_root, radius_of_blocks};
 use crate::scheme::{LatticeMask, Point, difference};
 use crate::stop::Stop;
 use std::cmp::Ordering;
@@ -98,6 +98,17 @@ impl LatticeRadius {
     pub(super) fn is_below_root(&self, k: u32, m: usize, d: usize) -> Option<bool> {
         let power = Rational::from(m).pow(-small(k)) * self.factor.pow(small(d));
         self.power_is_below(&power, small(d))
+    }
+
+    /// The same for all orders k below one. Where the bounds do not tell, a hull is looked for that shows it.
+    pub(super) fn seek_roots(&mut self, orders: u32, m: usize, d: usize, stop: &Stop) {
+        for k in (0..orders).rev() {
+            if self.is_below_root(k, m, d).is_none() {
+                let power = Rational::from(m).pow(-small(k)) * self.factor.pow(small(d));
+                let goal = enclosed_root(&RealAlgebraic::from(power), d).lower().clone();
+                self.radius = self.radius.clone().toward(&self.matrices, &goal, stop);
+            }
+        }
     }
 
     /// Whether ‖M^n‖^mϱ^n < 1, with the greatest row sum of |M^n| for a power n: derivatives of order m, which grow as ‖M^n‖^m, of terms that fall

@@ -112,7 +112,8 @@ impl LatticeSmoothness {
             return found;
         }
         match differences(mask, sum_rules, stop) {
-            Ok(differences) => {
+            Ok(mut differences) => {
+                differences.seek_roots(1, 1, 1, stop);
                 found.converges = differences.is_below(&Rational::one());
                 found.differences = Some(differences);
             }
@@ -169,7 +170,7 @@ impl LatticeSmoothness {
             return found;
         }
         match nearest(mask, stop) {
-            Ok(Some((accuracy, radius))) => found.decide(mask, accuracy, radius),
+            Ok(Some((accuracy, radius))) => found.decide(mask, accuracy, radius, stop),
             Ok(None) => found.open = Some("φ has no values at the integers".to_owned()),
             Err(cap) => found.open = Some(cap.to_string()),
         }
@@ -204,9 +205,10 @@ impl LatticeSmoothness {
         self.factors = Some(masks.iter().cloned().zip(all).collect());
     }
 
-    fn decide(&mut self, mask: &LatticeMask, accuracy: u32, found: LatticeRadius) {
+    fn decide(&mut self, mask: &LatticeMask, accuracy: u32, mut found: LatticeRadius, stop: &Stop) {
         let m = mask.dilation().class_count();
         let d = mask.dimension();
+        found.seek_roots(accuracy, m, d, stop);
         self.accuracy = Some(accuracy);
         let scaled = (found.order, &found.factor);
         let exponent = exponent(&found.radius, scaled, mask.dilation());

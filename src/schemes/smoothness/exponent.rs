@@ -103,26 +103,25 @@ impl<F: Coefficient> Differences<F> {
         if degree > 1 && size * degree > MAX_FIELD_WORK {
             return Err(SmoothnessError::Field { size, degree });
         }
-        let radius = joint_radius_until(&matrices, stop);
+        let mut radius = joint_radius_until(&matrices, stop);
+        if let Some(set) = F::rational(&matrices) {
+            for m in (0..order).rev() {
+                radius = radius.toward(set, &limit(symbol.arity(), order, m), stop);
+            }
+        }
         Ok(Differences { symbol: symbol.clone(), order, matrices, radius })
     }
 
     /// Whether ϱ < n^{K − m}; `None` where the bounds do not tell.
     #[must_use]
     pub fn is_below(&self, m: usize) -> Option<bool> {
-        let exponent = difference(self.order, m);
-        let limit = Rational::from(self.symbol.arity()).pow(exponent);
-        if self.radius.hull.as_ref().is_none_or(|hull| hull.bound < limit) {
-            return Some(true);
-        }
-        let degree = i32::try_from(self.radius.degree).expect("a short product");
-        let at_least = self.radius.root.cmp_rational(&limit.pow(degree)) != Ordering::Less;
-        if at_least {
-            return Some(false);
-        }
-        // The root is below the limit, and ϱ is the root.
-        self.radius.exact.then_some(true)
+        self.radius.is_below(&limit(self.symbol.arity(), self.order, m))
     }
+}
+
+/// n^{K − m}.
+fn limit(n: usize, order: usize, m: usize) -> Rational {
+    Rational::from(n).pow(difference(order, m))
 }
 
 fn difference(a: usize, b: usize) -> i32 {

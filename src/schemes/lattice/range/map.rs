@@ -12,6 +12,9 @@ use crate::smoothness::{PlaneSearch, Sides, SmoothMap, map_of};
 use crate::stop::Stop;
 use std::sync::atomic::AtomicUsize;
 
+/// The boxes of a map that are looked at if nobody says how many.
+pub const MAP_BOXES: usize = 250;
+
 /// A map of where the limits of a mask on Z^d in two parameters are C^m, by halving both sides of open boxes until `most` boxes have been looked at. `done`
 /// counts them.
 ///

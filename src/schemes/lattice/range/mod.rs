@@ -17,7 +17,7 @@ use crate::stop::Stop;
 use cover::cover;
 pub use cover::{RangePiece, RangeProof};
 pub use error::LatticeRangeError;
-pub use map::lattice_map;
+pub use map::{MAP_BOXES, lattice_map};
 use steps::{PlaneMatrix, Steps, products, scale};
 
 /// Where in a parameter the limits of a mask on Z^d are C^m.
