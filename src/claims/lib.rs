@@ -16,7 +16,7 @@
 //! Rooms of the crates below have their names here too, so that `crate::exact` is the same
 //! everywhere.
 
-use subcert_numbers::{cap, diagnostic, exact, formula, stop, suggestion};
+use subcert_numbers::{cap, cores, diagnostic, exact, formula, stop, suggestion};
 use subcert_schemes::{
     bound, characteristic, facts, float, lattice, limit, scheme, smoothness, spectrum,
 };

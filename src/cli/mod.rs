@@ -113,6 +113,8 @@ fn done(command: Command) -> Outcome {
         Command::Flags(output) => program::flags(&output),
         #[cfg(feature = "schema")]
         Command::Schemas { folder } => program::schemas(&folder),
+        #[cfg(not(target_family = "wasm"))]
+        Command::Serve(arguments) => program::serve(&arguments),
         Command::Man { folder } => program::man(&folder),
         Command::Completions { shell } => program::completions(shell),
     }

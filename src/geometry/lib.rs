@@ -11,7 +11,7 @@
 //! Rooms of the crates below have their names here too, so that `crate::exact` is the same
 //! everywhere.
 
-use subcert_numbers::{diagnostic, exact, stop, suggestion};
+use subcert_numbers::{cores, diagnostic, exact, stop, suggestion};
 use subcert_schemes::{bound, characteristic, float, lattice, limit, scheme, spectrum};
 
 mod grouped;

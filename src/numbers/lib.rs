@@ -3,6 +3,7 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`cap`] | caps that a value is beyond |
+//! | [`cores`] | work that is spread over all cores |
 //! | [`diagnostic`] | errors that point at a place in a file |
 //! | [`suggestion`] | what a misspelt name may have meant |
 //! | [`exact`] | integers, rationals, cyclotomic and algebraic numbers, polynomials |
@@ -11,6 +12,7 @@
 //! | [`formula`] | the expression language of masks and claims |
 
 pub mod cap;
+pub mod cores;
 pub mod diagnostic;
 pub mod exact;
 pub mod formula;

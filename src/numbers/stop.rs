@@ -1,7 +1,8 @@
 //! An end to work from another thread.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::panicking;
@@ -39,12 +40,52 @@ pub struct Stop(Arc<AtomicBool>);
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stopped;
 
-/// Whether any work was ever stopped: until then nobody looks further.
+/// Whether any work was ever stopped, or is watched: until then nobody looks further.
 static ANY: AtomicBool = AtomicBool::new(false);
 
 thread_local! {
     /// What ends the work of this thread, the innermost last.
     static CURRENT: RefCell<Vec<Stop>> = const { RefCell::new(Vec::new()) };
+
+    /// What watches the work of this thread, and how often it was looked at.
+    static WATCHING: RefCell<Option<Rc<dyn Fn()>>> = const { RefCell::new(None) };
+    static LOOKS: Cell<u32> = const { Cell::new(0) };
+}
+
+/// After so many looks whether work goes on, what watches it is called.
+const PULSE: u32 = 1 << 12;
+
+/// While this lives, the work of this thread is watched.
+#[derive(Debug)]
+pub struct Watch(());
+
+/// Calls something every now and then while this thread works: progress where there is no other thread that could show it.
+///
+/// ```
+/// use std::cell::Cell;
+/// use std::rc::Rc;
+/// use subcert::stop::{check, watch};
+///
+/// let calls = Rc::new(Cell::new(0));
+/// let count = Rc::clone(&calls);
+/// let watching = watch(move || count.set(count.get() + 1));
+/// (0..100_000).for_each(|_| check());
+/// assert!(calls.get() > 0);
+/// drop(watching);
+/// let before = calls.get();
+/// (0..100_000).for_each(|_| check());
+/// assert_eq!(calls.get(), before);
+/// ```
+pub fn watch(pulse: impl Fn() + 'static) -> Watch {
+    WATCHING.set(Some(Rc::new(pulse)));
+    ANY.store(true, Ordering::Relaxed);
+    Watch(())
+}
+
+impl Drop for Watch {
+    fn drop(&mut self) {
+        WATCHING.set(None);
+    }
 }
 
 impl Stop {
@@ -124,6 +165,13 @@ pub fn check() {
 
 #[cold]
 fn end_if_stopped() {
+    let looks = LOOKS.get().wrapping_add(1);
+    LOOKS.set(looks);
+    if looks.is_multiple_of(PULSE)
+        && let Some(pulse) = WATCHING.with_borrow(Clone::clone)
+    {
+        pulse();
+    }
     let stopped = CURRENT.with_borrow(|all| all.iter().any(Stop::is_stopped));
     // What is dropped meanwhile may compute.
     if stopped && !panicking() {

@@ -35,7 +35,7 @@ const OTHERS: [(&str, &[&str]); 4] = [
 ];
 
 /// What only writes files or one kind of text, or what shells read.
-const WITHOUT: [&str; 5] = ["prove", "new", "plot", "completions", "man"];
+const WITHOUT: [&str; 6] = ["prove", "new", "plot", "serve", "completions", "man"];
 
 /// The flags that mean one thing wherever they stand, and the commands for which they make sense.
 const SHARED: [(&str, &[&str]); 11] = [

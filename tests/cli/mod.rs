@@ -18,6 +18,7 @@ mod plot;
 mod polygons;
 mod projects;
 mod readings;
+mod serve;
 mod smoothness;
 mod solids;
 mod spectrum;

@@ -2,12 +2,13 @@
 
 use crate::audit::chosen::Chosen;
 use crate::claim::{self, Paper, with_kinds};
+use crate::cores;
 use crate::diagnostic::{Collected, Diagnostic, Errors};
 use crate::digest::{consistency, kernel, offset, premises};
 use crate::evaluation::library::Library;
 use crate::finding::PaperAudit;
 use crate::judge::kind::Judge as _;
-use crate::judge::{parallel, related};
+use crate::judge::related;
 use std::cmp::Reverse;
 use std::sync::{Mutex, PoisonError};
 
@@ -61,13 +62,13 @@ pub(super) fn judge<'a>(
     }
     // The longest first, so that they end together.
     jobs.sort_by_key(|(_, part)| Reverse(part.work()));
-    let found = parallel::map(&jobs, |(at, part)| (*at, part.judge(&papers[*at], after_claim)));
+    let found = cores::map(&jobs, |(at, part)| (*at, part.judge(&papers[*at], after_claim)));
     let mut parts: Vec<Vec<Judged<'a>>> = papers.iter().map(|_| Vec::new()).collect();
     for (at, found) in found {
         parts[at].push(found);
     }
     let parts: Vec<_> = papers.iter().zip(parts.into_iter().map(Mutex::new)).collect();
-    parallel::map(&parts, |(paper, parts)| {
+    cores::map(&parts, |(paper, parts)| {
         let parts = std::mem::take(&mut *parts.lock().unwrap_or_else(PoisonError::into_inner));
         together(paper, parts)
     })

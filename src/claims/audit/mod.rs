@@ -3,6 +3,7 @@
 mod chosen;
 mod jobs;
 
+pub use crate::cores::map as on_all_cores;
 pub use crate::digest::{
     Beyond, BeyondCap, Cause, CellErratum, CellGroup, CellOutcome, CellStanding, CellSummary,
     ClaimVerdict, Consequences, Coverage, CoverageState, Errata, Erratum, HowRead, KernelCounts,
@@ -17,7 +18,6 @@ pub use crate::evidence::{
 };
 pub use crate::finding::*;
 pub use crate::judge::MAX_CASES;
-pub use crate::judge::parallel::map as on_all_cores;
 pub use crate::verdict::{Standing, Tally, Word};
 
 use crate::audit::chosen::Chosen;

@@ -11,7 +11,6 @@ mod hypotheses;
 pub(crate) mod kind;
 pub(crate) mod later;
 mod mend;
-pub(crate) mod parallel;
 pub(crate) mod promise;
 pub(crate) mod range;
 pub(crate) mod reading;

@@ -1,10 +1,10 @@
 //! The values of a table's open parameters with which a reading gives most of its cells.
 
 use crate::claim::{Paper, Table};
+use crate::cores;
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::finding::{CellKind, Fitting, Recovered, RecoveredFrom, TableFinding, Verdict, values};
-use crate::judge::parallel;
 use crate::judge::reading::plain::plain_numbers;
 use crate::judge::reading::recover::solved;
 use crate::judge::reading::space::Family;
@@ -94,7 +94,7 @@ impl Recovery<'_> {
     /// remain.
     fn attempt(&mut self, ways: &[Attempt<'_>]) -> Result<(), Diagnostic> {
         let (paper, table) = (self.paper, self.table);
-        for judged in parallel::map(ways, |way| judged(paper, table, way)) {
+        for judged in cores::map(ways, |way| judged(paper, table, way)) {
             let Some((values, found)) = judged? else { continue };
             let count = reproduced(&found);
             let most = found.search_of(CellKind::Assumed).map_or(0, |search| search.most);

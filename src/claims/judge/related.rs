@@ -1,13 +1,13 @@
 //! Tables that are judged together, since the numbers of one may determine a parameter of another.
 
 use crate::claim::{Paper, Promise, Table};
+use crate::cores;
 use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
 use crate::finding::{
     CellKind, Difference, Explanation, Recovered, RecoveredFrom, TableFinding, Verdict,
 };
 use crate::judge::kind::Judge;
-use crate::judge::parallel;
 use crate::judge::reading::chance::{Evidence, is_small};
 use crate::judge::reading::dependence::Known;
 use crate::judge::reading::plain::{as_plain, height};
@@ -58,7 +58,7 @@ impl<'a> Judge<'a> for Table {
         tables: &[&'a Table],
         after_claim: &(dyn Fn() + Sync),
     ) -> Result<Vec<TableFinding<'a>>, Diagnostic> {
-        let judged = parallel::map(tables, |&table| {
+        let judged = cores::map(tables, |&table| {
             // Of these tables nothing is recovered.
             let known = open(table).next().is_none();
             let family = if known { Family::InTurn } else { Family::Plain };
@@ -93,7 +93,7 @@ impl<'a> Judge<'a> for Table {
             }
         }
         let judged: Vec<_> = findings.into_iter().zip(fitting).collect();
-        let judged = parallel::map(&judged, |(finding, fitting)| {
+        let judged = cores::map(&judged, |(finding, fitting)| {
             let mut finding = finding.clone();
             widen(paper, &mut finding)?;
             finding.fitting.clone_from(fitting);
@@ -132,7 +132,7 @@ pub(crate) fn borrow<'a>(
         agree(paper, findings, name)?;
     }
     // What a table gets here it hands on to no other.
-    let borrowed = parallel::map(findings, |finding| {
+    let borrowed = cores::map(findings, |finding| {
         let offers: Offers = missing(finding)
             .into_iter()
             .map(|name| (name.clone(), offered(finding, findings, &name, |_| true)))
@@ -186,7 +186,7 @@ fn agree<'a>(
     // Of each table, the findings at the values of the others.
     let having: Vec<usize> =
         (0..findings.len()).filter(|&i| findings[i].recovered.contains_key(name)).collect();
-    let tried = parallel::map(&having, |&i| {
+    let tried = cores::map(&having, |&i| {
         let finding = &findings[i];
         let at = |value: &Recovered| {
             if finding.recovered[name].value == value.value {

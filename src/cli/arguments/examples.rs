@@ -161,6 +161,15 @@ Examples:
   subcert plot examples/my-scheme.toml:w=1/8 -o mine.svg
   subcert plot doo-sabin:n=5 -o ring.svg";
 
+#[cfg(not(target_family = "wasm"))]
+pub(super) const SERVE: &str = "\
+The page listens on 127.0.0.1 only, below a path that is drawn at random. Its commands run on
+this machine, with all cores, in folders of their own.
+
+Examples:
+  subcert serve
+  subcert serve --port 8000 --no-open";
+
 pub(super) const COMPLETIONS: &str = "\
 Examples:
   subcert completions bash

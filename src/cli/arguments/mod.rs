@@ -128,6 +128,10 @@ pub(super) enum Command {
     /// parameters for which it is smooth, characteristic rings
     #[command(after_help = examples::PLOT)]
     Plot(PlotArguments),
+    /// Open a page that does all of this, on this machine alone
+    #[cfg(not(target_family = "wasm"))]
+    #[command(after_help = examples::SERVE)]
+    Serve(ServeArguments),
     /// Write a completion script for a shell
     #[command(after_help = examples::COMPLETIONS)]
     Completions {
@@ -152,6 +156,18 @@ pub(super) enum Command {
         #[arg(value_name = "DIR")]
         folder: PathBuf,
     },
+}
+
+/// The server of the page.
+#[cfg(not(target_family = "wasm"))]
+#[derive(Debug, clap::Args)]
+pub(super) struct ServeArguments {
+    /// The port on 127.0.0.1; 0 for any that is free
+    #[arg(long, default_value_t = 0, value_name = "N")]
+    pub(super) port: u16,
+    /// Print the address, and open no browser
+    #[arg(long)]
+    pub(super) no_open: bool,
 }
 
 /// When to write colours.

@@ -95,6 +95,8 @@ pub(crate) fn settle(command: &mut Command, given: bool) -> Outcome {
         Command::Plot(command) => only("svg", command.file.as_ref()),
         Command::New(command) => only("toml", command.output.as_ref()),
         // These write into folders, which they make, or to the standard output alone.
+        #[cfg(not(target_family = "wasm"))]
+        Command::Serve(_) => Ok(()),
         Command::Errata(_)
         | Command::Prove(_)
         | Command::Completions { .. }

@@ -5,6 +5,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, MutexGuard, Once, PoisonError};
 use std::time::Duration;
 use subcert::bound::Budget;
+use subcert::cores::THREADS;
 use subcert::patch::MeshWork;
 use subcert::stop::{Stop, Stopped};
 
@@ -32,7 +33,7 @@ pub(crate) fn within<T>(
     leave: impl FnOnce() + Send + 'static,
     work: impl FnOnce() -> T,
 ) -> Result<T, Stopped> {
-    let Some(seconds) = seconds else { return Ok(work()) };
+    let Some(seconds) = seconds.filter(|_| THREADS) else { return Ok(work()) };
     let stop = Stop::default();
     let late = stop.clone();
     let (sender, receiver) = channel::<()>();
@@ -120,20 +121,23 @@ impl Interrupt {
             searches.drain(..).for_each(|end| end());
         }
         drop(searches);
-        HANDLER.call_once(|| {
-            // Where no handler can be set, an interrupt ends the program as usual.
-            let _ = ctrlc::set_handler(|| {
-                let ends = std::mem::take(&mut *self::searches());
-                if ends.is_empty() {
-                    std::process::exit(130);
-                }
-                for end in &ends {
-                    end();
-                }
-            });
-        });
+        HANDLER.call_once(handle);
         Interrupt(())
     }
+}
+
+/// Where no handler can be set, an interrupt ends the program as usual.
+fn handle() {
+    #[cfg(not(target_family = "wasm"))]
+    let _ = ctrlc::set_handler(|| {
+        let ends = std::mem::take(&mut *searches());
+        if ends.is_empty() {
+            std::process::exit(130);
+        }
+        for end in &ends {
+            end();
+        }
+    });
 }
 
 impl Drop for Interrupt {

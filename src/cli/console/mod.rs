@@ -1,6 +1,11 @@
 //! What goes to the terminal and to files: answers in every format, notes, progress, interrupts.
 
 pub(super) mod answer;
+#[cfg(not(target_family = "wasm"))]
+mod bar;
+#[cfg(target_family = "wasm")]
+#[path = "lines.rs"]
+mod bar;
 pub(super) mod csv;
 pub(super) mod destination;
 pub(super) mod endings;

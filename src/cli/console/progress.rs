@@ -1,28 +1,14 @@
-//! The progress of a long command, on a terminal.
+//! The progress of a long command.
 
+use super::bar::{Bar, Counts};
 use super::terminal;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::io::IsTerminal as _;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
-use std::thread::JoinHandle;
-use std::time::Duration;
 use subcert::bound::Budget;
 use subcert::patch::MeshWork;
 
-/// How long a command takes before a bar is shown.
-const PATIENCE: Duration = Duration::from_secs(1);
-
-/// How often a bar is drawn again while its count stands still.
-const PERIOD: Duration = Duration::from_millis(200);
-
-/// A bar on the standard error, if that is a terminal; it is removed when this is dropped.
-pub(crate) struct Progress {
-    bar: ProgressBar,
-    /// Dropped at the end, which wakes the thread that shows the bar.
-    waiting: Option<(Sender<()>, JoinHandle<()>)>,
-}
+/// What is shown until this is dropped.
+pub(crate) struct Progress(Bar);
 
 impl Progress {
     /// The progress of an audit of so many tables and claims about smoothness.
@@ -97,47 +83,16 @@ impl Progress {
 
     fn new(
         length: u64,
-        template: &str,
+        template: &'static str,
         wanted: bool,
-        update: impl Fn(&ProgressBar) + Send + 'static,
+        update: impl Fn(&Counts) + Send + 'static,
     ) -> Progress {
-        let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::hidden());
-        let waiting =
-            (wanted && !terminal::is_quiet() && std::io::stderr().is_terminal()).then(|| {
-                if let Ok(style) = ProgressStyle::with_template(template) {
-                    bar.set_style(style);
-                }
-                let (sender, receiver) = channel::<()>();
-                let shown = bar.clone();
-                let thread = std::thread::spawn(move || {
-                    let mut wait = PATIENCE;
-                    // The loop ends when the sender is dropped.
-                    while receiver.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
-                        if wait == PATIENCE {
-                            shown.set_draw_target(ProgressDrawTarget::stderr());
-                        }
-                        update(&shown);
-                        shown.tick();
-                        wait = PERIOD;
-                    }
-                });
-                (sender, thread)
-            });
-        Progress { bar, waiting }
+        let shown = wanted && !terminal::is_quiet();
+        Progress(Bar::new(length, template, shown, update))
     }
 
     /// Counts one more claim.
     pub(crate) fn step(&self) {
-        self.bar.inc(1);
-    }
-}
-
-impl Drop for Progress {
-    fn drop(&mut self) {
-        if let Some((sender, thread)) = self.waiting.take() {
-            drop(sender);
-            let _ = thread.join();
-        }
-        self.bar.finish_and_clear();
+        self.0.inc(1);
     }
 }

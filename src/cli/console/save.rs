@@ -4,6 +4,7 @@ use super::interrupt::writing;
 use std::fs::{File, create_dir_all, remove_file, rename};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
+use subcert::cores::THREADS;
 
 /// Writes a file into a folder, which is made if it is missing, as [`save`] does.
 pub(crate) fn save_in(folder: &Path, name: &str, text: &str) -> io::Result<()> {
@@ -36,7 +37,9 @@ pub(crate) fn save(path: &Path, text: &str) -> io::Result<()> {
     }
     let folder = folder_of(path)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let draft = folder.join(format!(".{name}.{}", std::process::id()));
+    // WebAssembly has no processes, and so no others that write.
+    let process = if THREADS { std::process::id() } else { 0 };
+    let draft = folder.join(format!(".{name}.{process}"));
     let mut file = File::create_new(&draft)?;
     let written = file.write_all(text.as_bytes()).and_then(|()| file.sync_all());
     drop(file);

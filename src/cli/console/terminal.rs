@@ -4,10 +4,19 @@ use crate::cli::arguments::Colour;
 use anstream::ColorChoice;
 use std::ffi::OsString;
 use std::sync::OnceLock;
+#[cfg(not(target_family = "wasm"))]
 use terminal_size::terminal_size_of;
+#[cfg(target_family = "wasm")]
+use terminal_size::{Height, Width};
 
 /// The height, in lines, of a screen whose height is not known.
 const HEIGHT: usize = 50;
+
+/// WebAssembly has no terminal.
+#[cfg(target_family = "wasm")]
+fn terminal_size_of<T>(_: T) -> Option<(Width, Height)> {
+    None
+}
 
 static QUIET: OnceLock<bool> = OnceLock::new();
 

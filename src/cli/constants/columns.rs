@@ -2,12 +2,10 @@
 
 use crate::cli::console::interrupt::{Interrupt, reason, were_stopped};
 use crate::cli::console::progress::Progress;
-use std::panic::resume_unwind;
-use std::thread::ScopedJoinHandle;
 use subcert::bound::{Budget, Order, PowerSearch};
+use subcert::cores::together;
 use subcert::exact::Rational;
 use subcert::scheme::{Mask, Rules};
-use subcert::stop::inherited;
 
 /// The most steps for the constants of one column.
 const MAX_STEPS: u64 = 8_000_000_000;
@@ -39,16 +37,10 @@ pub(crate) fn columns(mask: &Mask, difference: &Rules, wanted: &Wanted) -> Colum
     let budgets: Vec<Budget> = (0..2 * orders.len()).map(|_| Budget::new(MAX_STEPS)).collect();
     let progress = Progress::of_steps(&budgets, wanted.progress);
     let interrupt = Interrupt::stops(&budgets);
-    let found: Vec<Vec<Rational>> = std::thread::scope(|scope| {
-        let threads: Vec<_> = all
-            .zip(&budgets)
-            .map(|((rules, order), budget)| {
-                scope.spawn(inherited(move || column(rules, order, budget, wanted.levels)))
-            })
-            .collect();
-        let joined = threads.into_iter().map(ScopedJoinHandle::join);
-        joined.map(|column| column.unwrap_or_else(|panic| resume_unwind(panic))).collect()
-    });
+    let found: Vec<Vec<Rational>> = together(
+        all.zip(&budgets)
+            .map(|((rules, order), budget)| move || column(rules, order, budget, wanted.levels)),
+    );
     let is_whole = found.iter().all(|column| column.len() as u64 == u64::from(wanted.levels));
     let why = if were_stopped() { reason() } else { OUT_OF_REACH.to_owned() };
     drop((interrupt, progress));

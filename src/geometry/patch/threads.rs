@@ -1,7 +1,7 @@
 //! Work on many items in all cores, with results that do not depend on how many there are.
 
-use crate::stop::{check, inherited};
-use std::panic::resume_unwind;
+use crate::cores::{cores, together};
+use crate::stop::check;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The most items of a round.
@@ -9,8 +9,7 @@ const MAX_ROUND: usize = 16_384;
 
 /// How many threads there are for so many items, with `least` of them for each at least.
 pub(super) fn threads(items: usize, least: usize) -> usize {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    cores.min(items.div_ceil(least)).max(1)
+    cores().min(items.div_ceil(least)).max(1)
 }
 
 /// The values of all items, in their order.
@@ -50,14 +49,7 @@ pub(super) fn in_threads_until<S: Send, T: Sync, R: Send>(
     let mut all = match states {
         [] => Vec::new(),
         [state] => run(state),
-        _ => std::thread::scope(|scope| {
-            let handles: Vec<_> =
-                states.iter_mut().map(|state| scope.spawn(inherited(|| run(state)))).collect();
-            handles
-                .into_iter()
-                .flat_map(|own| own.join().unwrap_or_else(|panic| resume_unwind(panic)))
-                .collect()
-        }),
+        _ => together(states.iter_mut().map(|state| || run(state))).into_iter().flatten().collect(),
     };
     all.sort_unstable_by_key(|(i, _)| *i);
     let last = last.into_inner();

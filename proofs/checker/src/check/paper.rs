@@ -126,7 +126,8 @@ fn proofs(file: &Toml, known: &[Toml], tasks: &[Task<'_>]) -> Vec<Checked<Proof>
     let mut checked = std::thread::scope(|scope| {
         let spawn = |_| Builder::new().stack_size(STACK).spawn_scoped(scope, worker).ok();
         let workers: Vec<_> = (0..cores).filter_map(spawn).collect();
-        let mut checked = Vec::new();
+        // Where there are no threads, this one does all.
+        let mut checked = if workers.is_empty() { worker() } else { Vec::new() };
         for worker in workers {
             checked.extend(worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
         }

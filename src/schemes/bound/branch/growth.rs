@@ -7,11 +7,10 @@ use super::scaled::Scaled;
 use super::search_tree::{Leaf, SearchTree, SearchedOperator};
 use super::uniform::{self, UniformBound};
 use crate::bound::budget::Budget;
+use crate::cores::together;
 use crate::exact::{Integer, Rational};
 use crate::scheme::Rules;
-use crate::stop::inherited;
 use std::collections::BTreeMap;
-use std::panic::resume_unwind;
 
 /// ‖E^m‖ is computed for m up to this number before a bound of all norms is sought.
 const FIRST: u32 = 8;
@@ -190,15 +189,13 @@ impl Growth {
             let found = self.problem(levels, 1).greatest(&mut work);
             (found, work)
         };
-        let [first, second] = std::thread::scope(|scope| {
-            let second = scope.spawn(inherited(|| search(m + 1)));
-            [search(m), second.join().unwrap_or_else(|panic| resume_unwind(panic))]
-        });
+        let found = together([m, m + 1].map(|levels| move || search(levels)));
         self.reach.truncate(reach);
         self.moments = moments;
-        *work = first.1 + second.1;
-        self.known.insert(m, first.0?);
-        self.known.insert(m + 1, second.0?);
+        *work = found.iter().map(|(_, left)| left).sum();
+        for (levels, (greatest, _)) in (m..).zip(found) {
+            self.known.insert(levels, greatest?);
+        }
         Some(())
     }
 

@@ -3,10 +3,8 @@
 use super::estimate::{Place, margin};
 use super::scaled::Scaled;
 use crate::bound::budget::Budget;
+use crate::cores::cores;
 use crate::exact::Integer;
-use std::num::NonZero;
-use std::sync::LazyLock;
-use std::thread;
 
 /// The data that bound the rows m levels below a node, for one m.
 #[derive(Clone, Debug)]
@@ -49,9 +47,7 @@ pub(super) struct Problem<'a, const K: usize> {
 
 /// The greatest number of threads of a search.
 pub(super) fn threads() -> usize {
-    static THREADS: LazyLock<usize> =
-        LazyLock::new(|| thread::available_parallelism().map_or(1, NonZero::get).min(8));
-    *THREADS
+    cores().min(8)
 }
 
 impl<const K: usize> Problem<'_, K> {

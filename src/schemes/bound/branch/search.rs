@@ -6,9 +6,7 @@
 use super::descent::{Best, Descent, Node, WorkingMemory};
 use super::number::Number;
 use super::problem::Greatest;
-use crate::stop::inherited;
-use std::panic::resume_unwind;
-use std::thread;
+use crate::cores::together;
 
 /// The number of nodes that are split at a time: until the first row is found, and after
 /// that.
@@ -114,19 +112,11 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
         let threads = usize::try_from(cost / SHARE).unwrap_or(usize::MAX);
         let share = nodes.len().div_ceil(threads.clamp(1, self.spaces.len())).max(1);
         let (descent, best) = (&self.descent, self.best.as_ref());
-        let mut tasks = nodes
+        let tasks = nodes
             .chunks(share)
             .zip(&mut self.spaces)
             .map(|(nodes, space)| move || descent.split(space, nodes, best));
-        let results = thread::scope(|scope| {
-            let first = tasks.next();
-            let others: Vec<_> = tasks.map(|task| scope.spawn(inherited(task))).collect();
-            let first = first.map(|mut task| task());
-            let others = others
-                .into_iter()
-                .map(|task| task.join().unwrap_or_else(|panic| resume_unwind(panic)));
-            first.into_iter().chain(others).collect::<Vec<_>>()
-        });
+        let results = together(tasks);
         let mut rows = nodes.into_iter().map(|node| node.rows);
         for space in &mut self.spaces {
             space.pool.extend(rows.by_ref().take(share));

@@ -7,10 +7,47 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicIsize, AtomicUsize, Ordering};
 use std::thread::{self, ScopedJoinHandle, available_parallelism};
 
+/// Whether there are threads. WebAssembly has none.
+pub const THREADS: bool = !cfg!(target_family = "wasm");
+
+/// How many cores there are, at least 1.
+#[must_use]
+pub fn cores() -> usize {
+    static CORES: OnceLock<usize> = OnceLock::new();
+    *CORES.get_or_init(|| available_parallelism().map_or(1, NonZero::get))
+}
+
+/// The results of these tasks, in their order. The first one is done in this thread, and each other one in a thread of its own, or, where there are none,
+/// after it. All end with the work of this thread.
+///
+/// ```
+/// use subcert::cores::together;
+///
+/// assert_eq!(together([1, 2, 3].map(|x| move || x * x)), [1, 4, 9]);
+/// ```
+///
+/// # Panics
+/// When a task does.
+pub fn together<T: Send>(tasks: impl IntoIterator<Item = impl FnOnce() -> T + Send>) -> Vec<T> {
+    let mut tasks = tasks.into_iter();
+    if !THREADS {
+        return tasks.map(|task| task()).collect();
+    }
+    thread::scope(|scope| {
+        let first = tasks.next();
+        let others: Vec<_> = tasks.map(|task| scope.spawn(inherited(task))).collect();
+        let first = first.map(|task| task());
+        let join = |other: ScopedJoinHandle<'_, T>| {
+            other.join().unwrap_or_else(|panic| resume_unwind(panic))
+        };
+        first.into_iter().chain(others.into_iter().map(join)).collect()
+    })
+}
+
 /// The cores that have nothing to do.
 fn idle() -> &'static AtomicIsize {
     static IDLE: OnceLock<AtomicIsize> = OnceLock::new();
-    let others = || available_parallelism().map_or(1, NonZero::get) - 1;
+    let others = || cores() - 1;
     IDLE.get_or_init(|| AtomicIsize::new(isize::try_from(others()).unwrap_or(0)))
 }
 

@@ -1,0 +1,157 @@
+// Runs commands of `subcert` and `subcert-check`: in a worker with WebAssembly, or by the program that serves this page.
+
+/** A command that another one of the same kind has replaced, or that was stopped. */
+export class Stopped extends Error {}
+
+/** How long a command may run when another one of its kind waits, in milliseconds. */
+const PATIENCE = 250;
+
+/** The bytes of a program: part of the page, or a file beside it. */
+async function bytesOf(name) {
+  const inside = document.getElementById(`${name}.wasm`);
+  if (!inside) return new Uint8Array(await (await fetch(`./${name}.wasm`)).arrayBuffer());
+  const packed = Uint8Array.from(atob(inside.textContent.trim()), (character) => character.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  inside.remove();
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** Commands in a worker, which is replaced when one is stopped. */
+class Local {
+  modules = {};
+  worker = null;
+  busy = null;
+
+  start() {
+    const inside = document.getElementById("worker.js");
+    this.worker = inside
+      ? new Worker(URL.createObjectURL(new Blob([inside.textContent], { type: "text/javascript" })), { type: "module" })
+      : new Worker("./worker.js", { type: "module" });
+    this.worker.onmessage = ({ data }) => {
+      if (data.id !== this.busy?.id) return;
+      if (data.answer) this.busy.done(data.answer);
+      else this.busy.progress(data.progress);
+    };
+    this.worker.onerror = (event) => this.busy?.done({ code: 3, text: "", errors: `error: ${event.message}`, files: {} });
+    this.sent = new Set();
+  }
+
+  async run(job) {
+    this.modules[job.program] ??= bytesOf(job.program).then((bytes) => WebAssembly.compile(bytes));
+    const module = await this.modules[job.program];
+    if (job.stopped) throw new Stopped();
+    if (!this.worker) this.start();
+    if (!this.sent.has(job.program)) {
+      this.worker.postMessage({ program: job.program, module });
+      this.sent.add(job.program);
+    }
+    return new Promise((resolve, reject) => {
+      this.busy = { id: job.id, done: resolve, progress: job.progress, reject };
+      this.worker.postMessage({ id: job.id, program: job.program, args: job.args, files: job.files });
+    });
+  }
+
+  stop() {
+    this.worker?.terminate();
+    this.worker = null;
+    this.busy?.reject(new Stopped());
+    this.busy = null;
+  }
+}
+
+const toText = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+const toBytes = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+
+/** Commands by the program that serves this page. */
+class Remote {
+  async run(job) {
+    this.controller = new AbortController();
+    const files = Object.fromEntries(Object.entries(job.files).map(([name, bytes]) => [name, toText(bytes)]));
+    const body = JSON.stringify({ program: job.program, args: job.args, files });
+    try {
+      const response = await fetch("./run", { method: "POST", body, signal: this.controller.signal });
+      const answer = await response.json();
+      const written = Object.entries(answer.files ?? {}).map(([name, text]) => [name, toBytes(text)]);
+      return { ...answer, files: Object.fromEntries(written) };
+    } catch (error) {
+      if (error.name === "AbortError") throw new Stopped();
+      return { code: 3, text: "", errors: `error: the program that serves this page does not answer: ${error.message}`, files: {} };
+    }
+  }
+
+  stop() {
+    this.controller?.abort();
+    fetch("./stop", { method: "POST" }).catch(() => {});
+  }
+}
+
+/**
+ * One command at a time. A command with a `kind` replaces one of the same kind that waits, and stops one that has run for a while.
+ */
+export class Engine {
+  waiting = [];
+  running = null;
+  count = 0;
+  /** Told of the command that runs, its progress and its end: { running, since, progress }. */
+  onChange = () => {};
+
+  constructor(remote = document.documentElement.dataset.served === "yes") {
+    this.system = remote ? new Remote() : new Local();
+  }
+
+  /** Runs `subcert ARGS`; `files` are texts or bytes by name. The answer: { code, text, errors, files }. */
+  run(args, { files = {}, kind = null, program = "subcert", onProgress = () => {} } = {}) {
+    const encoder = new TextEncoder();
+    const bytes = Object.entries(files).map(([name, file]) => [name, typeof file === "string" ? encoder.encode(file) : file]);
+    return new Promise((resolve, reject) => {
+      const job = { id: ++this.count, args, files: Object.fromEntries(bytes), kind, program, resolve, reject };
+      job.progress = (text) => {
+        onProgress(text);
+        this.onChange({ running: job, since: job.since, progress: text });
+      };
+      if (kind !== null) {
+        this.waiting = this.waiting.filter((other) => {
+          if (other.kind === kind) other.reject(new Stopped());
+          return other.kind !== kind;
+        });
+        if (this.running?.kind === kind) {
+          const left = Math.max(0, PATIENCE - (performance.now() - this.running.since));
+          const old = this.running;
+          setTimeout(() => this.running === old && this.stop(), left);
+        }
+      }
+      this.waiting.push(job);
+      this.next();
+    });
+  }
+
+  /** The same, with its JSON; an answer with another exit code than 0 or 1 is an error with its text. */
+  async json(args, options = {}) {
+    const answer = await this.run([...args, "--format", "json"], options);
+    if (answer.code > 1) throw new Error(answer.errors.trim() || `exit code ${answer.code}`);
+    return JSON.parse(answer.text);
+  }
+
+  async next() {
+    if (this.running || this.waiting.length === 0) return;
+    const job = this.waiting.shift();
+    this.running = job;
+    job.since = performance.now();
+    this.onChange({ running: job, since: job.since, progress: "" });
+    try {
+      job.resolve(await this.system.run(job));
+    } catch (error) {
+      job.reject(error);
+    }
+    this.running = null;
+    this.onChange({ running: null });
+    this.next();
+  }
+
+  /** Stops the command that runs. */
+  stop() {
+    if (!this.running) return;
+    this.running.stopped = true;
+    this.system.stop();
+  }
+}

@@ -1,0 +1,86 @@
+// The rooms of the page, and what runs.
+
+import { read, write } from "./address.js";
+import curve from "./curve.js";
+import { el } from "./dom.js";
+import { Engine } from "./engine.js";
+import mesh from "./mesh.js";
+import paper from "./paper.js";
+import scheme from "./scheme.js";
+
+const ROOMS = [scheme, curve, mesh, paper];
+
+/** How long something runs until the page says so, in milliseconds. */
+const PATIENCE = 500;
+
+const engine = new Engine();
+const main = document.querySelector("main");
+const tabs = document.querySelector("nav");
+const work = document.querySelector("#work");
+const mounted = new Map();
+
+const tick = () => {
+  const { running, since, progress } = shown;
+  const elapsed = running ? performance.now() - since : 0;
+  work.hidden = elapsed < PATIENCE;
+  if (!work.hidden) work.querySelector("output").value = `${progress || "computing"}, ${(elapsed / 1000).toFixed(0)} s`;
+};
+let shown = { running: null };
+let ticking = null;
+engine.onChange = (change) => {
+  shown = change;
+  clearInterval(ticking);
+  if (change.running) ticking = setInterval(tick, 250);
+  tick();
+};
+work.querySelector("button").addEventListener("click", () => engine.stop());
+
+/** Shows a room with these values, which it reads when it is entered. */
+function enter(id, values) {
+  const room = ROOMS.find((one) => one.id === id) ?? ROOMS[0];
+  for (const one of ROOMS) {
+    const tab = document.querySelector(`#tab-${one.id}`);
+    tab.setAttribute("aria-selected", one === room);
+    tab.tabIndex = one === room ? 0 : -1;
+    const place = mounted.get(one.id)?.place;
+    if (place) place.hidden = one !== room;
+  }
+  if (!mounted.has(room.id)) {
+    const place = el("section", { id: `room-${room.id}`, role: "tabpanel", "aria-labelledby": `tab-${room.id}`, tabindex: "-1" });
+    main.append(place);
+    let known = values;
+    const state = {
+      get: () => known,
+      set(changes) {
+        known = { ...known, ...changes };
+        if (!place.hidden) write(room.id, known);
+      },
+    };
+    mounted.set(room.id, { place, state, ...room.mount(place, { engine, state, enter }) });
+  } else if (Object.keys(values).length > 0) {
+    const { state, restore } = mounted.get(room.id);
+    state.set(values);
+    restore?.();
+  }
+  write(room.id, mounted.get(room.id).state.get());
+  document.title = `${room.title} – subcert`;
+}
+
+for (const room of ROOMS) {
+  const tab = el("button", { id: `tab-${room.id}`, role: "tab", type: "button", onclick: () => enter(room.id, {}) }, room.title);
+  tabs.append(tab);
+}
+tabs.addEventListener("keydown", (event) => {
+  const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+  if (!step) return;
+  const all = [...tabs.children];
+  const next = all[(all.indexOf(document.activeElement) + step + all.length) % all.length];
+  next.focus();
+  next.click();
+});
+addEventListener("hashchange", () => {
+  const { room, values } = read();
+  enter(room, values);
+});
+const { room, values } = read();
+enter(room, values);

@@ -1,0 +1,2 @@
+import { el } from "./dom.js";
+export default { id: "mesh", title: "Mesh", mount(place) { place.append(el("p", {}, "to come")); return {}; } };

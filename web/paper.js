@@ -1,0 +1,358 @@
+// The room of papers: a claim file in an editor, its errors at their places, and the verdicts of the program beside it.
+
+import { el, later, save } from "./dom.js";
+import { Stopped } from "./engine.js";
+import { paperClaims, paperPromise, paperWord, paperWorse } from "./paper-claims.js";
+import { paperEditor } from "./paper-editor.js";
+import { PAPER_EXAMPLES, PAPER_KEYS } from "./paper-examples.js";
+import { paperErrors, paperLineAt, paperOffset, paperPlaces } from "./paper-places.js";
+
+const PAPER_FILE = "paper.toml";
+/** Longer texts are not put into the address. */
+const PAPER_LONGEST = 20_000;
+/** How long the text must rest until it is judged, in milliseconds. */
+const PAPER_REST = 300;
+
+/** What is shown of a file about numbers that a program ships: a line for each of its tables. */
+function paperOfProject({ key, tables }) {
+  const claims = tables.map(({ id, locus, title, outcome }) => ({ id: `${key}:${id}`, locus, kind: "shipped", printed: title, verdict: outcome }));
+  const summary = {};
+  for (const { verdict } of claims) summary[verdict] = (summary[verdict] ?? 0) + 1;
+  return { key, claims, summary, promises: null };
+}
+
+/** The lines of the checker, by the ids of claims. */
+function paperChecks(text) {
+  const kinds = { certified: "good", cited: "doubt", incomplete: "doubt", invalid: "bad" };
+  const found = [...text.matchAll(/^(certified|cited|incomplete|invalid) +(\S+): (.*)$/gm)];
+  return found.map(([, state, id, says]) => ({ id, state, says, kind: kinds[state] }));
+}
+
+function paperRoom(place, { engine, state }) {
+  let key = null; // of a paper that is part of the program; null: the text in the editor
+  let example = "first";
+  let own = null; // a text of the visitor's that an example has replaced
+  let asked = 0;
+  let shown = null; // the paper of the last answer
+  let stale = false;
+  let chosen = "all";
+  let checks = [];
+  let then = null; // what to do after the next audit
+  let known = {};
+
+  const status = el("p", { role: "status", class: "paper-status" });
+  const trouble = el("div", { class: "paper-trouble" });
+  const list = el("div", { class: "paper-list" });
+  const here = el("p", { id: "paper-here", class: "soft paper-here" });
+  const about = el("div", { class: "paper-about", hidden: true });
+  const savings = el("p", { role: "status" });
+  const checker = el("div", { "aria-live": "polite" });
+  const chooser = el("div", { class: "paper-choose", role: "group", "aria-label": "what to open" });
+  const editor = paperEditor({ changed: () => changed(), moved: (offset) => tell(offset) });
+  const opened = el("input", { type: "file", accept: ".toml,text/plain", class: "paper-file", tabindex: "-1", "aria-label": "a claim file of your own", onchange: open });
+
+  const files = () => (key ? {} : { [PAPER_FILE]: editor.text });
+  const args = {
+    audit: () => (key ? ["audit", "--paper", key] : ["audit", PAPER_FILE]),
+    errata: () => (key ? ["errata", "--paper", key] : ["errata", PAPER_FILE]),
+    prove: () => ["prove", key ?? PAPER_FILE, "-o", "-"],
+    explain: (id) => (key ? ["explain", id] : ["explain", id, PAPER_FILE]),
+  };
+  const local = (claim) => claim.id.slice(shown.key.length + 1);
+  const name = () => shown?.key ?? key ?? "paper";
+
+  /** Where a claim stands; a cell that is not found stands in its table. */
+  function placeOf(places, id) {
+    return places.get(id) ?? places.get(id.split(":")[0]) ?? null;
+  }
+
+  function jump(id) {
+    const at = placeOf(paperPlaces(editor.text), id);
+    if (at) editor.select(at.from, at.to);
+  }
+
+  /** What the claim under the cursor says. */
+  function tell(offset) {
+    if (!shown || stale || key) return;
+    const within = [...paperPlaces(editor.text)].filter(([, at]) => at.start <= offset && offset <= at.end).map(([id]) => id);
+    const claim = shown.claims.find((one) => within.includes(local(one)) && one.verdict);
+    here.replaceChildren();
+    if (!claim) return;
+    const { kind, sign } = paperWord(claim.verdict);
+    here.append(`${claim.locus}: `, el("span", { class: `paper-verdict ${kind}` }, `${sign} ${claim.verdict}`), claim.exact ? `, exactly ${claim.exact}` : "");
+  }
+
+  function draw() {
+    list.classList.toggle("stale", stale);
+    if (!shown) return list.replaceChildren();
+    const text = editor.text;
+    const places = key ? new Map() : paperPlaces(text);
+    // Lines are counted once; there may be hundreds of claims.
+    const lineOf = (claim) => {
+      const at = placeOf(places, local(claim));
+      return at && paperLineAt(text, at.from);
+    };
+    const checkOf = (claim) => checks.find(({ id }) => claim.id === id || claim.id.startsWith(`${id}:`));
+    list.replaceChildren(...paperClaims(shown.claims, shown.summary, shown.promises, {
+      chosen, lineOf, checkOf, explain,
+      jump: (claim) => jump(local(claim)),
+      choose: (filter) => {
+        chosen = filter;
+        draw();
+        list.querySelector("[aria-pressed=true]")?.focus();
+      },
+    }));
+    if (key || stale) return;
+    const worst = new Map();
+    for (const claim of shown.claims) {
+      const line = lineOf(claim);
+      if (line) worst.set(line, worst.has(line) ? paperWorse(worst.get(line), claim.verdict) : claim.verdict);
+    }
+    editor.mark(new Map([...worst].map(([line, verdict]) => [line, paperWord(verdict)])));
+  }
+
+  function say() {
+    const counts = Object.entries(shown.summary).filter(([, count]) => count > 0).map(([verdict, count]) => `${count} ${verdict}`);
+    const { kept, broken, open: undecided } = shown.promises ?? {};
+    const promises = kept + broken + undecided > 0 ? ` Promises: ${kept} kept, ${broken} broken, ${undecided} open.` : "";
+    status.textContent = `${shown.key}, ${shown.claims.length} claims: ${counts.join(", ") || "none"}.${promises}`;
+  }
+
+  /** The error of the program as it is, and a button for each of its places. */
+  function refuse(error) {
+    const places = paperErrors(error, PAPER_FILE);
+    const buttons = places.map(({ line, column, length }) => el("button", { type: "button", onclick: () => {
+      const from = paperOffset(editor.text, line, column);
+      editor.select(from, from + length);
+    } }, `Go to line ${line}, column ${column}`));
+    trouble.replaceChildren(el("div", { class: "error mono paper-error", role: "alert" }, error), el("div", { class: "row" }, buttons));
+    editor.refuse(key ? [] : places.map(({ line }) => line));
+    status.textContent = places.length > 0 ? `The program refuses the text: see line ${places[0].line}.` : "The program refuses this.";
+    stale = shown !== null;
+    draw();
+  }
+
+  /** Judges the text, or the paper. */
+  async function audit() {
+    const mine = ++asked;
+    status.textContent = key ? `Judging all claims of ${key}. This may take a minute.` : shown ? status.textContent : "Judging …";
+    try {
+      if (key) await outline(mine);
+      const { papers, projects = [] } = await engine.json(args.audit(), { files: files(), kind: "paper-audit" });
+      if (mine !== asked) return;
+      shown = papers[0] ?? (projects[0] ? paperOfProject(projects[0]) : null);
+      stale = false;
+      trouble.replaceChildren();
+      editor.refuse([]);
+      draw();
+      if (shown) say();
+      then?.();
+      then = null;
+    } catch (error) {
+      if (mine !== asked) return;
+      if (error instanceof Stopped) status.textContent = "Stopped. Change the text, or choose something above, to go on.";
+      else refuse(error.message);
+    }
+  }
+
+  /** The claims of a paper without verdicts, which are there at once. */
+  async function outline(mine) {
+    const { claims } = await engine.json(["explain", key], { kind: "paper-audit" });
+    if (mine !== asked) return;
+    shown = { key, claims: claims.map(({ id, locus, title }) => ({ id: `${key}:${id}`, locus, kind: "", printed: title })), summary: {}, promises: null };
+    draw();
+  }
+
+  async function explain(claim, into) {
+    into.replaceChildren(el("p", { class: "soft" }, "computing …"));
+    const told = el("pre", { class: "mono", tabindex: "0", "aria-label": `details of ${claim.locus}` });
+    try {
+      const { code, text, errors } = await engine.run(args.explain(claim.id), { files: files(), kind: "paper-details" });
+      if (code > 1) into.replaceChildren(el("div", { class: "error mono", role: "alert" }, errors));
+      else into.replaceChildren(told);
+      told.textContent = text.trim();
+    } catch (error) {
+      into.replaceChildren(el("p", { class: "soft" }, error instanceof Stopped ? "stopped" : error.message));
+    }
+  }
+
+  /** Runs a command and saves what it prints, or the file that `pick` takes from those it writes. */
+  async function keep(command, file, type, pick = null) {
+    savings.textContent = `Writing ${file} …`;
+    try {
+      const { code, text, errors, files: written } = await engine.run(command, { files: files(), kind: "paper-save" });
+      const content = pick ? pick(written) : text;
+      if (code > 1 || !content) throw new Error(errors.trim() || "nothing was written");
+      save(file, content, type);
+      savings.textContent = `${file} is saved.`;
+    } catch (error) {
+      savings.textContent = error instanceof Stopped ? "stopped" : error.message;
+    }
+  }
+
+  const page = (written) => Object.entries(written).find(([file]) => file.endsWith(".html") && !file.endsWith("index.html"))?.[1];
+  const saved = [
+    ["Claim file", () => save(`${name()}.toml`, editor.text), true],
+    ["Report with pictures (HTML)", () => keep([...args.audit(), "--format", "html", "-o", "report"], `${name()}.html`, "text/html", page)],
+    ["Report (Markdown)", () => keep([...args.audit(), "--all", "--format", "markdown"], `${name()}.md`, "text/markdown")],
+    ["Errata (Markdown)", () => keep([...args.errata(), "--format", "markdown"], `${name()}-errata.md`, "text/markdown")],
+    ["Errata (LaTeX)", () => keep([...args.errata(), "--format", "latex"], `${name()}-errata.tex`, "text/plain")],
+    ["Certificate", () => keep(args.prove(), `${name()}.cert`, "text/plain")],
+  ].map(([label, work, text]) => [el("button", { type: "button", onclick: work }, label), text]);
+
+  /** Makes the certificate and lets the independent checker read it. */
+  async function check() {
+    const tell = (...content) => checker.replaceChildren(...content);
+    const text = editor.text;
+    tell(el("p", {}, "Writing the certificate …"));
+    try {
+      const proved = await engine.run(args.prove(), { files: files(), kind: "paper-check" });
+      if (proved.code > 1) return tell(el("div", { class: "error mono", role: "alert" }, proved.errors));
+      tell(el("p", {}, "The checker reads it …"));
+      const answer = await engine.run([PAPER_FILE, "paper.cert"], { program: "subcert-check", kind: "paper-check", files: { [PAPER_FILE]: text, "paper.cert": proved.text } });
+      if (answer.code > 1) return tell(el("div", { class: "error mono", role: "alert" }, answer.errors));
+      if (editor.text !== text || key) return tell(el("p", {}, "The text has changed meanwhile. Check again."));
+      checks = paperChecks(answer.text);
+      draw();
+      const local = (id) => id.slice(id.indexOf(":") + 1);
+      tell(el("ul", { class: "paper-checks" }, checks.map(({ id, state: found, says, kind }) => el("li", {},
+        el("span", { class: `paper-verdict ${kind}` }, found), " ", el("span", { class: "mono" }, local(id)), `: ${says} `,
+        el("button", { type: "button", "aria-label": `go to ${local(id)}`, onclick: () => jump(local(id)) }, "go there")))),
+      el("p", {}, answer.text.trim().split("\n").at(-1)));
+    } catch (error) {
+      if (error instanceof Stopped) tell(el("p", {}, "stopped"));
+      else tell(el("div", { class: "error", role: "alert" }, `The checker is a second program, subcert-check, and it could not be started here (${error.message}). Save the certificate and the claim file, and let it check them on your computer: subcert-check ${name()}.toml ${name()}.cert`));
+    }
+  }
+  const checking = el("button", { type: "button", onclick: check }, "Check the certificate");
+
+  /** Writes the address: an example by its name, a paper by its key, else the text. */
+  function remember() {
+    const text = editor.text;
+    const same = Object.keys(PAPER_EXAMPLES).find((one) => PAPER_EXAMPLES[one].text === text);
+    if (same) example = same;
+    const short = !key && !same && text.length < PAPER_LONGEST;
+    known = { paper: key ?? "", example: key || short ? "" : example, text: short ? text : "" };
+    state.set(known);
+    if (!key && !same && !short) savings.textContent = "This text is too long for the address: save the claim file to keep it.";
+  }
+
+  /** The text or the paper is another one: nothing that was said is about it. */
+  function fresh() {
+    checks = [];
+    checker.replaceChildren();
+    savings.textContent = "";
+    here.replaceChildren();
+  }
+
+  const rested = later(() => {
+    remember();
+    audit();
+  }, PAPER_REST);
+  function changed() {
+    asked++;
+    fresh();
+    stale = shown !== null;
+    list.classList.toggle("stale", stale);
+    rested();
+  }
+
+  function isOwn() {
+    return !key && editor.text !== "" && !Object.values(PAPER_EXAMPLES).some(({ text }) => text === editor.text);
+  }
+
+  /** Shows a text in the editor, or with a key that paper. */
+  function show(text, paper = null) {
+    if (isOwn() && text !== editor.text) own = editor.text;
+    key = paper;
+    [shown, stale, chosen] = [null, false, "all"];
+    asked++;
+    fresh();
+    trouble.replaceChildren();
+    if (!key) editor.text = text;
+    editor.node.parentElement.hidden = key !== null;
+    about.hidden = key === null;
+    about.replaceChildren(...(key ? [el("h2", {}, PAPER_KEYS[key] ?? key), el("p", {}, `The claim file of this paper, ${key}, is part of the program. Its text cannot be shown here yet; its claims and their verdicts are in the list.`)] : []));
+    for (const [button, text] of saved) button.disabled = key !== null && text === true;
+    checking.disabled = key !== null;
+    checker.replaceChildren(...(key ? [el("p", { class: "soft" }, "The checker needs the text of the claim file, which is not shown for this paper.")] : []));
+    remember();
+    choices();
+    draw();
+    audit();
+  }
+
+  /** To the first claim with the worst verdict. */
+  function toWorst() {
+    const wrong = shown?.claims.filter(({ verdict }) => paperWord(verdict).kind === "bad") ?? [];
+    const first = wrong[0] ?? shown?.claims.find((claim) => paperPromise(claim) === "broken");
+    if (!first) return;
+    chosen = first.verdict;
+    draw();
+    jump(local(first));
+  }
+
+  async function template() {
+    try {
+      const { code, text, errors } = await engine.run(["new", "doe2026", "-o", "-"], { kind: "paper-new" });
+      if (code > 1) refuse(errors);
+      else show(text);
+    } catch (error) {
+      if (!(error instanceof Stopped)) refuse(error.message);
+    }
+  }
+
+  async function open() {
+    const [file] = opened.files;
+    if (file) show(await file.text());
+    opened.value = "";
+  }
+
+  function choices() {
+    const now = (is) => (is ? "true" : null);
+    const button = (label, work, current = false) => el("button", { type: "button", onclick: work, "aria-current": now(current) }, label);
+    const paper = el("select", { id: "paper-key", onchange: () => paper.value && show("", paper.value) },
+      el("option", { value: "" }, "choose …"),
+      Object.entries(PAPER_KEYS).map(([one, title]) => el("option", { value: one, selected: one === key }, title)));
+    chooser.replaceChildren(
+      ...Object.values(PAPER_EXAMPLES).map(({ title, text }) => button(title, () => show(text), !key && editor.text === text)),
+      button("New claim file", template),
+      button("Open a file …", () => opened.click()),
+      ...(own === null ? [] : [button("Back to my text", () => show(own))]),
+      el("div", { class: "field" }, el("label", { for: "paper-key" }, "A published paper"), paper));
+  }
+
+  /** What differs from the known values of the address decides. */
+  function restore() {
+    const values = state.get();
+    const differs = (one) => (values[one] ?? "") !== (known[one] ?? "") && (values[one] ?? "") !== "";
+    if (differs("text")) show(values.text.slice(0, PAPER_LONGEST));
+    else if (differs("paper")) show("", values.paper);
+    else if (differs("example") && Object.hasOwn(PAPER_EXAMPLES, values.example)) show(PAPER_EXAMPLES[values.example].text);
+  }
+
+  place.append(
+    el("p", {}, "A claim file says what a paper prints: the numbers of its tables, its equations and theorems, copied digit by digit. It also says what each number is said to equal, by the paper's own formulas. The program computes these formulas exactly, and gives each claim a verdict."),
+    el("p", {}, el("button", { type: "button", class: "paper-first", onclick: () => {
+      then = toWorst;
+      show(PAPER_EXAMPLES.first.text);
+    } }, "Start here: find the wrong number"), " opens an invented paper with two tables. One number in them is wrong; the cursor goes to it. Then change something, and see what the program says."),
+    chooser, opened, status, trouble,
+    el("div", { class: "paper-room" },
+      el("div", { class: "paper-left" },
+        el("div", {}, el("label", { for: "paper-text" }, "The claim file"), editor.node, here),
+        about),
+      el("div", {}, el("h2", {}, "Claims and verdicts"), list)),
+    el("h2", {}, "Save"),
+    el("div", { class: "row" }, saved.map(([button]) => button)),
+    savings,
+    el("h2", {}, "Certificate"),
+    el("p", {}, "A certificate has what a second, small program needs to confirm each verdict by itself, without trusting the first one."),
+    el("div", { class: "row" }, checking),
+    checker);
+  restore();
+  if (asked === 0) show(PAPER_EXAMPLES.first.text);
+  return { restore };
+}
+
+export default { id: "paper", title: "Paper", mount: paperRoom };

@@ -1,0 +1,77 @@
+// What the visitor typed: the text of a scheme, its parameters and their values. Nothing is computed here.
+
+const SCHEME_NAME = /^[A-Za-z_]\w*$/;
+
+/** The values in `w=1/16,k=2`, by name. The text may come from an address: names that are no names are dropped. */
+export function schemeValues(text) {
+  const found = new Map();
+  for (const part of String(text ?? "").split(/,(?=\s*[A-Za-z_]\w*\s*=)/)) {
+    const at = part.indexOf("=");
+    const name = part.slice(0, at).trim();
+    if (at > 0 && SCHEME_NAME.test(name)) found.set(name, part.slice(at + 1).trim());
+  }
+  return found;
+}
+
+/** The same, as a text. */
+export function schemeValuesText(values) {
+  return [...values].map(([name, value]) => `${name}=${value}`).join(",");
+}
+
+/** The scheme without the values behind its colon, and these values. */
+export function schemeSplit(text) {
+  const at = text.lastIndexOf(":");
+  const given = at < 0 ? new Map() : schemeValues(text.slice(at + 1));
+  return given.size > 0 ? { family: text.slice(0, at), given } : { family: text, given };
+}
+
+/** The scheme with values for its open parameters. */
+export function schemeWith(text, values) {
+  if (values.size === 0) return text;
+  return `${text}${schemeSplit(text).given.size > 0 ? "," : ":"}${schemeValuesText(values)}`;
+}
+
+/** Where a value stands on a slider, if it is a decimal or a fraction: for drawing only. */
+export function schemePlace(value) {
+  const parts = /^\s*(-?\d*\.?\d+)\s*(?:\/\s*(\d*\.?\d+)\s*)?$/.exec(value);
+  return parts ? Number(parts[1]) / Number(parts[2] ?? 1) : null;
+}
+
+/** What the catalogue tells of a parameter: whether it counts something, and where to begin. */
+export function schemeParameter({ name, default: usual = null, about = null }) {
+  const list = /(\d+), (\d+), (?:\d+, )*…/.exec(about ?? "");
+  const counts = list !== null || /number of|the order|symbol has/.test(about ?? "");
+  const [least, next] = list ? [Number(list[1]), Number(list[2])] : [1, 2];
+  const around = /valence|vertices of the face/.test(about ?? "");
+  const start = counts ? (usual ?? String(around ? 5 : next)) : usual;
+  return { name, about, counts, least, step: next - least, start };
+}
+
+/** The parameter that an error of the program asks for, if it is about this very scheme, and a value that it names. */
+export function schemeAsked(error, text) {
+  const asked = /^error: `([^]*?)` needs its parameter `(\w+)`/.exec(error);
+  if (!asked || asked[1] !== text) return null;
+  return { name: asked[2], start: /, such as ([^,`\s]+),/.exec(error)?.[1] ?? null };
+}
+
+const schemeQuoted = (text) => (text.includes("'") ? JSON.stringify(text) : `'${text}'`);
+
+/** A scheme file, or for what is not a mask of curves and has a name, a part of a claim file. */
+export function schemeToml(text, values, known, constants) {
+  const whole = schemeWith(text, values);
+  const direction = constants?.directions?.length === 1 ? constants.directions[0] : null;
+  const { family, given } = schemeSplit(text);
+  const lines = ['name = "my-scheme"'];
+  if (!known && !/\.toml\b|\sx\s/.test(family)) {
+    for (const [name, value] of [...given, ...values]) lines.push(`parameters.${name} = { default = ${schemeQuoted(value)} }`);
+    lines.push(`${/[[{]/.test(family) ? "mask" : "symbol"} = ${schemeQuoted(family)}`);
+    return `${lines.join("\n")}\n`;
+  }
+  if (direction) {
+    const rows = direction.mask.map((row) => `    [${row.map(schemeQuoted).join(", ")}],`);
+    lines.unshift(`# ${whole.replace(/\s+/g, " ")}`);
+    lines.push(`offset = '${direction.offset}'`, "mask = [", ...rows, "]");
+    return `${lines.join("\n")}\n`;
+  }
+  return `# for a claim file\n[[scheme]]\nname = "my-scheme"\nuse = ${schemeQuoted(whole)}\n`;
+}
