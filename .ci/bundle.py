@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """Writes web/index.html: web/page.html with its styles, scripts and programs inside, so that it opens from a folder, where browsers load no modules.
 
-Modules are put one after the other, each behind those that it imports; `export default` becomes a constant of the name under which main.js
-imports it. A name that two modules have at their top level stops this.
+Modules become functions, one after the other, each behind those that it imports.
 """
 
 import base64
@@ -13,40 +12,37 @@ from pathlib import Path
 
 WEB = Path(__file__).resolve().parent.parent / "web"
 IMPORT = re.compile(r'^import (?:(?P<default>\w+)|\{(?P<names>[^}]*)\}) from "\./(?P<file>[\w.-]+)";\n', re.MULTILINE)
-NAME = re.compile(r"^(?:export )?(?:async )?(?:const|let|class|function\*?) (?:\{ ([^}]*) \}|\[([^\]]*)\]|(\w+))", re.MULTILINE)
+EXPORT = re.compile(r"^export (?:async )?(?:const|let|class|function\*?) (\w+)", re.MULTILINE)
 PROGRAMS = ["subcert", "subcert-check"]
 
 
 def bundle(entry: str) -> str:
     order: list[str] = []
-    named: dict[str, str] = {}
+    parts = []
+
+    def own(file: str) -> str:
+        return "of_" + re.sub(r"\W", "_", file)
 
     def visit(file: str) -> None:
         if file in order:
             return
-        for found in IMPORT.finditer((WEB / file).read_text()):
+        text = (WEB / file).read_text()
+        for found in IMPORT.finditer(text):
             visit(found["file"])
-            if found["default"]:
-                named[found["file"]] = found["default"]
         order.append(file)
+        taken = lambda found: (
+            f"const {found['default']} = {own(found['file'])}.default;\n" if found["default"] else f"const {{{found['names'].replace(' as ', ': ')}}} = {own(found['file'])};\n"
+        )
+        given = [*EXPORT.findall(text), *(["default: given"] if "\nexport default " in text else [])]
+        text = IMPORT.sub(taken, text).replace("\nexport default ", "\nconst given = ")
+        text = re.sub(r"^export ", "", text, flags=re.MULTILINE)
+        if re.search(r"^import |^\{", text, re.MULTILINE):
+            sys.exit(f"web/{file}: an import or export that is not on a line of its own")
+        parts.append(f"// {file}\nconst {own(file)} = (() => {{\n{text}\nreturn {{ {', '.join(given)} }};\n}})();\n")
 
     visit(entry)
-    owner: dict[str, str] = {}
-    parts = []
-    for file in order:
-        text = IMPORT.sub("", (WEB / file).read_text())
-        text = text.replace("export default ", f"const {named.get(file)} = ")
-        text = re.sub(r"^export ", "", text, flags=re.MULTILINE)
-        if re.search(r"^import ", text, re.MULTILINE):
-            sys.exit(f"web/{file}: an import that is not on a line of its own")
-        for found in NAME.finditer(text):
-            for name in re.split(r",\s*", next(filter(None, found.groups()))):
-                name = name.split(":")[-1].strip()
-                if owner.setdefault(name, file) != file:
-                    sys.exit(f"`{name}` is a name of web/{file} and of web/{owner[name]}")
-        parts.append(f"// {file}\n{text}")
     script = "\n".join(parts)
-    if "</script" in script:
+    if "</script" in script or "<!--" in script:
         sys.exit("a script holds the end of one")
     return script
 

@@ -9,7 +9,11 @@ const PATIENCE = 250;
 /** The bytes of a program: part of the page, or a file beside it. */
 async function bytesOf(name) {
   const inside = document.getElementById(`${name}.wasm`);
-  if (!inside) return new Uint8Array(await (await fetch(`./${name}.wasm`)).arrayBuffer());
+  if (!inside) {
+    const response = await fetch(`./${name}.wasm`);
+    if (!response.ok) throw new Error(`${name}.wasm is not there: ${response.status} ${response.statusText}`);
+    return new Uint8Array(await response.arrayBuffer());
+  }
   const packed = Uint8Array.from(atob(inside.textContent.trim()), (character) => character.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   inside.remove();
@@ -25,7 +29,7 @@ class Local {
   start() {
     const inside = document.getElementById("worker.js");
     this.worker = inside
-      ? new Worker(URL.createObjectURL(new Blob([inside.textContent], { type: "text/javascript" })), { type: "module" })
+      ? new Worker(URL.createObjectURL(new Blob([inside.textContent], { type: "text/javascript" })))
       : new Worker("./worker.js", { type: "module" });
     this.worker.onmessage = ({ data }) => {
       if (data.id !== this.busy?.id) return;
@@ -38,7 +42,11 @@ class Local {
 
   async run(job) {
     this.modules[job.program] ??= bytesOf(job.program).then((bytes) => WebAssembly.compile(bytes));
-    const module = await this.modules[job.program];
+    const module = await this.modules[job.program].catch((error) => {
+      // The next command tries again.
+      delete this.modules[job.program];
+      throw error;
+    });
     if (job.stopped) throw new Stopped();
     if (!this.worker) this.start();
     if (!this.sent.has(job.program)) {

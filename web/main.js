@@ -55,11 +55,14 @@ function enter(id, values) {
         known = { ...known, ...changes };
         if (!place.hidden) write(room.id, known);
       },
+      replace(values) {
+        known = values;
+      },
     };
     mounted.set(room.id, { place, state, ...room.mount(place, { engine, state, enter }) });
   } else if (Object.keys(values).length > 0) {
     const { state, restore } = mounted.get(room.id);
-    state.set(values);
+    state.replace(values);
     restore?.();
   }
   write(room.id, mounted.get(room.id).state.get());

@@ -42,9 +42,9 @@ const paperPair = (label, value) => value !== null && value !== undefined && el(
 
 /** What a claim says and what is true, in a few lines. */
 function paperFacts(claim) {
-  const { printed, exact, decimal, reading, note, failures = [], sound } = claim;
+  const { printed, exact, decimal, reading, note, failures, sound } = claim;
   const broken = sound?.broken_by;
-  const first = failures[0];
+  const first = failures?.[0];
   return [
     el("div", { class: "paper-values" },
       paperPair(claim.kind === "number" ? "printed" : "says", printed ?? "nothing legible"),
@@ -73,11 +73,11 @@ function paperClaim(claim, { line, jump, explain, checked }) {
       el("strong", {}, claim.locus),
       claim.verdict && el("span", { class: `paper-verdict ${kind}` }, `${sign} ${claim.verdict}`),
       promise && el("span", { class: `paper-verdict ${{ kept: "good", broken: "bad", open: "doubt" }[promise]}` }, `promise ${promise}`),
-      checked && el("span", { class: `paper-verdict ${checked.kind}` }, `checker: ${checked.state}`),
-      el("span", { class: "paper-buttons" },
-        line && el("button", { type: "button", onclick: () => jump(claim), "aria-label": `line ${line}, ${claim.locus}` }, `line ${line}`),
-        claim.verdict && details)),
-    ...paperFacts(claim).filter(Boolean),
+      checked && el("span", { class: `paper-verdict ${checked.kind}` }, `checker: ${checked.state}`)),
+    el("div", { class: "paper-facts" }, paperFacts(claim)),
+    el("div", { class: "paper-buttons" },
+      line && el("button", { type: "button", onclick: () => jump(claim), "aria-label": `line ${line}, ${claim.locus}` }, `line ${line}`),
+      claim.verdict && details),
     more);
 }
 

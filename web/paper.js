@@ -2,6 +2,7 @@
 
 import { el, later, save } from "./dom.js";
 import { Stopped } from "./engine.js";
+import { paperCheck } from "./paper-check.js";
 import { paperClaims, paperPromise, paperWord, paperWorse } from "./paper-claims.js";
 import { paperEditor } from "./paper-editor.js";
 import { PAPER_EXAMPLES, PAPER_KEYS } from "./paper-examples.js";
@@ -19,13 +20,6 @@ function paperOfProject({ key, tables }) {
   const summary = {};
   for (const { verdict } of claims) summary[verdict] = (summary[verdict] ?? 0) + 1;
   return { key, claims, summary, promises: null };
-}
-
-/** The lines of the checker, by the ids of claims. */
-function paperChecks(text) {
-  const kinds = { certified: "good", cited: "doubt", incomplete: "doubt", invalid: "bad" };
-  const found = [...text.matchAll(/^(certified|cited|incomplete|invalid) +(\S+): (.*)$/gm)];
-  return found.map(([, state, id, says]) => ({ id, state, says, kind: kinds[state] }));
 }
 
 function paperRoom(place, { engine, state }) {
@@ -49,6 +43,10 @@ function paperRoom(place, { engine, state }) {
   const checker = el("div", { "aria-live": "polite" });
   const chooser = el("div", { class: "paper-choose", role: "group", "aria-label": "what to open" });
   const editor = paperEditor({ changed: () => changed(), moved: (offset) => tell(offset) });
+  const written = el("div", {}, el("label", { for: "paper-text" }, "The claim file"), editor.node, here);
+  const room = el("div", { class: "paper-room" },
+    el("div", { class: "paper-left" }, written, about, trouble),
+    el("div", {}, el("h2", {}, "Claims and verdicts"), list));
   const opened = el("input", { type: "file", accept: ".toml,text/plain", class: "paper-file", tabindex: "-1", "aria-label": "a claim file of your own", onchange: open });
 
   const files = () => (key ? {} : { [PAPER_FILE]: editor.text });
@@ -127,8 +125,9 @@ function paperRoom(place, { engine, state }) {
     } }, `Go to line ${line}, column ${column}`));
     trouble.replaceChildren(el("div", { class: "error mono paper-error", role: "alert" }, error), el("div", { class: "row" }, buttons));
     editor.refuse(key ? [] : places.map(({ line }) => line));
-    status.textContent = places.length > 0 ? `The program refuses the text: see line ${places[0].line}.` : "The program refuses this.";
     stale = shown !== null;
+    const before = stale ? " The verdicts are those of the text before." : "";
+    status.textContent = places.length > 0 ? `The program refuses the text: see line ${places[0].line}, and the message below the text.${before}` : `The program refuses this.${before}`;
     draw();
   }
 
@@ -136,27 +135,27 @@ function paperRoom(place, { engine, state }) {
   async function audit() {
     const mine = ++asked;
     status.textContent = key ? `Judging all claims of ${key}. This may take a minute.` : shown ? status.textContent : "Judging …";
-    try {
-      if (key) await outline(mine);
-      const { papers, projects = [] } = await engine.json(args.audit(), { files: files(), kind: "paper-audit" });
-      if (mine !== asked) return;
-      shown = papers[0] ?? (projects[0] ? paperOfProject(projects[0]) : null);
-      stale = false;
-      trouble.replaceChildren();
-      editor.refuse([]);
-      draw();
-      if (shown) say();
-      then?.();
-      then = null;
-    } catch (error) {
-      if (mine !== asked) return;
-      if (error instanceof Stopped) status.textContent = "Stopped. Change the text, or choose something above, to go on.";
-      else refuse(error.message);
+    const answer = await outline(mine).then(() => engine.json(args.audit(), { files: files(), kind: "paper-audit" })).catch((error) => error);
+    if (mine !== asked) return;
+    if (answer instanceof Stopped) {
+      status.textContent = "Stopped. Change the text, or choose something above, to go on.";
+      return;
     }
+    if (answer instanceof Error) return refuse(answer.message);
+    const { papers, projects } = answer;
+    shown = papers?.[0] ?? (projects?.[0] ? paperOfProject(projects[0]) : null);
+    stale = false;
+    trouble.replaceChildren();
+    editor.refuse([]);
+    draw();
+    if (shown) say();
+    then?.();
+    then = null;
   }
 
   /** The claims of a paper without verdicts, which are there at once. */
   async function outline(mine) {
+    if (!key) return;
     const { claims } = await engine.json(["explain", key], { kind: "paper-audit" });
     if (mine !== asked) return;
     shown = { key, claims: claims.map(({ id, locus, title }) => ({ id: `${key}:${id}`, locus, kind: "", printed: title })), summary: {}, promises: null };
@@ -200,29 +199,10 @@ function paperRoom(place, { engine, state }) {
     ["Certificate", () => keep(args.prove(), `${name()}.cert`, "text/plain")],
   ].map(([label, work, text]) => [el("button", { type: "button", onclick: work }, label), text]);
 
-  /** Makes the certificate and lets the independent checker read it. */
   async function check() {
-    const tell = (...content) => checker.replaceChildren(...content);
-    const text = editor.text;
-    tell(el("p", {}, "Writing the certificate …"));
-    try {
-      const proved = await engine.run(args.prove(), { files: files(), kind: "paper-check" });
-      if (proved.code > 1) return tell(el("div", { class: "error mono", role: "alert" }, proved.errors));
-      tell(el("p", {}, "The checker reads it …"));
-      const answer = await engine.run([PAPER_FILE, "paper.cert"], { program: "subcert-check", kind: "paper-check", files: { [PAPER_FILE]: text, "paper.cert": proved.text } });
-      if (answer.code > 1) return tell(el("div", { class: "error mono", role: "alert" }, answer.errors));
-      if (editor.text !== text || key) return tell(el("p", {}, "The text has changed meanwhile. Check again."));
-      checks = paperChecks(answer.text);
-      draw();
-      const local = (id) => id.slice(id.indexOf(":") + 1);
-      tell(el("ul", { class: "paper-checks" }, checks.map(({ id, state: found, says, kind }) => el("li", {},
-        el("span", { class: `paper-verdict ${kind}` }, found), " ", el("span", { class: "mono" }, local(id)), `: ${says} `,
-        el("button", { type: "button", "aria-label": `go to ${local(id)}`, onclick: () => jump(local(id)) }, "go there")))),
-      el("p", {}, answer.text.trim().split("\n").at(-1)));
-    } catch (error) {
-      if (error instanceof Stopped) tell(el("p", {}, "stopped"));
-      else tell(el("div", { class: "error", role: "alert" }, `The checker is a second program, subcert-check, and it could not be started here (${error.message}). Save the certificate and the claim file, and let it check them on your computer: subcert-check ${name()}.toml ${name()}.cert`));
-    }
+    const current = () => (key ? null : editor.text);
+    checks = await paperCheck(engine, PAPER_FILE, current, checker, jump);
+    draw();
   }
   const checking = el("button", { type: "button", onclick: check }, "Check the certificate");
 
@@ -270,7 +250,8 @@ function paperRoom(place, { engine, state }) {
     fresh();
     trouble.replaceChildren();
     if (!key) editor.text = text;
-    editor.node.parentElement.hidden = key !== null;
+    written.hidden = key !== null;
+    room.classList.toggle("paper-read", key !== null);
     about.hidden = key === null;
     about.replaceChildren(...(key ? [el("h2", {}, PAPER_KEYS[key] ?? key), el("p", {}, `The claim file of this paper, ${key}, is part of the program. Its text cannot be shown here yet; its claims and their verdicts are in the list.`)] : []));
     for (const [button, text] of saved) button.disabled = key !== null && text === true;
@@ -327,7 +308,7 @@ function paperRoom(place, { engine, state }) {
     const values = state.get();
     const differs = (one) => (values[one] ?? "") !== (known[one] ?? "") && (values[one] ?? "") !== "";
     if (differs("text")) show(values.text.slice(0, PAPER_LONGEST));
-    else if (differs("paper")) show("", values.paper);
+    else if (differs("paper") && Object.hasOwn(PAPER_KEYS, values.paper)) show("", values.paper);
     else if (differs("example") && Object.hasOwn(PAPER_EXAMPLES, values.example)) show(PAPER_EXAMPLES[values.example].text);
   }
 
@@ -337,12 +318,8 @@ function paperRoom(place, { engine, state }) {
       then = toWorst;
       show(PAPER_EXAMPLES.first.text);
     } }, "Start here: find the wrong number"), " opens an invented paper with two tables. One number in them is wrong; the cursor goes to it. Then change something, and see what the program says."),
-    chooser, opened, status, trouble,
-    el("div", { class: "paper-room" },
-      el("div", { class: "paper-left" },
-        el("div", {}, el("label", { for: "paper-text" }, "The claim file"), editor.node, here),
-        about),
-      el("div", {}, el("h2", {}, "Claims and verdicts"), list)),
+    chooser, opened, status,
+    room,
     el("h2", {}, "Save"),
     el("div", { class: "row" }, saved.map(([button]) => button)),
     savings,

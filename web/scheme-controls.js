@@ -42,12 +42,14 @@ export class SchemeControl {
     this.number = el("input", { type: "text", id, class: "mono", size: 10, spellcheck: "false", autocomplete: "off", "aria-describedby": `${id}-about`, oninput: () => this.typed() });
     this.bars = el("div", { class: "scheme-bars", "aria-hidden": "true" });
     this.words = el("ul", { class: "scheme-words soft" });
+    this.legend = el("small", { class: "scheme-legend soft", hidden: true }, el("i", { class: "scheme-inside" }), "proven ", el("i", { class: "scheme-outside" }), "refuted ", el("i", { class: "scheme-open" }), "open");
+    this.ranges = el("details", { class: "scheme-ranges", hidden: true }, el("summary", {}, `The ranges of ${name} in numbers`), this.words);
     this.special = el("div", { class: "row scheme-special" });
     this.element = el("div", { class: "scheme-parameter" },
       el("label", { for: id }, "Parameter ", el("var", {}, name)), this.number,
-      el("div", { class: "scheme-track" }, this.slider, this.bars),
+      el("div", { class: "scheme-track" }, this.slider, this.bars, this.legend),
       el("small", { id: `${id}-about`, class: "soft" }, about ?? "a free letter of the scheme: a decimal or a fraction"),
-      this.special, this.words);
+      this.special, this.ranges);
     if (parameter.counts) this.ends(parameter.least, Math.max(parameter.least + SCHEME_COUNTS * parameter.step, schemePlace(value) ?? 0), parameter.step);
     else this.reach([]);
     this.put(value);
@@ -104,14 +106,35 @@ export class SchemeControl {
   }
 
   /** Marks the orders: each has intervals inside and outside, and is open elsewhere. */
-  mark({ orders, special, note }) {
-    // The first order has the widest range: the slider shows all of it.
-    const finite = (orders[0] ? [...orders[0].inside, ...orders[0].outside] : []).flatMap(({ low, high }) => [low, high]).filter(Boolean);
-    this.reach(finite.map(({ decimal }) => Number(decimal)));
+  mark({ key, orders, special, note }) {
+    if (this.key !== key) this.around(orders);
+    this.key = key;
     this.bars.replaceChildren(...orders.map((order) => this.bar(order)));
     const lines = orders.map((order) => schemeSentence(this.parameter.name, order));
     this.words.replaceChildren(...[...lines, note].filter(Boolean).map((line) => el("li", {}, line)));
     this.special.replaceChildren(...this.buttons(special ?? []));
+    this.legend.hidden = orders.length === 0;
+    this.ranges.hidden = !this.words.hasChildNodes();
+    // What there is instead of ranges is shown at once.
+    if (orders.length === 0) this.ranges.open = true;
+  }
+
+  /** The slider shows all of the widest range, which is that of the first order. */
+  around([first]) {
+    const ends = first ? [...first.inside, ...first.outside].flatMap(({ low, high }) => [low, high]) : [];
+    this.reach(ends.filter(Boolean).map(({ decimal }) => Number(decimal)));
+    if (this.parameter.guessed) this.settle(first?.inside.find(({ low, high }) => low && high));
+    this.parameter.guessed = false;
+  }
+
+  /** Moves a guess into an interval, if it is outside. */
+  settle(interval) {
+    if (!interval) return;
+    const [low, high] = [Number(interval.low.decimal), Number(interval.high.decimal)];
+    const place = schemePlace(this.value);
+    if (place > low && place < high) return;
+    this.slider.value = (low + high) / 2;
+    this.slid();
   }
 
   bar({ smoothness, inside, outside }) {

@@ -17,14 +17,14 @@ const SCHEME_LABELS = {
 const SCHEME_HIDDEN = new Set(["schema", "scheme", "contraction", "norm", "continuity", "continuity_fails", "edges", "points_at", "valence", "converges", "bisections", "block", "blocks", "in_order", "ranges", "attained"]);
 
 /** An exact value with its decimal, in few characters. */
-export function schemeExact({ exact, decimal }) {
+function schemeExact({ exact, decimal }) {
   if (exact === decimal) return exact;
   const close = decimal.length > 14 ? `${decimal.slice(0, 14)}…` : decimal;
   return exact.length > 60 ? close : `${exact} = ${close}`;
 }
 
 /** The Hölder exponent: a formula and decimals, or two bounds. */
-export function schemeExponent(hoelder) {
+function schemeExponent(hoelder) {
   if (!hoelder) return "not known";
   const { lower, upper, exact = null, attained } = hoelder;
   const decimals = lower === upper ? lower.replace(/\.?0+$/, "") : `from ${lower} to ${upper}`;
@@ -33,7 +33,7 @@ export function schemeExponent(hoelder) {
 }
 
 /** The limits in a word or two. */
-export function schemeLimits({ continuity, continuity_fails: fails, converges }) {
+function schemeLimits({ continuity, continuity_fails: fails, converges }) {
   if (continuity === null || continuity === undefined) {
     return fails === 0 || converges === false ? "not continuous" : "not decided";
   }
@@ -49,7 +49,7 @@ function schemeText(value) {
   if (typeof value === "boolean") return value ? "yes" : "no";
   if (typeof value !== "object") return String(value);
   if (Array.isArray(value)) {
-    if (value.length === 2 && value.every(schemeIsExact)) return `from ${value[0].exact} to ${value[1].exact}`;
+    if (value.length === 2 && value.every((one) => schemeIsExact(one) && one.index === undefined)) return `from ${value[0].exact} to ${value[1].exact}`;
     const inner = value.map(schemeText);
     return value.some(Array.isArray) && !value.flat().some((one) => typeof one === "object") ? `[${inner.map((one) => `[${one}]`).join(", ")}]` : inner.join(", ");
   }
@@ -85,6 +85,7 @@ function schemeRows(facts) {
     if (name === "hoelder") return [label, schemeExponent(Array.isArray(value) ? { lower: value[0], upper: value[1], attained: facts.attained } : value)];
     if (name === "natural_shift" && Array.isArray(value)) return [label, `(${value.map(({ exact }) => exact).join(", ")})`];
     if (name === "support" && value.every(Array.isArray)) return [label, value.map(schemeText).join("; ")];
+    if (name === "open") return [label, value.map((one) => el("div", {}, schemeText(one)))];
     if (name === "stencils") return [label, schemeStencils(value)];
     if (name === "best_offset") return [label, `${value.offset}, with σ = ${schemeExact(value.displacement)}`];
     return [label, schemeText(value)];
@@ -100,13 +101,20 @@ export function schemeFacts(answer) {
   return [...notes, ...around];
 }
 
+const schemeVerdict = ({ verdict }) => ({ proved: "C¹", refuted: "not C¹", fails: "not C¹", open: "open" })[verdict] ?? verdict;
+
+/** What `smoothness` says, in a few words for who does not see the page. */
+export const schemeSaid = (answer) => (answer.valences ? answer.valences.map(schemeVerdict).join(", ") : schemeLimits(answer));
+
 /** What `smoothness` says, as pairs for the head of the room. */
 export function schemeHead(answer) {
   if (answer.valences) {
-    return answer.valences.map((one) => [`Valence ${one.valence}`, [el("strong", {}, { proved: "C¹", refuted: "not C¹", fails: "not C¹", open: "open" }[one.verdict] ?? one.verdict),
+    return answer.valences.map((one) => [`Valence ${one.valence}`, [el("strong", {}, schemeVerdict(one)),
       `: ${one.reason}${one.hoelder ? `; Hölder exponent ${schemeExponent({ lower: one.hoelder[0], upper: one.hoelder[1], attained: one.attained })}` : ""}`]]);
   }
-  return [["Limits", el("strong", {}, schemeLimits(answer))], ["Hölder exponent", el("strong", {}, schemeExponent(answer.hoelder))]];
+  const { field } = answer;
+  return [["Limits", el("strong", {}, schemeLimits(answer))], ["Hölder exponent", el("strong", {}, schemeExponent(answer.hoelder))],
+    ["the number t in formulas", field && `about ${field.decimal}, a root of ${field.minimal_polynomial}`]];
 }
 
 /** A number of a table: the fraction and the decimal, or only the latter where the former is long. */

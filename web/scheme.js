@@ -3,8 +3,8 @@
 import { el, field, later, picture, save } from "./dom.js";
 import { Stopped } from "./engine.js";
 import { SchemeControl } from "./scheme-controls.js";
-import { schemeFacts, schemeHead, schemeLevels, schemeLimits, schemePairs } from "./scheme-facts.js";
-import { schemeAsked, schemeParameter, schemePlace, schemeSplit, schemeToml, schemeValues, schemeValuesText, schemeWith } from "./scheme-parse.js";
+import { schemeFacts, schemeHead, schemeLevels, schemePairs, schemeSaid } from "./scheme-facts.js";
+import { schemeAsked, schemeParameter, schemeSplit, schemeToml, schemeValues, schemeValuesText, schemeWith } from "./scheme-parse.js";
 
 const SCHEME_EXAMPLES = [
   ["chaikin", "", "corner cutting"], ["four-point", "w=1/16", "interpolates"], ["six-point", "w=3/256", "smoother"],
@@ -48,15 +48,15 @@ class SchemeRoom {
     place.append(
       field("Scheme", this.input, "Type a mask such as [1, 3, 3, 1]/4, a symbol such as (1+z)^3/4, or a name such as four-point; a letter without a value, as in [w, 1-w, 1-w, w], gets a slider."),
       this.names, el("div", { class: "row scheme-examples", role: "group", "aria-label": "Examples" }, examples),
-      this.alert, this.title, this.sliders, this.head,
-      el("div", { class: "columns scheme-columns" }, el("div", {}, this.figure, this.buttons(), this.copied, this.status), el("div", {}, this.levels,
+      this.alert, this.title, this.sliders,
+      el("div", { class: "scheme-columns" }, this.head, el("div", { class: "scheme-left" }, this.figure, this.buttons(), this.copied, this.status), el("div", { class: "scheme-right" }, this.levels,
         el("p", { class: "soft" }, "T", sub(), ": neighbours that differ by at most 1 differ by at most this after c levels. Λ", sub(), ": points that are at most 1 away from 0 are at most this far away after c levels."), this.facts)));
   }
 
   buttons() {
     const button = (label, work) => el("button", { type: "button", onclick: work }, label);
     return el("div", { class: "row scheme-buttons" },
-      button("Copy as TOML", () => this.copy(schemeToml(this.text, this.values(), this.catalogue.get(schemeSplit(this.text).family), this.answers.constants))),
+      button("Copy as TOML", () => this.copy(this.toml())),
       button("Copy link", () => this.copy(location.href)),
       button("Save SVG", () => this.answers.plot && save("scheme.svg", this.answers.plot, "image/svg+xml")),
       button("Save JSON", () => this.saveFacts()));
@@ -76,6 +76,12 @@ class SchemeRoom {
     }
   }
 
+  toml() {
+    const { constants } = this.answers;
+    const known = this.catalogue.has(schemeSplit(this.text).family);
+    return schemeToml(this.text, this.values(), known, constants?.scheme === this.whole() ? constants : null);
+  }
+
   async saveFacts() {
     const args = ["scheme", this.whole(), "--format", "json"];
     const { code, text, errors } = await this.engine.run(args, { kind: "scheme-facts" }).catch(() => ({ code: 2, errors: "" }));
@@ -92,7 +98,8 @@ class SchemeRoom {
   }
 
   restore() {
-    const { scheme = SCHEME_EXAMPLES[1][0], at = SCHEME_EXAMPLES[1][1] } = this.state.get();
+    const [name, start] = SCHEME_EXAMPLES[1];
+    const { scheme = name, at = scheme === name ? start : "" } = this.state.get();
     if (scheme !== this.text || at !== schemeValuesText(this.values())) this.choose(scheme, at);
   }
 
@@ -111,8 +118,10 @@ class SchemeRoom {
     if (text === this.text && at === "") return;
     this.text = text;
     const asked = ++this.asked;
-    Object.assign(this, { choosing: true, wanted: false });
+    Object.assign(this, { choosing: true, wanted: false, drawing: false });
     this.endFacts();
+    this.endDraw();
+    for (const part of [this.head, this.figure, this.levels, this.facts]) part.classList.add("scheme-old");
     await this.listed;
     const parameters = await this.open(text, schemeValues(at));
     if (asked !== this.asked) return;
@@ -140,7 +149,7 @@ class SchemeRoom {
     const found = (this.catalogue.get(family)?.parameters ?? []).filter(({ name }) => !given.has(name)).map(schemeParameter);
     const values = new Map(found.map(({ name, start }) => [name, wanted.get(name) || start]).filter(([, value]) => value !== null && value !== undefined));
     for (let count = 0; count < 8; count++) {
-      if (found.length > 0 && found.every(({ name }) => values.has(name))) break;
+      if (this.catalogue.has(family) && found.every(({ name }) => values.has(name))) break;
       const whole = schemeWith(text, values);
       const answer = await this.engine.run(["smoothness", whole], { kind: "scheme-open" }).catch(() => null);
       const asked = answer && schemeAsked(answer.errors, whole);
@@ -148,13 +157,15 @@ class SchemeRoom {
       if (!found.some(({ name }) => name === asked.name)) found.push(schemeParameter(asked));
       values.set(asked.name, wanted.get(asked.name) || asked.start || "1/4");
     }
-    return found.map((parameter) => ({ ...parameter, value: values.get(parameter.name) ?? "1/4" }));
+    // A value that nobody has named may be replaced by one for which the limits are smooth.
+    return found.map((parameter) => ({ ...parameter, value: values.get(parameter.name) ?? "1/4", guessed: !parameter.start && !wanted.has(parameter.name) }));
   }
 
   /** A value has changed: redraws, at once or when the redraw that runs has ended. */
   moved() {
     this.state.set({ scheme: this.text, at: schemeValuesText(this.values()) });
     this.endFacts();
+    this.facts.classList.toggle("scheme-old", this.shown !== this.whole());
     this.rest();
     this.wanted = true;
     if (!this.drawing) this.draw();
@@ -167,6 +178,12 @@ class SchemeRoom {
     if (["scheme-facts", "scheme-range"].includes(this.engine.running?.kind)) this.engine.stop();
   }
 
+  /** Ends what is drawn of another scheme, also what waits: a command of the same kind that takes no time replaces it. */
+  endDraw() {
+    if (!this.engine.running?.kind?.startsWith("scheme-")) return;
+    for (const command of ["plot", "smoothness", "constants"]) this.engine.run(["--version"], { kind: `scheme-${command}` }).catch(() => null);
+  }
+
   /** One redraw: the picture, the smoothness and the constants. */
   async draw() {
     clearTimeout(this.patience);
@@ -175,31 +192,45 @@ class SchemeRoom {
     const since = performance.now();
     this.drawing = turn;
     const whole = this.whole();
-    const errors = [];
-    const part = async (command, args, show) => {
+    const errors = new Map();
+    const part = async (command, place, args, show) => {
       const kind = `scheme-${command}`;
       try {
         const answer = command === "plot" ? await this.plot(whole, kind) : await this.engine.json([command, whole, ...args], { kind });
         if (this.drawing !== turn) return;
         this.answers[command] = answer;
+        place.classList.remove("scheme-old");
         show(answer);
       } catch (error) {
-        if (this.drawing === turn) errors.push(error instanceof Stopped ? "stopped" : schemeWords(error));
+        if (this.drawing === turn) errors.set(command, error instanceof Stopped ? "stopped" : schemeWords(error));
       }
     };
     await Promise.all([
-      part("smoothness", [], (answer) => this.head.replaceChildren(...[schemePairs("Smoothness", schemeHead(answer))].filter(Boolean))),
-      part("plot", [], (text) => this.show(text)),
-      part("constants", ["-c", "4"], (answer) => this.levels.replaceChildren(...schemeLevels(answer))),
+      part("plot", this.figure, [], (text) => this.show(text)),
+      part("smoothness", this.head, [], (answer) => this.head.replaceChildren(...[schemePairs("Smoothness", schemeHead(answer))].filter(Boolean))),
+      part("constants", this.levels, ["-c", "4"], (answer) => this.levels.replaceChildren(...schemeLevels(answer))),
     ]);
     if (this.drawing !== turn) return;
     this.drawing = false;
-    const said = [...new Set(errors)].join("\n");
-    if (this.alert.textContent !== said) this.alert.textContent = said;
-    this.figure.classList.toggle("scheme-old", errors.length > 0);
+    this.failed(errors);
     this.figure.dataset.milliseconds = Math.round(performance.now() - since);
     if (this.wanted) this.draw();
     else if (this.fresh || this.late) this.rested();
+  }
+
+  /** Says what went wrong: near the input, or where the part would stand if others are there. The last picture stays, in grey. */
+  failed(errors) {
+    const places = { smoothness: this.head, constants: this.levels, plot: null };
+    const all = errors.size === Object.keys(places).length;
+    const near = new Set([...errors].filter(([command]) => all || !places[command]).map(([, text]) => text));
+    const said = [...near].join("\n");
+    if (this.alert.textContent !== said) this.alert.textContent = said;
+    for (const [command, text] of errors) {
+      delete this.answers[command];
+      places[command]?.classList.remove("scheme-old");
+      places[command]?.replaceChildren(...(near.has(text) ? [] : [el("p", { class: "error" }, text)]));
+    }
+    this.figure.classList.toggle("scheme-old", errors.has("plot"));
   }
 
   async plot(whole, kind) {
@@ -218,12 +249,14 @@ class SchemeRoom {
     this.late = Boolean(this.drawing);
     if (this.late || this.choosing || this.restedTurn === this.turn) return;
     const turn = this.restedTurn = this.turn;
-    const fresh = this.fresh;
     this.fresh = false;
     const whole = this.whole();
     try {
-      if (!fresh || this.shown !== whole) await this.allFacts(whole, turn);
-      for (const control of this.controls) await this.marked(control, turn);
+      const real = this.controls.filter(({ parameter }) => !parameter.counts);
+      // The first range gives the slider its ends; the others may come after the facts.
+      for (const control of real) if (control.key !== this.known(control).key) await this.mark(control, turn);
+      if (this.shown !== whole) await this.allFacts(whole, turn);
+      for (const control of real) while (!this.known(control).done) await this.mark(control, turn);
     } catch (error) {
       if (!(error instanceof Stopped)) throw error;
       if (turn === this.turn) this.status.textContent = "Stopped.";
@@ -243,44 +276,48 @@ class SchemeRoom {
     }
     this.facts.classList.remove("scheme-old");
     const { smoothness } = this.answers;
-    const limits = smoothness?.scheme === whole ? (smoothness.valences ? smoothness.valences.map(({ verdict }) => verdict).join(", ") : schemeLimits(smoothness)) : "";
-    this.status.textContent = limits ? `${whole}: ${limits}` : "";
+    this.status.textContent = smoothness?.scheme === whole ? `${whole}: ${schemeSaid(smoothness)}` : "";
   }
 
-  /** Marks the ranges of a parameter, when the others have their values. */
-  async marked(control, turn) {
-    const { parameter } = control;
-    if (parameter.counts) return;
+  /** What is known of the ranges of a parameter, when the others have their values. */
+  known(control) {
+    const { name } = control.parameter;
     const others = this.values();
-    others.delete(parameter.name);
+    others.delete(name);
     const family = schemeWith(this.text, others);
-    const key = `${family} ${parameter.name}`;
-    if (control.key === key) return;
-    if (!this.ranges.has(key)) this.ranges.set(key, await this.range(family, parameter.name, turn));
-    if (turn !== this.turn) return;
-    control.key = key;
-    control.mark(this.ranges.get(key));
+    const key = `${family} ${name}`;
+    if (!this.ranges.has(key)) this.ranges.set(key, { key, family, name, orders: [], special: [], note: null, next: 0, done: false });
+    return this.ranges.get(key);
   }
 
-  async range(family, name, turn) {
-    const found = { orders: [], special: [], note: null };
-    for (let order = 0; order < SCHEME_ORDERS; order++) {
-      const args = ["range", family, "--param", name, "--smoothness", String(order), "--seconds", String(SCHEME_RANGE_SECONDS)];
-      try {
-        const answer = await this.engine.json(args, { kind: "scheme-range" });
-        if (turn !== this.turn) throw new Stopped();
-        // Around a vertex there is one list of intervals for each valence.
-        found.orders.push({ ...answer, ...answer.valences?.[0] });
-        found.special = answer.special ?? found.special;
-        if (answer.valences) break;
-      } catch (error) {
-        if (error instanceof Stopped) throw error;
-        if (order > 0) break;
-        found.note = schemeWords(error).split("\n")[0].replace(/^error: /, "");
-      }
+  /** Finds the range of the next order, and marks all that are found. What is found is kept when a move ends the search. */
+  async mark(control, turn) {
+    const found = this.known(control);
+    // Around a vertex there is no range of order 0.
+    do if (!found.done) await this.range(found, turn);
+    while (!found.done && found.orders.length === 0 && turn === this.turn);
+    if (turn !== this.turn) throw new Stopped();
+    control.mark(found);
+  }
+
+  async range(found, turn) {
+    const order = found.next;
+    const args = ["range", found.family, "--param", found.name, "--smoothness", String(order), "--seconds", String(SCHEME_RANGE_SECONDS)];
+    try {
+      const answer = await this.engine.json(args, { kind: "scheme-range" });
+      // Around a vertex there is one list of intervals for each valence.
+      found.orders.push({ ...answer, ...answer.valences?.[0] });
+      found.special = answer.special ?? found.special;
+      found.note = null;
+      found.done = Boolean(answer.valences) || order + 1 === SCHEME_ORDERS;
+    } catch (error) {
+      // A move may go on later; who presses Stop wants no more of it.
+      if (error instanceof Stopped && turn !== this.turn) throw error;
+      found.done = order > 0 || error instanceof Stopped;
+      if (order === 0) found.note = error instanceof Stopped ? "stopped" : schemeWords(error).split("\n")[0].replace(/^error: /, "");
+      if (error instanceof Stopped) throw error;
     }
-    if (found.orders.length > 0) found.note = null;
-    return found;
+    found.next = order + 1;
   }
 }
 

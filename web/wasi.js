@@ -135,6 +135,7 @@ export function run(module, args, files, onProgress = () => {}) {
       crypto.getRandomValues(bytes(at, length));
       return 0;
     },
+    fd_sync: () => 0,
     fd_close: (fd) => (open.delete(fd) ? 0 : BAD_FILE),
     fd_fdstat_get(fd, at) {
       bytes(at, 24).fill(0);

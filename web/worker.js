@@ -5,7 +5,7 @@ import { run } from "./wasi.js";
 const programs = {};
 
 self.onmessage = ({ data }) => {
-  if (data.program) {
+  if (data.module) {
     programs[data.program] = data.module;
     return;
   }

@@ -43,6 +43,13 @@ fn the_commented_tables_of_the_template_audit_cleanly() {
     assert!(claims.iter().all(|claim| claim["certified"] == true), "{claims:?}");
 }
 
+/// The key of a paper that comes with the program gives its claim file.
+#[test]
+fn embedded_papers_are_copied() {
+    let own = std::fs::read_to_string("proofs/claims/khan2019-newton.toml").expect("text");
+    assert_eq!(written(["new", "khan2019-newton", "-o", "-"]), own);
+}
+
 #[test]
 fn a_file_that_is_there_stays() {
     let folder = temporary("new");

@@ -157,7 +157,8 @@ pub(in crate::cli) struct ProveArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct NewArguments {
-    /// The key of the paper, such as doe2026-corner: the ids of its claims begin with it
+    /// The key of the paper, such as doe2026-corner: the ids of its claims begin with it; that of a
+    /// paper that comes with the program gives the claim file of this paper
     #[arg(value_name = "KEY")]
     pub(in crate::cli) key: String,
     /// The file to write, which must not exist; `-` for the standard output

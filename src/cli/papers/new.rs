@@ -5,7 +5,7 @@ use crate::cli::console::output::{Failure, Outcome, write, write_results};
 use std::fs::File;
 use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
-use subcert::claim::is_id;
+use subcert::claim::{embedded, is_id};
 
 /// A claim file that audits cleanly; `KEY` stands for its key.
 const TEMPLATE: &str = include_str!("template.toml");
@@ -17,7 +17,8 @@ pub(crate) fn new(arguments: &NewArguments) -> Outcome {
             "`{key}` cannot be a key: use letters, digits, `-`, `_` and `.`, as in doe2026-corner"
         )));
     }
-    let text = TEMPLATE.replace("KEY", key);
+    let known = embedded().iter().find(|paper| paper.key == *key);
+    let text = known.map_or_else(|| TEMPLATE.replace("KEY", key), |paper| paper.text.to_owned());
     let path = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{key}.toml")));
     if path.as_os_str() == "-" {
         return write(&text);

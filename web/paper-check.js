@@ -1,0 +1,48 @@
+// The certificate of a claim file, and what the independent checker says of it.
+
+import { el } from "./dom.js";
+import { Stopped } from "./engine.js";
+
+/** The lines of the checker: { id, state, says, kind }. */
+function paperChecks(text) {
+  const kinds = { certified: "good", cited: "doubt", incomplete: "doubt", invalid: "bad" };
+  const found = [...text.matchAll(/^(certified|cited|incomplete|invalid) +(\S+): (.*)$/gm)];
+  return found.map(([, state, id, says]) => ({ id, state, says, kind: kinds[state] }));
+}
+
+/**
+ * Writes the certificate of a text, lets the checker read it, and shows its lines in `place`. The answer: the lines, or none when
+ * there is no answer about the text that `current()` gives then.
+ */
+export async function paperCheck(engine, file, current, place, jump) {
+  const tell = (...content) => place.replaceChildren(...content);
+  const refuse = (errors) => tell(el("div", { class: "error mono", role: "alert" }, errors));
+  const text = current();
+  const files = { [file]: text };
+  tell(el("p", {}, "Writing the certificate …"));
+  try {
+    const proved = await engine.run(["prove", file, "-o", "-"], { files, kind: "paper-check" });
+    if (proved.code > 1) refuse(proved.errors);
+    if (proved.code > 1) return [];
+    tell(el("p", {}, "The checker reads it …"));
+    const answer = await engine.run([file, "paper.cert"], { program: "subcert-check", kind: "paper-check", files: { ...files, "paper.cert": proved.text } });
+    if (answer.code > 1) refuse(answer.errors);
+    if (answer.code > 1) return [];
+    if (current() !== text) {
+      tell(el("p", {}, "The text has changed meanwhile. Check again."));
+      return [];
+    }
+    const checks = paperChecks(answer.text);
+    const local = (id) => id.slice(id.indexOf(":") + 1);
+    tell(el("ul", { class: "paper-checks" }, checks.map(({ id, state, says, kind }) => el("li", {},
+      el("span", { class: `paper-verdict ${kind}` }, state), " ", el("span", { class: "mono" }, local(id)), `: ${says} `,
+      el("button", { type: "button", "aria-label": `go to ${local(id)}`, onclick: () => jump(local(id)) }, "go there")))),
+    el("p", {}, answer.text.trim().split("\n").at(-1)),
+    el("p", { class: "soft" }, "certified: the checker has confirmed the verdict itself, also where the verdict is that the claim is wrong. invalid: the certificate does not show the verdict. incomplete: it lacks something. cited: it rests on a theorem whose proof is on paper."));
+    return checks;
+  } catch (error) {
+    if (error instanceof Stopped) tell(el("p", {}, "Stopped."));
+    else tell(el("div", { class: "error", role: "alert" }, `The checker is a second program, subcert-check, and it could not be started here (${error.message}). Save the claim file and the certificate, and let it check them on your computer: subcert-check CLAIMS.toml CERTIFICATE.cert`));
+    return [];
+  }
+}
