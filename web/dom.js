@@ -62,3 +62,9 @@ export function picture(text) {
   }
   return document.importNode(parsed, true);
 }
+
+/** The same in the shadow of an element: its colours and classes, which are for a page of its own, then do not reach those of this one. */
+export function frame(host, text) {
+  const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
+  root.replaceChildren(picture(text.replaceAll(":root", ":host")));
+}

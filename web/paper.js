@@ -23,8 +23,6 @@ function paperOfProject({ key, tables }) {
 }
 
 function paperRoom(place, { engine, state }) {
-  let key = null; // of a paper that is part of the program; null: the text in the editor
-  let example = "first";
   let own = null; // a text of the visitor's that an example has replaced
   let asked = 0;
   let shown = null; // the paper of the last answer
@@ -33,31 +31,25 @@ function paperRoom(place, { engine, state }) {
   let checks = [];
   let then = null; // what to do after the next audit
   let known = {};
+  const published = new Map(); // the texts of papers that are part of the program, by key
 
   const status = el("p", { role: "status", class: "paper-status" });
   const trouble = el("div", { class: "paper-trouble" });
   const list = el("div", { class: "paper-list" });
   const here = el("p", { id: "paper-here", class: "soft paper-here" });
-  const about = el("div", { class: "paper-about", hidden: true });
   const savings = el("p", { role: "status" });
   const checker = el("div", { "aria-live": "polite" });
   const chooser = el("div", { class: "paper-choose", role: "group", "aria-label": "what to open" });
   const editor = paperEditor({ changed: () => changed(), moved: (offset) => tell(offset) });
   const written = el("div", {}, el("label", { for: "paper-text" }, "The claim file"), editor.node, here);
   const room = el("div", { class: "paper-room" },
-    el("div", { class: "paper-left" }, written, about, trouble),
+    el("div", { class: "paper-left" }, written, trouble),
     el("div", {}, el("h2", {}, "Claims and verdicts"), list));
   const opened = el("input", { type: "file", accept: ".toml,text/plain", class: "paper-file", tabindex: "-1", "aria-label": "a claim file of your own", onchange: open });
 
-  const files = () => (key ? {} : { [PAPER_FILE]: editor.text });
-  const args = {
-    audit: () => (key ? ["audit", "--paper", key] : ["audit", PAPER_FILE]),
-    errata: () => (key ? ["errata", "--paper", key] : ["errata", PAPER_FILE]),
-    prove: () => ["prove", key ?? PAPER_FILE, "-o", "-"],
-    explain: (id) => (key ? ["explain", id] : ["explain", id, PAPER_FILE]),
-  };
+  const files = () => ({ [PAPER_FILE]: editor.text });
   const local = (claim) => claim.id.slice(shown.key.length + 1);
-  const name = () => shown?.key ?? key ?? "paper";
+  const name = () => shown?.key ?? "paper";
 
   /** Where a claim stands; a cell that is not found stands in its table. */
   function placeOf(places, id) {
@@ -71,7 +63,7 @@ function paperRoom(place, { engine, state }) {
 
   /** What the claim under the cursor says. */
   function tell(offset) {
-    if (!shown || stale || key) return;
+    if (!shown || stale) return;
     const within = [...paperPlaces(editor.text)].filter(([, at]) => at.start <= offset && offset <= at.end).map(([id]) => id);
     const claim = shown.claims.find((one) => within.includes(local(one)) && one.verdict);
     here.replaceChildren();
@@ -84,7 +76,7 @@ function paperRoom(place, { engine, state }) {
     list.classList.toggle("stale", stale);
     if (!shown) return list.replaceChildren();
     const text = editor.text;
-    const places = key ? new Map() : paperPlaces(text);
+    const places = paperPlaces(text);
     // Lines are counted once; there may be hundreds of claims.
     const lineOf = (claim) => {
       const at = placeOf(places, local(claim));
@@ -100,7 +92,7 @@ function paperRoom(place, { engine, state }) {
         list.querySelector("[aria-pressed=true]")?.focus();
       },
     }));
-    if (key || stale) return;
+    if (stale) return;
     const worst = new Map();
     for (const claim of shown.claims) {
       const line = lineOf(claim);
@@ -124,7 +116,7 @@ function paperRoom(place, { engine, state }) {
       editor.select(from, from + length);
     } }, `Go to line ${line}, column ${column}`));
     trouble.replaceChildren(el("div", { class: "error mono paper-error", role: "alert" }, error), el("div", { class: "row" }, buttons));
-    editor.refuse(key ? [] : places.map(({ line }) => line));
+    editor.refuse(places.map(({ line }) => line));
     stale = shown !== null;
     const before = stale ? " The verdicts are those of the text before." : "";
     status.textContent = places.length > 0 ? `The program refuses the text: see line ${places[0].line}, and the message below the text.${before}` : `The program refuses this.${before}`;
@@ -134,8 +126,8 @@ function paperRoom(place, { engine, state }) {
   /** Judges the text, or the paper. */
   async function audit() {
     const mine = ++asked;
-    status.textContent = key ? `Judging all claims of ${key}. This may take a minute.` : shown ? status.textContent : "Judging …";
-    const answer = await outline(mine).then(() => engine.json(args.audit(), { files: files(), kind: "paper-audit" })).catch((error) => error);
+    if (!shown) status.textContent = "Judging …";
+    const answer = await outline(mine).then(() => engine.json(["audit", PAPER_FILE], { files: files(), kind: "paper-audit" })).catch((error) => error);
     if (mine !== asked) return;
     if (answer instanceof Stopped) {
       status.textContent = "Stopped. Change the text, or choose something above, to go on.";
@@ -153,10 +145,12 @@ function paperRoom(place, { engine, state }) {
     then = null;
   }
 
-  /** The claims of a paper without verdicts, which are there at once. */
+  /** The claims of a long text without verdicts, which are there at once. */
   async function outline(mine) {
-    if (!key) return;
-    const { claims } = await engine.json(["explain", key], { kind: "paper-audit" });
+    const key = /^key = "([\w.-]+)"$/m.exec(editor.text)?.[1];
+    if (shown || !key || editor.text.length < PAPER_LONGEST) return;
+    status.textContent = `Judging all claims of ${key}. This may take a minute.`;
+    const { claims } = await engine.json(["explain", key, PAPER_FILE], { files: files(), kind: "paper-audit" });
     if (mine !== asked) return;
     shown = { key, claims: claims.map(({ id, locus, title }) => ({ id: `${key}:${id}`, locus, kind: "", printed: title })), summary: {}, promises: null };
     draw();
@@ -166,7 +160,7 @@ function paperRoom(place, { engine, state }) {
     into.replaceChildren(el("p", { class: "soft" }, "computing …"));
     const told = el("pre", { class: "mono", tabindex: "0", "aria-label": `details of ${claim.locus}` });
     try {
-      const { code, text, errors } = await engine.run(args.explain(claim.id), { files: files(), kind: "paper-details" });
+      const { code, text, errors } = await engine.run(["explain", claim.id, PAPER_FILE], { files: files(), kind: "paper-details" });
       if (code > 1) into.replaceChildren(el("div", { class: "error mono", role: "alert" }, errors));
       else into.replaceChildren(told);
       told.textContent = text.trim();
@@ -191,33 +185,32 @@ function paperRoom(place, { engine, state }) {
 
   const page = (written) => Object.entries(written).find(([file]) => file.endsWith(".html") && !file.endsWith("index.html"))?.[1];
   const saved = [
-    ["Claim file", () => save(`${name()}.toml`, editor.text), true],
-    ["Report with pictures (HTML)", () => keep([...args.audit(), "--format", "html", "-o", "report"], `${name()}.html`, "text/html", page)],
-    ["Report (Markdown)", () => keep([...args.audit(), "--all", "--format", "markdown"], `${name()}.md`, "text/markdown")],
-    ["Errata (Markdown)", () => keep([...args.errata(), "--format", "markdown"], `${name()}-errata.md`, "text/markdown")],
-    ["Errata (LaTeX)", () => keep([...args.errata(), "--format", "latex"], `${name()}-errata.tex`, "text/plain")],
-    ["Certificate", () => keep(args.prove(), `${name()}.cert`, "text/plain")],
-  ].map(([label, work, text]) => [el("button", { type: "button", onclick: work }, label), text]);
+    ["Claim file", () => save(`${name()}.toml`, editor.text)],
+    ["Report with pictures (HTML)", () => keep(["audit", PAPER_FILE, "--format", "html", "-o", "report"], `${name()}.html`, "text/html", page)],
+    ["Report (Markdown)", () => keep(["audit", PAPER_FILE, "--all", "--format", "markdown"], `${name()}.md`, "text/markdown")],
+    ["Errata (Markdown)", () => keep(["errata", PAPER_FILE, "--format", "markdown"], `${name()}-errata.md`, "text/markdown")],
+    ["Errata (LaTeX)", () => keep(["errata", PAPER_FILE, "--format", "latex"], `${name()}-errata.tex`, "text/plain")],
+    ["Certificate", () => keep(["prove", PAPER_FILE, "-o", "-"], `${name()}.cert`, "text/plain")],
+  ].map(([label, work]) => el("button", { type: "button", onclick: work }, label));
 
   async function check() {
-    const current = () => (key ? null : editor.text);
-    checks = await paperCheck(engine, PAPER_FILE, current, checker, jump);
+    checks = await paperCheck(engine, PAPER_FILE, () => editor.text, checker, jump);
     draw();
   }
   const checking = el("button", { type: "button", onclick: check }, "Check the certificate");
 
-  /** Writes the address: an example by its name, a paper by its key, else the text. */
+  /** Writes the address: an example by its name, a published paper by its key, else the text. */
   function remember() {
     const text = editor.text;
-    const same = Object.keys(PAPER_EXAMPLES).find((one) => PAPER_EXAMPLES[one].text === text);
-    if (same) example = same;
-    const short = !key && !same && text.length < PAPER_LONGEST;
-    known = { paper: key ?? "", example: key || short ? "" : example, text: short ? text : "" };
+    const same = Object.keys(PAPER_EXAMPLES).find((one) => PAPER_EXAMPLES[one].text === text) ?? "";
+    const paper = [...published].find(([, other]) => other === text)?.[0] ?? "";
+    const short = !paper && !same && text.length < PAPER_LONGEST;
+    known = { paper, example: same, text: short ? text : "" };
     state.set(known);
-    if (!key && !same && !short) savings.textContent = "This text is too long for the address: save the claim file to keep it.";
+    if (!paper && !same && !short) savings.textContent = "This text is too long for the address: save the claim file to keep it.";
   }
 
-  /** The text or the paper is another one: nothing that was said is about it. */
+  /** The text is another one: nothing that was said is about it. */
   function fresh() {
     checks = [];
     checker.replaceChildren();
@@ -238,29 +231,34 @@ function paperRoom(place, { engine, state }) {
   }
 
   function isOwn() {
-    return !key && editor.text !== "" && !Object.values(PAPER_EXAMPLES).some(({ text }) => text === editor.text);
+    const ready = [...Object.values(PAPER_EXAMPLES).map(({ text }) => text), ...published.values()];
+    return editor.text !== "" && !ready.includes(editor.text);
   }
 
-  /** Shows a text in the editor, or with a key that paper. */
-  function show(text, paper = null) {
+  /** Shows a text in the editor. */
+  function show(text) {
     if (isOwn() && text !== editor.text) own = editor.text;
-    key = paper;
     [shown, stale, chosen] = [null, false, "all"];
     asked++;
     fresh();
     trouble.replaceChildren();
-    if (!key) editor.text = text;
-    written.hidden = key !== null;
-    room.classList.toggle("paper-read", key !== null);
-    about.hidden = key === null;
-    about.replaceChildren(...(key ? [el("h2", {}, PAPER_KEYS[key] ?? key), el("p", {}, `The claim file of this paper, ${key}, is part of the program. Its text cannot be shown here yet; its claims and their verdicts are in the list.`)] : []));
-    for (const [button, text] of saved) button.disabled = key !== null && text === true;
-    checking.disabled = key !== null;
-    checker.replaceChildren(...(key ? [el("p", { class: "soft" }, "The checker needs the text of the claim file, which is not shown for this paper.")] : []));
+    editor.text = text;
     remember();
     choices();
     draw();
     audit();
+  }
+
+  /** A claim file that the program writes: a template, or that of a published paper. */
+  async function write(key) {
+    try {
+      const { code, text, errors } = await engine.run(["new", key, "-o", "-"], { kind: "paper-new" });
+      if (code > 1) return refuse(errors);
+      if (Object.hasOwn(PAPER_KEYS, key)) published.set(key, text);
+      show(text);
+    } catch (error) {
+      if (!(error instanceof Stopped)) refuse(error.message);
+    }
   }
 
   /** To the first claim with the worst verdict. */
@@ -273,16 +271,6 @@ function paperRoom(place, { engine, state }) {
     jump(local(first));
   }
 
-  async function template() {
-    try {
-      const { code, text, errors } = await engine.run(["new", "doe2026", "-o", "-"], { kind: "paper-new" });
-      if (code > 1) refuse(errors);
-      else show(text);
-    } catch (error) {
-      if (!(error instanceof Stopped)) refuse(error.message);
-    }
-  }
-
   async function open() {
     const [file] = opened.files;
     if (file) show(await file.text());
@@ -292,12 +280,12 @@ function paperRoom(place, { engine, state }) {
   function choices() {
     const now = (is) => (is ? "true" : null);
     const button = (label, work, current = false) => el("button", { type: "button", onclick: work, "aria-current": now(current) }, label);
-    const paper = el("select", { id: "paper-key", onchange: () => paper.value && show("", paper.value) },
+    const paper = el("select", { id: "paper-key", onchange: () => paper.value && write(paper.value) },
       el("option", { value: "" }, "choose …"),
-      Object.entries(PAPER_KEYS).map(([one, title]) => el("option", { value: one, selected: one === key }, title)));
+      Object.entries(PAPER_KEYS).map(([one, title]) => el("option", { value: one, selected: published.get(one) === editor.text }, title)));
     chooser.replaceChildren(
-      ...Object.values(PAPER_EXAMPLES).map(({ title, text }) => button(title, () => show(text), !key && editor.text === text)),
-      button("New claim file", template),
+      ...Object.values(PAPER_EXAMPLES).map(({ title, text }) => button(title, () => show(text), editor.text === text)),
+      button("New claim file", () => write("doe2026")),
       button("Open a file …", () => opened.click()),
       ...(own === null ? [] : [button("Back to my text", () => show(own))]),
       el("div", { class: "field" }, el("label", { for: "paper-key" }, "A published paper"), paper));
@@ -308,7 +296,7 @@ function paperRoom(place, { engine, state }) {
     const values = state.get();
     const differs = (one) => (values[one] ?? "") !== (known[one] ?? "") && (values[one] ?? "") !== "";
     if (differs("text")) show(values.text.slice(0, PAPER_LONGEST));
-    else if (differs("paper") && Object.hasOwn(PAPER_KEYS, values.paper)) show("", values.paper);
+    else if (differs("paper") && Object.hasOwn(PAPER_KEYS, values.paper)) write(values.paper);
     else if (differs("example") && Object.hasOwn(PAPER_EXAMPLES, values.example)) show(PAPER_EXAMPLES[values.example].text);
   }
 
@@ -321,14 +309,14 @@ function paperRoom(place, { engine, state }) {
     chooser, opened, status,
     room,
     el("h2", {}, "Save"),
-    el("div", { class: "row" }, saved.map(([button]) => button)),
+    el("div", { class: "row" }, saved),
     savings,
     el("h2", {}, "Certificate"),
     el("p", {}, "A certificate has what a second, small program needs to confirm each verdict by itself, without trusting the first one."),
     el("div", { class: "row" }, checking),
     checker);
   restore();
-  if (asked === 0) show(PAPER_EXAMPLES.first.text);
+  if (asked === 0 && !known.paper && !Object.hasOwn(PAPER_KEYS, state.get().paper ?? "")) show(PAPER_EXAMPLES.first.text);
   return { restore };
 }
 

@@ -1,18 +1,19 @@
 // The room of schemes: type a mask, move its parameters, and see what holds.
 
-import { el, field, later, picture, save } from "./dom.js";
+import { el, field, frame, later, save } from "./dom.js";
 import { Stopped } from "./engine.js";
 import { SchemeControl } from "./scheme-controls.js";
 import { schemeFacts, schemeHead, schemeLevels, schemePairs, schemeSaid } from "./scheme-facts.js";
 import { schemeAsked, schemeParameter, schemeSplit, schemeToml, schemeValues, schemeValuesText, schemeWith } from "./scheme-parse.js";
+import { schemeImpulse, schemeQuick, schemeQuickEnd } from "./scheme-quick.js";
 
 const SCHEME_EXAMPLES = [
   ["chaikin", "", "corner cutting"], ["four-point", "w=1/16", "interpolates"], ["six-point", "w=3/256", "smoother"],
   ["ternary-four-point", "mu=1/11", "three new points for each"], ["loop", "N=7", "a vertex of a mesh"], ["courant", "", "triangles of the plane"],
 ];
 
-/** How long the visitor rests until all facts are computed, and how long a redraw may take when another one waits. */
-const [SCHEME_REST, SCHEME_PATIENCE] = [400, 250];
+/** How long the visitor rests until the picture is complete, and until all facts are computed; and how long a redraw may take when another one waits. */
+const [SCHEME_PAUSE, SCHEME_REST, SCHEME_PATIENCE] = [120, 400, 250];
 
 /** How long the ranges of one order may take, in seconds, and up to which order they are asked for. */
 const [SCHEME_RANGE_SECONDS, SCHEME_ORDERS] = [20, 4];
@@ -22,6 +23,7 @@ const schemeWords = (error) => error.message.trim();
 class SchemeRoom {
   constructor(place, { engine, state }) {
     Object.assign(this, { engine, state, controls: [], catalogue: new Map(), ranges: new Map(), turn: 0, asked: 0, drawing: false, answers: {} });
+    this.pause = later(() => this.paused(), SCHEME_PAUSE);
     this.rest = later(() => this.rested(), SCHEME_REST);
     this.typed = later(() => this.choose(this.input.value.trim(), ""), 600);
     this.build(place);
@@ -118,7 +120,7 @@ class SchemeRoom {
     if (text === this.text && at === "") return;
     this.text = text;
     const asked = ++this.asked;
-    Object.assign(this, { choosing: true, wanted: false, drawing: false });
+    Object.assign(this, { choosing: true, wanted: false, drawing: false, answers: {} });
     this.endFacts();
     this.endDraw();
     for (const part of [this.head, this.figure, this.levels, this.facts]) part.classList.add("scheme-old");
@@ -165,11 +167,26 @@ class SchemeRoom {
   moved() {
     this.state.set({ scheme: this.text, at: schemeValuesText(this.values()) });
     this.endFacts();
+    for (const part of [this.head, this.figure, this.levels]) part.classList.add("scheme-old");
     this.facts.classList.toggle("scheme-old", this.shown !== this.whole());
+    this.pause();
     this.rest();
-    this.wanted = true;
-    if (!this.drawing) this.draw();
+    Object.assign(this, { wanted: true, still: false, complete: null });
+    // What is quick does not wait for what is not.
+    if (!this.drawing || (this.quick() && !this.drawsQuickly)) this.draw();
     else this.patience ??= setTimeout(() => this.wanted && this.draw(), SCHEME_PATIENCE);
+  }
+
+  /** No move for a while: what was drawn quickly is drawn in full. */
+  paused() {
+    if (this.choosing || this.drawing || this.complete === this.whole()) return;
+    this.still = true;
+    this.draw();
+  }
+
+  /** Whether a quick redraw is possible: for one mask of curves with rational coefficients, when there is a picture to lay it on. */
+  quick() {
+    return !this.still && Boolean(this.answers.plot) && this.answers.constants?.directions?.length === 1;
   }
 
   /** Ends what runs for a value that is gone, as a redraw cannot wait for it. */
@@ -178,44 +195,74 @@ class SchemeRoom {
     if (["scheme-facts", "scheme-range"].includes(this.engine.running?.kind)) this.engine.stop();
   }
 
-  /** Ends what is drawn of another scheme, also what waits: a command of the same kind that takes no time replaces it. */
+  /** Ends what is drawn of another scheme or value, if it takes long: a command of the same kind that takes no time replaces it. */
   endDraw() {
-    if (!this.engine.running?.kind?.startsWith("scheme-")) return;
-    for (const command of ["plot", "smoothness", "constants"]) this.engine.run(["--version"], { kind: `scheme-${command}` }).catch(() => null);
+    const kind = this.engine.running?.kind;
+    if (["quick", "plot", "smoothness", "constants"].some((part) => kind === `scheme-${part}`)) this.engine.run(["--version"], { kind }).catch(() => null);
   }
 
-  /** One redraw: the picture, the smoothness and the constants. */
+  /** The parts of a redraw: where each stands, how it is asked for and shown. */
+  parts(whole) {
+    const json = (command, ...args) => () => this.engine.json([command, whole, ...args], { kind: `scheme-${command}` });
+    return {
+      quick: [this.figure, () => this.impulse(whole), (answer) => schemeQuick(this.figure.shadowRoot, answer)],
+      plot: [this.figure, () => this.plot(whole), (text) => frame(this.figure, text)],
+      smoothness: [this.head, json("smoothness"), (answer) => this.head.replaceChildren(...[schemePairs("Smoothness", schemeHead(answer))].filter(Boolean))],
+      constants: [this.levels, json("constants", "-c", "4"), (answer) => this.levels.replaceChildren(...schemeLevels(answer))],
+    };
+  }
+
+  /** One redraw: the picture, the smoothness and the constants, one after the other, so that a move leaves out the rest; or what is quick. */
   async draw() {
     clearTimeout(this.patience);
-    Object.assign(this, { patience: null, wanted: false });
+    const quick = this.quick();
+    const whole = this.whole();
     const turn = ++this.turn;
     const since = performance.now();
-    this.drawing = turn;
-    const whole = this.whole();
+    Object.assign(this, { patience: null, wanted: false, drawing: turn, drawsQuickly: quick, complete: quick ? null : whole });
+    const parts = this.parts(whole);
     const errors = new Map();
-    const part = async (command, place, args, show) => {
-      const kind = `scheme-${command}`;
+    for (const command of quick ? ["quick", "constants"] : ["plot", "smoothness", "constants"]) {
+      const [place, ask, show] = parts[command];
       try {
-        const answer = command === "plot" ? await this.plot(whole, kind) : await this.engine.json([command, whole, ...args], { kind });
+        const answer = await ask();
         if (this.drawing !== turn) return;
         this.answers[command] = answer;
         place.classList.remove("scheme-old");
         show(answer);
       } catch (error) {
-        if (this.drawing === turn) errors.set(command, error instanceof Stopped ? "stopped" : schemeWords(error));
+        if (this.drawing !== turn) return;
+        errors.set(command, error instanceof Stopped ? "stopped" : schemeWords(error));
       }
-    };
-    await Promise.all([
-      part("plot", this.figure, [], (text) => this.show(text)),
-      part("smoothness", this.head, [], (answer) => this.head.replaceChildren(...[schemePairs("Smoothness", schemeHead(answer))].filter(Boolean))),
-      part("constants", this.levels, ["-c", "4"], (answer) => this.levels.replaceChildren(...schemeLevels(answer))),
-    ]);
-    if (this.drawing !== turn) return;
+    }
     this.drawing = false;
-    this.failed(errors);
     this.figure.dataset.milliseconds = Math.round(performance.now() - since);
+    if (quick) return this.drawnQuickly(errors);
+    this.failed(errors);
     if (this.wanted) this.draw();
     else if (this.fresh || this.late) this.rested();
+  }
+
+  /** After a quick redraw: the next one, or the full one after a pause. What cannot be quick is drawn in full at once, and says itself what is wrong. */
+  drawnQuickly(errors) {
+    if (errors.size > 0) delete this.answers.constants;
+    if (this.wanted || errors.size > 0) this.draw();
+    else this.pause();
+  }
+
+  /** The scheme applied to the unit impulse. The polygon has room for the last mask; for a wider one, it is made longer. */
+  async impulse(whole) {
+    let [mask] = this.answers.constants.directions;
+    for (;;) {
+      const { points, level, text } = schemeImpulse(mask);
+      const args = ["oracle", whole, "--polygon", "impulse.csv", "--level", String(level), "-c", "1"];
+      const asked = this.engine.json(args, { kind: "scheme-quick", files: { "impulse.csv": text } });
+      if (this.engine.running?.kind !== "scheme-quick") this.endDraw();
+      const answer = await asked;
+      [mask] = answer.header.masks;
+      const needed = schemeImpulse(mask);
+      if (needed.points <= points && needed.level === level) return answer;
+    }
   }
 
   /** Says what went wrong: near the input, or where the part would stand if others are there. The last picture stays, in grey. */
@@ -231,22 +278,18 @@ class SchemeRoom {
       places[command]?.replaceChildren(...(near.has(text) ? [] : [el("p", { class: "error" }, text)]));
     }
     this.figure.classList.toggle("scheme-old", errors.has("plot"));
+    if (errors.has("plot")) schemeQuickEnd(this.figure.shadowRoot);
   }
 
-  async plot(whole, kind) {
-    const { code, text, errors } = await this.engine.run(["plot", whole], { kind });
+  async plot(whole) {
+    const { code, text, errors } = await this.engine.run(["plot", whole], { kind: "scheme-plot" });
     if (code > 1) throw new Error(errors.trim());
     return text;
   }
 
-  /** The picture has colours of its own; in a shadow they cannot change those of the page. */
-  show(text) {
-    this.figure.shadowRoot.replaceChildren(picture(text.replaceAll(":root", ":host")));
-  }
-
   /** After a rest: the ranges of each parameter, once for each family, and all facts. */
   async rested() {
-    this.late = Boolean(this.drawing);
+    this.late = Boolean(this.drawing) || this.complete === null;
     if (this.late || this.choosing || this.restedTurn === this.turn) return;
     const turn = this.restedTurn = this.turn;
     this.fresh = false;

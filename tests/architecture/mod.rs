@@ -13,7 +13,7 @@ const CRATES: [(&str, &str, &[&str]); 7] = [
     (
         "src/numbers",
         "subcert_numbers",
-        &["cap", "stop", "diagnostic", "suggestion", "exact", "machine", "formula"],
+        &["cap", "stop", "cores", "diagnostic", "suggestion", "exact", "machine", "formula"],
     ),
     (
         "src/schemes",

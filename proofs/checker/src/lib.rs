@@ -102,7 +102,7 @@ pub fn check_theorems(
         Ok(files.iter().map(of_file).collect())
     };
     std::thread::scope(|scope| {
-        let worker = Builder::new().stack_size(check::paper::STACK).spawn_scoped(scope, &compare);
+        let worker = Builder::new().stack_size(check::paper::STACK).spawn_scoped(scope, compare);
         match worker {
             Ok(worker) => worker.join().unwrap_or_else(|panic| resume_unwind(panic)),
             // Where there are no threads, this one does it.

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 type Group = (&'static str, &'static str, &'static [&'static str]);
 
 /// The groups in their order. Every command stands in one of them at least.
-const GROUPS: [Group; 4] = [
+const GROUPS: [Group; 5] = [
     (
         "Audit a paper, or the constants of a program",
         "subcert audit paper.toml",
@@ -39,6 +39,7 @@ const GROUPS: [Group; 4] = [
         "subcert oracle four-point --format csv",
         &["oracle", "table", "certify", "completions", "man", "help"],
     ),
+    ("In a browser", "subcert serve", &["serve"]),
 ];
 
 /// The blanks before what a command does.

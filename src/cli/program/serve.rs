@@ -27,8 +27,7 @@ macro_rules! page {
 const FILES: &[(&str, &str, &str)] = page![
     "text/html; charset=utf-8": "page.html";
     "text/css": "style.css", "scheme.css", "curve.css", "mesh.css", "paper.css";
-    "text/javascript": "main.js", "dom.js", "address.js", "engine.js", "wasi.js", "worker.js", "scheme.js", "curve.js", "mesh.js",
-        "paper.js"
+    "text/javascript": "address.js", "curve-canvas.js", "curve-data.js", "curve.js", "dom.js", "engine.js", "main.js", "mesh-data.js", "mesh-examples.js", "mesh-view.js", "mesh.js", "paper-check.js", "paper-claims.js", "paper-editor.js", "paper-examples.js", "paper-places.js", "paper.js", "scheme-controls.js", "scheme-facts.js", "scheme-parse.js", "scheme-quick.js", "scheme.js", "wasi.js", "worker.js"
 ];
 
 /// The most bytes of what the page sends.
@@ -194,7 +193,7 @@ fn run(asked: &Asked, running: &Running) -> Result<Said, String> {
     let output = text(output.map(|pipe| Box::new(pipe) as _));
     let errors = errors.join().unwrap_or_default();
     let child = lock(running).take();
-    let status = child.map(|child| child.wait_with_output()).transpose().map_err(failed)?;
+    let status = child.map(Child::wait_with_output).transpose().map_err(failed)?;
     let code = status.and_then(|Output { status, .. }| status.code()).unwrap_or(3);
     let files = written(folder.path(), folder.path(), &asked.files).map_err(failed)?;
     Ok(Said { code, text: output, errors, files })
