@@ -80,7 +80,7 @@
 //!
 //! | crate | modules |
 //! |---|---|
-//! | [`subcert_numbers`] | [`cap`], [`cores`], [`exact`], [`formula`], [`diagnostic`], [`stop`], [`suggestion`] |
+//! | [`subcert_numbers`] | [`cap`], [`cores`], [`exact`], [`formula`], [`diagnostic`], [`files`], [`stop`], [`suggestion`] |
 //! | [`subcert_schemes`] | [`scheme`], [`bound`], [`limit`], [`float`], [`joint`], [`lattice`], [`smoothness`], [`spectrum`], [`characteristic`], [`facts`] |
 //! | [`subcert_geometry`] | [`mesh`], [`net`], [`solid`], [`patch`], [`oracle`] |
 //! | [`subcert_claims`] | [`literal`], [`claim`], [`shipped`], [`audit`] |
@@ -90,7 +90,7 @@ pub use subcert_claims::{audit, claim, literal, shipped};
 pub use subcert_geometry::{
     assert_slice_within_ulps, assert_within, assert_within_ulps, mesh, net, oracle, patch, solid,
 };
-pub use subcert_numbers::{cap, cores, diagnostic, exact, formula, stop, suggestion};
+pub use subcert_numbers::{cap, cores, diagnostic, exact, files, formula, stop, suggestion};
 pub use subcert_reports::certificate;
 #[cfg(feature = "cli")]
 pub use subcert_reports::report;

@@ -11,12 +11,21 @@ const ANY = "100000000000";
 const FINE = 700;
 /** While points move, the depth is asked for again after so many milliseconds. */
 const REST = 300;
+/** While a point is dragged, a drawing that is younger than so many milliseconds does not turn grey: it follows. */
+const FOLLOWS = 250;
+const STOPPED = "Stopped: what is grey is of what was there before. Every change computes anew.";
 
 class CurveRoom {
   points = CURVE_START;
   pending = false;
   drawing = false;
   depthTurned = 0;
+  depthRun = 0;
+  /** What the drawn polygons belong to, and since when they are there. */
+  drawn = { level: null, limit: null };
+  moving = false;
+  typing = false;
+  halted = false;
   arity = 2;
   marks = { far: null, greatest: null };
   lines = {};
@@ -36,14 +45,25 @@ class CurveRoom {
       added: (point) => this.add(point),
       removed: (i) => this.edit(this.points.filter((_, j) => j !== i)),
     });
-    const changed = () => this.settle();
+    const settle = later(() => this.settle(), 150);
+    const readList = later(() => this.readList(), 200);
+    // What is shown is old from the first key on, and not only when it is asked for anew.
+    const changed = () => {
+      this.freshen();
+      settle();
+    };
+    const typed = () => {
+      this.typing = true;
+      this.freshen();
+      readList();
+    };
     this.names = el("datalist", { id: "curve-schemes" });
-    this.scheme = el("input", { class: "curve-scheme mono", list: "curve-schemes", autocomplete: "off", spellcheck: "false", maxlength: 500, oninput: later(changed, 150) });
-    this.closed = el("input", { type: "checkbox", id: "curve-closed", onchange: changed });
+    this.scheme = el("input", { class: "curve-scheme mono", list: "curve-schemes", autocomplete: "off", spellcheck: "false", maxlength: 500, oninput: changed });
+    this.closed = el("input", { type: "checkbox", id: "curve-closed", onchange: () => this.settle() });
     this.level = el("input", { type: "range", min: 0, max: 8, step: 1, oninput: () => this.slide() });
     this.levelText = el("output", {});
-    this.tolerance = el("input", { class: "mono", size: 10, maxlength: 60, autocomplete: "off", spellcheck: "false", oninput: later(changed, 150) });
-    this.list = el("textarea", { rows: 8, spellcheck: "false", oninput: later(() => this.readList(), 200) });
+    this.tolerance = el("input", { class: "mono", size: 10, maxlength: 60, autocomplete: "off", spellcheck: "false", oninput: changed });
+    this.list = el("textarea", { rows: 8, spellcheck: "false", oninput: typed });
     this.error = el("p", { class: "error", role: "alert" });
     this.depthError = el("p", { class: "error", role: "alert" });
     this.listError = el("p", { class: "error", role: "alert" });
@@ -122,11 +142,13 @@ class CurveRoom {
 
   change(points, moving) {
     this.points = points;
+    this.moving = moving;
     this.canvas.show(points, this.closed.checked);
     if (moving) this.ask(true);
   }
 
   readList() {
+    this.typing = this.moving = false;
     try {
       const points = curvePoints(this.list.value);
       this.listError.textContent = "";
@@ -136,6 +158,7 @@ class CurveRoom {
       this.ask();
     } catch (error) {
       this.listError.textContent = error.message;
+      this.freshen();
     }
   }
 
@@ -146,6 +169,7 @@ class CurveRoom {
 
   /** Something is as it shall be: into the list and the address, and asks for all of it. */
   settle(look = false) {
+    this.typing = this.moving = false;
     this.listError.textContent = "";
     this.list.value = curveLines(this.points);
     if (look) this.canvas.look(this.points);
@@ -162,6 +186,8 @@ class CurveRoom {
     this.levelText.value = this.level.value;
     this.canvas.show(this.points, this.closed.checked);
     this.pending = moving ? "moving" : "still";
+    this.halted = false;
+    this.freshen();
     if (this.drawing) return;
     this.drawing = true;
     while (this.pending) {
@@ -172,20 +198,51 @@ class CurveRoom {
     this.drawing = false;
   }
 
-  args(command, ...more) {
-    return [command, this.scheme.value.trim(), "--polygon", "points.csv", "--boundary", this.closed.checked ? "closed" : "open", ...more];
+  /** What is there now, with what each result belongs to: a result with another key is old. */
+  now() {
+    const [scheme, tolerance, level] = [this.scheme.value.trim(), this.tolerance.value.trim(), Number(this.level.value)];
+    const closed = this.closed.checked;
+    const text = curveLines(this.points);
+    const limit = JSON.stringify([scheme, closed, text]);
+    const keys = { limit, level: `${limit} ${level}`, depth: `${limit} ${tolerance}` };
+    return { scheme, tolerance, level, closed, points: this.points, files: { "points.csv": text }, keys };
+  }
+
+  args({ scheme, closed }, command, ...more) {
+    return [command, scheme, "--polygon", "points.csv", "--boundary", closed ? "closed" : "open", ...more];
+  }
+
+  /** Nothing is shown but the control points. */
+  clear() {
+    this.depthRun += 1;
+    this.canvas.clear();
+    this.lines = {};
+    this.marks = { far: null, greatest: null };
+    this.drawn = { level: null, limit: null };
+    this.error.textContent = this.depthError.textContent = "";
+  }
+
+  draw(which, now, polygon) {
+    this.canvas.draw(which, polygon.points, now.closed);
+    this.drawn[which] = { key: now.keys[which], at: performance.now() };
+    this.freshen();
   }
 
   async round(moving) {
     if (this.points.length < 2) {
-      this.canvas.clear();
-      this.lines = {};
-      this.error.textContent = this.depthError.textContent = "";
+      this.clear();
       this.results.replaceChildren(el("p", {}, "Draw at least two points."));
+      this.freshen();
       return;
     }
-    const now = { files: { "points.csv": curveLines(this.points) }, closed: this.closed.checked, level: Number(this.level.value), points: this.points };
-    const oracle = (level, kind) => this.table(this.args("oracle", "-c", "1", "--level", String(level), "--format", "csv"), now, kind);
+    const now = this.now();
+    if (now.scheme.startsWith("-")) {
+      this.depthRun += 1;
+      this.depthError.textContent = "";
+      this.error.textContent = "a scheme does not begin with -";
+      return;
+    }
+    const oracle = (level, kind) => this.table(this.args(now, "oracle", "-c", "1", "--level", String(level), "--format", "csv"), now, kind);
     // Asked again, one that runs for long is stopped, so that the drawing goes on.
     const wantsDepth = !moving || performance.now() - this.depthTurned > REST;
     try {
@@ -195,17 +252,15 @@ class CurveRoom {
       if (wantsDepth) this.depths(now, moving);
       now.refined = await refined;
       this.arity = now.refined.arity ?? 2;
-      this.canvas.draw("level", now.refined.points, now.closed);
+      this.draw("level", now, now.refined);
       now.limit = await limit;
-      this.canvas.draw("limit", now.limit.points, now.closed);
-      this.latest = now;
+      this.draw("limit", now, now.limit);
       this.error.textContent = "";
-      this.canvas.root.classList.remove("curve-stale");
       this.describe();
     } catch (error) {
-      if (error instanceof Stopped) return;
-      this.error.textContent = error.message;
-      this.canvas.root.classList.add("curve-stale");
+      // No other round runs, so that nothing but the visitor stops one.
+      if (error instanceof Stopped) this.halt();
+      else this.error.textContent = error.message;
     }
   }
 
@@ -227,24 +282,25 @@ class CurveRoom {
 
   /** The depth for the tolerance, the distance of the control polygon, and when all is still that of the level. */
   async depths(now, moving) {
-    const mine = (this.depthRun = (this.depthRun ?? 0) + 1);
-    const tolerance = this.tolerance.value.trim();
+    const mine = ++this.depthRun;
+    const { tolerance, keys } = now;
     const common = { files: now.files };
     this.depthTurned = performance.now();
     try {
-      const depth = this.engine.json(this.args("depth", `--tolerance=${tolerance}`), { ...common, kind: "curve-depth" });
-      const own = this.engine.json(this.args("depth", "--tolerance", ANY, "--width", "1/10000", "--distance", "parametric"), { ...common, kind: "curve-distance" });
+      const depth = this.engine.json(this.args(now, "depth", `--tolerance=${tolerance}`), { ...common, kind: "curve-depth" });
+      const own = this.engine.json(this.args(now, "depth", "--tolerance", ANY, "--width", "1/10000", "--distance", "parametric"), { ...common, kind: "curve-distance" });
       own.catch(() => {});
       const told = curveDepth(await depth, tolerance);
       const greatest = curveDistance(await own);
       if (mine !== this.depthRun) return;
       this.depthError.textContent = "";
-      this.lines = { depth: told.lines, own: greatest, level: null };
+      this.lines = { depth: { texts: told.lines, key: keys.depth }, own: greatest && { ...greatest, key: keys.limit }, level: null };
       this.marks = { far: told.mark, greatest, now };
       this.describe();
       if (!moving) this.levelDistance(now, mine);
     } catch (error) {
-      if (error instanceof Stopped || mine !== this.depthRun) return;
+      if (mine !== this.depthRun) return;
+      if (error instanceof Stopped) return this.halt();
       // An unknown scheme is said once.
       this.depthError.textContent = error.message;
       this.lines = {};
@@ -261,27 +317,61 @@ class CurveRoom {
     if (!refined || now.level === 0 || refined.points.length > 3000) return;
     try {
       const files = { "points.csv": refined.exact.map((point) => point.join(", ")).join("\n") };
-      const found = await this.engine.json(this.args("depth", "--tolerance", ANY, "--width", "1/1000000", "--distance", "parametric"), { files, kind: "curve-level-distance" });
+      const found = await this.engine.json(this.args(now, "depth", "--tolerance", ANY, "--width", "1/1000000", "--distance", "parametric"), { files, kind: "curve-level-distance" });
       if (mine !== this.depthRun) return;
-      this.lines.level = { ...curveDistance(found), level: now.level };
+      this.lines.level = { ...curveDistance(found), level: now.level, key: now.keys.level };
       this.describe();
     } catch (error) {
-      if (!(error instanceof Stopped)) this.lines.level = null;
+      if (mine === this.depthRun && error instanceof Stopped) this.halt();
     }
   }
 
   describe() {
     if (this.error.textContent && this.depthError.textContent === this.error.textContent) this.depthError.textContent = "";
-    const { depth = [], own, level } = this.lines;
-    const distance = (of, found) => found && el("p", { title: found.exact },
-      `${of}: ${found.size} from its limit${found.parameter === null ? "" : `, attained near t = ${found.parameter} in ${found.axis}`}.`);
+    const { depth, own, level } = this.lines;
+    const line = (of, text, more = {}) => el("p", { ...more, "data-key": of.key }, el("span", { class: "curve-word" }, "Old: "), text);
+    const distance = (of, found) => found && line(found,
+      `${of}: ${found.size} from its limit${found.parameter === null ? "" : `, attained near t = ${found.parameter} in ${found.axis}`}.`, { title: found.exact });
     this.results.replaceChildren(
-      ...depth.map((line, i) => el("p", { class: i === 0 ? "curve-depth" : "" }, line)),
+      ...(depth?.texts ?? []).map((text, i) => line(depth, text, { class: i === 0 ? "curve-depth" : "" })),
       ...[distance("Control polygon", own), distance(`Level ${level?.level}`, level)].filter(Boolean),
       ...(own ? [el("p", { class: "soft" }, "The level for a tolerance compares polygon and limit as sets of points, unless it says otherwise. The distances compare points with the same parameter t, which grows by 1 from one point of the polygon to the next; they are the greater of those in x and y.")] : []),
     );
-    this.canvas.description.textContent = depth.join(" ");
     this.mark();
+    this.freshen();
+  }
+
+  /** The visitor has stopped a command. */
+  halt() {
+    this.halted = true;
+    this.freshen();
+  }
+
+  /** What does not belong to the present scheme, points, level and tolerance is grey, and said to be old. */
+  freshen() {
+    const { keys } = this.now();
+    const known = new Set(this.typing ? [] : Object.values(keys));
+    const { depth, own } = this.lines;
+    let any = false;
+    const old = (key) => {
+      const found = key !== undefined && !known.has(key);
+      any ||= found;
+      return found;
+    };
+    for (const part of this.results.querySelectorAll("[data-key]")) part.classList.toggle("curve-old", old(part.dataset.key));
+    for (const which of ["level", "limit"]) {
+      const { key, at } = this.drawn[which] ?? {};
+      const follows = this.moving && performance.now() - at < FOLLOWS;
+      this.canvas.root.classList.toggle(`curve-old-${which}`, old(key) && !follows);
+    }
+    this.canvas.root.classList.toggle("curve-old-far", old(depth?.key));
+    this.canvas.root.classList.toggle("curve-old-greatest", old(own?.key));
+    this.canvas.description.textContent = [any && "Some of this picture is old.", ...(depth?.texts ?? [])].filter(Boolean).join(" ");
+    this.results.setAttribute("aria-busy", any && !this.halted);
+    if (this.halted) this.status.textContent = any ? STOPPED : "Stopped. Every change computes anew.";
+    else if (this.status.textContent.startsWith("Stopped")) this.status.textContent = "";
+    clearTimeout(this.soon);
+    if (this.moving && any) this.soon = setTimeout(() => this.freshen(), FOLLOWS);
   }
 
   mark() {

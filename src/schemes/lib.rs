@@ -16,7 +16,7 @@
 //! Rooms of the crates below have their names here too, so that `crate::exact` is the same
 //! everywhere.
 
-use subcert_numbers::{cap, cores, diagnostic, exact, formula, machine, stop, suggestion};
+use subcert_numbers::{cap, cores, diagnostic, exact, files, formula, machine, stop, suggestion};
 
 pub mod bound;
 pub mod characteristic;

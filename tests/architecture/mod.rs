@@ -13,7 +13,17 @@ const CRATES: [(&str, &str, &[&str]); 7] = [
     (
         "src/numbers",
         "subcert_numbers",
-        &["cap", "stop", "cores", "diagnostic", "suggestion", "exact", "machine", "formula"],
+        &[
+            "cap",
+            "files",
+            "stop",
+            "cores",
+            "diagnostic",
+            "suggestion",
+            "exact",
+            "machine",
+            "formula",
+        ],
     ),
     (
         "src/schemes",

@@ -1,5 +1,6 @@
 //! `serve`: the page and its commands, for nobody else.
 
+use super::temporary;
 use serde_json::{Value, json};
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::net::TcpStream;
@@ -53,10 +54,18 @@ impl Server {
     }
 
     fn run(&self, args: &[&str], files: &Value) -> Value {
-        let asked = json!({ "program": "subcert", "args": args, "files": files }).to_string();
-        let (code, body) = self.ask("POST", &format!("/{}/run", self.word), &self.host, &asked);
+        self.run_as("one", "subcert", args, files)
+    }
+
+    fn run_as(&self, id: &str, program: &str, args: &[&str], files: &Value) -> Value {
+        let asked = json!({ "id": id, "program": program, "args": args, "files": files });
+        let (code, body) = self.post("run", &asked);
         assert_eq!(code, 200, "{body}");
         serde_json::from_str(&body).expect("JSON")
+    }
+
+    fn post(&self, name: &str, asked: &Value) -> (u16, String) {
+        self.ask("POST", &format!("/{}/{name}", self.word), &self.host, &asked.to_string())
     }
 }
 
@@ -114,16 +123,40 @@ fn nobody_else_is_served() {
         assert_eq!(said["code"], json!(2), "{said}");
         said["errors"].as_str().expect("text").to_owned()
     };
+    // Paths that lead out of the folder, also within schemes, claim files and after short flags.
+    let secret = temporary("secret.toml");
+    std::fs::write(&secret, "secret_token = 1\n").expect("a file");
+    let path = secret.to_str().expect("UTF-8");
+    let product = format!("chaikin x {path}");
+    let blank = format!(" {path}");
+    let glued = format!("-o{path}");
     for args in [
-        &["serve"][..],
-        &["man", "x"],
-        &["plot", "chaikin", "-o", "/tmp/x.svg"],
+        &["plot", "chaikin", "-o", path][..],
         &["plot", "chaikin", "-o", "../x.svg"],
-        &["plot", "chaikin", "--output=/tmp/x.svg"],
-        &["depth", "chaikin", "--polygon", "~/x.csv"],
+        &["plot", "chaikin", &glued],
+        &["-q", "man", path],
+        &["errata", "-o", path],
+        &["new", "k", "-o", path],
+        &["smoothness", path],
+        &["smoothness", &product],
+        &["smoothness", &blank],
+        &["smoothness", "chaikin x ../x.toml"],
+        &["depth", "chaikin", "--polygon", path],
+        &["audit", path],
+        &["-q", "serve", "--no-open"],
     ] {
-        assert!(refused(args, &json!({})).contains("files that it has sent"), "{args:?}");
+        let said = refused(args, &json!({}));
+        assert!(!said.contains("secret_token"), "{args:?}: {said}");
     }
+    let kept = std::fs::read_to_string(&secret).expect("it is there");
+    assert_eq!(kept, "secret_token = 1\n");
+    std::fs::remove_file(&secret).expect("it is there");
+    let checker = |args: &[&str]| {
+        let said = server.run_as("two", "subcert-check", args, &json!({}));
+        said["errors"].as_str().expect("text").to_owned()
+    };
+    let said = checker(&["/etc/passwd", "/etc/passwd"]);
+    assert!(said.contains("nothing else") || said.contains("there is no subcert-check"), "{said}");
     for name in ["../x", "/x", "a/b", "..", ""] {
         assert!(
             refused(&["schemes"], &json!({ name: "" })).contains("no name of a file"),
@@ -131,4 +164,24 @@ fn nobody_else_is_served() {
         );
     }
     assert!(refused(&["constants", "nonsense"], &json!({})).contains("unknown scheme"));
+}
+
+/// A run ends when it is stopped, and none that comes after it, whichever request is read first.
+#[test]
+fn runs_are_stopped_one_by_one() {
+    let server = Server::start();
+    let long = ["range", "butterfly-regular", "--param", "w", "--smoothness", "1"];
+    std::thread::scope(|scope| {
+        let run = scope.spawn(|| server.run_as("long", "subcert", &long, &json!({})));
+        let quick = ["constants", "chaikin", "-c", "1"];
+        for _ in 0..5 {
+            assert_eq!(server.run_as("quick", "subcert", &quick, &json!({}))["code"], json!(0));
+        }
+        assert_eq!(server.post("stop", &json!({ "id": "long" })).0, 204);
+        assert_eq!(run.join().expect("an answer")["code"], json!(3));
+    });
+    assert_eq!(server.post("stop", &json!({ "id": "later" })).0, 204);
+    let said = server.run_as("later", "subcert", &long, &json!({}));
+    assert_eq!((&said["code"], &said["text"]), (&json!(2), &json!("")), "{said}");
+    assert_eq!(server.post("stop", &json!("nonsense")).0, 400);
 }

@@ -106,6 +106,22 @@ fn matrix(size: usize) -> impl Strategy<Value = Vec<Vec<i64>>> {
     proptest::collection::vec(proptest::collection::vec(-3_i64..=3, size), size)
 }
 
+/// Where all products of some length are 0, and where the entries are below all places of enclosures.
+#[test]
+fn goals_of_extreme_sets() {
+    let nilpotent = set(&[&[&[0, 1], &[0, 0]]]);
+    let found = joint_radius_below(&nilpotent, &Rational::one(), &Stop::default());
+    assert!(found.hull.is_none() && found.is_below(&Rational::one()) == Some(true));
+    assert!(radius_certificate(&nilpotent, &found).is_none());
+    let tiny = |rows: [[i64; 2]; 2]| {
+        let entry = |x: i64| Rational::from(x) * Rational::from(10).pow(-300);
+        rows.map(|row| row.map(entry).to_vec()).to_vec()
+    };
+    let pair = MatrixSet::new(vec![tiny([[1, 2], [1, 1]]), tiny([[1, 0], [1, 1]])]);
+    let radius = joint_radius(&pair.expect("square"));
+    assert!(radius.upper().sign() > 0);
+}
+
 proptest! {
     #![proptest_config(crate::common::cases(12))]
 

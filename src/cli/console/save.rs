@@ -5,10 +5,12 @@ use std::fs::{File, create_dir_all, remove_file, rename};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use subcert::cores::THREADS;
+use subcert::files::permitted;
 
 /// Writes a file into a folder, which is made if it is missing, as [`save`] does.
 pub(crate) fn save_in(folder: &Path, name: &str, text: &str) -> io::Result<()> {
     let path = folder.join(name);
+    permitted(&path)?;
     create_dir_all(path.parent().unwrap_or(folder))?;
     save(&path, text)
 }
@@ -30,6 +32,7 @@ pub(crate) fn folder_of(path: &Path) -> io::Result<&Path> {
 /// Writes a file; if that fails, a file that was there before is unchanged. A link is followed, and what is no regular
 /// file, such as a pipe, is written into.
 pub(crate) fn save(path: &Path, text: &str) -> io::Result<()> {
+    permitted(path)?;
     let path = &target(path)?;
     let _writing = writing();
     if path.metadata().is_ok_and(|data| !data.is_file() && !data.is_dir()) {

@@ -10,6 +10,7 @@ use crate::cli::console::quantity::written;
 use crate::cli::console::terminal;
 use std::path::Path;
 use subcert::audit::PaperAudit;
+use subcert::files::permitted;
 use subcert::report::json::{ErrataReport, ProjectsReport};
 use subcert::report::{Sheet, differences_sheet, errata_sheet, issue_sheet};
 use subcert::shipped::ProjectAudit;
@@ -97,6 +98,8 @@ fn save(folder: &Path, format: Format, key: &str, text: String) -> Outcome {
         Format::Csv => ("csv", text),
     };
     let path = folder.join(format!("{key}.{extension}"));
-    let written = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text));
+    let written = permitted(&path)
+        .and_then(|()| std::fs::create_dir_all(folder))
+        .and_then(|()| std::fs::write(&path, text));
     written.map_err(|error| Failure::Input(format!("cannot write {}: {error}", path.display())))
 }

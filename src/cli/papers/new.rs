@@ -6,6 +6,7 @@ use std::fs::File;
 use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 use subcert::claim::{embedded, is_id};
+use subcert::files::permitted;
 
 /// A claim file that audits cleanly; `KEY` stands for its key.
 const TEMPLATE: &str = include_str!("template.toml");
@@ -32,7 +33,9 @@ pub(crate) fn new(arguments: &NewArguments) -> Outcome {
 
 /// Writes a file that is not there yet.
 fn save(path: &Path, text: &str) -> Outcome {
-    let written = File::create_new(path).and_then(|mut file| file.write_all(text.as_bytes()));
+    let written = permitted(path)
+        .and_then(|()| File::create_new(path))
+        .and_then(|mut file| file.write_all(text.as_bytes()));
     written.map_err(|error| {
         let path = path.display();
         Failure::Input(match error.kind() {

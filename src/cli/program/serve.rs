@@ -1,8 +1,9 @@
 //! `subcert serve`: the page, on this machine alone, whose commands run here with all cores.
 //!
 //! The server listens on 127.0.0.1. Every path begins with a word that is drawn at random, which only who reads the terminal knows; so no
-//! other page of the browser can ask for anything. Commands run in a folder of their own, with the files that the page has sent.
+//! other page of the browser can ask for anything. Commands run in a folder of their own, with the files that the page has sent, and touch no others.
 
+use crate::cli::CONFINED;
 use crate::cli::arguments::ServeArguments;
 use crate::cli::console::output::{Failure, Outcome, write};
 use base64::Engine as _;
@@ -11,10 +12,13 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::hash::{BuildHasher as _, RandomState};
-use std::io::Read as _;
+use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use subcert::files::is_confined;
+use tempfile::NamedTempFile;
 use tiny_http::{Header, Method, Request, Response, Server};
 
 macro_rules! page {
@@ -33,13 +37,22 @@ const FILES: &[(&str, &str, &str)] = page![
 /// The most bytes of what the page sends.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// Commands that write beside the folder of the command, or start others.
-const NOT_HERE: [&str; 3] = ["serve", "man", "completions"];
+/// The most requests that are answered at a time.
+const MAX_REQUESTS: usize = 32;
 
-/// The command that runs.
-type Running = Arc<Mutex<Option<Child>>>;
+/// The most runs that are stopped before they have begun.
+const MAX_EARLY: usize = 64;
+
+/// What the checker is told beside files.
+const CHECKER_WORDS: [&str; 6] = ["--only", "--accept", "cited", "open", "--radius", "--depth"];
+
+/// The commands that run, by the ids that the page gives them; `None` for one that was stopped before it has begun.
+type Running = Arc<Mutex<BTreeMap<String, Option<Child>>>>;
 
 pub(crate) fn serve(arguments: &ServeArguments) -> Outcome {
+    if is_confined() {
+        return Err(Failure::Input("a command of the page opens no page".to_owned()));
+    }
     let port = arguments.port;
     let wrong = |error| Failure::Input(format!("cannot listen on 127.0.0.1, port {port}: {error}"));
     let server = Server::http(("127.0.0.1", port)).map_err(|error| wrong(error.to_string()))?;
@@ -47,19 +60,32 @@ pub(crate) fn serve(arguments: &ServeArguments) -> Outcome {
     let word = word();
     let address = format!("http://{own}/{word}/");
     write(&format!("{address}\nCtrl-C ends it.\n"))?;
-    if !arguments.no_open {
-        // Without a browser the address is there all the same.
-        let _ = open::that_detached(&address);
-    }
-    let running = Running::default();
+    // Without a browser the address is there all the same.
+    let _door = (!arguments.no_open).then(|| door(&address).ok());
+    let (running, busy) = (Running::default(), Arc::new(AtomicUsize::new(0)));
     for request in server.incoming_requests() {
         let (word, running, host) = (word.clone(), Arc::clone(&running), own.to_string());
+        let busy = Arc::clone(&busy);
+        if busy.fetch_add(1, Ordering::AcqRel) >= MAX_REQUESTS {
+            busy.fetch_sub(1, Ordering::AcqRel);
+            let _ = refuse(request, 503);
+            continue;
+        }
         std::thread::spawn(move || {
             // Who has gone away needs no answer.
             let _ = answer(request, &word, &host, &running);
+            busy.fetch_sub(1, Ordering::AcqRel);
         });
     }
     Ok(())
+}
+
+/// Opens the page by a file that only this user may read: the arguments of programs, such as an address, are seen by all.
+fn door(address: &str) -> std::io::Result<NamedTempFile> {
+    let mut file = tempfile::Builder::new().prefix("subcert-").suffix(".html").tempfile()?;
+    write!(file, "<!doctype html><meta http-equiv=\"refresh\" content=\"0; url={address}\">")?;
+    open::that_detached(file.path())?;
+    Ok(file)
 }
 
 /// A word that nobody guesses: 128 binary digits that come from the keys of hash tables, which the system draws.
@@ -106,9 +132,11 @@ fn answer(
             request.respond(Response::from_string(text).with_header(kind))
         }
         (Method::Post, "stop") => {
-            if let Some(child) = &mut *lock(running) {
-                let _ = child.kill();
-            }
+            let mut text = String::new();
+            let read = request.as_reader().take(MAX_ID + 64).read_to_string(&mut text);
+            let asked = read.ok().and_then(|_| serde_json::from_str::<Stopped>(&text).ok());
+            let Some(Stopped { id }) = asked else { return refuse(request, 400) };
+            stop(id, running);
             request.respond(Response::empty(204))
         }
         _ => refuse(request, 405),
@@ -123,13 +151,36 @@ fn header(name: &str, value: &str) -> Header {
     Header::from_bytes(name, value).expect("letters")
 }
 
-fn lock(running: &Running) -> std::sync::MutexGuard<'_, Option<Child>> {
+fn lock(running: &Running) -> MutexGuard<'_, BTreeMap<String, Option<Child>>> {
     running.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Ends a command, also one whose request comes after this.
+fn stop(id: String, running: &Running) {
+    let mut running = lock(running);
+    let early = running.values().filter(|child| child.is_none()).count();
+    match running.get_mut(&id) {
+        // The thread that waits for it takes it out.
+        Some(Some(child)) => drop(child.kill()),
+        Some(None) => {}
+        None if early < MAX_EARLY => drop(running.insert(id, None)),
+        None => {}
+    }
+}
+
+/// The most bytes of the id of a run.
+const MAX_ID: u64 = 64;
+
+/// The run that the page stops.
+#[derive(Deserialize)]
+struct Stopped {
+    id: String,
 }
 
 /// What the page asks for.
 #[derive(Deserialize)]
 struct Asked {
+    id: String,
     program: String,
     args: Vec<String>,
     files: BTreeMap<String, String>,
@@ -151,21 +202,17 @@ impl Said {
     }
 }
 
-/// Runs a command in a folder of its own.
+/// Runs a command in a folder of its own. The program refuses all files that are not in it; the checker is told of the files that were sent alone.
 fn run(asked: &Asked, running: &Running) -> Result<Said, String> {
     let program = program(&asked.program)?;
-    let first = asked.args.first().map_or("", String::as_str);
-    // A path that leads out of the folder.
-    let leaves = |text: &String| {
-        let values = [Some(&**text), text.split_once('=').map(|(_, value)| value)];
-        values.into_iter().flatten().any(|path| {
-            path.starts_with(['/', '~', '\\'])
-                || path.contains(":\\")
-                || path.split(['/', '\\']).any(|part| part == "..")
-        })
-    };
-    if NOT_HERE.contains(&first) || asked.args.iter().any(leaves) {
-        return Err("the page runs only commands on files that it has sent".to_owned());
+    let known = |text: &String| asked.files.contains_key(text) || CHECKER_WORDS.contains(&&**text);
+    if asked.program != "subcert" && !asked.args.iter().all(known) {
+        return Err(
+            "the page has the checker check files that it has sent, and nothing else".to_owned()
+        );
+    }
+    if asked.id.len() as u64 > MAX_ID {
+        return Err(format!("the id of a run has at most {MAX_ID} bytes"));
     }
     let failed = |error: std::io::Error| format!("cannot run `{}`: {error}", asked.program);
     let folder = tempfile::tempdir().map_err(failed)?;
@@ -177,26 +224,40 @@ fn run(asked: &Asked, running: &Running) -> Result<Said, String> {
         std::fs::write(folder.path().join(name), bytes).map_err(failed)?;
     }
     let mut command = Command::new(program);
-    command.args(&asked.args).current_dir(folder.path()).env("NO_COLOR", "1").stdin(Stdio::null());
-    let mut child =
-        command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().map_err(failed)?;
-    let (output, errors) = (child.stdout.take(), child.stderr.take());
-    *lock(running) = Some(child);
-    let text = |pipe: Option<Box<dyn std::io::Read + Send>>| {
-        let mut bytes = Vec::new();
-        if let Some(mut pipe) = pipe {
-            let _ = pipe.read_to_end(&mut bytes);
+    command.args(&asked.args).current_dir(folder.path()).stdin(Stdio::null());
+    command.env("NO_COLOR", "1").env(CONFINED, "1").stdout(Stdio::piped()).stderr(Stdio::piped());
+    let (output, errors) = {
+        let mut running = lock(running);
+        match running.get(&asked.id) {
+            Some(Some(_)) => return Err("there is a run with this id".to_owned()),
+            Some(None) => {
+                running.remove(&asked.id);
+                return Err("stopped".to_owned());
+            }
+            None => {}
         }
-        String::from_utf8_lossy(&bytes).into_owned()
+        let mut child = command.spawn().map_err(failed)?;
+        let pipes = (child.stdout.take(), child.stderr.take());
+        running.insert(asked.id.clone(), Some(child));
+        pipes
     };
-    let errors = std::thread::spawn(move || text(errors.map(|pipe| Box::new(pipe) as _)));
-    let output = text(output.map(|pipe| Box::new(pipe) as _));
+    let errors = std::thread::spawn(move || text(errors));
+    let output = text(output);
     let errors = errors.join().unwrap_or_default();
-    let child = lock(running).take();
-    let status = child.map(Child::wait_with_output).transpose().map_err(failed)?;
-    let code = status.and_then(|Output { status, .. }| status.code()).unwrap_or(3);
+    let child = lock(running).remove(&asked.id).flatten();
+    let status = child.map(|mut child| child.wait()).transpose().map_err(failed)?;
+    let code = status.and_then(|status| status.code()).unwrap_or(3);
     let files = written(folder.path(), folder.path(), &asked.files).map_err(failed)?;
     Ok(Said { code, text: output, errors, files })
+}
+
+/// What comes from a pipe, up to a cap.
+fn text(pipe: Option<impl std::io::Read>) -> String {
+    let mut bytes = Vec::new();
+    if let Some(pipe) = pipe {
+        let _ = pipe.take(MAX_BYTES).read_to_end(&mut bytes);
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
 }
 
 /// The files that are in a folder and were not sent.

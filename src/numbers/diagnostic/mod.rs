@@ -10,6 +10,7 @@ pub use json::{json_elements, json_fields, json_place};
 pub use wrap::wrapped;
 
 use crate::cap::Cap;
+use crate::files::permitted;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use std::fmt;
 use std::ops::Range;
@@ -231,6 +232,7 @@ pub fn text_or_latin1(bytes: Vec<u8>) -> Option<String> {
 /// # Errors
 /// When they cannot be read, or are more; the message says which.
 pub fn read_bytes(path: &std::path::Path, max_bytes: u64) -> Result<Vec<u8>, String> {
+    permitted(path).map_err(|error| error.to_string())?;
     let file = std::fs::File::open(path).map_err(|error| error.to_string())?;
     read_bytes_from(file, max_bytes)
 }

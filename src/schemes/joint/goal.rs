@@ -38,6 +38,9 @@ use crate::stop::Stop;
 #[must_use]
 pub fn joint_radius_below(set: &MatrixSet, goal: &Rational, stop: &Stop) -> JointRadius {
     let quick = || {
+        if set.is_nilpotent() {
+            return None;
+        }
         let (reduction, hull) = hull_below(set, goal)?;
         let bounds = at_least(set);
         Some(JointRadius { hull: Some(hull), reduction: Some(reduction), ..bounds })

@@ -60,6 +60,10 @@ impl<F: Entry> Extremal<F> {
     /// `length` factors: by enclosures of the rows θ^{−power}·row, and exactly where these do not decide.
     pub(super) fn is_invariant(&self, set: &MatrixSet<F>, unit: &Rational) -> bool {
         let theta = enclosed_root(&self.rate);
+        // A root below the places of the enclosures.
+        if theta.lower().sign() <= 0 {
+            return false;
+        }
         let inverse = reciprocal(&theta);
         let near: Vec<Vec<Enclosure>> =
             self.vertices.iter().map(|vertex| enclosed(vertex, &inverse)).collect();

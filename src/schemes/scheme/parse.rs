@@ -13,6 +13,7 @@ use super::reference::{Part, Reference, in_file, split_name};
 use super::typed::{is_typed, typed};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, RealCyclotomic};
+use crate::files::permitted;
 use crate::formula::{Expr, FreeNames, Parameters, Value, evaluate};
 use std::collections::BTreeMap;
 use std::hash::Hash;
@@ -345,6 +346,7 @@ fn named_value(text: &str) -> Option<ReferenceError> {
 /// The error that the directory or file at `path` is not a scheme; `None` if nothing is
 /// there.
 fn other_file(path: &str) -> Option<SchemeError> {
+    permitted(path.as_ref()).ok()?;
     let found = std::fs::metadata(path).ok()?;
     let extension = Path::new(path).extension().unwrap_or_default();
     let what = match (found.is_dir(), extension.to_str()) {
