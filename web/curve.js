@@ -120,7 +120,7 @@ class CurveRoom {
       this.listError.textContent = `The points of the address are not shown: ${error.message}`;
     }
     this.list.value = curveLines(this.points);
-    this.canvas.look(this.points);
+    this.look();
     this.ask();
   }
 
@@ -153,7 +153,7 @@ class CurveRoom {
       const points = curvePoints(this.list.value);
       this.listError.textContent = "";
       this.points = points;
-      this.canvas.look(points);
+      this.look();
       this.remember();
       this.ask();
     } catch (error) {
@@ -172,7 +172,7 @@ class CurveRoom {
     this.typing = this.moving = false;
     this.listError.textContent = "";
     this.list.value = curveLines(this.points);
-    if (look) this.canvas.look(this.points);
+    if (look) this.look();
     this.remember();
     this.ask();
   }
@@ -222,9 +222,16 @@ class CurveRoom {
     this.error.textContent = this.depthError.textContent = "";
   }
 
+  /** The part of the plane that is shown, with all that is drawn there. */
+  look() {
+    this.canvas.look(this.points);
+    for (const [which, drawn] of Object.entries(this.drawn)) if (drawn) this.canvas.draw(which, drawn.points, drawn.closed);
+    this.mark();
+  }
+
   draw(which, now, polygon) {
     this.canvas.draw(which, polygon.points, now.closed);
-    this.drawn[which] = { key: now.keys[which], at: performance.now() };
+    this.drawn[which] = { key: now.keys[which], at: performance.now(), points: polygon.points, closed: now.closed };
     this.freshen();
   }
 
@@ -240,6 +247,7 @@ class CurveRoom {
       this.depthRun += 1;
       this.depthError.textContent = "";
       this.error.textContent = "a scheme does not begin with -";
+      this.freshen();
       return;
     }
     const oracle = (level, kind) => this.table(this.args(now, "oracle", "-c", "1", "--level", String(level), "--format", "csv"), now, kind);
@@ -260,7 +268,10 @@ class CurveRoom {
     } catch (error) {
       // No other round runs, so that nothing but the visitor stops one.
       if (error instanceof Stopped) this.halt();
-      else this.error.textContent = error.message;
+      else {
+        this.error.textContent = error.message;
+        this.freshen();
+      }
     }
   }
 
@@ -367,7 +378,7 @@ class CurveRoom {
     this.canvas.root.classList.toggle("curve-old-far", old(depth?.key));
     this.canvas.root.classList.toggle("curve-old-greatest", old(own?.key));
     this.canvas.description.textContent = [any && "Some of this picture is old.", ...(depth?.texts ?? [])].filter(Boolean).join(" ");
-    this.results.setAttribute("aria-busy", any && !this.halted);
+    this.results.setAttribute("aria-busy", any && !this.halted && !this.error.textContent);
     if (this.halted) this.status.textContent = any ? STOPPED : "Stopped. Every change computes anew.";
     else if (this.status.textContent.startsWith("Stopped")) this.status.textContent = "";
     clearTimeout(this.soon);

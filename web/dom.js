@@ -1,5 +1,7 @@
 // Elements, without a framework.
 
+const SVG = "http://www.w3.org/2000/svg";
+
 /** An element with attributes (functions are listeners) and children: `el("button", { onclick }, "Stop")`. Text is text, never markup. */
 export function el(tag, attributes = {}, ...children) {
   const found = document.createElement(tag);
@@ -14,7 +16,7 @@ export function el(tag, attributes = {}, ...children) {
 
 /** An SVG element, in the same way. */
 export function svg(tag, attributes = {}, ...children) {
-  const found = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  const found = document.createElementNS(SVG, tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (typeof value === "function") found.addEventListener(name.replace(/^on/, ""), value);
     else if (value !== false && value !== null && value !== undefined) found.setAttribute(name, value);
@@ -49,16 +51,31 @@ export function save(name, content, type = "text/plain") {
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
 
-/** A picture that the program has written, put into the page without its scripts and listeners. */
+/** What a picture may have: elements that only draw or describe, and their attributes. */
+const DRAWS = new Set("svg title desc style g defs clipPath pattern path line polyline polygon rect circle ellipse text tspan".split(" "));
+const SAYS = new Set(("xmlns id class role lang aria-label aria-labelledby aria-describedby aria-hidden viewBox preserveAspectRatio width height x y x1 y1 x2 y2 cx cy r rx ry dx dy"
+  + " d points transform text-anchor dominant-baseline font-size font-weight fill fill-opacity fill-rule stroke stroke-width stroke-opacity stroke-dasharray"
+  + " stroke-linecap stroke-linejoin opacity clip-path clipPathUnits patternUnits patternTransform href style").split(" "));
+
+/** Whether a value loads nothing: it refers to nothing, or to a part of the picture. An escape could hide the name of a function. */
+const stays = (value) => /^url\(#[\w-]+\)$/.test(value) || !/\\|url\s*\(/i.test(value);
+
+/** Whether a style loads nothing. */
+const plain = (style) => !/\\|@(?!media\b)|url\s*\(|image|src\s*\(/i.test(style);
+
+/** Whether an element may stay. */
+const draws = (one) => one.namespaceURI === SVG && DRAWS.has(one.localName) && (one.localName !== "style" || plain(one.textContent));
+
+/** Whether an attribute may stay. */
+const says = ({ name, value }) => SAYS.has(name) && stays(value) && (name !== "href" || value.startsWith("#")) && (name !== "style" || /^(fill|stroke):var\(--[\w-]+\)$/.test(value));
+
+/** A picture that the program has written, put into the page with what draws, and nothing else. */
 export function picture(text) {
   const parsed = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
-  if (parsed.localName !== "svg") return el("p", { class: "error" }, "there is no picture");
-  const all = [parsed, ...parsed.querySelectorAll("*")];
-  all.filter((one) => ["script", "foreignObject", "iframe"].includes(one.localName)).forEach((one) => one.remove());
-  for (const one of all) {
-    for (const { name, value } of [...one.attributes]) {
-      if (name.startsWith("on") || (name.endsWith("href") && !value.startsWith("#"))) one.removeAttribute(name);
-    }
+  if (parsed.localName !== "svg" || !draws(parsed)) return el("p", { class: "error" }, "there is no picture");
+  for (const one of [parsed, ...parsed.querySelectorAll("*")]) {
+    if (!draws(one)) one.remove();
+    for (const attribute of [...one.attributes]) if (!says(attribute)) one.removeAttributeNode(attribute);
   }
   return document.importNode(parsed, true);
 }

@@ -70,12 +70,13 @@ class Local {
 const toText = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
 const toBytes = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
 
-/** Commands by the program that serves this page. */
+/** Commands by the program that serves this page. Each run has a name that nobody can guess, by which it alone is stopped. */
 class Remote {
   async run(job) {
     this.controller = new AbortController();
+    this.id = crypto.randomUUID();
     const files = Object.fromEntries(Object.entries(job.files).map(([name, bytes]) => [name, toText(bytes)]));
-    const body = JSON.stringify({ program: job.program, args: job.args, files });
+    const body = JSON.stringify({ id: this.id, program: job.program, args: job.args, files });
     try {
       const response = await fetch("./run", { method: "POST", body, signal: this.controller.signal });
       const answer = await response.json();
@@ -89,7 +90,23 @@ class Remote {
 
   stop() {
     this.controller?.abort();
-    fetch("./stop", { method: "POST" }).catch(() => {});
+    fetch("./stop", { method: "POST", body: JSON.stringify({ id: this.id }) }).catch(() => {});
+  }
+}
+
+/** What a program cannot be given: an argument ends at a NUL. */
+function refusal(args) {
+  const wrong = args.find((one) => String(one).includes("\0"));
+  return wrong === undefined ? null : new Error(`a text with a NUL character cannot be given to the program: ${String(wrong).replaceAll("\0", "␀").slice(0, 80)}`);
+}
+
+/** The JSON that a program wrote. */
+function parsed({ text, errors, code }) {
+  try {
+    return JSON.parse(text);
+  } catch {
+    const [first] = (text.trim() || errors.trim() || `nothing, exit code ${code}`).split("\n", 1);
+    throw new Error(`the program wrote no JSON, but: ${first.slice(0, 200)}`);
   }
 }
 
@@ -109,6 +126,8 @@ export class Engine {
 
   /** Runs `subcert ARGS`; `files` are texts or bytes by name. The answer: { code, text, errors, files }. */
   run(args, { files = {}, kind = null, program = "subcert", onProgress = () => {} } = {}) {
+    const wrong = refusal([...args, ...Object.keys(files)]);
+    if (wrong) return Promise.reject(wrong);
     const encoder = new TextEncoder();
     const bytes = Object.entries(files).map(([name, file]) => [name, typeof file === "string" ? encoder.encode(file) : file]);
     return new Promise((resolve, reject) => {
@@ -137,7 +156,7 @@ export class Engine {
   async json(args, options = {}) {
     const answer = await this.run([...args, "--format", "json"], options);
     if (answer.code > 1) throw new Error(answer.errors.trim() || `exit code ${answer.code}`);
-    return JSON.parse(answer.text);
+    return parsed(answer);
   }
 
   async next() {

@@ -147,9 +147,32 @@ export class MeshView {
     this.draw();
   }
 
+  /** Says that the picture is of what was there before, or that it is new again. */
+  old(is) {
+    this.place.classList.toggle("mesh-stale", is);
+    this.place.setAttribute("aria-busy", is);
+    this.name();
+  }
+
+  name() {
+    const what = !this.shown ? "No mesh is shown" : this.place.classList.contains("mesh-stale") ? "Old: the mesh that was shown before" : "The mesh";
+    this.place.setAttribute("aria-label", `${what}; arrow keys turn it, + and - zoom`);
+  }
+
+  /** Shows nothing. */
+  clear() {
+    this.shown = null;
+    this.old(false);
+    if (this.gl) {
+      this.gl.clearColor(0, 0, 0, 0);
+      this.gl.clear(this.gl.COLOR_BUFFER_BIT | this.gl.DEPTH_BUFFER_BIT);
+    } else this.picture.replaceChildren();
+  }
+
   /** Shows points and faces with a colour for each face (or null), and marks a point; `box` keeps the size of the control mesh. */
   show(mesh) {
     this.shown = mesh;
+    this.name();
     const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
     for (const point of mesh.box ?? mesh.points) {
       for (let i = 0; i < 3; i++) {
@@ -213,6 +236,7 @@ export class MeshView {
     this.waiting = true;
     requestAnimationFrame(() => {
       this.waiting = false;
+      if (!this.shown) return;
       if (this.gl) this.paint();
       else this.project();
     });

@@ -16,17 +16,17 @@ function paperChecks(text) {
  */
 export async function paperCheck(engine, file, current, place, jump) {
   const tell = (...content) => place.replaceChildren(...content);
-  const refuse = (errors) => tell(el("div", { class: "error mono", role: "alert" }, errors));
+  const refuse = ({ code, errors }) => tell(el("div", { class: "error mono", role: "alert" }, errors.trim() || `The program ended without a message, with exit code ${code}.`));
   const text = current();
   const files = { [file]: text };
   tell(el("p", {}, "Writing the certificate …"));
   try {
     const proved = await engine.run(["prove", file, "-o", "-"], { files, kind: "paper-check" });
-    if (proved.code > 1) refuse(proved.errors);
+    if (proved.code > 1) refuse(proved);
     if (proved.code > 1) return [];
     tell(el("p", {}, "The checker reads it …"));
     const answer = await engine.run([file, "paper.cert"], { program: "subcert-check", kind: "paper-check", files: { ...files, "paper.cert": proved.text } });
-    if (answer.code > 1) refuse(answer.errors);
+    if (answer.code > 1) refuse(answer);
     if (answer.code > 1) return [];
     if (current() !== text) {
       tell(el("p", {}, "The text has changed meanwhile. Check again."));

@@ -81,6 +81,9 @@ function paperClaim(claim, { line, jump, explain, checked }) {
     more);
 }
 
+/** At most so many claims are listed at once. */
+const PAPER_MOST = 1000;
+
 /** The list, with a button for each verdict that shows only its claims. `summary` are the program's counts. */
 export function paperClaims(claims, summary, promises, { chosen, choose, ...helpers }) {
   const counts = PAPER_ORDER.filter((verdict) => summary[verdict] > 0).map((verdict) => [verdict, summary[verdict], paperWord(verdict)]);
@@ -88,15 +91,17 @@ export function paperClaims(claims, summary, promises, { chosen, choose, ...help
   const all = [["all", claims.length, { kind: "", sign: "", about: "" }], ...counts, ...broken];
   const shown = all.some(([name]) => name === chosen) ? chosen : "all";
   const belongs = (claim) => shown === "all" || claim.verdict === shown || (shown === "promise broken" && paperPromise(claim) === "broken");
+  const listed = claims.filter(belongs);
   const about = all.find(([name]) => name === shown)[2].about;
   return [
     el("div", { class: "paper-filter", role: "group", "aria-label": "show claims with this verdict" },
       all.map(([name, count, { kind, sign }]) => el("button", { type: "button", class: kind, "aria-pressed": String(name === shown), onclick: () => choose(name) }, `${sign} ${count} ${name}`.trim()))),
     about && el("p", { class: "soft" }, `${shown}: ${about}.`),
-    el("ol", { class: "paper-claims" }, claims.filter(belongs).map((claim) => paperClaim(claim, {
+    el("ol", { class: "paper-claims" }, listed.slice(0, PAPER_MOST).map((claim) => paperClaim(claim, {
       ...helpers,
       line: helpers.lineOf(claim),
       checked: helpers.checkOf(claim),
     }))),
+    listed.length > PAPER_MOST && el("p", {}, `${listed.length - PAPER_MOST} more are not listed here. The reports below have them all.`),
   ].filter(Boolean);
 }

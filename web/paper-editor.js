@@ -1,11 +1,17 @@
 // A text area with the numbers of its lines, marks beside them, and bands behind lines that the program refuses.
 
 import { el } from "./dom.js";
-import { paperLineAt } from "./paper-places.js";
+import { PAPER_BYTES, paperLineAt, paperTooLong } from "./paper-places.js";
 
-/** The editor. `changed()` is called when the visitor types, `moved(offset)` when the cursor moves. */
-export function paperEditor({ changed, moved }) {
-  const area = el("textarea", { id: "paper-text", wrap: "off", spellcheck: "false", autocapitalize: "off", autocomplete: "off", "aria-describedby": "paper-here" });
+/** Longer texts have plain numbers beside them, without colours; and more lines than that have no bands. */
+const [PAPER_COLOURED, PAPER_BANDS] = [2000, 100];
+
+/**
+ * The editor. `changed()` is called when the visitor types, `moved(offset)` when the cursor moves, and `declined(why)` when what is typed or
+ * pasted would be too long: the text then stays as it was.
+ */
+export function paperEditor({ changed, moved, declined }) {
+  const area = el("textarea", { id: "paper-text", maxlength: PAPER_BYTES, wrap: "off", spellcheck: "false", autocapitalize: "off", autocomplete: "off", "aria-describedby": "paper-here" });
   const numbers = el("div", { class: "paper-numbers mono" });
   const bands = el("div", { class: "paper-bands" });
   const node = el("div", { class: "paper-editor" },
@@ -14,24 +20,47 @@ export function paperEditor({ changed, moved }) {
     area);
   let marks = new Map();
   let refused = [];
+  let good = "";
+  let drawn = null;
 
   const follow = () => {
     for (const layer of [numbers, bands]) layer.style.transform = `translateY(${-area.scrollTop}px)`;
   };
   const height = () => Number.parseFloat(getComputedStyle(area).lineHeight);
   const draw = () => {
-    const count = area.value.split("\n").length;
-    numbers.replaceChildren(...Array.from({ length: count }, (_, i) => {
-      const mark = refused.includes(i + 1) ? { kind: "bad", sign: "!" } : marks.get(i + 1);
-      return el("div", { class: mark?.kind ?? null }, `${mark?.sign ?? ""} ${i + 1}`);
-    }));
-    bands.replaceChildren(...refused.map((line) => el("div", { style: `top: ${(line - 1) * height()}px` })));
+    const count = paperLineAt(area.value, area.value.length);
+    // Most keys change no number of a line.
+    const same = drawn?.count === count && drawn.marks === marks && drawn.refused === refused;
+    drawn = { count, marks, refused };
+    if (same) return follow();
+    const bad = new Set(refused);
+    const lines = Array.from({ length: count }, (_, i) => {
+      const mark = bad.has(i + 1) ? { kind: "bad", sign: "!" } : marks.get(i + 1);
+      return [mark?.kind ?? null, `${mark?.sign ?? ""} ${i + 1}`];
+    });
+    if (count > PAPER_COLOURED) numbers.textContent = lines.map(([, text]) => text).join("\n");
+    else numbers.replaceChildren(...lines.map(([kind, text]) => el("div", { class: kind }, text)));
+    bands.replaceChildren(...refused.slice(0, PAPER_BANDS).map((line) => el("div", { style: `top: ${(line - 1) * height()}px` })));
     follow();
   };
   const tell = () => document.activeElement === area && moved(area.selectionStart);
 
   area.addEventListener("scroll", follow);
+  area.addEventListener("beforeinput", (event) => {
+    const more = event.data ?? event.dataTransfer?.getData("text/plain") ?? "";
+    if (more.length < 2) return;
+    const why = paperTooLong(area.value.slice(0, area.selectionStart) + more + area.value.slice(area.selectionEnd));
+    if (!why) return;
+    event.preventDefault();
+    declined(why);
+  });
   area.addEventListener("input", () => {
+    const why = area.value === good ? null : paperTooLong(area.value);
+    if (why) {
+      area.value = good;
+      return declined(why);
+    }
+    good = area.value;
     draw();
     changed();
   });
@@ -45,6 +74,7 @@ export function paperEditor({ changed, moved }) {
     },
     set text(text) {
       area.value = text;
+      good = area.value;
       area.scrollTo(0, 0);
       [marks, refused] = [new Map(), []];
       draw();

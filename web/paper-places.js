@@ -1,7 +1,20 @@
 // Where things stand in the text of a claim file: its claims, the cells of its tables, and the places that an error names.
 // Verdicts come from the program; this only finds lines for them.
 
-const paperToken = /#[^\n]*|"""[\s\S]*?"""|'''[\s\S]*?'''|"(?:\\.|[^"\\\n])*"|'[^'\n]*'|[[\]{}=,\n]|[^\s#"'[\]{}=,]+/g;
+/** How long a text may be, in bytes and in lines: a browser lays out no longer ones at once. */
+export const PAPER_BYTES = 2 ** 20;
+const PAPER_LINES = 20_000;
+
+/** What is said of a text that is too long, or null. */
+export function paperTooLong(text) {
+  const most = `at most 1 MiB and ${PAPER_LINES.toLocaleString("en")} lines`;
+  if (text.length > PAPER_BYTES || (text.length * 3 > PAPER_BYTES && new TextEncoder().encode(text).length > PAPER_BYTES)) return `This text is longer than 1 MiB. The editor takes ${most}; audit it on your computer: subcert audit FILE`;
+  let lines = 1;
+  for (let at = text.indexOf("\n"); at >= 0; at = text.indexOf("\n", at + 1)) lines += 1;
+  return lines > PAPER_LINES ? `This text has ${lines.toLocaleString("en")} lines. The editor takes ${most}; audit it on your computer: subcert audit FILE` : null;
+}
+
+const paperToken = /#[^\n]*|"""[\s\S]*?"""|'''[\s\S]*?'''|"(?:\\.|[^"\\\n])*"?|'[^'\n]*'?|[[\]{}=,\n]|[^\s#"'[\]{}=,]+/g;
 
 /** The cells of a table, as [row, column, from, to], from the tokens of the array. */
 function paperCells(tokens) {
@@ -35,11 +48,19 @@ function paperLines(text) {
   return lines.filter((line) => line.length > 0 && !line[0][0].startsWith("#"));
 }
 
+/** The places of the last text: a cursor that moves asks for them again. */
+let paperKnown = { text: null };
+
 /**
  * The places of claims by their ids without the key: `table-1`, `table-1:2:3`. `from` and `to` are what a cursor should select,
  * `start` and `end` all of the claim.
  */
 export function paperPlaces(text) {
+  if (paperKnown.text !== text) paperKnown = { text, places: paperFound(text) };
+  return paperKnown.places;
+}
+
+function paperFound(text) {
   const blocks = [];
   for (const line of paperLines(text)) {
     const first = line[0];
@@ -67,6 +88,20 @@ export function paperPlaces(text) {
 /** The number of the line at an offset, from 1. */
 export function paperLineAt(text, offset) {
   return text.slice(0, offset).split("\n").length;
+}
+
+/** The same for many offsets of a text, whose lines are looked for once. */
+export function paperLinesOf(text) {
+  const ends = [...text.matchAll(/\n/g)].map(({ index }) => index);
+  return (offset) => {
+    let [low, high] = [0, ends.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (ends[middle] < offset) low = middle + 1;
+      else high = middle;
+    }
+    return low + 1;
+  };
 }
 
 /** The places that the text of an error names in `file`: { line, column, length }. Columns count characters, from 1. */

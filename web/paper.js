@@ -1,18 +1,20 @@
 // The room of papers: a claim file in an editor, its errors at their places, and the verdicts of the program beside it.
 
-import { el, later, save } from "./dom.js";
+import { el, save } from "./dom.js";
 import { Stopped } from "./engine.js";
 import { paperCheck } from "./paper-check.js";
 import { paperClaims, paperPromise, paperWord, paperWorse } from "./paper-claims.js";
 import { paperEditor } from "./paper-editor.js";
 import { PAPER_EXAMPLES, PAPER_KEYS } from "./paper-examples.js";
-import { paperErrors, paperLineAt, paperOffset, paperPlaces } from "./paper-places.js";
+import { PAPER_BYTES, paperErrors, paperLinesOf, paperOffset, paperPlaces, paperTooLong } from "./paper-places.js";
 
 const PAPER_FILE = "paper.toml";
 /** Longer texts are not put into the address. */
 const PAPER_LONGEST = 20_000;
-/** How long the text must rest until it is judged, in milliseconds. */
-const PAPER_REST = 300;
+/** How long a text must rest until it is judged, in milliseconds; and one that is long. */
+const [PAPER_REST, PAPER_LONG_REST] = [300, 1500];
+/** So many places of an error have buttons. */
+const PAPER_BUTTONS = 20;
 
 /** What is shown of a file about numbers that a program ships: a line for each of its tables. */
 function paperOfProject({ key, tables }) {
@@ -29,21 +31,23 @@ function paperRoom(place, { engine, state }) {
   let stale = false;
   let chosen = "all";
   let checks = [];
+  let resting = null; // the timer until the text is judged
   let then = null; // what to do after the next audit
   let known = {};
   const published = new Map(); // the texts of papers that are part of the program, by key
 
   const status = el("p", { role: "status", class: "paper-status" });
   const trouble = el("div", { class: "paper-trouble" });
+  const limit = el("div", { class: "paper-trouble" });
   const list = el("div", { class: "paper-list" });
   const here = el("p", { id: "paper-here", class: "soft paper-here" });
   const savings = el("p", { role: "status" });
   const checker = el("div", { "aria-live": "polite" });
   const chooser = el("div", { class: "paper-choose", role: "group", "aria-label": "what to open" });
-  const editor = paperEditor({ changed: () => changed(), moved: (offset) => tell(offset) });
+  const editor = paperEditor({ changed: () => changed(), moved: (offset) => tell(offset), declined: (why) => decline(why) });
   const written = el("div", {}, el("label", { for: "paper-text" }, "The claim file"), editor.node, here);
   const room = el("div", { class: "paper-room" },
-    el("div", { class: "paper-left" }, written, trouble),
+    el("div", { class: "paper-left" }, limit, written, trouble),
     el("div", {}, el("h2", {}, "Claims and verdicts"), list));
   const opened = el("input", { type: "file", accept: ".toml,text/plain", class: "paper-file", tabindex: "-1", "aria-label": "a claim file of your own", onchange: open });
 
@@ -78,9 +82,10 @@ function paperRoom(place, { engine, state }) {
     const text = editor.text;
     const places = paperPlaces(text);
     // Lines are counted once; there may be hundreds of claims.
+    const lines = paperLinesOf(text);
     const lineOf = (claim) => {
       const at = placeOf(places, local(claim));
-      return at && paperLineAt(text, at.from);
+      return at && lines(at.from);
     };
     const checkOf = (claim) => checks.find(({ id }) => claim.id === id || claim.id.startsWith(`${id}:`));
     list.replaceChildren(...paperClaims(shown.claims, shown.summary, shown.promises, {
@@ -109,9 +114,10 @@ function paperRoom(place, { engine, state }) {
   }
 
   /** The error of the program as it is, and a button for each of its places. */
-  function refuse(error) {
+  function refuse(message) {
+    const error = message.trim() ? message : "The program ended without a message; perhaps this text needs more memory than a page has.";
     const places = paperErrors(error, PAPER_FILE);
-    const buttons = places.map(({ line, column, length }) => el("button", { type: "button", onclick: () => {
+    const buttons = places.slice(0, PAPER_BUTTONS).map(({ line, column, length }) => el("button", { type: "button", onclick: () => {
       const from = paperOffset(editor.text, line, column);
       editor.select(from, from + length);
     } }, `Go to line ${line}, column ${column}`));
@@ -121,6 +127,11 @@ function paperRoom(place, { engine, state }) {
     const before = stale ? " The verdicts are those of the text before." : "";
     status.textContent = places.length > 0 ? `The program refuses the text: see line ${places[0].line}, and the message below the text.${before}` : `The program refuses this.${before}`;
     draw();
+  }
+
+  /** A text that the editor does not take: the one before stays. */
+  function decline(why) {
+    limit.replaceChildren(el("div", { class: "error", role: "alert" }, `${why}. ${editor.text ? "The text before is kept." : "Here is an example."}`));
   }
 
   /** Judges the text, or the paper. */
@@ -147,7 +158,7 @@ function paperRoom(place, { engine, state }) {
 
   /** The claims of a long text without verdicts, which are there at once. */
   async function outline(mine) {
-    const key = /^key = "([\w.-]+)"$/m.exec(editor.text)?.[1];
+    const key = /^key = "(\w[\w.-]*)"$/m.exec(editor.text)?.[1];
     if (shown || !key || editor.text.length < PAPER_LONGEST) return;
     status.textContent = `Judging all claims of ${key}. This may take a minute.`;
     const { claims } = await engine.json(["explain", key, PAPER_FILE], { files: files(), kind: "paper-audit" });
@@ -160,8 +171,8 @@ function paperRoom(place, { engine, state }) {
     into.replaceChildren(el("p", { class: "soft" }, "computing …"));
     const told = el("pre", { class: "mono", tabindex: "0", "aria-label": `details of ${claim.locus}` });
     try {
-      const { code, text, errors } = await engine.run(["explain", claim.id, PAPER_FILE], { files: files(), kind: "paper-details" });
-      if (code > 1) into.replaceChildren(el("div", { class: "error mono", role: "alert" }, errors));
+      const { code, text, errors } = await engine.run(["explain", "--", claim.id, PAPER_FILE], { files: files(), kind: "paper-details" });
+      if (code > 1) into.replaceChildren(el("div", { class: "error mono", role: "alert" }, errors.trim() || `exit code ${code}`));
       else into.replaceChildren(told);
       told.textContent = text.trim();
     } catch (error) {
@@ -218,16 +229,20 @@ function paperRoom(place, { engine, state }) {
     here.replaceChildren();
   }
 
-  const rested = later(() => {
-    remember();
-    audit();
-  }, PAPER_REST);
+  function rest() {
+    clearTimeout(resting);
+    resting = setTimeout(() => {
+      remember();
+      audit();
+    }, editor.text.length > PAPER_LONGEST ? PAPER_LONG_REST : PAPER_REST);
+  }
   function changed() {
     asked++;
+    limit.replaceChildren();
     fresh();
     stale = shown !== null;
     list.classList.toggle("stale", stale);
-    rested();
+    rest();
   }
 
   function isOwn() {
@@ -235,8 +250,12 @@ function paperRoom(place, { engine, state }) {
     return editor.text !== "" && !ready.includes(editor.text);
   }
 
-  /** Shows a text in the editor. */
+  /** Shows a text in the editor, if it takes it. */
   function show(text) {
+    const why = paperTooLong(text);
+    if (why) return decline(why);
+    clearTimeout(resting);
+    limit.replaceChildren();
     if (isOwn() && text !== editor.text) own = editor.text;
     [shown, stale, chosen] = [null, false, "all"];
     asked++;
@@ -253,7 +272,7 @@ function paperRoom(place, { engine, state }) {
   async function write(key) {
     try {
       const { code, text, errors } = await engine.run(["new", key, "-o", "-"], { kind: "paper-new" });
-      if (code > 1) return refuse(errors);
+      if (code > 1) return refuse(errors.trim() || `exit code ${code}`);
       if (Object.hasOwn(PAPER_KEYS, key)) published.set(key, text);
       show(text);
     } catch (error) {
@@ -273,7 +292,13 @@ function paperRoom(place, { engine, state }) {
 
   async function open() {
     const [file] = opened.files;
-    if (file) show(await file.text());
+    try {
+      // A long file is not even read.
+      if (file?.size > PAPER_BYTES) decline(`${file.name} has ${file.size.toLocaleString("en")} bytes. The editor takes at most 1 MiB and 20,000 lines; audit it on your computer: subcert audit FILE`);
+      else if (file) show(await file.text());
+    } catch (error) {
+      decline(`${file.name} cannot be read: ${error.message}`);
+    }
     opened.value = "";
   }
 
@@ -295,7 +320,7 @@ function paperRoom(place, { engine, state }) {
   function restore() {
     const values = state.get();
     const differs = (one) => (values[one] ?? "") !== (known[one] ?? "") && (values[one] ?? "") !== "";
-    if (differs("text")) show(values.text.slice(0, PAPER_LONGEST));
+    if (differs("text")) show(values.text);
     else if (differs("paper") && Object.hasOwn(PAPER_KEYS, values.paper)) write(values.paper);
     else if (differs("example") && Object.hasOwn(PAPER_EXAMPLES, values.example)) show(PAPER_EXAMPLES[values.example].text);
   }
@@ -316,7 +341,12 @@ function paperRoom(place, { engine, state }) {
     el("div", { class: "row" }, checking),
     checker);
   restore();
-  if (asked === 0 && !known.paper && !Object.hasOwn(PAPER_KEYS, state.get().paper ?? "")) show(PAPER_EXAMPLES.first.text);
+  const paper = state.get().paper ?? "";
+  if (asked === 0 && (limit.hasChildNodes() || !Object.hasOwn(PAPER_KEYS, paper))) {
+    const why = [...limit.childNodes];
+    show(PAPER_EXAMPLES.first.text);
+    limit.replaceChildren(...why);
+  }
   return { restore };
 }
 

@@ -1,7 +1,7 @@
 // A slider for a parameter, with the ranges of smoothness beside it.
 
 import { el } from "./dom.js";
-import { schemePlace } from "./scheme-parse.js";
+import { schemeLacks, schemePlace } from "./scheme-parse.js";
 
 /** `C²` for 2. */
 export const schemeOrder = (m) => `C${String(m).replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit])}`;
@@ -39,7 +39,8 @@ export class SchemeControl {
     const { name, about } = parameter;
     const id = `scheme-parameter-${++schemeNumbered}`;
     this.slider = el("input", { type: "range", id: `${id}-slider`, "aria-label": `${name}, slider`, "aria-describedby": `${id}-about`, oninput: () => this.slid() });
-    this.number = el("input", { type: "text", id, class: "mono", size: 10, spellcheck: "false", autocomplete: "off", "aria-describedby": `${id}-about`, oninput: () => this.typed() });
+    this.number = el("input", { type: "text", id, class: "mono", size: 10, spellcheck: "false", autocomplete: "off", "aria-describedby": `${id}-lacks ${id}-about`, oninput: () => this.typed() });
+    this.lack = el("small", { id: `${id}-lacks`, class: "error", role: "alert" });
     this.bars = el("div", { class: "scheme-bars", "aria-hidden": "true" });
     this.words = el("ul", { class: "scheme-words soft" });
     this.legend = el("small", { class: "scheme-legend soft", hidden: true }, el("i", { class: "scheme-inside" }), "proven ", el("i", { class: "scheme-outside" }), "refuted ", el("i", { class: "scheme-open" }), "open");
@@ -48,7 +49,7 @@ export class SchemeControl {
     this.element = el("div", { class: "scheme-parameter" },
       el("label", { for: id }, "Parameter ", el("var", {}, name)), this.number,
       el("div", { class: "scheme-track" }, this.slider, this.bars, this.legend),
-      el("small", { id: `${id}-about`, class: "soft" }, about ?? "a free letter of the scheme: a decimal or a fraction"),
+      this.lack, el("small", { id: `${id}-about`, class: "soft" }, about ?? "a free letter of the scheme: a decimal or a fraction"),
       this.special, this.ranges);
     if (parameter.counts) this.ends(parameter.least, Math.max(parameter.least + SCHEME_COUNTS * parameter.step, schemePlace(value) ?? 0), parameter.step);
     else this.reach([]);
@@ -83,7 +84,12 @@ export class SchemeControl {
   typed() {
     this.value = this.number.value.trim();
     this.place();
-    if (this.value) this.changed();
+    this.changed();
+  }
+
+  /** What the value lacks, or null. */
+  get lacks() {
+    return schemeLacks(this.parameter.name, this.value);
   }
 
   /** Shows a value. */
@@ -95,6 +101,9 @@ export class SchemeControl {
 
   place() {
     const place = schemePlace(this.value);
+    const said = this.lacks ?? "";
+    if (this.lack.textContent !== said) this.lack.textContent = said;
+    this.number.setAttribute("aria-invalid", String(said !== ""));
     if (place !== null) this.slider.value = place;
     this.slider.setAttribute("aria-valuetext", this.value);
     this.element.style.setProperty("--place", `${place === null ? -10 : this.share(place)}%`);

@@ -47,6 +47,26 @@ export function schemeParameter({ name, default: usual = null, about = null }) {
   return { name, about, counts, least, step: next - least, start };
 }
 
+const schemeControlled = (text) => /(?!\t)\p{Cc}/u.exec(text)?.[0] ?? null;
+const schemeCoded = (one) => `U+${one.codePointAt(0).toString(16).toUpperCase().padStart(4, "0")}`;
+
+/** Why the program is not asked about a text, or null: what begins with `-` would be taken for an option, and a NUL for the end. */
+export function schemeRefused(text) {
+  if (text === "") return "a scheme is missing: type a mask such as [1, 3, 3, 1]/4, a symbol, or a name";
+  if (text.startsWith("-")) return "a scheme does not begin with -; if it is a symbol, put it in brackets, as in (-1+9*z^2+16*z^3+9*z^4-z^6)/16";
+  const wrong = schemeControlled(text);
+  return wrong && `a scheme has no control characters, and there is a ${schemeCoded(wrong)} in this one: delete it`;
+}
+
+/** What the value of a parameter lacks, or null. */
+export function schemeLacks(name, value) {
+  if (value === "") return `the value of ${name} is missing: a decimal or a fraction, such as 1/16`;
+  const wrong = schemeControlled(value);
+  if (wrong) return `a value has no control characters, and there is a ${schemeCoded(wrong)} in this one: delete it`;
+  const last = value.at(-1);
+  return "+-*/^(=".includes(last) ? `the value of ${name} is not finished: something is missing after ${last}` : null;
+}
+
 /** The parameter that an error of the program asks for, if it is about this very scheme, and a value that it names. */
 export function schemeAsked(error, text) {
   const asked = /^error: `([^]*?)` needs its parameter `(\w+)`/.exec(error);

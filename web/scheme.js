@@ -4,7 +4,7 @@ import { el, field, frame, later, save } from "./dom.js";
 import { Stopped } from "./engine.js";
 import { SchemeControl } from "./scheme-controls.js";
 import { schemeFacts, schemeHead, schemeLevels, schemePairs, schemeSaid } from "./scheme-facts.js";
-import { schemeAsked, schemeParameter, schemeSplit, schemeToml, schemeValues, schemeValuesText, schemeWith } from "./scheme-parse.js";
+import { schemeAsked, schemeParameter, schemeRefused, schemeSplit, schemeToml, schemeValues, schemeValuesText, schemeWith } from "./scheme-parse.js";
 import { schemeImpulse, schemeQuick, schemeQuickEnd } from "./scheme-quick.js";
 
 const SCHEME_EXAMPLES = [
@@ -25,15 +25,15 @@ class SchemeRoom {
     Object.assign(this, { engine, state, controls: [], catalogue: new Map(), ranges: new Map(), turn: 0, asked: 0, drawing: false, answers: {} });
     this.pause = later(() => this.paused(), SCHEME_PAUSE);
     this.rest = later(() => this.rested(), SCHEME_REST);
-    this.typed = later(() => this.choose(this.input.value.trim(), ""), 600);
+    this.typed = later(() => this.enter(), 600);
     this.build(place);
     this.list();
     this.restore();
   }
 
   build(place) {
-    this.input = el("input", { type: "text", class: "mono", list: "scheme-catalogue", spellcheck: "false", autocapitalize: "off", autocomplete: "off", maxlength: 4000, oninput: () => this.typed(), onchange: () => this.choose(this.input.value.trim(), "") });
-    this.input.addEventListener("keydown", ({ key }) => key === "Enter" && this.choose(this.input.value.trim(), ""));
+    this.input = el("input", { type: "text", class: "mono", list: "scheme-catalogue", spellcheck: "false", autocapitalize: "off", autocomplete: "off", maxlength: 4000, oninput: () => this.typing(), onchange: () => this.enter() });
+    this.input.addEventListener("keydown", ({ key }) => key === "Enter" && this.enter());
     this.names = el("datalist", { id: "scheme-catalogue" });
     this.title = el("p", { class: "soft scheme-title" });
     this.alert = el("div", { class: "error", role: "alert" });
@@ -56,7 +56,9 @@ class SchemeRoom {
   }
 
   buttons() {
-    const button = (label, work) => el("button", { type: "button", onclick: work }, label);
+    // What looks old is neither copied nor saved.
+    const ready = (work) => () => this.held ? (this.status.textContent = "Not done: what is shown is not of the scheme and the values above.") : work();
+    const button = (label, work) => el("button", { type: "button", onclick: ready(work) }, label);
     return el("div", { class: "row scheme-buttons" },
       button("Copy as TOML", () => this.copy(this.toml())),
       button("Copy link", () => this.copy(location.href)),
@@ -114,16 +116,39 @@ class SchemeRoom {
     return schemeWith(this.text, this.values());
   }
 
+  /** Ends what is computed: nothing that is shown is about what stands in the fields, and it looks old. */
+  hold(...others) {
+    Object.assign(this, { held: true, wanted: false, drawing: false, complete: null });
+    this.endFacts();
+    this.endDraw();
+    this.status.textContent = "";
+    for (const part of [this.head, this.figure, this.levels, this.facts, ...others]) part.classList.add("scheme-old");
+  }
+
+  /** A key is pressed in the field of the scheme. */
+  typing() {
+    this.doubted = true;
+    this.asked += 1;
+    this.hold(this.title, this.sliders, this.alert);
+    this.typed();
+  }
+
+  /** What stands in the field is the scheme; the same one as before keeps its values. */
+  enter() {
+    const text = this.input.value.trim();
+    if (text !== this.text) this.choose(text, "");
+    else if (this.doubted) this.choose(text, this.at);
+  }
+
   /** Another scheme: finds its open parameters, and draws it. */
   async choose(text, at) {
     if (this.input.value.trim() !== text) this.input.value = text;
-    if (text === this.text && at === "") return;
-    this.text = text;
+    if (text === this.text && at === "" && !this.doubted) return;
     const asked = ++this.asked;
-    Object.assign(this, { choosing: true, wanted: false, drawing: false, answers: {} });
-    this.endFacts();
-    this.endDraw();
-    for (const part of [this.head, this.figure, this.levels, this.facts]) part.classList.add("scheme-old");
+    Object.assign(this, { text, at, choosing: true, doubted: false, answers: {} });
+    this.hold(this.title, this.sliders, this.alert);
+    const wrong = schemeRefused(text);
+    if (wrong) return this.refuse(wrong);
     await this.listed;
     const parameters = await this.open(text, schemeValues(at));
     if (asked !== this.asked) return;
@@ -132,8 +157,21 @@ class SchemeRoom {
     const known = this.catalogue.get(schemeSplit(text).family);
     this.title.replaceChildren(...(known ? [`${known.title} `, known.source && `(${known.source})`] : []).filter(Boolean));
     this.title.append(...this.freeing(text));
+    for (const part of [this.title, this.sliders]) part.classList.remove("scheme-old");
     Object.assign(this, { choosing: false, fresh: true });
     this.moved();
+  }
+
+  /** Says why the program is not asked about a text. Nothing of the scheme before stays but its picture, in grey. */
+  refuse(wrong) {
+    this.controls = [];
+    for (const part of [this.title, this.sliders, this.facts]) {
+      part.replaceChildren();
+      part.classList.remove("scheme-old");
+    }
+    Object.assign(this, { choosing: false, shown: null });
+    this.state.set({ scheme: this.text, at: "" });
+    this.failed(new Map(["plot", "smoothness", "constants"].map((command) => [command, wrong])));
   }
 
   /** A button for each value in the text, which gives its parameter a slider. */
@@ -165,7 +203,12 @@ class SchemeRoom {
 
   /** A value has changed: redraws, at once or when the redraw that runs has ended. */
   moved() {
-    this.state.set({ scheme: this.text, at: schemeValuesText(this.values()) });
+    if (this.choosing || this.doubted) return;
+    this.at = schemeValuesText(this.controls.filter(({ lacks }) => !lacks).map(({ parameter, value }) => [parameter.name, value]));
+    this.state.set({ scheme: this.text, at: this.at });
+    // The field says what it lacks.
+    if (this.controls.some(({ lacks }) => lacks)) return this.hold();
+    this.held = false;
     this.endFacts();
     for (const part of [this.head, this.figure, this.levels]) part.classList.add("scheme-old");
     this.facts.classList.toggle("scheme-old", this.shown !== this.whole());
@@ -179,7 +222,7 @@ class SchemeRoom {
 
   /** No move for a while: what was drawn quickly is drawn in full. */
   paused() {
-    if (this.choosing || this.drawing || this.complete === this.whole()) return;
+    if (this.held || this.drawing || this.complete === this.whole()) return;
     this.still = true;
     this.draw();
   }
@@ -246,6 +289,7 @@ class SchemeRoom {
   /** After a quick redraw: the next one, or the full one after a pause. What cannot be quick is drawn in full at once, and says itself what is wrong. */
   drawnQuickly(errors) {
     if (errors.size > 0) delete this.answers.constants;
+    else this.alert.textContent = "";
     if (this.wanted || errors.size > 0) this.draw();
     else this.pause();
   }
@@ -272,6 +316,7 @@ class SchemeRoom {
     const near = new Set([...errors].filter(([command]) => all || !places[command]).map(([, text]) => text));
     const said = [...near].join("\n");
     if (this.alert.textContent !== said) this.alert.textContent = said;
+    this.alert.classList.remove("scheme-old");
     for (const [command, text] of errors) {
       delete this.answers[command];
       places[command]?.classList.remove("scheme-old");
@@ -283,14 +328,14 @@ class SchemeRoom {
 
   async plot(whole) {
     const { code, text, errors } = await this.engine.run(["plot", whole], { kind: "scheme-plot" });
-    if (code > 1) throw new Error(errors.trim());
+    if (code > 1) throw new Error(errors.trim() || `exit code ${code}`);
     return text;
   }
 
   /** After a rest: the ranges of each parameter, once for each family, and all facts. */
   async rested() {
     this.late = Boolean(this.drawing) || this.complete === null;
-    if (this.late || this.choosing || this.restedTurn === this.turn) return;
+    if (this.late || this.held || this.restedTurn === this.turn) return;
     const turn = this.restedTurn = this.turn;
     this.fresh = false;
     const whole = this.whole();

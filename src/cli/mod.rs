@@ -18,16 +18,13 @@ use clap::{CommandFactory as _, FromArgMatches as _};
 use console::output::{Failure, Outcome};
 use console::{endings, interrupt, output, terminal};
 use std::process::ExitCode;
-use subcert::files::confine;
+use subcert::files::{VARIABLE, confine};
 
 /// The exit code of an internal fault.
 const FAULT: i32 = 3;
 
 /// The exit code of bad usage or input, and of too little time.
 const INPUT: i32 = 2;
-
-/// The variable of the environment that confines the program to the folder in which it runs.
-const CONFINED: &str = "SUBCERT_CONFINED";
 
 /// Runs the program: 0 done, 1 a stated expectation failed, 2 bad usage or input, or too
 /// little time, 3 an internal fault.
@@ -37,7 +34,7 @@ pub(crate) fn run() -> ExitCode {
         report(panic);
         std::process::exit(FAULT);
     }));
-    if std::env::var_os(CONFINED).is_some() {
+    if std::env::var_os(VARIABLE).is_some() {
         confine();
     }
     let command = grouped(Arguments::command()).color(terminal::early_color(std::env::args_os()));

@@ -4,6 +4,9 @@ use std::io::{Error, ErrorKind};
 use std::path::{Component, Path};
 use std::sync::atomic::{AtomicBool, Ordering};
 
+/// The variable of the environment by which `subcert` is told to [`confine`] itself.
+pub const VARIABLE: &str = "SUBCERT_CONFINED";
+
 static CONFINED: AtomicBool = AtomicBool::new(false);
 
 /// From now on only files in the current folder, and in folders in it, are read and written: for a program that others tell what to do.

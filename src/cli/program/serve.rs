@@ -3,7 +3,6 @@
 //! The server listens on 127.0.0.1. Every path begins with a word that is drawn at random, which only who reads the terminal knows; so no
 //! other page of the browser can ask for anything. Commands run in a folder of their own, with the files that the page has sent, and touch no others.
 
-use crate::cli::CONFINED;
 use crate::cli::arguments::ServeArguments;
 use crate::cli::console::output::{Failure, Outcome, write};
 use base64::Engine as _;
@@ -17,7 +16,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use subcert::files::is_confined;
+use subcert::files::{VARIABLE, is_confined};
 use tempfile::NamedTempFile;
 use tiny_http::{Header, Method, Request, Response, Server};
 
@@ -115,7 +114,8 @@ fn answer(
                 return refuse(request, 404);
             };
             let text = text.replacen("<html ", "<html data-served=\"yes\" ", 1);
-            request.respond(Response::from_string(text).with_header(header("Content-Type", kind)))
+            let response = Response::from_string(text).with_header(header("Content-Type", kind));
+            request.respond(response.with_chunked_threshold(usize::MAX))
         }
         (Method::Post, "run") => {
             let mut text = String::new();
@@ -129,7 +129,8 @@ fn answer(
             };
             let text = serde_json::to_string(&said).unwrap_or_default();
             let kind = header("Content-Type", "application/json");
-            request.respond(Response::from_string(text).with_header(kind))
+            let response = Response::from_string(text).with_header(kind);
+            request.respond(response.with_chunked_threshold(usize::MAX))
         }
         (Method::Post, "stop") => {
             let mut text = String::new();
@@ -225,7 +226,7 @@ fn run(asked: &Asked, running: &Running) -> Result<Said, String> {
     }
     let mut command = Command::new(program);
     command.args(&asked.args).current_dir(folder.path()).stdin(Stdio::null());
-    command.env("NO_COLOR", "1").env(CONFINED, "1").stdout(Stdio::piped()).stderr(Stdio::piped());
+    command.env("NO_COLOR", "1").env(VARIABLE, "1").stdout(Stdio::piped()).stderr(Stdio::piped());
     let (output, errors) = {
         let mut running = lock(running);
         match running.get(&asked.id) {
