@@ -4,13 +4,15 @@
 //     node .ci/answers.mjs target/release/subcert web/subcert.wasm
 
 import { spawnSync } from "node:child_process";
+import { webcrypto } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
-import { pathToFileURL } from "node:url";
 
 const root = path.resolve(path.dirname(process.argv[1]), "..");
 const [program, wasm] = process.argv.slice(2).map((file) => path.resolve(file));
 process.chdir(root);
+// Node 18 has it under another name.
+globalThis.crypto ??= webcrypto;
 // The module is a module without a package that says so.
 const source = fs.readFileSync("web/wasi.js", "utf8");
 const { run } = await import(`data:text/javascript;base64,${Buffer.from(source).toString("base64")}`);
