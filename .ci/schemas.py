@@ -40,6 +40,7 @@ ANSWERS = [
     ("explain-project", "explain weights:neighbours examples/weights.toml"),
     ("flags", "flags"),
     ("jsr", "jsr examples/pair.txt"),
+    ("jsr", "jsr examples/pair.txt --below 4"),
     ("oracle", "oracle chaikin"),
     ("range", "range four-point --param w -c 2"),
     ("range-best-contraction", "range four-point --param w --best contraction -c 2"),

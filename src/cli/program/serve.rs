@@ -163,9 +163,8 @@ fn stop(id: String, running: &Running) {
     match running.get_mut(&id) {
         // The thread that waits for it takes it out.
         Some(Some(child)) => drop(child.kill()),
-        Some(None) => {}
         None if early < MAX_EARLY => drop(running.insert(id, None)),
-        None => {}
+        _ => {}
     }
 }
 
