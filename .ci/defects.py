@@ -47,7 +47,7 @@ DEFECTS = [
     ("src/schemes/spectrum/jordan.rs", "cosines[k].plus(&cosines[k])", "cosines[k].clone()", "spectrum::"),
     ("src/schemes/characteristic/vertex.rs", "found.multiplicity == 1", "true", "characteristic::"),
     ("src/schemes/float/apriori.rs", "self.error.max(other.error)", "self.error", "float::apriori"),
-    ("src/schemes/scheme/local_symmetry.rs", "same_weights && same_edges", "same_weights", "scheme::local_rules"),
+    ("src/schemes/scheme/local/symmetry.rs", "same_weights && same_edges", "same_weights", "scheme::local_rules"),
     ("src/schemes/characteristic/positive.rs", "if side > 0 { (end, free) } else { (free, end) }", "(end, free)",
      "characteristic::"),
     ("src/geometry/mesh/crease/tags.rs", "Rational::from(count - 1)", "Rational::from(count)", "mesh::creases"),
