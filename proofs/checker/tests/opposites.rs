@@ -101,7 +101,7 @@ fn what_takes_long_is_left_open() {
         let open =
             |(.., outcome): &(_, _, Outcome)| matches!(outcome, Outcome::Incomplete(Some(_)));
         assert!(report.claims.iter().any(open), "{report:?}");
-        assert!(begin.elapsed().as_secs() < 300, "{:?}: {text}", begin.elapsed());
+        assert!(begin.elapsed().as_secs() < 30, "{:?}: {text}", begin.elapsed());
     }
     let field: Vec<String> = (3..63).map(|c: u32| c.to_string()).collect();
     let entry = vec!["1/3"; 59].join(",");
@@ -113,5 +113,5 @@ fn what_takes_long_is_left_open() {
     );
     let begin = Instant::now();
     assert!(check_radius(&text).is_err());
-    assert!(begin.elapsed().as_secs() < 300);
+    assert!(begin.elapsed().as_secs() < 30);
 }
