@@ -12,6 +12,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from urllib.parse import quote
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from browser import DESKTOP, PHONE, Chromium  # noqa: E402
@@ -59,9 +60,6 @@ class Page:
         )
         self.expect(f"{room}: there is no button `{text}`", found)
 
-    def text(self, room: str) -> str:
-        return self.chromium.value(f"document.querySelector('#room-{room}').innerText") or ""
-
     def quiet(self, name: str) -> None:
         for complaint in self.chromium.complaints():
             # The worker is a part of the page. Without a graphics card the browser itself complains of WebGL.
@@ -96,8 +94,6 @@ class Page:
                         self.chromium.picture(pictures / f"{room}-{width}-{mode}.png")
 
     def hostile(self) -> None:
-        from urllib.parse import quote
-
         for room, key in [("scheme", "scheme"), ("curve", "scheme"), ("curve", "points"), ("mesh", "scheme"), ("mesh", "example"), ("paper", "text")]:
             self.open(f"{room}?{key}={quote(HOSTILE)}")
             time.sleep(1)

@@ -2,7 +2,7 @@
 
 import { CurveCanvas, curveLegend } from "./curve-canvas.js";
 import { CURVE_MAX, CURVE_START, curveDepth, curveDistance, curveLevel, curveLines, curvePlace, curvePoints, curveShort } from "./curve-data.js";
-import { el, field, later, save } from "./dom.js";
+import { copyLink, el, field, later, save } from "./dom.js";
 import { Stopped } from "./engine.js";
 
 /** With this tolerance every polygon of the page is within it at level 0, and the answer is its distance there. */
@@ -404,12 +404,7 @@ class CurveRoom {
 
   async copy() {
     this.remember();
-    try {
-      await navigator.clipboard.writeText(location.href);
-      this.status.textContent = "The link is copied.";
-    } catch {
-      this.status.textContent = "The browser does not let this page copy; the link is in the address bar.";
-    }
+    this.status.textContent = await copyLink();
   }
 }
 

@@ -4,25 +4,23 @@ const SVG = "http://www.w3.org/2000/svg";
 
 /** An element with attributes (functions are listeners) and children: `el("button", { onclick }, "Stop")`. Text is text, never markup. */
 export function el(tag, attributes = {}, ...children) {
-  const found = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (typeof value === "function") found.addEventListener(name.replace(/^on/, ""), value);
-    else if (value === true) found.setAttribute(name, "");
-    else if (value !== false && value !== null && value !== undefined) found.setAttribute(name, value);
-  }
-  found.append(...children.flat().filter((child) => child !== null && child !== undefined && child !== false));
-  return found;
+  return filled(document.createElement(tag), attributes, children);
 }
 
 /** An SVG element, in the same way. */
 export function svg(tag, attributes = {}, ...children) {
-  const found = document.createElementNS(SVG, tag);
+  return filled(document.createElementNS(SVG, tag), attributes, children);
+}
+
+const isThere = (value) => value !== null && value !== undefined && value !== false;
+
+function filled(element, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) {
-    if (typeof value === "function") found.addEventListener(name.replace(/^on/, ""), value);
-    else if (value !== false && value !== null && value !== undefined) found.setAttribute(name, value);
+    if (typeof value === "function") element.addEventListener(name.replace(/^on/, ""), value);
+    else if (isThere(value)) element.setAttribute(name, value === true ? "" : value);
   }
-  found.append(...children.flat());
-  return found;
+  element.append(...children.flat().filter(isThere));
+  return element;
 }
 
 let numbered = 0;
@@ -49,6 +47,16 @@ export function save(name, content, type = "text/plain") {
   const address = URL.createObjectURL(new Blob([content], { type }));
   el("a", { href: address, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}
+
+/** Copies the address of the page; the answer is what to say of it. */
+export async function copyLink(more = "") {
+  try {
+    await navigator.clipboard.writeText(location.href);
+    return `The link is copied.${more}`;
+  } catch {
+    return "The browser does not let this page copy; the link is in the address bar.";
+  }
 }
 
 /** What a picture may have: elements that only draw or describe, and their attributes. */

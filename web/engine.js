@@ -136,17 +136,7 @@ export class Engine {
         onProgress(text);
         this.onChange({ running: job, since: job.since, progress: text });
       };
-      if (kind !== null) {
-        this.waiting = this.waiting.filter((other) => {
-          if (other.kind === kind) other.reject(new Stopped());
-          return other.kind !== kind;
-        });
-        if (this.running?.kind === kind) {
-          const left = Math.max(0, PATIENCE - (performance.now() - this.running.since));
-          const old = this.running;
-          setTimeout(() => this.running === old && this.stop(), left);
-        }
-      }
+      if (kind !== null) this.replace(kind);
       this.waiting.push(job);
       this.next();
     });
@@ -173,6 +163,27 @@ export class Engine {
     this.running = null;
     this.onChange({ running: null });
     this.next();
+  }
+
+  /** Drops the commands of a kind that wait. */
+  forget(kind) {
+    this.waiting.filter((job) => job.kind === kind).forEach((job) => job.reject(new Stopped()));
+    this.waiting = this.waiting.filter((job) => job.kind !== kind);
+  }
+
+  /** Drops them, and stops one of this kind that has run for a while, or when it has. */
+  replace(kind) {
+    this.forget(kind);
+    const old = this.running;
+    if (old?.kind !== kind) return;
+    const left = Math.max(0, PATIENCE - (performance.now() - old.since));
+    setTimeout(() => this.running === old && this.stop(), left);
+  }
+
+  /** Drops them, and stops one of this kind at once. */
+  end(kind) {
+    this.forget(kind);
+    if (this.running?.kind === kind) this.stop();
   }
 
   /** Stops the command that runs. */

@@ -1,6 +1,6 @@
 // The room "Mesh": a mesh of the visitor or an example, refined, turned, and coloured by its distance from the limit.
 
-import { el, field, later, save } from "./dom.js";
+import { copyLink, el, field, later, save } from "./dom.js";
 import { Stopped } from "./engine.js";
 import { meshDepth, meshDigits, meshInherit, meshObj, meshPerFace, meshSolid } from "./mesh-data.js";
 import { MESH_EXAMPLES } from "./mesh-examples.js";
@@ -228,11 +228,7 @@ class MeshRoom {
   interrupt() {
     if (!this.searching) return;
     this.again = true;
-    const { engine } = this;
-    const search = (job) => job.kind === "mesh-depth";
-    engine.waiting.filter(search).forEach((job) => job.reject(new Stopped()));
-    engine.waiting = engine.waiting.filter((job) => !search(job));
-    if (engine.running && search(engine.running)) engine.stop();
+    this.engine.end("mesh-depth");
   }
 
   /** A new mesh or scheme: its control mesh, its level, its depth. */
@@ -411,12 +407,7 @@ class MeshRoom {
 
   async copy() {
     this.remember();
-    try {
-      await navigator.clipboard.writeText(location.href);
-      this.status.textContent = this.source.example ? "The link is copied." : "The link is copied. It does not hold your file.";
-    } catch {
-      this.status.textContent = "The browser does not let this page copy; the link is in the address bar.";
-    }
+    this.status.textContent = await copyLink(this.source.example ? "" : " It does not hold your file.");
   }
 }
 

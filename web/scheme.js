@@ -241,7 +241,7 @@ class SchemeRoom {
   /** Ends what is drawn of another scheme or value, if it takes long: a command of the same kind that takes no time replaces it. */
   endDraw() {
     const kind = this.engine.running?.kind;
-    if (["quick", "plot", "smoothness", "constants"].some((part) => kind === `scheme-${part}`)) this.engine.run(["--version"], { kind }).catch(() => null);
+    if (["quick", "plot", "smoothness", "constants"].some((part) => kind === `scheme-${part}`)) this.engine.replace(kind);
   }
 
   /** The parts of a redraw: where each stands, how it is asked for and shown. */
