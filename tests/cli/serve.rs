@@ -185,3 +185,14 @@ fn runs_are_stopped_one_by_one() {
     assert_eq!((&said["code"], &said["text"]), (&json!(2), &json!("")), "{said}");
     assert_eq!(server.post("stop", &json!("nonsense")).0, 400);
 }
+
+/// The examples in the page are those of the folder, word for word.
+#[test]
+fn examples_of_the_page() {
+    let page = std::fs::read_to_string("web/paper-examples.js").expect("text");
+    for name in ["first-paper", "my-paper"] {
+        let text = std::fs::read_to_string(format!("examples/{name}.toml")).expect("text");
+        let written = text.replace('\\', "\\\\").replace('`', "\\`").replace("${", "\\${");
+        assert!(page.contains(&format!("text: `{written}`")), "{name}");
+    }
+}

@@ -162,7 +162,7 @@ fn of_factors(factors: &[(Mask, Smoothness)]) -> Result<(String, Shown), &'stati
     let mut text = String::from("factors\n");
     let mut all = Vec::new();
     for (mask, smoothness) in factors {
-        let lines = limits(mask, smoothness).ok_or("no invariant hull is found")?;
+        let lines = limits(smoothness).ok_or("no invariant hull is found")?;
         text.push_str(&lines.text);
         all.push(Shown::of_curve(&lines, mask.arity()));
     }

@@ -20,7 +20,7 @@ pub fn smoothness_certificate<F: Coefficient>(
     mask: &Mask<F>,
     smoothness: &Smoothness<F>,
 ) -> Option<String> {
-    let limits = limits(mask, smoothness)?;
+    let limits = limits(smoothness)?;
     let mut text = String::from("subcert-radius 1\n");
     let rows = mask.rules().rows();
     if let Some((root, minimal)) = rows.iter().flatten().find_map(Coefficient::generator) {
@@ -59,7 +59,7 @@ pub(super) struct LimitLines {
 
 /// Writes the lines about the limits of a mask into the block of a claim.
 pub(super) fn radius(block: &mut Block, known: &Limits) -> Option<LimitLines> {
-    let found = limits(&known.mask, &known.smoothness);
+    let found = limits(&known.smoothness);
     match &found {
         Some(lines) => lines.text.lines().for_each(|line| block.line(line)),
         None => block.give_up("no invariant hull is found"),
@@ -68,16 +68,13 @@ pub(super) fn radius(block: &mut Block, known: &Limits) -> Option<LimitLines> {
 }
 
 /// The lines about the limits of a mask; `None` where no hull is found.
-pub(super) fn limits<F: Coefficient>(
-    mask: &Mask<F>,
-    smoothness: &Smoothness<F>,
-) -> Option<LimitLines> {
+pub(super) fn limits<F: Coefficient>(smoothness: &Smoothness<F>) -> Option<LimitLines> {
     let differences = &smoothness.differences;
     let hull = differences.radius.hull.as_ref()?;
     let mut text = String::new();
     line(&mut text, "order", &differences.order.to_string());
     let shown = write_radius(&mut text, &differences.matrices, &differences.radius, hull);
-    let proven = |m: &usize| hull.bound < limit(mask.arity(), differences.order, *m);
+    let proven = |m: &usize| hull.bound < differences.limit(*m);
     let continuous = (0..differences.order).take_while(proven).last();
     if let Some(m) = continuous {
         line(&mut text, "continuous", &m.to_string());
@@ -86,8 +83,7 @@ pub(super) fn limits<F: Coefficient>(
     let fails = smoothness.continuity_fails.filter(|m| {
         let decided = *m == 0 || independent && continuous.is_some();
         let power = i32::try_from(differences.radius.degree).expect("a short product");
-        let reached =
-            |bound: &Rational| *bound >= limit(mask.arity(), differences.order, *m).pow(power);
+        let reached = |bound: &Rational| *bound >= differences.limit(*m).pow(power);
         decided && shown.as_ref().is_some_and(reached)
     });
     if let Some(m) = fails {
@@ -116,11 +112,6 @@ pub fn radius_certificate(set: &MatrixSet, radius: &JointRadius) -> Option<Strin
     write_radius(&mut text, set, radius, hull);
     text.push_str("end\n");
     Some(text)
-}
-
-/// n^{K − m}.
-fn limit(arity: usize, order: usize, m: usize) -> Rational {
-    (m..order).fold(Rational::one(), |power, _| power * Rational::from(arity))
 }
 
 /// Writes both bounds, and gives the lower one.

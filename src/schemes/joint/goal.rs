@@ -41,7 +41,8 @@ pub fn joint_radius_below(set: &MatrixSet, goal: &Rational, stop: &Stop) -> Join
         if set.is_nilpotent() {
             return None;
         }
-        let (reduction, hull) = hull_below(set, goal)?;
+        let reduction = parts(set);
+        let hull = hull_below(&reduction, goal)?;
         let bounds = at_least(set);
         Some(JointRadius { hull: Some(hull), reduction: Some(reduction), ..bounds })
     };
@@ -68,27 +69,36 @@ impl JointRadius {
         self.exact.then_some(true)
     }
 
-    /// These bounds of a set, with another hull where they do not tell whether ϱ < goal, and that hull shows it.
+    /// These bounds of a set, with another hull for each of the goals for which they do not tell whether ϱ is below it, and that hull shows it.
     #[must_use]
-    pub fn toward(self, set: &MatrixSet, goal: &Rational, stop: &Stop) -> JointRadius {
-        if self.is_below(goal).is_some() {
-            return self;
-        }
-        match stop.run(|| hull_below(set, goal)) {
-            Ok(Some((reduction, hull))) => {
-                JointRadius { hull: Some(hull), reduction: Some(reduction), ..self }
+    pub fn toward(mut self, set: &MatrixSet, goals: &[Rational], stop: &Stop) -> JointRadius {
+        let mut known = None;
+        for goal in goals {
+            if self.is_below(goal).is_some() {
+                continue;
             }
-            _ => self,
+            let found = stop.run(|| {
+                let reduction = known.get_or_insert_with(|| parts(set));
+                Some((hull_below(reduction, goal)?, reduction.clone()))
+            });
+            if let Ok(Some((hull, reduction))) = found {
+                self = JointRadius { hull: Some(hull), reduction: Some(reduction), ..self };
+            }
         }
+        self
     }
 }
 
-/// A hull for a bound below the goal, of blocks each in a basis of its own.
-fn hull_below(set: &MatrixSet, goal: &Rational) -> Option<(Reduction, Hull)> {
+/// The blocks of a set, each in a basis of its own.
+fn parts(set: &MatrixSet) -> Reduction {
+    Reduction::fine(set).unwrap_or_else(|| Reduction::whole(set)).balanced()
+}
+
+/// A hull for a bound below the goal, of the blocks.
+fn hull_below(reduction: &Reduction, goal: &Rational) -> Option<Hull> {
     if goal.sign() <= 0 {
         return None;
     }
-    let reduction = Reduction::fine(set).unwrap_or_else(|| Reduction::whole(set)).balanced();
     let over = |matrix: &Matrix<Rational>| -> Matrix<Rational> {
         matrix.iter().map(|row| row.iter().map(|x| x / goal).collect()).collect()
     };
@@ -99,8 +109,7 @@ fn hull_below(set: &MatrixSet, goal: &Rational) -> Option<(Reduction, Hull)> {
         Some(hull.times(goal))
     };
     let hulls: Vec<Hull> = reduction.blocks.iter().map(of_block).collect::<Option<_>>()?;
-    let hull = reduction.hull(&hulls.iter().collect::<Vec<_>>());
-    Some((reduction, hull))
+    Some(reduction.hull(&hulls.iter().collect::<Vec<_>>()))
 }
 
 /// A lower bound, and the largest row sum.

@@ -102,13 +102,18 @@ impl LatticeRadius {
 
     /// The same for all orders k below one. Where the bounds do not tell, a hull is looked for that shows it.
     pub(super) fn seek_roots(&mut self, orders: u32, m: usize, d: usize, stop: &Stop) {
-        for k in (0..orders).rev() {
-            if self.is_below_root(k, m, d).is_none() {
-                let power = Rational::from(m).pow(-small(k)) * self.factor.pow(small(d));
-                let goal = enclosed_root(&RealAlgebraic::from(power), d).lower().clone();
-                self.radius = self.radius.clone().toward(&self.matrices, &goal, stop);
-            }
-        }
+        let open = (0..orders).rev().filter(|k| self.is_below_root(*k, m, d).is_none());
+        let goal = |k| {
+            let power = Rational::from(m).pow(-small(k)) * self.factor.pow(small(d));
+            enclosed_root(&RealAlgebraic::from(power), d).lower().clone()
+        };
+        let goals: Vec<Rational> = open.map(goal).collect();
+        self.seek(&goals, stop);
+    }
+
+    /// A hull is looked for that shows that the radius of the scaled steps is below each of these numbers, where the bounds do not tell.
+    pub(super) fn seek(&mut self, goals: &[Rational], stop: &Stop) {
+        self.radius = self.radius.clone().toward(&self.matrices, goals, stop);
     }
 
     /// Whether ‖M^n‖^mϱ^n < 1, with the greatest row sum of |M^n| for a power n: derivatives of order m, which grow as ‖M^n‖^m, of terms that fall

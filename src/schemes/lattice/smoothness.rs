@@ -113,7 +113,7 @@ impl LatticeSmoothness {
         }
         match differences(mask, sum_rules, stop) {
             Ok(mut differences) => {
-                differences.seek_roots(1, 1, 1, stop);
+                differences.seek(&[differences.factor.clone()], stop);
                 found.converges = differences.is_below(&Rational::one());
                 found.differences = Some(differences);
             }

@@ -103,25 +103,29 @@ impl<F: Coefficient> Differences<F> {
         if degree > 1 && size * degree > MAX_FIELD_WORK {
             return Err(SmoothnessError::Field { size, degree });
         }
-        let mut radius = joint_radius_until(&matrices, stop);
-        if let Some(set) = F::rational(&matrices) {
-            for m in (0..order).rev() {
-                radius = radius.toward(set, &limit(symbol.arity(), order, m), stop);
-            }
+        let radius = joint_radius_until(&matrices, stop);
+        let mut found = Differences { symbol: symbol.clone(), order, matrices, radius };
+        if let Some(set) = F::rational(&found.matrices) {
+            let goals: Vec<Rational> = (0..order).rev().map(|m| found.limit(m)).collect();
+            found.radius = found.radius.clone().toward(set, &goals, stop);
         }
-        Ok(Differences { symbol: symbol.clone(), order, matrices, radius })
+        Ok(found)
     }
 
     /// Whether ϱ < n^{K − m}; `None` where the bounds do not tell.
     #[must_use]
     pub fn is_below(&self, m: usize) -> Option<bool> {
-        self.radius.is_below(&limit(self.symbol.arity(), self.order, m))
+        self.radius.is_below(&self.limit(m))
     }
-}
 
-/// n^{K − m}.
-fn limit(n: usize, order: usize, m: usize) -> Rational {
-    Rational::from(n).pow(difference(order, m))
+    /// n^{K − m}: the limits are C^m if ϱ is below it.
+    ///
+    /// # Panics
+    /// Never: orders are small.
+    #[must_use]
+    pub fn limit(&self, m: usize) -> Rational {
+        Rational::from(self.symbol.arity()).pow(difference(self.order, m))
+    }
 }
 
 fn difference(a: usize, b: usize) -> i32 {
