@@ -13,7 +13,7 @@ from pathlib import Path
 WEB = Path(__file__).resolve().parent.parent / "web"
 IMPORT = re.compile(r'^import (?:(?P<default>\w+)|\{(?P<names>[^}]*)\}) from "\./(?P<file>[\w.-]+)";\n', re.MULTILINE)
 EXPORT = re.compile(r"^export (?:async )?(?:const|let|class|function\*?) (\w+)", re.MULTILINE)
-PROGRAMS = ["subcert", "subcert-check"]
+PROGRAMS = ["subcert", "subcert-rest", "subcert-check"]
 
 
 def bundle(entry: str) -> str:
@@ -51,7 +51,8 @@ def main() -> None:
     page = (WEB / "page.html").read_text()
     page = re.sub(r'<link rel="stylesheet" href="\./([\w.-]+)">', lambda found: f"<style>\n{(WEB / found[1]).read_text()}</style>", page)
     inside = ""
-    for program in PROGRAMS:
+    # The program is in two parts where it could be divided.
+    for program in (name for name in PROGRAMS if name != "subcert-rest" or (WEB / "subcert-rest.wasm").exists()):
         packed = base64.b64encode(gzip.compress((WEB / f"{program}.wasm").read_bytes(), 9, mtime=0)).decode()
         inside += f'<script type="text/plain" id="{program}.wasm">{packed}</script>\n'
     inside += f'<script type="text/plain" id="worker.js">\n{bundle("worker.js")}</script>\n'

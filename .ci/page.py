@@ -93,6 +93,49 @@ class Page:
                     if pictures:
                         self.chromium.picture(pictures / f"{room}-{width}-{mode}.png")
 
+    def drop(self, selector: str, file: Path) -> None:
+        """Drags a file of this machine onto an element, and lets it go."""
+        x, y = self.chromium.value(
+            f"(e => {{ e.scrollIntoView(); const r = e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; }})"
+            f"(document.querySelector({json.dumps(selector)}))"
+        )
+        data = {"items": [], "files": [str(file)], "dragOperationsMask": 1}
+        for kind in ["dragEnter", "dragOver", "drop"]:
+            self.chromium.call("Input.dispatchDragEvent", type=kind, x=x, y=y, data=data)
+
+    def saved(self, room: str, button: str, name: str, part: str) -> None:
+        """A button saves a file whose name ends so, and that has this part."""
+        with tempfile.TemporaryDirectory() as folder:
+            self.chromium.call("Page.setDownloadBehavior", behavior="allow", downloadPath=folder)
+            self.click(button, room)
+            end = time.monotonic() + PATIENCE
+            while not (files := [file for file in Path(folder).iterdir() if file.name.endswith(name) and part in file.read_text()]):
+                if time.monotonic() > end:
+                    break
+                time.sleep(0.05)
+            self.expect(f"{room}: `{button}` saves no {name} with {part!r}", bool(files))
+
+    def printed(self) -> None:
+        """On paper, from a dark screen: dark letters, nothing that is only for use, and nothing cut off."""
+        dark = [{"name": "prefers-color-scheme", "value": "dark"}]
+        for room in ROOMS:
+            self.chromium.call("Emulation.setEmulatedMedia", features=dark)
+            self.open(room, (794, 1123))
+            time.sleep(1.5)
+            self.chromium.call("Emulation.setEmulatedMedia", media="print", features=dark)
+            name = f"{room}, printed"
+            self.fits(name)
+            light = self.chromium.value("getComputedStyle(document.body).color.match(/[0-9.]+/g).slice(0, 3).some(c => c > 128)")
+            self.expect(f"{name}: light letters", not light)
+            shown = self.chromium.value("[...document.querySelectorAll('button, nav')].some(e => e.offsetParent)")
+            self.expect(f"{name}: buttons", not shown)
+            cut = self.chromium.value("[...document.querySelectorAll('textarea')].some(e => e.offsetParent && e.scrollHeight > e.clientHeight + 2)")
+            self.expect(f"{name}: a text is cut off", not cut)
+            paper = self.chromium.call("Page.printToPDF", printBackground=False)["data"]
+            self.expect(f"{name}: no pages", len(paper) > 10_000)
+            self.quiet(name)
+        self.chromium.call("Emulation.setEmulatedMedia", media="", features=[])
+
     def hostile(self) -> None:
         for room, key in [("scheme", "scheme"), ("curve", "scheme"), ("curve", "points"), ("mesh", "scheme"), ("mesh", "example"), ("paper", "text")]:
             self.open(f"{room}?{key}={quote(HOSTILE)}")
@@ -113,6 +156,7 @@ def main() -> int:
             rooms(page)
             page.hostile()
             page.all_rooms(pictures)
+            page.printed()
         finally:
             chromium.close()
     for what, seconds in page.times.items():
@@ -192,6 +236,15 @@ def curve(page: Page) -> None:
     points = page.chromium.value("document.querySelector('#room-curve textarea').value")
     page.open(restored)
     page.until("a link restores a polygon", f"document.querySelector('#room-curve textarea')?.value === {json.dumps(points)}")
+    page.until("the depth of this polygon", "document.querySelector('#room-curve')?.innerText.includes('for the tolerance')")
+    page.saved("curve", "Save as SVG", "subcert-curve.svg", "<polyline")
+    # By the keyboard alone: the first point goes to the right, and the last one is removed.
+    page.chromium.value("document.querySelector('#room-curve svg [tabindex]').focus()")
+    page.chromium.key("ArrowRight", 39)
+    page.until("a point is moved by a key", f"document.querySelector('#room-curve textarea').value !== {json.dumps(points)}")
+    page.chromium.value("[...document.querySelectorAll('#room-curve svg [tabindex]')].at(-1).focus()")
+    page.chromium.key("Delete", 46)
+    page.until("a point is removed by a key", f"document.querySelector('#room-curve textarea').value.trim().split('\\n').length === {len(points.splitlines()) - 1}")
     page.quiet("curve")
 
 
@@ -205,6 +258,13 @@ def mesh(page: Page) -> None:
         " i.files = d.files; i.dispatchEvent(new Event('change', {bubbles: true})); })()" % json.dumps(tent)
     )
     page.until("a file of one's own", "document.querySelector('#room-mesh').innerText.includes('mine.obj')")
+    page.drop("#room-mesh .mesh-drop", ROOT / "examples/cube.obj")
+    page.until("a file that is dropped", "/cube.obj, level 1: [0-9]+ points/.test(document.querySelector('#room-mesh').innerText)")
+    page.saved("mesh", "Save the refined mesh", "cube-level-1.obj", "\nf ")
+    page.open("mesh?level=1&tolerance=1%2F100000")
+    page.until("progress of the depth", "document.querySelector('#work output').value.includes(' pieces of level ')")
+    page.chromium.value("document.querySelector('#work button').click()")
+    page.until("the work is stopped", "document.querySelector('#work').hidden && document.querySelector('#room-mesh').innerText.includes('was stopped')")
     page.quiet("mesh")
 
 
@@ -213,6 +273,7 @@ def paper(page: Page) -> None:
     page.until("verdicts", "document.querySelector('#room-paper')?.innerText.includes('refuted')")
     page.click("Start here", "paper")
     page.until("the wrong cell", "document.activeElement?.localName === 'textarea'")
+    page.saved("paper", "Certificate", ".cert", "certificate")
     page.click("Check the certificate", "paper")
     page.until("the checker's word", "/certificate.*(valid|accepted)|valid/.test(document.querySelector('#room-paper').innerText)")
     page.chromium.value(

@@ -6,6 +6,9 @@ export class Stopped extends Error {}
 /** How long a command may run when another one of its kind waits, in milliseconds. */
 const PATIENCE = 250;
 
+/** How often a program that serves this page is asked how far it is, in milliseconds. */
+const ASKING = 700;
+
 /** The bytes of a program: part of the page, or a file beside it. */
 async function bytesOf(name) {
   const inside = document.getElementById(`${name}.wasm`);
@@ -20,9 +23,12 @@ async function bytesOf(name) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** Commands in a worker, which is replaced when one is stopped. */
+const compiled = (name) => bytesOf(name).then((bytes) => WebAssembly.compile(bytes));
+
+/** Commands in a worker, which is replaced when one is stopped. A program may be in two parts; the second one is loaded when a command needs it. */
 class Local {
   modules = {};
+  rests = {};
   worker = null;
   busy = null;
 
@@ -34,14 +40,30 @@ class Local {
     this.worker.onmessage = ({ data }) => {
       if (data.id !== this.busy?.id) return;
       if (data.answer) this.busy.done(data.answer);
+      else if (data.needs) this.complete(data.needs);
       else this.busy.progress(data.progress);
     };
-    this.worker.onerror = (event) => this.busy?.done({ code: 3, text: "", errors: `error: ${event.message}`, files: {} });
+    this.worker.onerror = (event) => this.fail(event.message);
     this.sent = new Set();
   }
 
+  fail(why) {
+    this.busy?.done({ code: 3, text: "", errors: `error: ${why}`, files: {} });
+  }
+
+  /** Gives the worker the second part of a program. */
+  async complete(program) {
+    const { worker } = this;
+    try {
+      this.rests[program] ??= await compiled(`${program}-rest`);
+      worker.postMessage({ program, rest: this.rests[program] });
+    } catch (error) {
+      if (worker === this.worker) this.fail(error.message);
+    }
+  }
+
   async run(job) {
-    this.modules[job.program] ??= bytesOf(job.program).then((bytes) => WebAssembly.compile(bytes));
+    this.modules[job.program] ??= compiled(job.program);
     const module = await this.modules[job.program].catch((error) => {
       // The next command tries again.
       delete this.modules[job.program];
@@ -50,7 +72,7 @@ class Local {
     if (job.stopped) throw new Stopped();
     if (!this.worker) this.start();
     if (!this.sent.has(job.program)) {
-      this.worker.postMessage({ program: job.program, module });
+      this.worker.postMessage({ program: job.program, module, rest: this.rests[job.program] ?? null });
       this.sent.add(job.program);
     }
     return new Promise((resolve, reject) => {
@@ -72,11 +94,17 @@ const toBytes = (text) => Uint8Array.from(atob(text), (character) => character.c
 
 /** Commands by the program that serves this page. Each run has a name that nobody can guess, by which it alone is stopped. */
 class Remote {
+  constructor() {
+    // Nobody waits for a command of a page that is closed.
+    addEventListener("pagehide", () => this.controller && navigator.sendBeacon("./stop", JSON.stringify({ id: this.id })));
+  }
+
   async run(job) {
     this.controller = new AbortController();
     this.id = crypto.randomUUID();
     const files = Object.fromEntries(Object.entries(job.files).map(([name, bytes]) => [name, toText(bytes)]));
     const body = JSON.stringify({ id: this.id, program: job.program, args: job.args, files });
+    const asking = setInterval(() => this.ask(job, this.id), ASKING);
     try {
       const response = await fetch("./run", { method: "POST", body, signal: this.controller.signal });
       const answer = await response.json();
@@ -85,7 +113,17 @@ class Remote {
     } catch (error) {
       if (error.name === "AbortError") throw new Stopped();
       return { code: 3, text: "", errors: `error: the program that serves this page does not answer: ${error.message}`, files: {} };
+    } finally {
+      clearInterval(asking);
+      this.controller = null;
     }
+  }
+
+  /** Asks how far a run is. */
+  async ask(job, id) {
+    const response = await fetch("./progress", { method: "POST", body: JSON.stringify({ id }) }).catch(() => null);
+    const progress = response?.ok && await response.json().catch(() => "");
+    if (progress && this.id === id) job.progress(progress);
   }
 
   stop() {

@@ -10,6 +10,8 @@ const MEGABYTES = 20;
 /** Of larger meshes the depth may take long, and is asked for by a button. */
 const SMALL = 300;
 const OTHER = "another";
+/** How long a search for the depth may take. */
+const SECONDS = "60";
 
 const SCHEMES = [
   ["Polygon meshes", ["catmull-clark", "doo-sabin", "loop", "loop-warren"]],
@@ -50,6 +52,7 @@ class MeshRoom {
     this.level = el("input", { type: "range", min: 0, max: 4, step: 1, oninput: () => this.slide() });
     this.levelText = el("output", {});
     this.tolerance = el("input", { class: "mono", size: 10, maxlength: 60, autocomplete: "off", spellcheck: "false", oninput: bounded });
+    this.seconds = el("input", { type: "number", min: 1, max: 86_400, oninput: bounded });
     this.file = el("input", { type: "file", accept: ".obj,.off,.ply,.stl,.usda,.vtk,.mesh,.csv,.json", onchange: () => this.read(this.file.files[0]) });
     this.drop = el("div", { class: "mesh-drop" },
       field("A file of yours", this.file, `OBJ, OFF, PLY, STL, USDA, VTK, MEDIT; a net as CSV or JSON; at most ${MEGABYTES} MB. Drop it here, or choose it. It is read on this machine only.`));
@@ -66,7 +69,8 @@ class MeshRoom {
     place.append(
       this.drop, this.error,
       el("div", { class: "row", role: "group", "aria-label": "Examples" }, MESH_EXAMPLES.map((one) => button(one.title, () => this.example(one)))),
-      el("div", { class: "row" }, field("Scheme", this.scheme), this.nameField, level, field("Tolerance", this.tolerance, "an exact number, as 1/100")),
+      el("div", { class: "row" }, field("Scheme", this.scheme), this.nameField, level, field("Tolerance", this.tolerance, "an exact number, as 1/100"),
+        field("Seconds", this.seconds, "then the search for the depth ends")),
       el("div", { class: "columns" },
         el("div", {}, this.view.root, this.legend),
         el("div", {}, this.status, this.results, this.depthError,
@@ -94,8 +98,9 @@ class MeshRoom {
   }
 
   restore() {
-    const { scheme, level = "2", tolerance = "1/100", example } = this.state.get();
+    const { scheme, level = "2", tolerance = "1/100", seconds, example } = this.state.get();
     this.tolerance.value = tolerance;
+    this.seconds.value = /^[1-9]\d{0,4}$/.test(seconds) ? seconds : SECONDS;
     this.level.value = /^[0-4]$/.test(level) ? level : "2";
     this.levelText.value = this.level.value;
     const found = MESH_EXAMPLES.find((one) => one.id === example);
@@ -221,7 +226,7 @@ class MeshRoom {
   }
 
   remember() {
-    this.state.set({ scheme: this.schemeName, level: this.level.value, tolerance: this.tolerance.value, example: this.source.example });
+    this.state.set({ scheme: this.schemeName, level: this.level.value, tolerance: this.tolerance.value, seconds: this.seconds.value === SECONDS ? "" : this.seconds.value, example: this.source.example });
   }
 
   /** A search for the depth makes way, and is taken up again afterwards. */
@@ -391,7 +396,7 @@ class MeshRoom {
 
   async search() {
     const files = { [this.source.file]: this.source.content };
-    const args = this.args("depth", `--tolerance=${this.tolerance.value.trim()}`, "--format", "json");
+    const args = this.args("depth", `--tolerance=${this.tolerance.value.trim()}`, `--seconds=${this.seconds.value}`, "--format", "json");
     const options = { files, kind: "mesh-depth" };
     const answer = await this.engine.run([...args, "--per-face", "faces.csv"], options);
     // Where the program cannot write files, it can still answer.

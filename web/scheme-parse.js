@@ -38,13 +38,15 @@ export function schemePlace(value) {
 }
 
 /** What the catalogue tells of a parameter: whether it counts something, and where to begin. */
-export function schemeParameter({ name, default: usual = null, about = null }) {
+export function schemeParameter({ name, default: usual = null, least = null, about = null }) {
+  const counts = least !== null;
+  const first = Number(least ?? 0);
+  // Where only every second number is allowed, the description counts them: 3, 5, …
   const list = /(\d+), (\d+), (?:\d+, )*…/.exec(about ?? "");
-  const counts = list !== null || /number of|the order|symbol has/.test(about ?? "");
-  const [least, next] = list ? [Number(list[1]), Number(list[2])] : [1, 2];
+  const step = list ? Number(list[2]) - Number(list[1]) : 1;
   const around = /valence|vertices of the face/.test(about ?? "");
-  const start = counts ? (usual ?? String(around ? 5 : next)) : usual;
-  return { name, about, counts, least, step: next - least, start };
+  const start = counts ? (usual ?? String(around ? 5 : first + step)) : usual;
+  return { name, about, counts, least: first, step, start };
 }
 
 const schemeControlled = (text) => /(?!\t)\p{Cc}/u.exec(text)?.[0] ?? null;

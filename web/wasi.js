@@ -16,6 +16,9 @@ const TRUNCATE = 8;
 /** The folder that the program sees; files in it are named without it. */
 const ROOT = 3;
 
+/** A program needs its second part, which is not there yet. */
+export class Incomplete extends Error {}
+
 class Exit extends Error {
   constructor(code) {
     super(`exit ${code}`);
@@ -46,13 +49,21 @@ class Bytes {
   }
 }
 
+/** What ended a program that did not end by itself. A fault of its own is an instruction that cannot be executed. */
+function fault(error) {
+  if (error instanceof RangeError) return "the work needs more memory or a deeper stack than a browser gives";
+  if (error instanceof WebAssembly.RuntimeError) return `this is a fault of the program, or its memory is full (${error.message}); \`subcert serve\` may say more`;
+  return error.message;
+}
+
 const plain = (path) => path.split("/").filter((part) => part !== "" && part !== ".").join("/");
 
 /**
- * Runs a program once. `files` has the bytes of files by their names. The result has the exit code, the text of the standard
+ * Runs a program once: `module`, and `rest` where it was divided and the second part is there. `files` has the bytes of files by their names. The result has the exit code, the text of the standard
  * output, that of the standard error without the lines of progress, which `onProgress` is told, and the files that were written.
+ * `onStart` is told what the program exports.
  */
-export function run(module, args, files, onProgress = () => {}) {
+export function run({ module, rest = null }, args, files, { onProgress = () => {}, onStart = () => {} } = {}) {
   const encoder = new TextEncoder();
   const decoder = new TextDecoder();
   const texts = ["subcert", ...args].map((text) => encoder.encode(`${text}\0`));
@@ -240,16 +251,28 @@ export function run(module, args, files, onProgress = () => {}) {
   // What else the libraries name is not there. There are no threads.
   const absent = (what) => new Proxy(what, { get: (own, key) => own[key] ?? (() => NOT_SUPPORTED) });
   const attributes = { pthread_attr_init: () => 0, pthread_attr_setstacksize: () => 0, pthread_attr_destroy: () => 0, realpath: () => 0 };
-  const instance = new WebAssembly.Instance(module, { wasi_snapshot_preview1: absent(wasi), env: absent(attributes) });
+  const system = { wasi_snapshot_preview1: absent(wasi), env: absent(attributes) };
+  // Of a divided program, the first part calls functions of the second one through a table, where these stand before: they put
+  // the second part there, and call what then stands in their place.
+  let whole = false;
+  const early = (place) => (...values) => {
+    if (!rest) throw new Incomplete();
+    if (!whole) new WebAssembly.Instance(rest, { ...system, primary: instance.exports });
+    whole = true;
+    return instance.exports["%table"].get(Number(place))(...values);
+  };
+  const instance = new WebAssembly.Instance(module, { ...system, placeholder: new Proxy({}, { get: (_, place) => early(place) }) });
   memory = instance.exports.memory;
+  onStart(instance.exports);
   let code = 0;
   try {
     instance.exports._start();
   } catch (error) {
+    if (error instanceof Incomplete) throw error;
     if (error instanceof Exit) code = error.code;
     else {
       code = 3;
-      errors.push(`error: ${error instanceof RangeError ? "the work needs more memory or a deeper stack than a browser gives" : error.message}`);
+      errors.push(`error: ${fault(error)}`);
     }
   }
   if (line) errors.push(line);

@@ -47,8 +47,8 @@ thread_local! {
     /// What ends the work of this thread, the innermost last.
     static CURRENT: RefCell<Vec<Stop>> = const { RefCell::new(Vec::new()) };
 
-    /// What watches the work of this thread, and how often it was looked at.
-    static WATCHING: RefCell<Option<Rc<dyn Fn()>>> = const { RefCell::new(None) };
+    /// What watches the work of this thread, with a number of its own, and how often it was looked at.
+    static WATCHING: RefCell<Vec<(u64, Rc<dyn Fn()>)>> = const { RefCell::new(Vec::new()) };
     static LOOKS: Cell<u32> = const { Cell::new(0) };
 }
 
@@ -57,9 +57,10 @@ const PULSE: u32 = 1 << 12;
 
 /// While this lives, the work of this thread is watched.
 #[derive(Debug)]
-pub struct Watch(());
+pub struct Watch(u64);
 
-/// Calls something every now and then while this thread works: progress where there is no other thread that could show it.
+/// Calls something every now and then while this thread works: progress, or the end of the time, where there is no other
+/// thread that could see to it.
 ///
 /// ```
 /// use std::cell::Cell;
@@ -77,14 +78,17 @@ pub struct Watch(());
 /// assert_eq!(calls.get(), before);
 /// ```
 pub fn watch(pulse: impl Fn() + 'static) -> Watch {
-    WATCHING.set(Some(Rc::new(pulse)));
     ANY.store(true, Ordering::Relaxed);
-    Watch(())
+    WATCHING.with_borrow_mut(|all| {
+        let own = all.last().map_or(0, |(last, _)| last + 1);
+        all.push((own, Rc::new(pulse)));
+        Watch(own)
+    })
 }
 
 impl Drop for Watch {
     fn drop(&mut self) {
-        WATCHING.set(None);
+        WATCHING.with_borrow_mut(|all| all.retain(|(own, _)| *own != self.0));
     }
 }
 
@@ -167,10 +171,8 @@ pub fn check() {
 fn end_if_stopped() {
     let looks = LOOKS.get().wrapping_add(1);
     LOOKS.set(looks);
-    if looks.is_multiple_of(PULSE)
-        && let Some(pulse) = WATCHING.with_borrow(Clone::clone)
-    {
-        pulse();
+    if looks.is_multiple_of(PULSE) {
+        WATCHING.with_borrow(Clone::clone).iter().for_each(|(_, pulse)| pulse());
     }
     let stopped = CURRENT.with_borrow(|all| all.iter().any(Stop::is_stopped));
     // What is dropped meanwhile may compute.

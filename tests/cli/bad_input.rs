@@ -36,7 +36,7 @@ fn schemes_and_their_parameters() {
         ("six-point:w=1,w=2", &["given twice"]),
         ("six-point:w", &["name=value"]),
         ("six-point:w=2^(10^9)", &["too large"]),
-        ("newton:j=1,n=1", &["the arity is 1", "from 2 to 64"]),
+        ("newton:j=1,n=1", &["`newton` needs n >= 2, and n is 1", "the arity"]),
         ("newton:j=1/2,n=3", &["the offset is -1/2", "integer"]),
         ("newton:j=1,n=10^12", &["arity"]),
         ("a x b x c x d", &["two or three factors"]),

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::net::TcpStream;
 use std::process::{Child, Command, Stdio};
+use std::time::Duration;
 
 /// A server, which ends with this.
 struct Server {
@@ -166,13 +167,15 @@ fn nobody_else_is_served() {
     assert!(refused(&["constants", "nonsense"], &json!({})).contains("unknown scheme"));
 }
 
+/// What takes several seconds.
+const LONG: [&str; 6] = ["range", "butterfly-regular", "--param", "w", "--smoothness", "1"];
+
 /// A run ends when it is stopped, and none that comes after it, whichever request is read first.
 #[test]
 fn runs_are_stopped_one_by_one() {
     let server = Server::start();
-    let long = ["range", "butterfly-regular", "--param", "w", "--smoothness", "1"];
     std::thread::scope(|scope| {
-        let run = scope.spawn(|| server.run_as("long", "subcert", &long, &json!({})));
+        let run = scope.spawn(|| server.run_as("long", "subcert", &LONG, &json!({})));
         let quick = ["constants", "chaikin", "-c", "1"];
         for _ in 0..5 {
             assert_eq!(server.run_as("quick", "subcert", &quick, &json!({}))["code"], json!(0));
@@ -181,9 +184,33 @@ fn runs_are_stopped_one_by_one() {
         assert_eq!(run.join().expect("an answer")["code"], json!(3));
     });
     assert_eq!(server.post("stop", &json!({ "id": "later" })).0, 204);
-    let said = server.run_as("later", "subcert", &long, &json!({}));
+    let said = server.run_as("later", "subcert", &LONG, &json!({}));
     assert_eq!((&said["code"], &said["text"]), (&json!(2), &json!("")), "{said}");
     assert_eq!(server.post("stop", &json!("nonsense")).0, 400);
+}
+
+/// While a run goes on, the page learns how far it is; this is no part of its messages.
+#[test]
+fn a_run_says_how_far_it_is() {
+    let server = Server::start();
+    std::thread::scope(|scope| {
+        let run = scope.spawn(|| server.run_as("long", "subcert", &LONG, &json!({})));
+        let asked = json!({ "id": "long" });
+        let progress = loop {
+            assert!(!run.is_finished(), "the run took no time");
+            let (code, said) = server.post("progress", &asked);
+            assert_eq!(code, 200, "{said}");
+            if said != "\"\"" {
+                break said;
+            }
+            std::thread::sleep(Duration::from_millis(50));
+        };
+        assert!(progress.contains("searching"), "{progress}");
+        assert_eq!(server.post("progress", &json!({ "id": "other" })), (200, "\"\"".to_owned()));
+        server.post("stop", &asked);
+        let said = run.join().expect("an answer");
+        assert!(!said["errors"].as_str().expect("text").contains("searching"), "{said}");
+    });
 }
 
 /// The examples in the page are those of the folder, word for word.

@@ -1,11 +1,13 @@
-//! A bar on the standard error, if that is a terminal.
+//! A bar on the standard error, if that is a terminal, or lines for the page that is served.
 
+use super::line::line;
 pub(super) use indicatif::ProgressBar as Counts;
 use indicatif::{ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal as _;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
+use subcert::files::is_confined;
 
 /// How long a command takes before a bar is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -23,12 +25,13 @@ pub(super) struct Bar {
 impl Bar {
     pub(super) fn new(
         length: u64,
-        template: &str,
+        template: &'static str,
         wanted: bool,
         update: impl Fn(&Counts) + Send + 'static,
     ) -> Bar {
         let bar = Counts::with_draw_target(Some(length), ProgressDrawTarget::hidden());
-        let waiting = (wanted && std::io::stderr().is_terminal()).then(|| {
+        let lines = is_confined();
+        let waiting = (wanted && (lines || std::io::stderr().is_terminal())).then(|| {
             if let Ok(style) = ProgressStyle::with_template(template) {
                 bar.set_style(style);
             }
@@ -38,11 +41,16 @@ impl Bar {
                 let mut wait = PATIENCE;
                 // The loop ends when the sender is dropped.
                 while receiver.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
-                    if wait == PATIENCE {
+                    if wait == PATIENCE && !lines {
                         shown.set_draw_target(ProgressDrawTarget::stderr());
                     }
                     update(&shown);
-                    shown.tick();
+                    if lines {
+                        let length = shown.length().unwrap_or_default();
+                        eprintln!("{}", line(template, shown.position(), length, &shown.message()));
+                    } else {
+                        shown.tick();
+                    }
                     wait = PERIOD;
                 }
             });

@@ -1,13 +1,14 @@
 //! Ctrl-C, and the end of the time, while something is computed: what was found is printed.
 
+use std::cell::Cell;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, MutexGuard, Once, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use subcert::bound::Budget;
 use subcert::cores::THREADS;
 use subcert::patch::MeshWork;
-use subcert::stop::{Stop, Stopped};
+use subcert::stop::{Stop, Stopped, Watch, watch};
 
 /// Ends one search soon.
 type End = Box<dyn Fn() + Send>;
@@ -33,7 +34,11 @@ pub(crate) fn within<T>(
     leave: impl FnOnce() + Send + 'static,
     work: impl FnOnce() -> T,
 ) -> Result<T, Stopped> {
-    let Some(seconds) = seconds.filter(|_| THREADS) else { return Ok(work()) };
+    let Some(seconds) = seconds else { return Ok(work()) };
+    if !THREADS {
+        let _watch = watch_within(seconds, leave);
+        return Ok(work());
+    }
     let stop = Stop::default();
     let late = stop.clone();
     let (sender, receiver) = channel::<()>();
@@ -55,6 +60,23 @@ pub(crate) fn within<T>(
     // This wakes the thread that waits.
     drop(sender);
     found
+}
+
+/// The same where the thread that works must look at the time itself: nothing is given up there, the program ends.
+fn watch_within(seconds: u32, leave: impl FnOnce() + 'static) -> Watch {
+    let in_seconds = |seconds: u32| Instant::now() + Duration::from_secs(seconds.into());
+    let (end, leave) = (Cell::new(in_seconds(seconds)), Cell::new(Some(leave)));
+    watch(move || {
+        // What is being written is written to its end.
+        if Instant::now() < end.get() || WRITING.try_lock().is_err() {
+            return;
+        }
+        if end_searches(seconds) {
+            end.set(in_seconds((seconds / 2).max(LEAST_REST)));
+        } else if let Some(leave) = leave.take() {
+            leave();
+        }
+    })
 }
 
 /// While this lives, results are written, and nothing else ends the program.

@@ -1,5 +1,6 @@
 //! Lines of progress on the standard error, where no thread can show a bar.
 
+use super::line::line;
 use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -11,9 +12,6 @@ const PATIENCE: Duration = Duration::from_secs(1);
 
 /// How much later the next line is.
 const PERIOD: Duration = Duration::from_millis(200);
-
-/// What every line begins with.
-const PREFIX: &str = "progress:";
 
 /// The numbers of a line.
 #[derive(Default)]
@@ -36,21 +34,10 @@ impl Counts {
         *self.message.lock().unwrap_or_else(PoisonError::into_inner) = message;
     }
 
-    /// The line of a template.
     fn line(&self, template: &str) -> String {
         let [position, length] = [&self.position, &self.length].map(|n| n.load(Ordering::Relaxed));
-        let message = self.message.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        let percent = position.saturating_mul(100).checked_div(length).unwrap_or(0);
-        let parts = [
-            ("{bar:40} ", String::new()),
-            ("{spinner} ", String::new()),
-            (", {elapsed}", String::new()),
-            ("{pos}", position.to_string()),
-            ("{len}", length.to_string()),
-            ("{percent}", percent.to_string()),
-            ("{msg}", message),
-        ];
-        parts.iter().fold(template.to_owned(), |line, (name, text)| line.replace(name, text))
+        let message = self.message.lock().unwrap_or_else(PoisonError::into_inner);
+        line(template, position, length, &message)
     }
 }
 
@@ -76,7 +63,7 @@ impl Bar {
             if now >= next.get() {
                 next.set(now + PERIOD);
                 update(&shown);
-                eprintln!("{PREFIX} {}", shown.line(template));
+                eprintln!("{}", shown.line(template));
             }
         };
         Bar { counts, _watch: wanted.then(|| watch(pulse)) }

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::hash::{BuildHasher as _, RandomState};
-use std::io::{Read as _, Write as _};
+use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -46,7 +46,17 @@ const MAX_EARLY: usize = 64;
 const CHECKER_WORDS: [&str; 6] = ["--only", "--accept", "cited", "open", "--radius", "--depth"];
 
 /// The commands that run, by the ids that the page gives them; `None` for one that was stopped before it has begun.
-type Running = Arc<Mutex<BTreeMap<String, Option<Child>>>>;
+type Running = Arc<Mutex<BTreeMap<String, Option<Run>>>>;
+
+/// A command that runs.
+struct Run {
+    child: Child,
+    /// The last line of its progress.
+    progress: String,
+}
+
+/// What lines of progress begin with.
+const PROGRESS: &str = "progress: ";
 
 pub(crate) fn serve(arguments: &ServeArguments) -> Outcome {
     if is_confined() {
@@ -118,30 +128,41 @@ fn answer(
             request.respond(response.with_chunked_threshold(usize::MAX))
         }
         (Method::Post, "run") => {
-            let mut text = String::new();
-            let read = request.as_reader().take(MAX_BYTES + 1).read_to_string(&mut text);
-            if read.is_err() || text.len() as u64 > MAX_BYTES {
-                return refuse(request, 413);
-            }
+            let Some(text) = body(&mut request, MAX_BYTES) else { return refuse(request, 413) };
             let said = match serde_json::from_str(&text) {
                 Ok(asked) => run(&asked, running).unwrap_or_else(|problem| Said::failed(&problem)),
                 Err(error) => Said::failed(&format!("the page asks for no command: {error}")),
             };
-            let text = serde_json::to_string(&said).unwrap_or_default();
-            let kind = header("Content-Type", "application/json");
-            let response = Response::from_string(text).with_header(kind);
-            request.respond(response.with_chunked_threshold(usize::MAX))
+            json(request, &said)
         }
-        (Method::Post, "stop") => {
-            let mut text = String::new();
-            let read = request.as_reader().take(MAX_ID + 64).read_to_string(&mut text);
-            let asked = read.ok().and_then(|_| serde_json::from_str::<Stopped>(&text).ok());
-            let Some(Stopped { id }) = asked else { return refuse(request, 400) };
-            stop(id, running);
-            request.respond(Response::empty(204))
+        (Method::Post, "stop" | "progress") => {
+            let text = body(&mut request, MAX_ID + 64);
+            let asked = text.and_then(|text| serde_json::from_str::<Known>(&text).ok());
+            let Some(Known { id }) = asked else { return refuse(request, 400) };
+            if name == "stop" {
+                stop(id, running);
+                return request.respond(Response::empty(204));
+            }
+            let running =
+                lock(running).get(&id).and_then(|run| Some(run.as_ref()?.progress.clone()));
+            json(request, &running.unwrap_or_default())
         }
         _ => refuse(request, 405),
     }
+}
+
+/// What was sent, if it is a text of at most so many bytes.
+fn body(request: &mut Request, most: u64) -> Option<String> {
+    let mut text = String::new();
+    request.as_reader().take(most + 1).read_to_string(&mut text).ok()?;
+    (text.len() as u64 <= most).then_some(text)
+}
+
+fn json(request: Request, said: &impl Serialize) -> Result<(), std::io::Error> {
+    let text = serde_json::to_string(said).unwrap_or_default();
+    let response =
+        Response::from_string(text).with_header(header("Content-Type", "application/json"));
+    request.respond(response.with_chunked_threshold(usize::MAX))
 }
 
 fn refuse(request: Request, code: u16) -> Result<(), std::io::Error> {
@@ -152,17 +173,17 @@ fn header(name: &str, value: &str) -> Header {
     Header::from_bytes(name, value).expect("letters")
 }
 
-fn lock(running: &Running) -> MutexGuard<'_, BTreeMap<String, Option<Child>>> {
+fn lock(running: &Running) -> MutexGuard<'_, BTreeMap<String, Option<Run>>> {
     running.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Ends a command, also one whose request comes after this.
 fn stop(id: String, running: &Running) {
     let mut running = lock(running);
-    let early = running.values().filter(|child| child.is_none()).count();
+    let early = running.values().filter(|run| run.is_none()).count();
     match running.get_mut(&id) {
         // The thread that waits for it takes it out.
-        Some(Some(child)) => drop(child.kill()),
+        Some(Some(run)) => drop(run.child.kill()),
         None if early < MAX_EARLY => drop(running.insert(id, None)),
         _ => {}
     }
@@ -171,9 +192,9 @@ fn stop(id: String, running: &Running) {
 /// The most bytes of the id of a run.
 const MAX_ID: u64 = 64;
 
-/// The run that the page stops.
+/// The run that the page stops, or asks about.
 #[derive(Deserialize)]
-struct Stopped {
+struct Known {
     id: String,
 }
 
@@ -238,14 +259,15 @@ fn run(asked: &Asked, running: &Running) -> Result<Said, String> {
         }
         let mut child = command.spawn().map_err(failed)?;
         let pipes = (child.stdout.take(), child.stderr.take());
-        running.insert(asked.id.clone(), Some(child));
+        running.insert(asked.id.clone(), Some(Run { child, progress: String::new() }));
         pipes
     };
-    let errors = std::thread::spawn(move || text(errors));
+    let (known, id) = (Arc::clone(running), asked.id.clone());
+    let errors = std::thread::spawn(move || messages(errors, &known, &id));
     let output = text(output);
     let errors = errors.join().unwrap_or_default();
-    let child = lock(running).remove(&asked.id).flatten();
-    let status = child.map(|mut child| child.wait()).transpose().map_err(failed)?;
+    let run = lock(running).remove(&asked.id).flatten();
+    let status = run.map(|mut run| run.child.wait()).transpose().map_err(failed)?;
     let code = status.and_then(|status| status.code()).unwrap_or(3);
     let files = written(folder.path(), folder.path(), &asked.files).map_err(failed)?;
     Ok(Said { code, text: output, errors, files })
@@ -258,6 +280,24 @@ fn text(pipe: Option<impl std::io::Read>) -> String {
         let _ = pipe.take(MAX_BYTES).read_to_end(&mut bytes);
     }
     String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// The messages of a run, up to a cap. Lines of progress are none: the last one stands with the run.
+fn messages(pipe: Option<impl std::io::Read>, running: &Running, id: &str) -> String {
+    let mut messages = String::new();
+    let lines = pipe.map(|pipe| BufReader::new(pipe.take(MAX_BYTES)).split(b'\n'));
+    for line in lines.into_iter().flatten().map_while(Result::ok) {
+        let line = String::from_utf8_lossy(&line);
+        match line.strip_prefix(PROGRESS) {
+            Some(progress) => {
+                if let Some(Some(run)) = lock(running).get_mut(id) {
+                    progress.clone_into(&mut run.progress);
+                }
+            }
+            None => messages.extend([&*line, "\n"]),
+        }
+    }
+    messages
 }
 
 /// The files that are in a folder and were not sent.

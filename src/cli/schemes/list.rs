@@ -46,6 +46,8 @@ struct Parameter<'a> {
     name: &'a str,
     /// Its value where none is given; null where one must be.
     default: Option<&'a str>,
+    /// Its least value, if it is a whole number; null if it may be any number.
+    least: Option<&'a str>,
     /// What it is.
     about: &'a str,
 }
@@ -53,8 +55,9 @@ struct Parameter<'a> {
 impl Scheme<'_> {
     fn of(entry: &SchemeDefinition) -> Scheme<'_> {
         let parameters = entry.parameters.iter().map(|(name, spec)| {
-            let default = spec.default.as_ref().map(|formula| formula.text.as_str());
-            Parameter { name, default, about: &spec.about }
+            let [default, least] = [&spec.default, &spec.least]
+                .map(|formula| formula.as_ref().map(|formula| formula.text.as_str()));
+            Parameter { name, default, least, about: &spec.about }
         });
         Scheme {
             name: &entry.name,
@@ -66,10 +69,11 @@ impl Scheme<'_> {
     }
 
     fn fact(&self) -> (String, String) {
-        let parameters = self.parameters.iter().map(|Parameter { name, default, about }| {
-            let default = default.map(|value| format!(" = {value}"));
-            format!("{name}{}: {about}", default.unwrap_or_default())
-        });
+        let parameters =
+            self.parameters.iter().map(|Parameter { name, default, about, .. }| {
+                let default = default.map(|value| format!(" = {value}"));
+                format!("{name}{}: {about}", default.unwrap_or_default())
+            });
         let lines = std::iter::once(self.title.to_owned()).chain(parameters);
         let lines = lines.chain([format!("[{}]", self.source)]);
         (self.name.to_owned(), lines.collect::<Vec<String>>().join("\n"))

@@ -27,7 +27,7 @@ pub(super) const ROUNDED: &str =
 pub struct ParameterSpec {
     /// The value used when none is given; `None` when a value must be given.
     pub default: Option<LocatedFormula>,
-    /// Its least value, such as a valence of 3.
+    /// Its least value, such as a valence of 3, if it is a whole number.
     pub least: Option<LocatedFormula>,
     /// A description.
     pub about: String,
