@@ -123,12 +123,21 @@ class Page:
             self.open(room, (794, 1123))
             time.sleep(1.5)
             self.chromium.call("Emulation.setEmulatedMedia", media="print", features=dark)
+            self.chromium.value("dispatchEvent(new Event('beforeprint'))")
             name = f"{room}, printed"
             self.fits(name)
             light = self.chromium.value("getComputedStyle(document.body).color.match(/[0-9.]+/g).slice(0, 3).some(c => c > 128)")
             self.expect(f"{name}: light letters", not light)
             shown = self.chromium.value("[...document.querySelectorAll('button, nav')].some(e => e.offsetParent)")
             self.expect(f"{name}: buttons", not shown)
+            beside = self.chromium.value(
+                "(t => [...document.querySelectorAll('.paper-printed li')].every((e, i) => e.querySelector('code').textContent === t[i]"
+                " && e.querySelector('span').textContent === document.querySelectorAll('.paper-numbers > div')[i].textContent))"
+                "(document.querySelector('#paper-text')?.value.split('\\n'))"
+            )
+            self.expect(f"{name}: lines that do not stand beside their numbers", beside)
+            marked = self.chromium.value("[...document.querySelectorAll('.paper-printed li.bad')].some(e => e.offsetParent)")
+            self.expect(f"{name}: no wrong line is marked", room != "paper" or marked)
             cut = self.chromium.value("[...document.querySelectorAll('textarea')].some(e => e.offsetParent && e.scrollHeight > e.clientHeight + 2)")
             self.expect(f"{name}: a text is cut off", not cut)
             paper = self.chromium.call("Page.printToPDF", printBackground=False)["data"]
@@ -187,6 +196,11 @@ def scheme(page: Page) -> None:
     page.until("a mask that is typed", f"{SCHEME}.innerText.includes('C¹') && !{SCHEME}.innerText.includes('not attained')")
     page.type("#room-scheme input[type=text]", "[1, 3, 3]/4")
     page.until("an error of a mask", f"{SCHEME}.querySelector('.error').textContent.includes('add up to 7/4')")
+    # Decimals that are cut keep their size.
+    page.open("scheme?scheme=four-point&at=w%3D1%2F10000000000000007")
+    page.until("a small number", f"/1\\.99\\d*…e-16/.test({SCHEME}?.innerText)")
+    page.open("scheme?scheme=four-point&at=w%3D1000000000000%2F7")
+    page.until("a large number", f"{SCHEME}?.innerText.includes('285714285714…')")
     page.open("scheme?scheme=four-point&at=w%3D1%2F10")
     page.until("a link restores a scheme", f"{SCHEME}.querySelector('input[type=range]') && {SCHEME}.innerText.includes('1/10')"
                f" || {SCHEME} && [...{SCHEME}.querySelectorAll('input')].some(e => e.value === '1/10')")
@@ -239,6 +253,8 @@ def curve(page: Page) -> None:
     page.until("the depth of this polygon", "document.querySelector('#room-curve')?.innerText.includes('for the tolerance')")
     page.saved("curve", "Save as SVG", "subcert-curve.svg", "<polyline")
     # By the keyboard alone: the first point goes to the right, and the last one is removed.
+    page.chromium.value("document.querySelector('#curve-closed').click()")
+    page.until("an open polygon", "document.querySelector('#room-curve .curve-limit').getAttribute('points')?.trim().split(/\\s+/).length > 100")
     page.chromium.value("document.querySelector('#room-curve svg [tabindex]').focus()")
     page.chromium.key("ArrowRight", 39)
     page.until("a point is moved by a key", f"document.querySelector('#room-curve textarea').value !== {json.dumps(points)}")
@@ -246,6 +262,16 @@ def curve(page: Page) -> None:
     page.chromium.key("Delete", 46)
     page.until("a point is removed by a key", f"document.querySelector('#room-curve textarea').value.trim().split('\\n').length === {len(points.splitlines()) - 1}")
     page.quiet("curve")
+    # The room before, with what was drawn there, also after the page is loaded anew.
+    drawn = page.chromium.value("document.querySelector('#room-curve textarea').value")
+    page.chromium.value("document.querySelector('#tab-mesh').click()")
+    page.until("another room", "!document.querySelector('#room-mesh').hidden")
+    page.chromium.value("history.back()")
+    page.until("the way back", "!document.querySelector('#room-curve').hidden && location.hash.startsWith('#curve?')")
+    page.chromium.value("document.querySelector('#tab-mesh').click()")
+    page.open("mesh")
+    page.chromium.value("document.querySelector('#tab-curve').click()")
+    page.until("what was drawn", f"document.querySelector('#room-curve textarea').value === {json.dumps(drawn)}")
 
 
 def mesh(page: Page) -> None:
@@ -259,7 +285,7 @@ def mesh(page: Page) -> None:
     )
     page.until("a file of one's own", "document.querySelector('#room-mesh').innerText.includes('mine.obj')")
     page.drop("#room-mesh .mesh-drop", ROOT / "examples/cube.obj")
-    page.until("a file that is dropped", "/cube.obj, level 1: [0-9]+ points/.test(document.querySelector('#room-mesh').innerText)")
+    page.until("a file that is dropped", "/cube.obj.?, level 1: [0-9]+ points/.test(document.querySelector('#room-mesh').innerText)")
     page.saved("mesh", "Save the refined mesh", "cube-level-1.obj", "\nf ")
     page.open("mesh?level=1&tolerance=1%2F100000")
     page.until("progress of the depth", "document.querySelector('#work output').value.includes(' pieces of level ')")

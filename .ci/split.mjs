@@ -20,7 +20,11 @@ const FEATURES = ["bulk-memory", "sign-ext", "nontrapping-float-to-int", "mutabl
 
 const [CHAIKIN, FOUR] = ["chaikin", "four-point:w=1/16"];
 const SCHEMES = [CHAIKIN, FOUR, "[1, 3, 3, 1]/4", "(1+z)^3/4", "loop:N=7"];
-const MORE = ["four-point:w=0.07", "six-point:w=3/256", "ternary-four-point:mu=1/11", "courant", "butterfly-regular", "doo-sabin:n=5", "chaikin x four-point:w=1/16"];
+const MORE = [
+  "four-point:w=0.07", "four-point:w=1/20", "six-point:w=3/256", "ternary-four-point:mu=1/11", "b-spline:degree=4", "dual-four-point", "corner-cutting:w=0.2",
+  "daubechies-4", "[1, 2, 3, 2, 1]/3", "[1, 2, 3]/3", "courant", "butterfly-regular", "zwart-powell", "trilinear", "chaikin x four-point:w=1/16",
+  "doo-sabin:n=5", "catmull-clark:N=6", "butterfly:N=5", "sqrt3:N=5",
+];
 const RANGES = [["four-point", "w"], ["six-point", "w"], ["ternary-four-point", "mu"], ["[w, 1-w, 1-w, w]", "w"]];
 const MESHES = [["catmull-clark", "cube.obj"], ["doo-sabin", "cube.obj"], ["loop", "octahedron.obj"], ["bicubic", "roof.csv"], ["bajaj", "star.vtk"]];
 const OCTAHEDRON = "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 2 1 6\nf 3 2 6\nf 4 3 6\nf 1 4 6\n";
@@ -31,6 +35,7 @@ function commands() {
   const found = [["schemes", ...json], ["smoothness", "four-point"], ["constants", "[1, 3, 3]/4", ...json]];
   for (const scheme of quick ? SCHEMES : [...SCHEMES, ...MORE]) {
     found.push(["smoothness", scheme, ...json], ["constants", scheme, "-c", "4", ...json], ["scheme", scheme, ...json], ["plot", scheme]);
+    found.push(["depth", scheme, "--polygon", "polygon.csv", "--boundary", "open", "--tolerance=1/100", ...json]);
   }
   for (const [family, name] of quick ? RANGES.slice(0, 1) : RANGES) {
     for (const order of ["0", "1", "2"]) found.push(["range", family, "--param", name, "--smoothness", order, "--seconds", "20", ...json]);

@@ -1,5 +1,7 @@
 // The points of the room "Curve", and what the commands say about them.
 
+import { digits } from "./numbers.js";
+
 export const CURVE_START = [["1", "1"], ["2", "5.5"], ["5", "6"], ["5.5", "2.5"], ["8.5", "5"], ["9", "1"]];
 export const CURVE_MAX = 100;
 
@@ -65,14 +67,6 @@ export function curvePlace({ points, first = 0, step = 1 }, parameter, shift, cl
   return [0, 1].map((i) => Number(from[i]) + part * (Number(to[i]) - Number(from[i])));
 }
 
-/** The first digits of a number, never rounded: `…` stands for the others. */
-export function curveDigits(text) {
-  const [mantissa, power] = String(text).split(/e/i);
-  const zeros = /^-?0\.0*/.exec(mantissa)?.[0].length ?? 1;
-  const kept = mantissa.slice(0, Math.max(8, zeros + 6));
-  return kept + (kept.length < mantissa.length ? "…" : "") + (power ? `e${power}` : "");
-}
-
 const levels = (count) => (count === 1 ? "1 level" : `${count} levels`);
 
 /** What `depth` says of a polygon and a tolerance: lines, and what to mark. */
@@ -92,12 +86,12 @@ export function curveDepth(found, tolerance) {
   if (!far) return { lines, level: chosen.level, mark: null };
   const distance = far.distance.decimal ?? far.distance;
   if (!usable) {
-    lines.push(`Level ${far.level} is ${curveDigits(distance)} from its limit at t = ${far.parameter}.`);
+    lines.push(`Level ${far.level} is ${digits(distance)} from its limit at t = ${far.parameter}.`);
     return { lines, level: chosen.level, mark: null };
   }
   const whose = far.from === "polygon" ? `the polygon of level ${few}` : "the limit";
   const other = far.from === "polygon" ? "the limit" : `the polygon of level ${few}`;
-  lines.push(`The point (${far.point.map(curveDigits).join(", ")}) of ${whose} is at least ${curveDigits(distance)} from ${other}.`);
+  lines.push(`The point (${far.point.map((one) => digits(one)).join(", ")}) of ${whose} is at least ${digits(distance)} from ${other}.`);
   return { lines, level: chosen.level, mark: { point: far.point.map(Number), radius: Number(distance), text: `too far at level ${few}` } };
 }
 
@@ -108,8 +102,8 @@ export function curveDistance(found) {
   const { lower, upper, parameter, coordinate } = chosen?.distance ?? {};
   if (!lower) return null;
   const size = lower.exact === upper.exact
-    ? `${lower.exact.length < 12 && lower.exact !== lower.decimal ? `${lower.exact} = ` : ""}${curveDigits(lower.decimal)}`
-    : [...new Set([lower, upper].map((one) => curveDigits(one.decimal)))].join(" to ");
+    ? `${lower.exact.length < 12 && lower.exact !== lower.decimal ? `${lower.exact} = ` : ""}${digits(lower.decimal)}`
+    : [...new Set([lower, upper].map((one) => digits(one.decimal)))].join(" to ");
   const shown = found.polygon.natural ? found.natural : found.indexed;
   return { size, parameter, axis: coordinate === 1 ? "x" : "y", shift: shown?.shifts?.[0] ?? "0", exact: `${lower.exact} to ${upper.exact}` };
 }

@@ -29,6 +29,8 @@ class CurveRoom {
   arity = 2;
   marks = { far: null, greatest: null };
   lines = {};
+  /** Of the schemes of the catalogue: `mask` for curves, `lattice`, `ring`. */
+  kinds = new Map();
 
   constructor(place, { engine, state }) {
     this.engine = engine;
@@ -78,7 +80,8 @@ class CurveRoom {
       el("div", { class: "row" },
         field("Scheme", this.scheme, "a name, or a mask as [1, 3, 3, 1]/4"), level,
         field("Tolerance", this.tolerance, "an exact number, as 1/100"),
-        el("label", { for: "curve-closed" }, this.closed, " closed")),
+        el("div", { class: "field" }, el("label", { for: "curve-closed" }, this.closed, " closed"),
+          el("small", {}, "an open polygon has a limit where no point beyond its ends would have a weight"))),
       this.error, this.depthError,
       el("div", { class: "columns" },
         el("div", {},
@@ -95,6 +98,7 @@ class CurveRoom {
   async catalogue() {
     try {
       const { schemes } = await this.engine.json(["schemes"]);
+      for (const { name, kind } of schemes) this.kinds.set(name, kind);
       const masks = schemes.filter((one) => one.kind === "mask");
       this.names.replaceChildren(...masks.map((one) => {
         const needed = one.parameters.map(({ name, default: value }) => `${name}=${value ?? "…"}`).join(",");
@@ -158,6 +162,8 @@ class CurveRoom {
       this.ask();
     } catch (error) {
       this.listError.textContent = error.message;
+      // What is shown is not about what stands there.
+      this.typing = true;
       this.freshen();
     }
   }
@@ -243,10 +249,12 @@ class CurveRoom {
       return;
     }
     const now = this.now();
-    if (now.scheme.startsWith("-")) {
+    const kind = this.kinds.get(now.scheme.split(":")[0].trim());
+    const wrong = now.scheme.startsWith("-") ? "a scheme does not begin with -" : kind && kind !== "mask" && `${now.scheme} is a scheme of surfaces; take one of curves, as chaikin or four-point`;
+    if (wrong) {
       this.depthRun += 1;
       this.depthError.textContent = "";
-      this.error.textContent = "a scheme does not begin with -";
+      this.error.textContent = wrong;
       this.freshen();
       return;
     }
@@ -330,7 +338,9 @@ class CurveRoom {
       const files = { "points.csv": refined.exact.map((point) => point.join(", ")).join("\n") };
       const found = await this.engine.json(this.args(now, "depth", "--tolerance", ANY, "--width", "1/1000000", "--distance", "parametric"), { files, kind: "curve-level-distance" });
       if (mine !== this.depthRun) return;
-      this.lines.level = { ...curveDistance(found), level: now.level, key: now.keys.level };
+      const distance = curveDistance(found);
+      // Its parameter counts points of the level, and not those of the control polygon.
+      this.lines.level = distance && { ...distance, parameter: null, level: now.level, key: now.keys.level };
       this.describe();
     } catch (error) {
       if (mine === this.depthRun && error instanceof Stopped) this.halt();

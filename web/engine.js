@@ -27,8 +27,8 @@ const compiled = (name) => bytesOf(name).then((bytes) => WebAssembly.compile(byt
 
 /** Commands in a worker, which is replaced when one is stopped. A program may be in two parts; the second one is loaded when a command needs it. */
 class Local {
-  modules = {};
-  rests = {};
+  loading = {};
+  parts = {};
   worker = null;
   busy = null;
 
@@ -43,7 +43,12 @@ class Local {
       else if (data.needs) this.complete(data.needs);
       else this.busy.progress(data.progress);
     };
-    this.worker.onerror = (event) => this.fail(event.message);
+    this.worker.onerror = (event) => {
+      // The next command begins with a new one.
+      this.worker?.terminate();
+      this.worker = null;
+      this.fail(event.message || "the worker of this page could not be started");
+    };
     this.sent = new Set();
   }
 
@@ -55,30 +60,39 @@ class Local {
   async complete(program) {
     const { worker } = this;
     try {
-      this.rests[program] ??= await compiled(`${program}-rest`);
-      worker.postMessage({ program, rest: this.rests[program] });
+      const rest = await this.part(`${program}-rest`);
+      worker.postMessage({ program, rest });
     } catch (error) {
       if (worker === this.worker) this.fail(error.message);
     }
   }
 
-  async run(job) {
-    this.modules[job.program] ??= compiled(job.program);
-    const module = await this.modules[job.program].catch((error) => {
-      // The next command tries again.
-      delete this.modules[job.program];
+  /** A part of a program, which is loaded once; after a failure the next command tries again. */
+  part(name) {
+    this.loading[name] ??= compiled(name).then((module) => (this.parts[name] = module), (error) => {
+      delete this.loading[name];
       throw error;
     });
-    if (job.stopped) throw new Stopped();
-    if (!this.worker) this.start();
-    if (!this.sent.has(job.program)) {
-      this.worker.postMessage({ program: job.program, module, rest: this.rests[job.program] ?? null });
-      this.sent.add(job.program);
-    }
+    return this.loading[name];
+  }
+
+  run(job) {
     return new Promise((resolve, reject) => {
       this.busy = { id: job.id, done: resolve, progress: job.progress, reject };
-      this.worker.postMessage({ id: job.id, program: job.program, args: job.args, files: job.files });
+      this.begin(job).catch(reject);
     });
+  }
+
+  async begin({ id, program, args, files }) {
+    const module = await this.part(program);
+    // It may have been stopped while its program was loaded.
+    if (this.busy?.id !== id) return;
+    if (!this.worker) this.start();
+    if (!this.sent.has(program)) {
+      this.worker.postMessage({ program, module, rest: this.parts[`${program}-rest`] ?? null });
+      this.sent.add(program);
+    }
+    this.worker.postMessage({ id, program, args, files });
   }
 
   stop() {
@@ -115,7 +129,7 @@ class Remote {
       return { code: 3, text: "", errors: `error: the program that serves this page does not answer: ${error.message}`, files: {} };
     } finally {
       clearInterval(asking);
-      this.controller = null;
+      this.controller = this.id = null;
     }
   }
 
@@ -127,7 +141,8 @@ class Remote {
   }
 
   stop() {
-    this.controller?.abort();
+    if (!this.controller) return;
+    this.controller.abort();
     fetch("./stop", { method: "POST", body: JSON.stringify({ id: this.id }) }).catch(() => {});
   }
 }
@@ -171,6 +186,7 @@ export class Engine {
     return new Promise((resolve, reject) => {
       const job = { id: ++this.count, args, files: Object.fromEntries(bytes), kind, program, resolve, reject };
       job.progress = (text) => {
+        if (this.running !== job) return;
         onProgress(text);
         this.onChange({ running: job, since: job.since, progress: text });
       };
@@ -226,8 +242,6 @@ export class Engine {
 
   /** Stops the command that runs. */
   stop() {
-    if (!this.running) return;
-    this.running.stopped = true;
-    this.system.stop();
+    if (this.running) this.system.stop();
   }
 }

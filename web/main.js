@@ -35,6 +35,24 @@ engine.onChange = (change) => {
 };
 work.querySelector("button").addEventListener("click", () => engine.stop());
 
+/** The values of a room that was left, which the address no longer has: kept until the browser is closed. */
+function keep(id, values) {
+  try {
+    sessionStorage.setItem(`subcert-${id}`, JSON.stringify(values));
+  } catch {
+    // A browser that keeps nothing, or not so much, has the address alone.
+  }
+}
+
+function kept(id) {
+  try {
+    const found = JSON.parse(sessionStorage.getItem(`subcert-${id}`)) ?? {};
+    return Object.fromEntries(Object.entries(found).filter(([, value]) => typeof value === "string"));
+  } catch {
+    return {};
+  }
+}
+
 /** Shows a room with these values, which it reads when it is entered. */
 function enter(id, values) {
   const room = ROOMS.find((one) => one.id === id) ?? ROOMS[0];
@@ -48,11 +66,12 @@ function enter(id, values) {
   if (!mounted.has(room.id)) {
     const place = el("section", { id: `room-${room.id}`, role: "tabpanel", "aria-labelledby": `tab-${room.id}`, tabindex: "-1" });
     main.append(place);
-    let known = values;
+    let known = Object.keys(values).length > 0 ? values : kept(room.id);
     const state = {
       get: () => known,
       set(changes) {
         known = { ...known, ...changes };
+        keep(room.id, known);
         if (!place.hidden) write(room.id, known);
       },
       replace(values) {
@@ -69,8 +88,14 @@ function enter(id, values) {
   document.title = `${room.title} – subcert`;
 }
 
+/** Enters another room, so that the browser's way back leads to this one. */
+function go(id) {
+  if (read().room !== id) history.pushState(null, "", `#${id}`);
+  enter(id, {});
+}
+
 for (const room of ROOMS) {
-  const tab = el("button", { id: `tab-${room.id}`, role: "tab", type: "button", onclick: () => enter(room.id, {}) }, room.title);
+  const tab = el("button", { id: `tab-${room.id}`, role: "tab", type: "button", onclick: () => go(room.id) }, room.title);
   tabs.append(tab);
 }
 tabs.addEventListener("keydown", (event) => {

@@ -1,5 +1,7 @@
 // What the commands write about a mesh, read for the drawing and for the text.
 
+import { digits } from "./numbers.js";
+
 /** Points and faces of an OBJ file that `refine` has written. */
 export function meshObj(text) {
   const points = [];
@@ -48,15 +50,7 @@ export function meshInherit(values, faces, control, scheme, level) {
   return found.length === faces ? found : null;
 }
 
-/** The first digits of a number, never rounded: `…` stands for the others. */
-export function meshDigits(text) {
-  const [mantissa, power] = String(text).split(/e/i);
-  const zeros = /^-?0\.0*/.exec(mantissa)?.[0].length ?? 1;
-  const kept = mantissa.slice(0, Math.max(8, zeros + 6));
-  return kept + (kept.length < mantissa.length ? "…" : "") + (power ? `e${power}` : "");
-}
-
-const place = (point) => `(${point.map(meshDigits).join(", ")})`;
+const place = (point) => `(${point.map((one) => digits(one)).join(", ")})`;
 const known = (number) => number !== null && number !== undefined;
 
 /** What `depth` says: lines of text. */
@@ -69,14 +63,14 @@ export function meshDepth(found) {
     : `No level was found that is surely enough for ${found.tolerance}${too}.`;
   const lines = [first];
   if (found.ended) lines.push(`The search ended early: ${found.ended}.`);
-  if (distance) lines.push(`The distance at level ${level} is ${meshDigits(distance.lower)} to ${meshDigits(distance.upper)}.`);
+  if (distance) lines.push(`The distance at level ${level} is ${digits(distance.lower)} to ${digits(distance.upper)}.`);
   if (far) {
     const point = far.point ?? far.on_limit;
     const size = far.distance?.lower ?? far.distance;
     const whose = far.from === "mesh" ? `the mesh of level ${few}` : "the limit";
     const other = far.from === "mesh" ? "the limit" : `the mesh of level ${few}`;
     const where = `It belongs to face ${far.face}${known(far.vertex) ? `, near vertex ${far.vertex}` : ""} of the control mesh, counted from 0.`;
-    if (point) lines.push(`The point ${place(point)} of ${whose} ${known(size) ? `is at least ${meshDigits(size)} from ${other}` : "is too far"}. ${where}`);
+    if (point) lines.push(`The point ${place(point)} of ${whose} ${known(size) ? `is at least ${digits(size)} from ${other}` : "is too far"}. ${where}`);
   }
   lines.push(sets
     ? "Mesh and limit are compared as sets of points, from both sides."

@@ -84,6 +84,8 @@ export class MeshView {
     });
     for (const end of ["pointerup", "pointercancel"]) place.addEventListener(end, () => (this.from = null));
     place.addEventListener("wheel", (event) => {
+      // Who scrolls past it means the page.
+      if (document.activeElement !== place && !event.ctrlKey) return;
       this.zooms(Math.exp(-event.deltaY / 500));
       event.preventDefault();
     }, { passive: false });

@@ -2,9 +2,13 @@
 
 import { copyLink, el, field, later, save } from "./dom.js";
 import { Stopped } from "./engine.js";
-import { meshDepth, meshDigits, meshInherit, meshObj, meshPerFace, meshSolid } from "./mesh-data.js";
+import { meshDepth, meshInherit, meshObj, meshPerFace, meshSolid } from "./mesh-data.js";
 import { MESH_EXAMPLES } from "./mesh-examples.js";
+import { digits } from "./numbers.js";
 import { MESH_TRIANGLES, MeshView, meshColour, meshCss } from "./mesh-view.js";
+
+/** A name in which letters from right to left change nothing beside it. */
+const isolated = (name) => `\u2068${name}\u2069`;
 
 const MEGABYTES = 20;
 /** Of larger meshes the depth may take long, and is asked for by a button. */
@@ -52,7 +56,7 @@ class MeshRoom {
     this.level = el("input", { type: "range", min: 0, max: 4, step: 1, oninput: () => this.slide() });
     this.levelText = el("output", {});
     this.tolerance = el("input", { class: "mono", size: 10, maxlength: 60, autocomplete: "off", spellcheck: "false", oninput: bounded });
-    this.seconds = el("input", { type: "number", min: 1, max: 86_400, oninput: bounded });
+    this.seconds = el("input", { inputmode: "numeric", size: 6, maxlength: 6, autocomplete: "off", oninput: bounded });
     this.file = el("input", { type: "file", accept: ".obj,.off,.ply,.stl,.usda,.vtk,.mesh,.csv,.json", onchange: () => this.read(this.file.files[0]) });
     this.drop = el("div", { class: "mesh-drop" },
       field("A file of yours", this.file, `OBJ, OFF, PLY, STL, USDA, VTK, MEDIT; a net as CSV or JSON; at most ${MEGABYTES} MB. Drop it here, or choose it. It is read on this machine only.`));
@@ -98,9 +102,9 @@ class MeshRoom {
   }
 
   restore() {
-    const { scheme, level = "2", tolerance = "1/100", seconds, example } = this.state.get();
+    const { scheme, level = "2", tolerance = "1/100", seconds = SECONDS, example } = this.state.get();
     this.tolerance.value = tolerance;
-    this.seconds.value = /^[1-9]\d{0,4}$/.test(seconds) ? seconds : SECONDS;
+    this.seconds.value = seconds;
     this.level.value = /^[0-4]$/.test(level) ? level : "2";
     this.levelText.value = this.level.value;
     const found = MESH_EXAMPLES.find((one) => one.id === example);
@@ -222,7 +226,7 @@ class MeshRoom {
     this.mesh = null;
     this.saving.disabled = true;
     this.old(true);
-    this.status.textContent = `${this.source.title}, level ${this.level.value}, is on its way.`;
+    this.status.textContent = `${isolated(this.source.title)}, level ${this.level.value}, is on its way.`;
   }
 
   remember() {
@@ -308,7 +312,7 @@ class MeshRoom {
       this.saving.disabled = false;
       this.old(false);
       const notes = this.control.notes ? ` ${this.control.notes}` : "";
-      this.status.textContent = `${this.source.title}, level ${level}: ${mesh.points.length} points, ${mesh.faces.length} faces.${notes}`;
+      this.status.textContent = `${isolated(this.source.title)}, level ${level}: ${mesh.points.length} points, ${mesh.faces.length} faces.${notes}`;
       if (!this.drawable(mesh)) {
         this.status.textContent += " That is too much to draw here; it can be saved.";
         this.view.clear();
@@ -354,8 +358,8 @@ class MeshRoom {
     if (values && found.level !== null) {
       const greatest = values[numbers.indexOf(most)] ?? "0";
       const stops = [0, 0.25, 0.5, 0.75, 1].map((part) => meshCss(meshColour(part))).join(", ");
-      parts.push(el("p", { class: "mesh-legend" }, "0", el("span", { class: "mesh-bar", role: "img", "aria-label": "colours from 0 to the greatest of these lower bounds, each of a whole control face", style: `background: linear-gradient(to right, ${stops})` }), meshDigits(greatest)),
-        el("p", { class: "soft" }, `All faces that come from one face of the control mesh have its colour. It says: at level ${found.level}, mesh and limit surface are somewhere on this control face at least so far apart. It does not say where, and nothing of a single small face. The greatest of these numbers is ${meshDigits(greatest)}; nowhere are they farther apart than the tolerance.`));
+      parts.push(el("p", { class: "mesh-legend" }, "0", el("span", { class: "mesh-bar", role: "img", "aria-label": "colours from 0 to the greatest of these lower bounds, each of a whole control face", style: `background: linear-gradient(to right, ${stops})` }), digits(greatest)),
+        el("p", { class: "soft" }, `All faces that come from one face of the control mesh have its colour. It says: at level ${found.level}, mesh and limit surface are somewhere on this control face at least so far apart. It does not say where, and nothing of a single small face. The greatest of these numbers is ${digits(greatest)}; nowhere are they farther apart than the tolerance.`));
     } else if (found.faces) parts.push(el("p", { class: "soft" }, "The distances of the control faces colour level 0 only; the faces of this level belong to no single one of them."));
     else if (found.plain) parts.push(el("p", { class: "soft" }, "The distances of single faces could not be written here; there are no colours."));
     if (found.mark) parts.push(el("p", { class: "soft" }, "The red mark is the point that is too far at the level before."));
@@ -395,8 +399,10 @@ class MeshRoom {
   }
 
   async search() {
+    const seconds = this.seconds.value.trim();
+    if (!/^[1-9]\d{0,4}$/.test(seconds)) throw new Error("the seconds are a whole number from 1 to 99999");
     const files = { [this.source.file]: this.source.content };
-    const args = this.args("depth", `--tolerance=${this.tolerance.value.trim()}`, `--seconds=${this.seconds.value}`, "--format", "json");
+    const args = this.args("depth", `--tolerance=${this.tolerance.value.trim()}`, `--seconds=${seconds}`, "--format", "json");
     const options = { files, kind: "mesh-depth" };
     const answer = await this.engine.run([...args, "--per-face", "faces.csv"], options);
     // Where the program cannot write files, it can still answer.

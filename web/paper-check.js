@@ -18,20 +18,20 @@ export async function paperCheck(engine, file, current, place, jump) {
   const tell = (...content) => place.replaceChildren(...content);
   const refuse = ({ code, errors }) => tell(el("div", { class: "error mono", role: "alert" }, errors.trim() || `The program ended without a message, with exit code ${code}.`));
   const text = current();
+  /** Whether a step has failed, or the text is another one than that which it is about; then this is said. */
+  const ends = (answer) => {
+    if (current() !== text) tell(el("p", {}, "The text has changed meanwhile. Check again."));
+    else if (answer.code > 1) refuse(answer);
+    return current() !== text || answer.code > 1;
+  };
   const files = { [file]: text };
   tell(el("p", {}, "Writing the certificate …"));
   try {
     const proved = await engine.run(["prove", file, "-o", "-"], { files, kind: "paper-check" });
-    if (proved.code > 1) refuse(proved);
-    if (proved.code > 1) return [];
+    if (ends(proved)) return [];
     tell(el("p", {}, "The checker reads it …"));
     const answer = await engine.run([file, "paper.cert"], { program: "subcert-check", kind: "paper-check", files: { ...files, "paper.cert": proved.text } });
-    if (answer.code > 1) refuse(answer);
-    if (answer.code > 1) return [];
-    if (current() !== text) {
-      tell(el("p", {}, "The text has changed meanwhile. Check again."));
-      return [];
-    }
+    if (ends(answer)) return [];
     const checks = paperChecks(answer.text);
     const local = (id) => id.slice(id.indexOf(":") + 1);
     tell(el("ul", { class: "paper-checks" }, checks.map(({ id, state, says, kind }) => el("li", {},

@@ -18,6 +18,8 @@ export function paperEditor({ changed, moved, declined }) {
     el("div", { class: "paper-side", "aria-hidden": "true" }, numbers),
     el("div", { class: "paper-behind", "aria-hidden": "true" }, bands),
     area);
+  // On paper, each line stands beside its number and mark, however long it is.
+  const printed = el("ol", { class: "paper-printed mono" });
   let marks = new Map();
   let refused = [];
   let good = "";
@@ -43,6 +45,14 @@ export function paperEditor({ changed, moved, declined }) {
     bands.replaceChildren(...refused.slice(0, PAPER_BANDS).map((line) => el("div", { style: `top: ${(line - 1) * height()}px` })));
     follow();
   };
+  addEventListener("beforeprint", () => {
+    const bad = new Set(refused);
+    printed.replaceChildren(...area.value.split("\n").map((line, i) => {
+      const mark = bad.has(i + 1) ? { kind: "bad", sign: "!" } : marks.get(i + 1);
+      return el("li", { class: mark?.kind ?? null }, el("span", {}, `${mark?.sign ?? ""} ${i + 1}`), el("code", {}, line));
+    }));
+  });
+  addEventListener("afterprint", () => printed.replaceChildren());
   const tell = () => document.activeElement === area && moved(area.selectionStart);
 
   area.addEventListener("scroll", follow);
@@ -68,6 +78,7 @@ export function paperEditor({ changed, moved, declined }) {
 
   return {
     node,
+    printed,
     area,
     get text() {
       return area.value;

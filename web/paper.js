@@ -13,6 +13,9 @@ const PAPER_FILE = "paper.toml";
 const PAPER_LONGEST = 20_000;
 /** How long a text must rest until it is judged, in milliseconds; and one that is long. */
 const [PAPER_REST, PAPER_LONG_REST] = [300, 1500];
+/** So many texts of the visitor's are kept when others replace them. */
+const PAPER_OWN = 9;
+const PAPER_NO_MARKS = new Map();
 /** So many places of an error have buttons. */
 const PAPER_BUTTONS = 20;
 
@@ -25,7 +28,7 @@ function paperOfProject({ key, tables }) {
 }
 
 function paperRoom(place, { engine, state }) {
-  let own = null; // a text of the visitor's that an example has replaced
+  let own = []; // texts of the visitor's that others have replaced
   let asked = 0;
   let shown = null; // the paper of the last answer
   let stale = false;
@@ -45,7 +48,7 @@ function paperRoom(place, { engine, state }) {
   const checker = el("div", { "aria-live": "polite" });
   const chooser = el("div", { class: "paper-choose", role: "group", "aria-label": "what to open" });
   const editor = paperEditor({ changed: () => changed(), moved: (offset) => tell(offset), declined: (why) => decline(why) });
-  const written = el("div", {}, el("label", { for: "paper-text" }, "The claim file"), editor.node, here);
+  const written = el("div", {}, el("label", { for: "paper-text" }, "The claim file"), editor.node, editor.printed, here);
   const room = el("div", { class: "paper-room" },
     el("div", { class: "paper-left" }, limit, written, trouble),
     el("div", {}, el("h2", {}, "Claims and verdicts"), list));
@@ -73,7 +76,7 @@ function paperRoom(place, { engine, state }) {
     here.replaceChildren();
     if (!claim) return;
     const { kind, sign } = paperWord(claim.verdict);
-    here.append(`${claim.locus}: `, el("span", { class: `paper-verdict ${kind}` }, `${sign} ${claim.verdict}`), claim.exact ? `, exactly ${claim.exact}` : "");
+    here.append(el("bdi", {}, claim.locus), ": ", el("span", { class: `paper-verdict ${kind}` }, `${sign} ${claim.verdict}`), claim.exact ? `, exactly ${claim.exact}` : "");
   }
 
   function draw() {
@@ -123,6 +126,7 @@ function paperRoom(place, { engine, state }) {
     } }, `Go to line ${line}, column ${column}`));
     trouble.replaceChildren(el("div", { class: "error mono paper-error", role: "alert" }, error), el("div", { class: "row" }, buttons));
     editor.refuse(places.map(({ line }) => line));
+    editor.mark(PAPER_NO_MARKS);
     stale = shown !== null;
     const before = stale ? " The verdicts are those of the text before." : "";
     status.textContent = places.length > 0 ? `The program refuses the text: see line ${places[0].line}, and the message below the text.${before}` : `The program refuses this.${before}`;
@@ -140,6 +144,8 @@ function paperRoom(place, { engine, state }) {
     if (!shown) status.textContent = "Judging …";
     const answer = await outline(mine).then(() => engine.json(["audit", PAPER_FILE], { files: files(), kind: "paper-audit" })).catch((error) => error);
     if (mine !== asked) return;
+    const next = then;
+    then = null;
     if (answer instanceof Stopped) {
       status.textContent = "Stopped. Change the text, or choose something above, to go on.";
       return;
@@ -152,8 +158,7 @@ function paperRoom(place, { engine, state }) {
     editor.refuse([]);
     draw();
     if (shown) say();
-    then?.();
-    then = null;
+    next?.();
   }
 
   /** The claims of a long text without verdicts, which are there at once. */
@@ -183,9 +188,11 @@ function paperRoom(place, { engine, state }) {
   /** Runs a command and saves what it prints, or the file that `pick` takes from those it writes. */
   async function keep(command, file, type, pick = null) {
     savings.textContent = `Writing ${file} …`;
+    const before = editor.text;
     try {
       const { code, text, errors, files: written } = await engine.run(command, { files: files(), kind: "paper-save" });
       const content = pick ? pick(written) : text;
+      if (editor.text !== before) throw new Error("The text has changed meanwhile. Save again.");
       if (code > 1 || !content) throw new Error(errors.trim() || "nothing was written");
       save(file, content, type);
       savings.textContent = `${file} is saved.`;
@@ -238,6 +245,8 @@ function paperRoom(place, { engine, state }) {
   }
   function changed() {
     asked++;
+    then = null;
+    editor.mark(PAPER_NO_MARKS);
     limit.replaceChildren();
     fresh();
     stale = shown !== null;
@@ -250,13 +259,14 @@ function paperRoom(place, { engine, state }) {
     return editor.text !== "" && !ready.includes(editor.text);
   }
 
-  /** Shows a text in the editor, if it takes it. */
-  function show(text) {
+  /** Shows a text in the editor, if it takes it; `after` is done when it is judged. */
+  function show(text, after = null) {
     const why = paperTooLong(text);
     if (why) return decline(why);
     clearTimeout(resting);
     limit.replaceChildren();
-    if (isOwn() && text !== editor.text) own = editor.text;
+    if (isOwn() && text !== editor.text) own = [...own.filter((one) => one !== editor.text), editor.text].slice(-PAPER_OWN);
+    then = after;
     [shown, stale, chosen] = [null, false, "all"];
     asked++;
     fresh();
@@ -312,7 +322,7 @@ function paperRoom(place, { engine, state }) {
       ...Object.values(PAPER_EXAMPLES).map(({ title, text }) => button(title, () => show(text), editor.text === text)),
       button("New claim file", () => write("doe2026")),
       button("Open a file …", () => opened.click()),
-      ...(own === null ? [] : [button("Back to my text", () => show(own))]),
+      ...own.filter((text) => text !== editor.text).map((text, i, all) => button(`Back to my text${all.length > 1 ? ` ${i + 1}` : ""}`, () => show(text))),
       el("div", { class: "field" }, el("label", { for: "paper-key" }, "A published paper"), paper));
   }
 
@@ -327,10 +337,9 @@ function paperRoom(place, { engine, state }) {
 
   place.append(
     el("p", {}, "A claim file says what a paper prints: the numbers of its tables, its equations and theorems, copied digit by digit. It also says what each number is said to equal, by the paper's own formulas. The program computes these formulas exactly, and gives each claim a verdict."),
-    el("p", {}, el("button", { type: "button", class: "paper-first", onclick: () => {
-      then = toWorst;
-      show(PAPER_EXAMPLES.first.text);
-    } }, "Start here: find the wrong number"), " opens an invented paper with two tables. One number in them is wrong; the cursor goes to it. Then change something, and see what the program says."),
+    el("p", { class: "paper-start" }, el("button", { type: "button", class: "paper-first", onclick: () => {
+      show(PAPER_EXAMPLES.first.text, toWorst);
+    } }, "Start here: find the wrong number"), " opens an invented paper with two tables. One number in them is wrong however it is read; the cursor goes to it. Then change something, and see what the program says."),
     chooser, opened, status,
     room,
     el("h2", {}, "Save"),

@@ -1,6 +1,7 @@
 // A slider for a parameter, with the ranges of smoothness beside it.
 
 import { el } from "./dom.js";
+import { digits } from "./numbers.js";
 import { schemeLacks, schemePlace } from "./scheme-parse.js";
 
 /** `C²` for 2. */
@@ -13,8 +14,7 @@ let schemeNumbered = 0;
 
 /** The end of an interval in few characters. */
 function schemeEnd({ exact, decimal }) {
-  if (exact.length <= 9) return exact;
-  return decimal.length > 9 ? `${decimal.slice(0, 9)}…` : decimal;
+  return exact.length <= 9 ? exact : digits(decimal, 7);
 }
 
 /** An interval in words. */

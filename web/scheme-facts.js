@@ -1,6 +1,7 @@
 // The answers of the program as tables, built from the fields that are there.
 
 import { el } from "./dom.js";
+import { digits } from "./numbers.js";
 import { schemeOrder } from "./scheme-controls.js";
 
 /** Fields, what they are called here, and their order. */
@@ -19,7 +20,7 @@ const SCHEME_HIDDEN = new Set(["schema", "scheme", "contraction", "norm", "conti
 /** An exact value with its decimal, in few characters. */
 function schemeExact({ exact, decimal }) {
   if (exact === decimal) return exact;
-  const close = decimal.length > 14 ? `${decimal.slice(0, 14)}…` : decimal;
+  const close = digits(decimal, 12);
   return exact.length > 60 ? close : `${exact} = ${close}`;
 }
 
@@ -28,14 +29,16 @@ function schemeExponent(hoelder) {
   if (!hoelder) return "not known";
   const { lower, upper, exact = null, attained } = hoelder;
   const decimals = lower === upper ? lower.replace(/\.?0+$/, "") : `from ${lower} to ${upper}`;
-  const value = exact === null ? decimals : exact === decimals ? exact : `${exact} = ${lower.slice(0, 10)}…`;
+  const value = exact === null ? decimals : exact === decimals ? exact : `${exact} = ${digits(lower)}`;
   return `${value}${attained === false ? ", not attained" : ""}`;
 }
+
+const NOT_CONTINUOUS = "not continuous";
 
 /** The limits in a word or two. */
 function schemeLimits({ continuity, continuity_fails: fails, converges }) {
   if (continuity === null || continuity === undefined) {
-    return fails === 0 || converges === false ? "not continuous" : "not decided";
+    return fails === 0 || converges === false ? NOT_CONTINUOUS : "not decided";
   }
   const more = fails === null || fails === undefined ? "" : fails === continuity + 1 ? `not ${schemeOrder(fails)}` : `not ${schemeOrder(fails)}; between, open`;
   return more ? `${schemeOrder(continuity)}, ${more}` : schemeOrder(continuity);
@@ -66,12 +69,12 @@ function schemeText(value) {
 /** Weights of points, as `-1/16 at -1, …`, each stencil by itself. */
 function schemeStencils(stencils) {
   return stencils.map(({ parameter, weights }) => el("div", {}, `at ${parameter.exact}: `, weights.map(({ exact, decimal, index }, place) =>
-    `${place > 0 ? ", " : ""}${exact.length > 30 ? decimal.slice(0, 12) : exact} of x${index < 0 ? "₋" : ""}${String(Math.abs(index)).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit])}`)));
+    `${place > 0 ? ", " : ""}${exact.length > 30 ? digits(decimal, 10) : exact} of x${index < 0 ? "₋" : ""}${String(Math.abs(index)).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit])}`)));
 }
 
 /** A table of names and values; an empty value is left out. */
 export function schemePairs(caption, pairs) {
-  const rows = pairs.filter(([, value]) => value !== null && value !== "" && value !== undefined);
+  const rows = pairs.filter(([, value]) => value !== null && value !== "" && value !== undefined && value !== false);
   if (rows.length === 0) return null;
   return el("table", { class: "scheme-pairs" }, el("caption", {}, caption), el("tbody", {}, rows.map(([name, value]) => el("tr", {}, el("th", { scope: "row" }, name), el("td", {}, value)))));
 }
@@ -82,7 +85,7 @@ function schemeRows(facts) {
   return [...known, ...others].filter((name) => facts[name] !== null && !(Array.isArray(facts[name]) && facts[name].length === 0)).map((name) => {
     const value = facts[name];
     const label = SCHEME_LABELS[name] ?? name.replaceAll("_", " ");
-    if (name === "hoelder") return [label, schemeExponent(Array.isArray(value) ? { lower: value[0], upper: value[1], attained: facts.attained } : value)];
+    if (name === "hoelder") return [Array.isArray(value) ? "Hölder exponent of the first derivatives" : label, schemeExponent(Array.isArray(value) ? { lower: value[0], upper: value[1], attained: facts.attained } : value)];
     if (name === "natural_shift" && Array.isArray(value)) return [label, `(${value.map(({ exact }) => exact).join(", ")})`];
     if (name === "support" && value.every(Array.isArray)) return [label, value.map(schemeText).join("; ")];
     if (name === "open") return [label, value.map((one) => el("div", {}, schemeText(one)))];
@@ -110,10 +113,10 @@ export const schemeSaid = (answer) => (answer.valences ? answer.valences.map(sch
 export function schemeHead(answer) {
   if (answer.valences) {
     return answer.valences.map((one) => [`Valence ${one.valence}`, [el("strong", {}, schemeVerdict(one)),
-      `: ${one.reason}${one.hoelder ? `; Hölder exponent ${schemeExponent({ lower: one.hoelder[0], upper: one.hoelder[1], attained: one.attained })}` : ""}`]]);
+      `: ${one.reason}${one.hoelder ? `; Hölder exponent of the first derivatives ${schemeExponent({ lower: one.hoelder[0], upper: one.hoelder[1], attained: one.attained })}` : ""}`]]);
   }
   const { field } = answer;
-  return [["Limits", el("strong", {}, schemeLimits(answer))], ["Hölder exponent", el("strong", {}, schemeExponent(answer.hoelder))],
+  return [["Limits", el("strong", {}, schemeLimits(answer))], ["Hölder exponent", schemeLimits(answer) !== NOT_CONTINUOUS && el("strong", {}, schemeExponent(answer.hoelder))],
     ["the number t in formulas", field && `about ${field.decimal}, a root of ${field.minimal_polynomial}`]];
 }
 
@@ -121,7 +124,7 @@ export function schemeHead(answer) {
 function schemeCells(value) {
   if (!value) return [el("td", {}, "–"), el("td", {}, "")];
   const long = value.exact.length > 17;
-  const decimal = value.decimal.length > 11 ? `${value.decimal.slice(0, 11)}…` : value.decimal;
+  const decimal = digits(value.decimal, 9);
   return [el("td", { class: "number", title: long ? value.exact : null }, long ? "" : value.exact), el("td", { class: "number" }, value.exact === value.decimal ? "" : decimal)];
 }
 
@@ -141,6 +144,6 @@ export function schemeLevels(answer) {
   const directions = answer.directions ?? [];
   const which = (place) => (directions.length > 1 ? `, direction ${place + 1}` : "");
   const levels = answer.levels ? [schemeLevelTable("Constants of c levels", answer.levels)]
-    : directions.map((one, place) => schemeLevelTable(`Constants of c levels${which(place)}`, one.levels));
-  return [...levels, ...directions.map((one, place) => schemeRules(one, `Coefficients of the new points${which(place)}`))];
+    : directions.flatMap((one, place) => [schemeLevelTable(`Constants of c levels${which(place)}`, one.levels), one.ended && el("p", { class: "soft" }, `–: ${one.ended}.`)]);
+  return [...levels.filter(Boolean), ...directions.map((one, place) => schemeRules(one, `Coefficients of the new points${which(place)}`))];
 }

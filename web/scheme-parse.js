@@ -65,6 +65,8 @@ export function schemeLacks(name, value) {
   if (value === "") return `the value of ${name} is missing: a decimal or a fraction, such as 1/16`;
   const wrong = schemeControlled(value);
   if (wrong) return `a value has no control characters, and there is a ${schemeCoded(wrong)} in this one: delete it`;
+  const decimal = /^(-?\d+),(\d+)$/.exec(value);
+  if (decimal) return `a decimal is written with a point: ${decimal[1]}.${decimal[2]}`;
   const last = value.at(-1);
   return "+-*/^(=".includes(last) ? `the value of ${name} is not finished: something is missing after ${last}` : null;
 }

@@ -93,12 +93,16 @@ class SchemeRoom {
     else if (errors) this.alert.textContent = errors.trim();
   }
 
-  /** The names of the catalogue, to complete what is typed. */
-  async list() {
-    this.listed = this.engine.json(["schemes"]).then(({ schemes }) => {
+  /** The names of the catalogue, to complete what is typed. After a failure they are asked for again. */
+  list() {
+    this.listed ??= this.engine.json(["schemes"]).then(({ schemes }) => {
       for (const one of schemes) this.catalogue.set(one.name, one);
       this.names.append(...schemes.map(({ name, title }) => el("option", { value: name }, title)));
-    }, () => {});
+    }, (error) => {
+      this.listed = null;
+      return error;
+    });
+    return this.listed;
   }
 
   restore() {
@@ -149,7 +153,15 @@ class SchemeRoom {
     this.hold(this.title, this.sliders, this.alert);
     const wrong = schemeRefused(text);
     if (wrong) return this.refuse(wrong);
-    await this.listed;
+    const failure = await this.list();
+    if (asked !== this.asked) return;
+    if (failure) {
+      // The names of the parameters are not known.
+      this.doubted = true;
+      this.alert.classList.remove("scheme-old");
+      this.alert.textContent = failure instanceof Stopped ? "Stopped. Press Enter in the field of the scheme to begin again." : schemeWords(failure);
+      return;
+    }
     const parameters = await this.open(text, schemeValues(at));
     if (asked !== this.asked) return;
     this.controls = parameters.map(({ value, ...parameter }) => new SchemeControl(parameter, value, () => this.moved()));

@@ -290,6 +290,16 @@ fn the_depth_as_the_eye_sees_it() {
     assert_parts(&refused(["depth", "chaikin", "--tolerance", "1", "--relative"]), &["--relative"]);
 }
 
+/// Halves of a tolerance may be too small for sets of points when it is not.
+#[test]
+fn faces_at_a_tolerance_near_the_least_one() {
+    let table = TemporaryFile::new("near.csv", "");
+    let depth = ["depth", "catmull-clark", "--tolerance", "1/200000", "--per-face", table.path()];
+    written(of_cube(&depth));
+    let text = std::fs::read_to_string(table.path()).expect("the file");
+    assert_eq!(text.lines().count(), 7);
+}
+
 #[test]
 fn holes_and_boundaries_of_a_depth() {
     let grid = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 1\nv 2 1 0\nv 0 2 0\nv 1 2 0\nv 2 2 0\n\

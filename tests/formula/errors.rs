@@ -12,7 +12,7 @@ fn errors_point_at_the_bytes_they_are_about() {
         ("", "", "a number"),
         ("1 +", "", "a number"),
         ("(1 + 2", "", "an operator or `)`"),
-        ("2 w", "w", "an operator or the end"),
+        ("2 w", "w", "a product is written with `*`"),
         ("1 + * 2", "*", "a number"),
         ("3 $ 4", "$", "an operator"),
         ("1 + 2)", ")", "an operator or the end"),

@@ -164,10 +164,10 @@ fn what_is_refused() {
     // The common denominator is nearly as long as all of them together.
     let long: Vec<Rational> = (1_i64..1_000).map(|i| Rational::new(1, (1 << 60) + i)).collect();
     assert!(matches!(closed(&long, 7), OracleError::TooLong { count: 127_872, bits: 40_000.. }));
-    // Four points leave two, and two are not enough for the next level.
+    // Four points leave the three from x_1 to x_2, these the middle one, and that nothing.
     assert_eq!(
-        refine_polygon(&rules, &points, 2, Boundary::Open).unwrap_err(),
-        OracleError::TooFew { level: 1, count: 2, width: 4 }
+        refine_polygon(&rules, &points, 3, Boundary::Open).unwrap_err(),
+        OracleError::TooFew { level: 2, count: 1, width: 4 }
     );
     let grid = |columns, level| {
         refine_grid([&rules, &rules], &points, columns, level, Boundary::Closed).unwrap_err()

@@ -86,8 +86,8 @@ impl Naive {
                 if closed { rules.refine_closed(own) } else { rules.refine_open(own) }
             };
             own = own.iter().map(refined).collect();
-            // Point n(i − o) of an open polygon is the first that needs point i and no earlier one.
-            first = if closed { 0 } else { arity * (first - mask.offset()) };
+            let start = rules.open_range(0).start;
+            first = if closed { 0 } else { arity * (first - mask.offset()) + start };
             scale *= f64::from(u32::try_from(arity).expect("small"));
         }
         let shift = nearest(&natural_shift(mask).shift);

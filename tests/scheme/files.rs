@@ -184,7 +184,7 @@ fn errors_say_where_what_and_what_would_be_right() {
         (
             "name = 'a'\nmask = [['1', '2 w'], ['1', '0']]",
             "w",
-            "expected an operator or the end",
+            "expected an operator; a product is written with `*`",
             "",
         ),
         ("name = 'a'\nmask = [['1', 'w'], ['1', '0']]", "w", "unknown name `w`", ""),

@@ -10,15 +10,23 @@ proptest! {
     fn refining_is_the_definition(rules in rules(6, 8), points in polygon(1..12)) {
         let closed = rules.refine_closed(&points);
         prop_assert_eq!(&closed, &refine(&rules, &points));
-        // The open polygon has the values of the closed one where no point is
-        // beyond its ends: from i + o = 0 on.
+        // The open polygon has the values of the closed one where no point with a weight is
+        // beyond its ends, from the first index on after which there is no other to its last one.
         let open = rules.refine_open(&points);
-        let (n, count, width) = (rules.arity(), points.len(), rules.width());
-        prop_assert_eq!(open.len(), (count + 1).saturating_sub(width) * n);
-        for (at, value) in open.iter().enumerate() {
-            let index = int(at / n) - rules.offset();
-            let i = usize::try_from(index.rem_euclid(int(count))).unwrap();
-            prop_assert_eq!(value, &closed[n * i + at % n]);
+        let (n, count) = (int(rules.arity()), int(points.len()));
+        let is_there = |index: i64| {
+            let row = &rules.rows()[usize::try_from(index.rem_euclid(n)).unwrap()];
+            let places = (index.div_euclid(n)..).zip(row).filter(|(_, entry)| **entry != Rational::zero());
+            let zeros = places.clone().next().is_none();
+            (!zeros || (0..count).contains(&index.div_euclid(n))) && places.clone().all(|(place, _)| (0..count).contains(&place))
+        };
+        let found = rules.open_range(points.len());
+        prop_assert_eq!(open.len(), found.clone().count());
+        prop_assert!(found.clone().all(is_there));
+        prop_assert!(found.is_empty() || !is_there(found.start - 1) && !is_there(found.end));
+        for (index, value) in found.zip(&open) {
+            let i = (index.div_euclid(n) - rules.offset()).rem_euclid(count);
+            prop_assert_eq!(value, &closed[usize::try_from(n * i + index.rem_euclid(n)).unwrap()]);
         }
     }
 

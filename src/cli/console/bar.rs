@@ -1,13 +1,12 @@
 //! A bar on the standard error, if that is a terminal, or lines for the page that is served.
 
-use super::line::line;
+use super::line::{are_read, line};
 pub(super) use indicatif::ProgressBar as Counts;
 use indicatif::{ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal as _;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
-use subcert::files::is_confined;
 
 /// How long a command takes before a bar is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -30,7 +29,7 @@ impl Bar {
         update: impl Fn(&Counts) + Send + 'static,
     ) -> Bar {
         let bar = Counts::with_draw_target(Some(length), ProgressDrawTarget::hidden());
-        let lines = is_confined();
+        let lines = are_read();
         let waiting = (wanted && (lines || std::io::stderr().is_terminal())).then(|| {
             if let Ok(style) = ProgressStyle::with_template(template) {
                 bar.set_style(style);

@@ -1,7 +1,14 @@
 //! Progress as lines on the standard error, for the page in a browser.
 
+use subcert::files::is_confined;
+
 /// What every line begins with.
 pub(super) const PREFIX: &str = "progress:";
+
+/// Whether a page reads these lines.
+pub(super) fn are_read() -> bool {
+    cfg!(target_family = "wasm") || is_confined()
+}
 
 /// The line of a template of a bar, without the bar and the time, which the page shows itself.
 pub(super) fn line(template: &str, position: u64, length: u64, message: &str) -> String {

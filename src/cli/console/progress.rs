@@ -1,6 +1,7 @@
 //! The progress of a long command.
 
 use super::bar::{Bar, Counts};
+use super::line::are_read;
 use super::terminal;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -87,7 +88,8 @@ impl Progress {
         wanted: bool,
         update: impl Fn(&Counts) + Send + 'static,
     ) -> Progress {
-        let shown = wanted && !terminal::is_quiet();
+        // A page asks for JSON, and shows the progress all the same.
+        let shown = (wanted || are_read()) && !terminal::is_quiet();
         Progress(Bar::new(length, template, shown, update))
     }
 

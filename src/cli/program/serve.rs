@@ -30,7 +30,7 @@ macro_rules! page {
 const FILES: &[(&str, &str, &str)] = page![
     "text/html; charset=utf-8": "page.html";
     "text/css": "style.css", "scheme.css", "curve.css", "mesh.css", "paper.css";
-    "text/javascript": "address.js", "curve-canvas.js", "curve-data.js", "curve.js", "dom.js", "engine.js", "main.js", "mesh-data.js", "mesh-examples.js", "mesh-view.js", "mesh.js", "paper-check.js", "paper-claims.js", "paper-editor.js", "paper-examples.js", "paper-places.js", "paper.js", "scheme-controls.js", "scheme-facts.js", "scheme-parse.js", "scheme-quick.js", "scheme.js", "wasi.js", "worker.js"
+    "text/javascript": "address.js", "curve-canvas.js", "curve-data.js", "curve.js", "dom.js", "engine.js", "main.js", "mesh-data.js", "mesh-examples.js", "mesh-view.js", "mesh.js", "numbers.js", "paper-check.js", "paper-claims.js", "paper-editor.js", "paper-examples.js", "paper-places.js", "paper.js", "scheme-controls.js", "scheme-facts.js", "scheme-parse.js", "scheme-quick.js", "scheme.js", "wasi.js", "worker.js"
 ];
 
 /// The most bytes of what the page sends.
@@ -265,21 +265,31 @@ fn run(asked: &Asked, running: &Running) -> Result<Said, String> {
     let (known, id) = (Arc::clone(running), asked.id.clone());
     let errors = std::thread::spawn(move || messages(errors, &known, &id));
     let output = text(output);
+    if output.is_none() {
+        stop(asked.id.clone(), running);
+    }
     let errors = errors.join().unwrap_or_default();
     let run = lock(running).remove(&asked.id).flatten();
     let status = run.map(|mut run| run.child.wait()).transpose().map_err(failed)?;
     let code = status.and_then(|status| status.code()).unwrap_or(3);
+    let long = || {
+        format!(
+            "the answer has more than {} MiB; run the command in a terminal, or take a lower level",
+            MAX_BYTES >> 20
+        )
+    };
+    let text = output.ok_or_else(long)?;
     let files = written(folder.path(), folder.path(), &asked.files).map_err(failed)?;
-    Ok(Said { code, text: output, errors, files })
+    Ok(Said { code, text, errors, files })
 }
 
-/// What comes from a pipe, up to a cap.
-fn text(pipe: Option<impl std::io::Read>) -> String {
+/// What comes from a pipe; nothing if it is too much.
+fn text(pipe: Option<impl std::io::Read>) -> Option<String> {
     let mut bytes = Vec::new();
     if let Some(pipe) = pipe {
-        let _ = pipe.take(MAX_BYTES).read_to_end(&mut bytes);
+        let _ = pipe.take(MAX_BYTES + 1).read_to_end(&mut bytes);
     }
-    String::from_utf8_lossy(&bytes).into_owned()
+    (bytes.len() as u64 <= MAX_BYTES).then(|| String::from_utf8_lossy(&bytes).into_owned())
 }
 
 /// The messages of a run, up to a cap. Lines of progress are none: the last one stands with the run.

@@ -32,7 +32,7 @@ struct Scheme<'a> {
     title: &'a str,
     /// The publication that it is from.
     source: &'a str,
-    /// `mask`, or `ring` around a vertex or a face.
+    /// `mask` of curves, `lattice` for a mask on Z^d, or `ring` around a vertex or a face.
     kind: &'static str,
     /// Its parameters.
     parameters: Vec<Parameter<'a>>,
@@ -63,7 +63,11 @@ impl Scheme<'_> {
             name: &entry.name,
             title: &entry.title,
             source: &entry.citation,
-            kind: if entry.is_ring() { "ring" } else { "mask" },
+            kind: match entry {
+                _ if entry.is_ring() => "ring",
+                _ if entry.is_lattice() => "lattice",
+                _ => "mask",
+            },
             parameters: parameters.collect(),
         }
     }

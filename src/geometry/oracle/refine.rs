@@ -18,7 +18,7 @@ pub const MAX_REFINED_LEVEL: u32 = 64;
 pub enum Boundary {
     /// A closed polygon: indices are taken mod the number of points.
     Closed,
-    /// An open polygon: a rule is applied only where all of its points exist; see
+    /// An open polygon: a rule is applied only where all of its points exist that have a weight; see
     /// [`Rules::refine_open`].
     Open,
 }
@@ -66,7 +66,7 @@ pub enum OracleError {
     /// An open polygon with fewer points than the width of the rules.
     #[error(
         "nothing is left of the open polygon after level {level}: it has {count} points there, \
-         and a rule needs {width}"
+         and rules need up to {width}"
     )]
     TooFew {
         /// The last level that has points.
@@ -188,17 +188,16 @@ fn count_after(
     if count == 0 {
         return Err(OracleError::Empty);
     }
-    let (arity, width) = (rules.arity(), rules.width());
     let mut now = count;
     for k in 0..level {
-        let windows = match boundary {
-            Boundary::Closed => now,
-            Boundary::Open => (now + 1).saturating_sub(width),
+        let next = match boundary {
+            Boundary::Closed => now.saturating_mul(rules.arity()),
+            Boundary::Open => rules.open_range(now).count(),
         };
-        if windows == 0 {
-            return Err(OracleError::TooFew { level: k, count: now, width });
+        if next == 0 {
+            return Err(OracleError::TooFew { level: k, count: now, width: rules.width() });
         }
-        now = windows.saturating_mul(arity);
+        now = next;
         if now > MAX_VALUES {
             return Err(OracleError::TooMany);
         }
@@ -251,7 +250,7 @@ fn transposed(values: &[Whole], columns: usize) -> Vec<Whole> {
 
 /// An integer as a [`Scalar`]. The refinement uses integers over one common denominator;
 /// fractions are reduced only at the end.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 struct Whole(Integer);
 
 impl Scalar for Whole {

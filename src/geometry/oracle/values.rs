@@ -249,7 +249,9 @@ fn header(scheme: &Scheme, request: &OracleRequest) -> Header {
     let first_index = |mask: &&Mask| match request.boundary {
         Boundary::Closed => Integer::zero(),
         Boundary::Open => (0..request.level).fold(Integer::zero(), |start, _| {
+            let first = mask.rules().open_range(0).start;
             (start - Integer::from(mask.offset())) * Integer::from(mask.arity())
+                + Integer::from(first)
         }),
     };
     Header {

@@ -45,10 +45,27 @@ pub fn parse(text: &str) -> Result<Expr, FormulaError> {
     preceded(space, expression).parse(input).map_err(|error| {
         let failure = error.into_inner();
         let at = failure.at.min(text.len());
-        let kind = failure.kind.unwrap_or(FormulaErrorKind::Expected("an operator or the end"));
+        let kind = match failure.kind.unwrap_or(FormulaErrorKind::Expected(OR_END)) {
+            FormulaErrorKind::Expected(OR_END | OR_CLOSE) if is_factor(&text[at..]) => {
+                FormulaErrorKind::Expected(PRODUCT)
+            }
+            kind => kind,
+        };
         let span = failure.span.unwrap_or_else(|| token_at(text, at));
         FormulaError { kind, span, definition: None }
     })
+}
+
+/// What stands after a factor.
+const OR_END: &str = "an operator or the end";
+const OR_CLOSE: &str = "an operator or `)`";
+
+/// The same where another factor stands there.
+const PRODUCT: &str = "an operator; a product is written with `*`, as 2*w";
+
+/// Whether a text begins as a factor that is no number, such as the w of 2w.
+fn is_factor(text: &str) -> bool {
+    text.starts_with(|next: char| next == '(' || next == ROOT_SIGN || starts_name(next))
 }
 
 fn expression(input: &mut Input<'_>) -> Parsed<Expr> {
@@ -111,7 +128,7 @@ fn primary(input: &mut Input<'_>) -> Parsed<Expr> {
     let next = required("a number, a name or `(`", peek(any)).parse_next(input)?;
     if next == '(' {
         let start = input.current_token_start();
-        let close = required("an operator or `)`", ')');
+        let close = required(OR_CLOSE, ')');
         let inner = delimited(symbol('('), nested(expression), close).parse_next(input)?;
         let span = start..input.previous_token_end();
         space(input)?;

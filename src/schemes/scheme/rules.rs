@@ -2,6 +2,7 @@
 
 use crate::cap::Cap;
 use crate::exact::{Rational, Scalar};
+use std::ops::Range;
 
 /// The largest arity n.
 pub const MAX_ARITY: usize = 64;
@@ -193,18 +194,53 @@ impl<S: Scalar> Rules<S> {
         }
         refined
     }
+}
+
+impl<S: Scalar + PartialEq> Rules<S> {
+    /// The indices ni + α of the values Σ_j r_{α,j} x_{i+j} that an open polygon x_0, …, x_{m−1} determines, where m is `count`: those
+    /// whose x_{i+j} with r_{α,j} ≠ 0 are all there, without a gap. With l_α and u_α, the first and the last j for which r_{α,j} ≠ 0, they go
+    /// from max_α (α − n l_α) − n + 1 to min_α (α + n (m − 1 − u_α)) + n − 1. A rule of zeros needs
+    /// x_i. The offset plays no role. Empty where m is too small.
+    ///
+    /// ```
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// // The first rule keeps a point, the second one needs four.
+    /// let scheme = parse_scheme("four-point")?;
+    /// let rules = scheme.masks()[0].rules();
+    /// assert_eq!((rules.open_range(6), rules.open_range(3).is_empty()), (0..7, true));
+    /// # Ok::<(), subcert::scheme::SchemeError>(())
+    /// ```
+    #[must_use]
+    pub fn open_range(&self, count: usize) -> Range<i64> {
+        let small = |number: usize| i64::try_from(number).unwrap_or(i64::MAX / MAX_ARITY as i64);
+        let (arity, count, zero) = (small(self.arity()), small(count), S::zero());
+        let (mut first, mut last) = (i64::MIN, i64::MAX);
+        for (row, alpha) in self.rows.iter().zip(0..) {
+            let used = |(_, entry): &(usize, &S)| **entry != zero;
+            let of = |place: Option<(usize, &S)>| small(place.map_or(0, |(place, _)| place));
+            first = first.max(alpha - arity * of(row.iter().enumerate().find(used)));
+            let end = of(row.iter().enumerate().rfind(used));
+            last = last.min(alpha + arity * (count - 1 - end));
+        }
+        first - arity + 1..last + arity
+    }
 
     /// The rules applied once to an open polygon x_0, …, x_{m−1}: the values Σ_j r_{α,j}
-    /// x_{i+j}, for i = 0, …, m−N and, for each i, α = 0, …, n−1. Empty for m < N. The
-    /// offset plays no role.
+    /// x_{i+j} for the indices ni + α of [`open_range`](Rules::open_range), one after the other.
     #[must_use]
     pub fn refine_open(&self, points: &[S]) -> Vec<S> {
-        let combine = |row: &Vec<S>, window: &[S]| {
-            row.iter()
-                .zip(window)
-                .fold(S::zero(), |sum, (coefficient, point)| sum.plus(&coefficient.times(point)))
+        let (arity, zero) = (i64::try_from(self.arity()).expect("few rules"), S::zero());
+        let value = |index: i64| {
+            let (i, alpha) = (index.div_euclid(arity), index.rem_euclid(arity));
+            let row = &self.rows[usize::try_from(alpha).expect("0 ≤ it")];
+            (i..).zip(row).filter(|(_, coefficient)| **coefficient != zero).fold(
+                S::zero(),
+                |sum, (at, coefficient)| {
+                    sum.plus(&coefficient.times(&points[usize::try_from(at).expect("0 ≤ it")]))
+                },
+            )
         };
-        let windows = points.windows(self.width());
-        windows.flat_map(|window| self.rows.iter().map(move |row| combine(row, window))).collect()
+        self.open_range(points.len()).map(value).collect()
     }
 }

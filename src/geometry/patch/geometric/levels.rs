@@ -181,7 +181,7 @@ fn too_many() -> String {
 }
 
 /// For each face a lower and an upper bound of its distance: with upper bounds ε, ε/2, ε/4 or ε/8, or infinite where ε
-/// is none. `search` makes the search for a tolerance.
+/// is none, or is too small a tolerance. `search` makes the search for a tolerance.
 pub(crate) fn distances<S: Levels>(
     level: u32,
     tolerance: &Rational,
@@ -190,7 +190,11 @@ pub(crate) fn distances<S: Levels>(
     let (mut bounds, mut wanted) = (Vec::new(), Vec::new());
     for halved in 0..4 {
         let tolerance = tolerance * &Rational::new(1, 1_i64 << halved);
-        let mut search = search(&tolerance)?;
+        let mut search = match search(&tolerance) {
+            // The one before was large enough; there is no sharper bound.
+            Err(_) if halved > 0 => break,
+            search => search?,
+        };
         if halved == 0 {
             bounds = vec![[0.0, f64::INFINITY]; search.count()];
             wanted = vec![true; search.count()];
