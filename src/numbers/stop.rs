@@ -43,12 +43,15 @@ pub struct Stopped;
 /// Whether any work was ever stopped, or is watched: until then nobody looks further.
 static ANY: AtomicBool = AtomicBool::new(false);
 
+/// What is called every now and then.
+type Pulse = Rc<dyn Fn()>;
+
 thread_local! {
     /// What ends the work of this thread, the innermost last.
     static CURRENT: RefCell<Vec<Stop>> = const { RefCell::new(Vec::new()) };
 
     /// What watches the work of this thread, with a number of its own, and how often it was looked at.
-    static WATCHING: RefCell<Vec<(u64, Rc<dyn Fn()>)>> = const { RefCell::new(Vec::new()) };
+    static WATCHING: RefCell<Vec<(u64, Pulse)>> = const { RefCell::new(Vec::new()) };
     static LOOKS: Cell<u32> = const { Cell::new(0) };
 }
 

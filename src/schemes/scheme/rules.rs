@@ -208,12 +208,13 @@ impl<S: Scalar + PartialEq> Rules<S> {
     /// // The first rule keeps a point, the second one needs four.
     /// let scheme = parse_scheme("four-point")?;
     /// let rules = scheme.masks()[0].rules();
-    /// assert_eq!((rules.open_range(6), rules.open_range(3).is_empty()), (0..7, true));
+    /// assert_eq!((rules.open_range(6), rules.open_range(2).is_empty()), (0..7, true));
     /// # Ok::<(), subcert::scheme::SchemeError>(())
     /// ```
     #[must_use]
     pub fn open_range(&self, count: usize) -> Range<i64> {
-        let small = |number: usize| i64::try_from(number).unwrap_or(i64::MAX / MAX_ARITY as i64);
+        // No polygon in memory has so many points.
+        let small = |number: usize| i64::try_from(number).unwrap_or(i64::MAX).min(1 << 48);
         let (arity, count, zero) = (small(self.arity()), small(count), S::zero());
         let (mut first, mut last) = (i64::MIN, i64::MAX);
         for (row, alpha) in self.rows.iter().zip(0..) {
@@ -228,6 +229,9 @@ impl<S: Scalar + PartialEq> Rules<S> {
 
     /// The rules applied once to an open polygon x_0, …, x_{m−1}: the values Σ_j r_{α,j}
     /// x_{i+j} for the indices ni + α of [`open_range`](Rules::open_range), one after the other.
+    ///
+    /// # Panics
+    /// Never: the points of these indices are there.
     #[must_use]
     pub fn refine_open(&self, points: &[S]) -> Vec<S> {
         let (arity, zero) = (i64::try_from(self.arity()).expect("few rules"), S::zero());
