@@ -199,6 +199,8 @@ def scheme(page: Page) -> None:
     # Decimals that are cut keep their size.
     page.open("scheme?scheme=four-point&at=w%3D1%2F10000000000000007")
     page.until("a small number", f"/1\\.99\\d*…e-16/.test({SCHEME}?.innerText)")
+    page.open("scheme?scheme=four-point&at=w%3D1%2F100000000000000000000")
+    page.until("a number near 1", f"{SCHEME}?.innerText.includes('1.00000000…')")
     page.open("scheme?scheme=four-point&at=w%3D1000000000000%2F7")
     page.until("a large number", f"{SCHEME}?.innerText.includes('285714285714…')")
     page.open("scheme?scheme=four-point&at=w%3D1%2F10")
@@ -302,6 +304,13 @@ def paper(page: Page) -> None:
     page.saved("paper", "Certificate", ".cert", "certificate")
     page.click("Check the certificate", "paper")
     page.until("the checker's word", "/certificate.*(valid|accepted)|valid/.test(document.querySelector('#room-paper').innerText)")
+    # Another room, before the text has rested, and the way back.
+    page.chromium.value(
+        "(e => { e.value += '# mine'; e.dispatchEvent(new Event('input', {bubbles: true})); document.querySelector('#tab-curve').click(); history.back(); })"
+        "(document.querySelector('#room-paper textarea'))"
+    )
+    page.until("the text after the way back", "!document.querySelector('#room-paper').hidden && location.hash.includes('mine')"
+               " && document.querySelector('#room-paper textarea').value.endsWith('# mine')")
     page.chromium.value(
         "(e => { e.value = e.value.replace('[[table]]', '[[tabel]]'); e.dispatchEvent(new Event('input', {bubbles: true})); })"
         "(document.querySelector('#room-paper textarea'))"

@@ -1,6 +1,6 @@
 // The points of the room "Curve", and what the commands say about them.
 
-import { digits } from "./numbers.js";
+import { digits, shortly } from "./numbers.js";
 
 export const CURVE_START = [["1", "1"], ["2", "5.5"], ["5", "6"], ["5.5", "2.5"], ["8.5", "5"], ["9", "1"]];
 export const CURVE_MAX = 100;
@@ -102,8 +102,8 @@ export function curveDistance(found) {
   const { lower, upper, parameter, coordinate } = chosen?.distance ?? {};
   if (!lower) return null;
   const size = lower.exact === upper.exact
-    ? `${lower.exact.length < 12 && lower.exact !== lower.decimal ? `${lower.exact} = ` : ""}${digits(lower.decimal)}`
-    : [...new Set([lower, upper].map((one) => digits(one.decimal)))].join(" to ");
+    ? `${lower.exact.length < 12 && lower.exact !== lower.decimal ? `${lower.exact} = ` : ""}${shortly(lower)}`
+    : [...new Set([lower, upper].map((one) => shortly(one)))].join(" to ");
   const shown = found.polygon.natural ? found.natural : found.indexed;
   return { size, parameter, axis: coordinate === 1 ? "x" : "y", shift: shown?.shifts?.[0] ?? "0", exact: `${lower.exact} to ${upper.exact}` };
 }

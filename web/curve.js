@@ -37,7 +37,6 @@ class CurveRoom {
     this.state = state;
     this.build(place);
     this.restore();
-    this.catalogue();
   }
 
   build(place) {
@@ -95,7 +94,10 @@ class CurveRoom {
     );
   }
 
+  /** The names of schemes, which are asked for again after a failure. */
   async catalogue() {
+    if (this.listing || this.kinds.size > 0) return;
+    this.listing = true;
     try {
       const { schemes } = await this.engine.json(["schemes"]);
       for (const { name, kind } of schemes) this.kinds.set(name, kind);
@@ -106,6 +108,8 @@ class CurveRoom {
       }));
     } catch (error) {
       if (!(error instanceof Stopped)) this.status.textContent = error.message;
+    } finally {
+      this.listing = false;
     }
   }
 
@@ -146,6 +150,7 @@ class CurveRoom {
 
   change(points, moving) {
     this.points = points;
+    this.typing = false;
     this.moving = moving;
     this.canvas.show(points, this.closed.checked);
     if (moving) this.ask(true);
@@ -175,9 +180,13 @@ class CurveRoom {
 
   /** Something is as it shall be: into the list and the address, and asks for all of it. */
   settle(look = false) {
-    this.typing = this.moving = false;
-    this.listError.textContent = "";
-    this.list.value = curveLines(this.points);
+    this.moving = false;
+    // What is typed there counts, and stays when it is wrong.
+    if (this.typing) this.readList();
+    if (!this.typing) {
+      this.listError.textContent = "";
+      this.list.value = curveLines(this.points);
+    }
     if (look) this.look();
     this.remember();
     this.ask();
@@ -185,6 +194,10 @@ class CurveRoom {
 
   remember() {
     this.state.set({ scheme: this.scheme.value, points: curveShort(this.points), closed: this.closed.checked ? "" : "no", level: this.level.value, tolerance: this.tolerance.value });
+  }
+
+  leave() {
+    if (this.typing) this.readList();
   }
 
   /** One round after the other; what changes in between is drawn by the next one. */
@@ -202,6 +215,7 @@ class CurveRoom {
       await this.round(how === "moving");
     }
     this.drawing = false;
+    this.catalogue();
   }
 
   /** What is there now, with what each result belongs to: a result with another key is old. */
@@ -423,6 +437,6 @@ export default {
   title: "Curve",
   mount(place, context) {
     const room = new CurveRoom(place, context);
-    return { restore: () => room.restore() };
+    return { restore: () => room.restore(), leave: () => room.leave() };
   },
 };

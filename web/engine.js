@@ -19,11 +19,15 @@ async function bytesOf(name) {
   }
   const packed = Uint8Array.from(atob(inside.textContent.trim()), (character) => character.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  inside.remove();
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-const compiled = (name) => bytesOf(name).then((bytes) => WebAssembly.compile(bytes));
+/** A program, whose text in the page is needed no more. */
+async function compiled(name) {
+  const module = await WebAssembly.compile(await bytesOf(name));
+  document.getElementById(`${name}.wasm`)?.remove();
+  return module;
+}
 
 /** Commands in a worker, which is replaced when one is stopped. A program may be in two parts; the second one is loaded when a command needs it. */
 class Local {

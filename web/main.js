@@ -46,8 +46,9 @@ function keep(id, values) {
 
 function kept(id) {
   try {
-    const found = JSON.parse(sessionStorage.getItem(`subcert-${id}`)) ?? {};
-    return Object.fromEntries(Object.entries(found).filter(([, value]) => typeof value === "string"));
+    const found = JSON.parse(sessionStorage.getItem(`subcert-${id}`));
+    const is = typeof found === "object" && found !== null && !Array.isArray(found);
+    return Object.fromEntries(Object.entries(is ? found : {}).filter(([, value]) => typeof value === "string"));
   } catch {
     return {};
   }
@@ -90,7 +91,9 @@ function enter(id, values) {
 
 /** Enters another room, so that the browser's way back leads to this one. */
 function go(id) {
-  if (read().room !== id) history.pushState(null, "", `#${id}`);
+  const { room } = read();
+  mounted.get(room)?.leave?.();
+  if (room !== id) history.pushState(null, "", `#${id}`);
   enter(id, {});
 }
 

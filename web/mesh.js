@@ -108,8 +108,10 @@ class MeshRoom {
     this.level.value = /^[0-4]$/.test(level) ? level : "2";
     this.levelText.value = this.level.value;
     const found = MESH_EXAMPLES.find((one) => one.id === example);
-    if (found || !this.source) this.source = this.fromExample(found ?? MESH_EXAMPLES[0]);
-    this.choose(scheme ?? this.source.scheme ?? this.schemeName);
+    const known = this.source !== null;
+    if (found || !known) this.source = this.fromExample(found ?? MESH_EXAMPLES[0]);
+    // A file of the visitor's is gone, and its scheme may not be one for the example that is shown instead.
+    this.choose((example === "" && !known ? null : scheme) ?? this.source.scheme ?? this.schemeName);
     this.reading += 1;
     this.begin();
     if (example && !found) this.error.textContent = `The address names an example that is not here; this is ${this.source.title}.`;

@@ -15,7 +15,7 @@ const PAPER_LONGEST = 20_000;
 const [PAPER_REST, PAPER_LONG_REST] = [300, 1500];
 /** So many texts of the visitor's are kept when others replace them. */
 const PAPER_OWN = 9;
-const PAPER_NO_MARKS = new Map();
+const [PAPER_NO_MARKS, PAPER_NO_LINES] = [new Map(), []];
 /** So many places of an error have buttons. */
 const PAPER_BUTTONS = 20;
 
@@ -30,6 +30,7 @@ function paperOfProject({ key, tables }) {
 function paperRoom(place, { engine, state }) {
   let own = []; // texts of the visitor's that others have replaced
   let asked = 0;
+  let turn = 0; // what raises it makes void a text that the program still writes
   let shown = null; // the paper of the last answer
   let stale = false;
   let chosen = "all";
@@ -236,17 +237,28 @@ function paperRoom(place, { engine, state }) {
     here.replaceChildren();
   }
 
+  /** A text that has not rested yet goes into the address. */
+  function leave() {
+    if (resting !== null) remember();
+  }
+
   function rest() {
     clearTimeout(resting);
     resting = setTimeout(() => {
+      resting = null;
       remember();
       audit();
     }, editor.text.length > PAPER_LONGEST ? PAPER_LONG_REST : PAPER_REST);
   }
   function changed() {
     asked++;
+    turn++;
     then = null;
+    // What was said of lines is not about these.
     editor.mark(PAPER_NO_MARKS);
+    editor.refuse(PAPER_NO_LINES);
+    trouble.replaceChildren();
+    if (shown) status.textContent = "Judging …";
     limit.replaceChildren();
     fresh();
     stale = shown !== null;
@@ -267,6 +279,7 @@ function paperRoom(place, { engine, state }) {
     limit.replaceChildren();
     if (isOwn() && text !== editor.text) own = [...own.filter((one) => one !== editor.text), editor.text].slice(-PAPER_OWN);
     then = after;
+    turn++;
     [shown, stale, chosen] = [null, false, "all"];
     asked++;
     fresh();
@@ -280,13 +293,17 @@ function paperRoom(place, { engine, state }) {
 
   /** A claim file that the program writes: a template, or that of a published paper. */
   async function write(key) {
+    const mine = ++turn;
     try {
       const { code, text, errors } = await engine.run(["new", key, "-o", "-"], { kind: "paper-new" });
+      if (mine !== turn) return;
       if (code > 1) return refuse(errors.trim() || `exit code ${code}`);
       if (Object.hasOwn(PAPER_KEYS, key)) published.set(key, text);
       show(text);
     } catch (error) {
-      if (!(error instanceof Stopped)) refuse(error.message);
+      if (mine !== turn) return;
+      if (error instanceof Stopped) status.textContent = "Stopped. Choose something above to go on.";
+      else refuse(error.message);
     }
   }
 
@@ -356,7 +373,7 @@ function paperRoom(place, { engine, state }) {
     show(PAPER_EXAMPLES.first.text);
     limit.replaceChildren(...why);
   }
-  return { restore };
+  return { restore, leave };
 }
 
 export default { id: "paper", title: "Paper", mount: paperRoom };

@@ -1,7 +1,7 @@
 // A slider for a parameter, with the ranges of smoothness beside it.
 
 import { el } from "./dom.js";
-import { digits } from "./numbers.js";
+import { shortly } from "./numbers.js";
 import { schemeLacks, schemePlace } from "./scheme-parse.js";
 
 /** `C²` for 2. */
@@ -13,8 +13,8 @@ const SCHEME_COUNTS = 9;
 let schemeNumbered = 0;
 
 /** The end of an interval in few characters. */
-function schemeEnd({ exact, decimal }) {
-  return exact.length <= 9 ? exact : digits(decimal, 7);
+function schemeEnd(value) {
+  return value.exact.length <= 9 ? value.exact : shortly(value, 7);
 }
 
 /** An interval in words. */

@@ -1,7 +1,7 @@
 // The answers of the program as tables, built from the fields that are there.
 
 import { el } from "./dom.js";
-import { digits } from "./numbers.js";
+import { shortly } from "./numbers.js";
 import { schemeOrder } from "./scheme-controls.js";
 
 /** Fields, what they are called here, and their order. */
@@ -18,9 +18,10 @@ const SCHEME_LABELS = {
 const SCHEME_HIDDEN = new Set(["schema", "scheme", "contraction", "norm", "continuity", "continuity_fails", "edges", "points_at", "valence", "converges", "bisections", "block", "blocks", "in_order", "ranges", "attained"]);
 
 /** An exact value with its decimal, in few characters. */
-function schemeExact({ exact, decimal }) {
+function schemeExact(value) {
+  const { exact, decimal } = value;
   if (exact === decimal) return exact;
-  const close = digits(decimal, 12);
+  const close = shortly(value, 12);
   return exact.length > 60 ? close : `${exact} = ${close}`;
 }
 
@@ -29,7 +30,7 @@ function schemeExponent(hoelder) {
   if (!hoelder) return "not known";
   const { lower, upper, exact = null, attained } = hoelder;
   const decimals = lower === upper ? lower.replace(/\.?0+$/, "") : `from ${lower} to ${upper}`;
-  const value = exact === null ? decimals : exact === decimals ? exact : `${exact} = ${digits(lower)}`;
+  const value = exact === null ? decimals : exact === decimals ? exact : `${exact} = ${shortly({ exact, decimal: lower })}`;
   return `${value}${attained === false ? ", not attained" : ""}`;
 }
 
@@ -69,7 +70,7 @@ function schemeText(value) {
 /** Weights of points, as `-1/16 at -1, …`, each stencil by itself. */
 function schemeStencils(stencils) {
   return stencils.map(({ parameter, weights }) => el("div", {}, `at ${parameter.exact}: `, weights.map(({ exact, decimal, index }, place) =>
-    `${place > 0 ? ", " : ""}${exact.length > 30 ? digits(decimal, 10) : exact} of x${index < 0 ? "₋" : ""}${String(Math.abs(index)).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit])}`)));
+    `${place > 0 ? ", " : ""}${exact.length > 30 ? shortly({ exact, decimal }, 10) : exact} of x${index < 0 ? "₋" : ""}${String(Math.abs(index)).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit])}`)));
 }
 
 /** A table of names and values; an empty value is left out. */
@@ -124,7 +125,7 @@ export function schemeHead(answer) {
 function schemeCells(value) {
   if (!value) return [el("td", {}, "–"), el("td", {}, "")];
   const long = value.exact.length > 17;
-  const decimal = digits(value.decimal, 9);
+  const decimal = shortly(value, 9);
   return [el("td", { class: "number", title: long ? value.exact : null }, long ? "" : value.exact), el("td", { class: "number" }, value.exact === value.decimal ? "" : decimal)];
 }
 

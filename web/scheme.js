@@ -144,6 +144,12 @@ class SchemeRoom {
     else if (this.doubted) this.choose(text, this.at);
   }
 
+  /** What stands in the field goes into the address, also where it has not been read yet. */
+  leave() {
+    const text = this.input.value.trim();
+    if (text !== this.text) this.state.set({ scheme: text, at: "" });
+  }
+
   /** Another scheme: finds its open parameters, and draws it. */
   async choose(text, at) {
     if (this.input.value.trim() !== text) this.input.value = text;
@@ -153,17 +159,15 @@ class SchemeRoom {
     this.hold(this.title, this.sliders, this.alert);
     const wrong = schemeRefused(text);
     if (wrong) return this.refuse(wrong);
-    const failure = await this.list();
+    const parameters = await this.list() ?? await this.open(text, schemeValues(at)).catch((error) => error);
     if (asked !== this.asked) return;
-    if (failure) {
+    if (parameters instanceof Error) {
       // The names of the parameters are not known.
       this.doubted = true;
       this.alert.classList.remove("scheme-old");
-      this.alert.textContent = failure instanceof Stopped ? "Stopped. Press Enter in the field of the scheme to begin again." : schemeWords(failure);
+      this.alert.textContent = parameters instanceof Stopped ? "Stopped. Press Enter in the field of the scheme to begin again." : schemeWords(parameters);
       return;
     }
-    const parameters = await this.open(text, schemeValues(at));
-    if (asked !== this.asked) return;
     this.controls = parameters.map(({ value, ...parameter }) => new SchemeControl(parameter, value, () => this.moved()));
     this.sliders.replaceChildren(...this.controls.map(({ element }) => element));
     const known = this.catalogue.get(schemeSplit(text).family);
@@ -203,7 +207,7 @@ class SchemeRoom {
     for (let count = 0; count < 8; count++) {
       if (this.catalogue.has(family) && found.every(({ name }) => values.has(name))) break;
       const whole = schemeWith(text, values);
-      const answer = await this.engine.run(["smoothness", whole], { kind: "scheme-open" }).catch(() => null);
+      const answer = await this.engine.run(["smoothness", whole], { kind: "scheme-open" });
       const asked = answer && schemeAsked(answer.errors, whole);
       if (!asked || values.has(asked.name)) break;
       if (!found.some(({ name }) => name === asked.name)) found.push(schemeParameter(asked));
@@ -421,4 +425,4 @@ class SchemeRoom {
   }
 }
 
-export default { id: "scheme", title: "Scheme", mount(place, tools) { const room = new SchemeRoom(place, tools); return { restore: () => room.restore() }; } };
+export default { id: "scheme", title: "Scheme", mount(place, tools) { const room = new SchemeRoom(place, tools); return { restore: () => room.restore(), leave: () => room.leave() }; } };
