@@ -10,12 +10,16 @@ function paperChecks(text) {
   return found.map(([, state, id, says]) => ({ id, state, says, kind: kinds[state] }));
 }
 
+let paperLatest = 0;
+
 /**
  * Writes the certificate of a text, lets the checker read it, and shows its lines in `place`. The answer: the lines, or none when
  * there is no answer about the text that `current()` gives then.
  */
 export async function paperCheck(engine, file, current, place, jump) {
-  const tell = (...content) => place.replaceChildren(...content);
+  const mine = ++paperLatest;
+  // A check that a later one has replaced says nothing.
+  const tell = (...content) => mine === paperLatest && place.replaceChildren(...content);
   const refuse = ({ code, errors }) => tell(el("div", { class: "error mono", role: "alert" }, errors.trim() || `The program ended without a message, with exit code ${code}.`));
   const text = current();
   /** Whether a step has failed, or the text is another one than that which it is about; then this is said. */

@@ -30,6 +30,7 @@ function paperOfProject({ key, tables }) {
 function paperRoom(place, { engine, state }) {
   let own = []; // texts of the visitor's that others have replaced
   let asked = 0;
+  let saves = 0;
   let turn = 0; // what raises it makes void a text that the program still writes
   let shown = null; // the paper of the last answer
   let stale = false;
@@ -188,17 +189,18 @@ function paperRoom(place, { engine, state }) {
 
   /** Runs a command and saves what it prints, or the file that `pick` takes from those it writes. */
   async function keep(command, file, type, pick = null) {
-    savings.textContent = `Writing ${file} …`;
-    const before = editor.text;
+    const [mine, before] = [++saves, editor.text];
+    const tell = (words) => mine === saves && (savings.textContent = words);
+    tell(`Writing ${file} …`);
     try {
       const { code, text, errors, files: written } = await engine.run(command, { files: files(), kind: "paper-save" });
       const content = pick ? pick(written) : text;
       if (editor.text !== before) throw new Error("The text has changed meanwhile. Save again.");
       if (code > 1 || !content) throw new Error(errors.trim() || "nothing was written");
       save(file, content, type);
-      savings.textContent = `${file} is saved.`;
+      tell(`${file} is saved.`);
     } catch (error) {
-      savings.textContent = error instanceof Stopped ? "stopped" : error.message;
+      tell(error instanceof Stopped ? "stopped" : error.message);
     }
   }
 
