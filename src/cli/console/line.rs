@@ -2,8 +2,8 @@
 
 use subcert::files::is_confined;
 
-/// What every line begins with.
-pub(super) const PREFIX: &str = "progress:";
+/// What every line begins with; `web/wasi.js` knows it too.
+pub(crate) const PREFIX: &str = "progress: ";
 
 /// Whether a page reads these lines.
 pub(super) fn are_read() -> bool {
@@ -22,5 +22,5 @@ pub(super) fn line(template: &str, position: u64, length: u64, message: &str) ->
         ("{percent}", percent.to_string()),
         ("{msg}", message.to_owned()),
     ];
-    parts.iter().fold(format!("{PREFIX} {template}"), |line, (name, text)| line.replace(name, text))
+    parts.iter().fold(format!("{PREFIX}{template}"), |line, (name, text)| line.replace(name, text))
 }

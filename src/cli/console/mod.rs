@@ -11,7 +11,7 @@ pub(super) mod destination;
 pub(super) mod endings;
 pub(super) mod interrupt;
 pub(crate) mod lattice;
-mod line;
+pub(super) mod line;
 pub(super) mod output;
 pub(super) mod progress;
 pub(super) mod quantity;

@@ -4,6 +4,7 @@
 //! other page of the browser can ask for anything. Commands run in a folder of their own, with the files that the page has sent, and touch no others.
 
 use crate::cli::arguments::ServeArguments;
+use crate::cli::console::line::PREFIX;
 use crate::cli::console::output::{Failure, Outcome, write};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -54,9 +55,6 @@ struct Run {
     /// The last line of its progress.
     progress: String,
 }
-
-/// What lines of progress begin with.
-const PROGRESS: &str = "progress: ";
 
 pub(crate) fn serve(arguments: &ServeArguments) -> Outcome {
     if is_confined() {
@@ -298,7 +296,7 @@ fn messages(pipe: Option<impl std::io::Read>, running: &Running, id: &str) -> St
     let lines = pipe.map(|pipe| BufReader::new(pipe.take(MAX_BYTES)).split(b'\n'));
     for line in lines.into_iter().flatten().map_while(Result::ok) {
         let line = String::from_utf8_lossy(&line);
-        match line.strip_prefix(PROGRESS) {
+        match line.strip_prefix(PREFIX) {
             Some(progress) => {
                 if let Some(Some(run)) = lock(running).get_mut(id) {
                     progress.clone_into(&mut run.progress);
