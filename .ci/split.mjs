@@ -26,13 +26,13 @@ const MORE = [
   "doo-sabin:n=5", "catmull-clark:N=6", "butterfly:N=5", "sqrt3:N=5",
 ];
 const RANGES = [["four-point", "w"], ["six-point", "w"], ["ternary-four-point", "mu"], ["[w, 1-w, 1-w, w]", "w"]];
-const MESHES = [["catmull-clark", "cube.obj"], ["doo-sabin", "cube.obj"], ["loop", "octahedron.obj"], ["bicubic", "roof.csv"], ["bajaj", "star.vtk"]];
+const MESHES = [["catmull-clark", "cube.obj"], ["catmull-clark", "tent.obj"], ["doo-sabin", "cube.obj"], ["loop", "octahedron.obj"], ["loop-warren", "octahedron.obj"], ["bicubic", "roof.csv"], ["bajaj", "star.vtk"]];
 const OCTAHEDRON = "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 2 1 6\nf 3 2 6\nf 4 3 6\nf 1 4 6\n";
 
 /** The commands of these rooms, as lists of words. */
 function commands() {
   const json = ["--format", "json"];
-  const found = [["schemes", ...json], ["smoothness", "four-point"], ["constants", "[1, 3, 3]/4", ...json]];
+  const found = [["schemes", ...json], ["smoothness", "four-point"], ["smoothness", "four-pont"], ["constants", "[1, 3, 3]/4", ...json]];
   for (const scheme of quick ? SCHEMES : [...SCHEMES, ...MORE]) {
     found.push(["smoothness", scheme, ...json], ["constants", scheme, "-c", "4", ...json], ["scheme", scheme, ...json], ["plot", scheme]);
     found.push(["depth", scheme, "--polygon", "polygon.csv", "--boundary", "open", "--tolerance=1/100", ...json]);
@@ -61,7 +61,7 @@ function tool(...args) {
 }
 
 const files = { "octahedron.obj": Buffer.from(OCTAHEDRON) };
-for (const name of ["polygon.csv", "cube.obj", "roof.csv", "star.vtk"]) files[name] = fs.readFileSync(`examples/${name}`);
+for (const name of ["polygon.csv", "cube.obj", "tent.obj", "roof.csv", "star.vtk"]) files[name] = fs.readFileSync(`examples/${name}`);
 
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "subcert-"));
 const inside = (name) => path.join(folder, name);
