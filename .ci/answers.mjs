@@ -4,18 +4,13 @@
 //     node .ci/answers.mjs target/release/subcert web/subcert.wasm
 
 import { spawnSync } from "node:child_process";
-import { webcrypto } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
+import { compiled, run } from "./wasi.mjs";
 
 const root = path.resolve(path.dirname(process.argv[1]), "..");
 const [program, wasm] = process.argv.slice(2).map((file) => path.resolve(file));
 process.chdir(root);
-// Node 18 has it under another name.
-globalThis.crypto ??= webcrypto;
-// The module is a module without a package that says so.
-const source = fs.readFileSync("web/wasi.js", "utf8");
-const { run } = await import(`data:text/javascript;base64,${Buffer.from(source).toString("base64")}`);
 
 /** What differs for a reason: the program measures time, the answer is what was found until the time was over, or it is about the machine. */
 const LEFT_OUT = [/^certify /, /--seconds/, /^serve/];
@@ -46,7 +41,6 @@ for (const folder of ["examples", "proofs/claims", "proofs/projects"]) {
 /** The words of a line as a shell reads them, without variables. */
 const words = (line) => [...line.matchAll(/'([^']*)'|"([^"]*)"|(\S+)/g)].map((found) => found[1] ?? found[2] ?? found[3]);
 
-const compiled = (file) => WebAssembly.compile(fs.readFileSync(file));
 const rest = wasm.replace(/\.wasm$/, "-rest.wasm");
 const parts = { module: await compiled(wasm), rest: fs.existsSync(rest) ? await compiled(rest) : null };
 let [count, different, slowest] = [0, 0, [0, ""]];

@@ -4,16 +4,13 @@
 //     node .ci/split.mjs [--quick]
 
 import { spawnSync } from "node:child_process";
-import { webcrypto } from "node:crypto";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
+import { compiled, run } from "./wasi.mjs";
 
 const quick = process.argv.includes("--quick");
 process.chdir(path.resolve(path.dirname(process.argv[1]), ".."));
-globalThis.crypto ??= webcrypto;
-const source = fs.readFileSync("web/wasi.js", "utf8");
-const { run } = await import(`data:text/javascript;base64,${Buffer.from(source).toString("base64")}`);
 
 const PROGRAM = "web/subcert.wasm";
 const FEATURES = ["bulk-memory", "sign-ext", "nontrapping-float-to-int", "mutable-globals", "reference-types", "multivalue"].map((name) => `--enable-${name}`);
@@ -66,7 +63,7 @@ for (const name of ["polygon.csv", "cube.obj", "tent.obj", "roof.csv", "star.vtk
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "subcert-"));
 const inside = (name) => path.join(folder, name);
 tool("--instrument", PROGRAM, "-o", inside("counting.wasm"));
-const module = await WebAssembly.compile(fs.readFileSync(inside("counting.wasm")));
+const module = await compiled(inside("counting.wasm"));
 const PAGE = 65536;
 const profiles = [];
 for (const args of commands()) {

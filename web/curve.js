@@ -156,21 +156,26 @@ class CurveRoom {
     if (moving) this.ask(true);
   }
 
-  readList() {
-    this.typing = this.moving = false;
+  /** The points of the list. Where there is an error, it is said, and what is shown is not about what stands there. */
+  takeList() {
+    this.moving = false;
     try {
-      const points = curvePoints(this.list.value);
+      this.points = curvePoints(this.list.value);
+      this.typing = false;
       this.listError.textContent = "";
-      this.points = points;
       this.look();
-      this.remember();
-      this.ask();
     } catch (error) {
-      this.listError.textContent = error.message;
-      // What is shown is not about what stands there.
       this.typing = true;
+      this.listError.textContent = error.message;
       this.freshen();
     }
+  }
+
+  readList() {
+    this.takeList();
+    if (this.typing) return;
+    this.remember();
+    this.ask();
   }
 
   slide() {
@@ -182,7 +187,7 @@ class CurveRoom {
   settle(look = false) {
     this.moving = false;
     // What is typed there counts, and stays when it is wrong.
-    if (this.typing) this.readList();
+    if (this.typing) this.takeList();
     if (!this.typing) {
       this.listError.textContent = "";
       this.list.value = curveLines(this.points);

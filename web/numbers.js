@@ -24,14 +24,14 @@ export function digits(text, count = 8) {
 function quotient(p, q, count) {
   const whole = p / q;
   let rest = p % q;
-  if (String(whole).length > WHOLE) {
-    const text = String(whole);
+  const text = String(whole);
+  if (text.length > WHOLE) {
     const kept = text.slice(1, count).replace(/0+$/, "");
     const more = rest > 0n || /[1-9]/.test(text.slice(count));
     return `${text[0]}${more || kept ? `.${more ? text.slice(1, count) : kept}` : ""}${more ? "…" : ""}e${text.length - 1}`;
   }
   let part = "";
-  let [used, zeros] = [whole > 0n ? String(whole).length : 0, 0];
+  let [used, zeros] = [whole > 0n ? text.length : 0, 0];
   while (rest > 0n && used < count) {
     rest *= 10n;
     const digit = rest / q;
@@ -42,7 +42,7 @@ function quotient(p, q, count) {
     if (zeros > SMALLEST) return null;
   }
   const more = rest > 0n ? "…" : "";
-  if (whole > 0n || zeros <= ZEROS) return `${whole}${part ? `.${part}` : ""}${more}`;
+  if (whole > 0n || zeros <= ZEROS) return `${text}${part ? `.${part}` : ""}${more}`;
   return `${part[zeros]}${part.length > zeros + 1 ? `.${part.slice(zeros + 1)}` : ""}${more}e-${zeros + 1}`;
 }
 

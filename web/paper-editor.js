@@ -29,27 +29,32 @@ export function paperEditor({ changed, moved, declined }) {
     for (const layer of [numbers, bands]) layer.style.transform = `translateY(${-area.scrollTop}px)`;
   };
   const height = () => Number.parseFloat(getComputedStyle(area).lineHeight);
+  /** The colour of a line, and its number behind its sign. */
+  const numbering = () => {
+    const bad = new Set(refused);
+    return (line) => {
+      const mark = bad.has(line) ? { kind: "bad", sign: "!" } : marks.get(line);
+      return [mark?.kind ?? null, `${mark?.sign ?? ""} ${line}`];
+    };
+  };
   const draw = () => {
     const count = paperLineAt(area.value, area.value.length);
     // Most keys change no number of a line.
     const same = drawn?.count === count && drawn.marks === marks && drawn.refused === refused;
     drawn = { count, marks, refused };
     if (same) return follow();
-    const bad = new Set(refused);
-    const lines = Array.from({ length: count }, (_, i) => {
-      const mark = bad.has(i + 1) ? { kind: "bad", sign: "!" } : marks.get(i + 1);
-      return [mark?.kind ?? null, `${mark?.sign ?? ""} ${i + 1}`];
-    });
+    const numbered = numbering();
+    const lines = Array.from({ length: count }, (_, i) => numbered(i + 1));
     if (count > PAPER_COLOURED) numbers.textContent = lines.map(([, text]) => text).join("\n");
     else numbers.replaceChildren(...lines.map(([kind, text]) => el("div", { class: kind }, text)));
     bands.replaceChildren(...refused.slice(0, PAPER_BANDS).map((line) => el("div", { style: `top: ${(line - 1) * height()}px` })));
     follow();
   };
   addEventListener("beforeprint", () => {
-    const bad = new Set(refused);
+    const numbered = numbering();
     printed.replaceChildren(...area.value.split("\n").map((line, i) => {
-      const mark = bad.has(i + 1) ? { kind: "bad", sign: "!" } : marks.get(i + 1);
-      return el("li", { class: mark?.kind ?? null }, el("span", {}, `${mark?.sign ?? ""} ${i + 1}`), el("code", {}, line));
+      const [kind, number] = numbered(i + 1);
+      return el("li", { class: kind }, el("span", {}, number), el("code", {}, line));
     }));
   });
   addEventListener("afterprint", () => printed.replaceChildren());

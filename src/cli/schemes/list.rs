@@ -63,10 +63,12 @@ impl Scheme<'_> {
             name: &entry.name,
             title: &entry.title,
             source: &entry.citation,
-            kind: match entry {
-                _ if entry.is_ring() => "ring",
-                _ if entry.is_lattice() => "lattice",
-                _ => "mask",
+            kind: if entry.is_ring() {
+                "ring"
+            } else if entry.is_lattice() {
+                "lattice"
+            } else {
+                "mask"
             },
             parameters: parameters.collect(),
         }
