@@ -1,5 +1,5 @@
 // The program in WebAssembly and the program of this machine answer alike: the same text, messages and exit code for every example of the
-// documentation, and for these commands as JSON. With `--quick`, those that take long are left out.
+// documentation, and for these commands as JSON.
 //
 //     node .ci/answers.mjs target/release/subcert web/subcert.wasm
 
